@@ -1,0 +1,56 @@
+# The commands a person runs. Everything is installed from Debian packages and built with CMake;
+# see README.md for the CMake options and presets.
+SHELL := /bin/bash
+
+# What the program and its tests need, and what only the rivals of the benchmark need.
+PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libspdlog-dev \
+            libcli11-dev nlohmann-json3-dev libgtest-dev libgmp-dev libcgal-dev
+BENCH_PACKAGES := libbenchmark-dev libgeos-dev libboost-dev
+
+.PHONY: demo test build bench stress fuzz deps bench-deps format tidy clean
+
+demo: build
+	@scripts/demo.sh
+
+test: deps
+	cmake --preset release
+	cmake --build --preset release
+	@scripts/run-tests.sh build
+
+build: deps
+	cmake --preset release
+	cmake --build --preset release --target lober
+
+bench: bench-deps
+	cmake --preset bench
+	cmake --build --preset bench
+	@scripts/bench.sh
+
+# Ten times the random pairs of the test suite, with new seeds: hours on a laptop, minutes on a server.
+stress: deps
+	cmake --preset release
+	cmake --build --preset release
+	@scripts/stress.sh
+
+# Each reader under ASan and UBSan for ten minutes.
+fuzz: deps
+	@scripts/install-packages.sh clang libclang-rt-14-dev
+	cmake --preset fuzz
+	cmake --build --preset fuzz
+	@scripts/fuzz.sh
+
+deps:
+	@scripts/install-packages.sh $(PACKAGES)
+
+bench-deps: deps
+	@scripts/install-packages.sh $(BENCH_PACKAGES)
+
+format:
+	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+tidy:
+	cmake --preset release
+	git ls-files 'kernels/*.cpp' 'engine/*.cpp' 'cli/*.cpp' | xargs clang-tidy -p build --quiet
+
+clean:
+	rm -rf build build-* out

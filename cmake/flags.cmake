@@ -1,0 +1,20 @@
+# Flags of our own code. `lober_own_code(TARGET)` is called on every target that we compile.
+#
+# -ffp-contract=off: the predicates and the error-free transforms in kernels/ are theorems about a
+# fixed sequence of roundings. A compiler that fuses a*b - c*d into an FMA changes that sequence, and
+# with it signs that must be exact and bits that must not depend on the machine. Where an FMA is
+# wanted it is written out (kernels/simd.hpp). There is no -ffast-math anywhere, for the same reason.
+function(lober_own_code target)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    $<$<BOOL:${LOBER_WERROR}>:-Werror>
+    -ffp-contract=off)
+  # -Wno-psabi: GCC warns that vector types are passed differently by builds with and without AVX; ours
+  # never cross a translation unit. -Wno-restrict: a false alarm of GCC 12 on std::string (its bug 105651).
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi -Wno-restrict>)
+  if(LOBER_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=${LOBER_SANITIZE} -fno-omit-frame-pointer
+                                            $<$<NOT:$<STREQUAL:${LOBER_SANITIZE},thread>>:-fno-sanitize-recover=all>)
+    target_link_options(${target} PUBLIC -fsanitize=${LOBER_SANITIZE})
+  endif()
+endfunction()

@@ -1,0 +1,262 @@
+#include "engine/crossings/contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "engine/parallel/parallel.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober {
+namespace {
+
+// A run of common vertices: vertices first .. last of C1 are vertices of C2 one by one.
+struct Run {
+  std::uint32_t first;
+  std::uint32_t last;
+  int direction;  // of C2
+};
+
+// A contact before its parameters are known.
+struct Hit {
+  std::uint32_t segment1;
+  std::uint32_t segment2;
+  std::int8_t rho;
+  std::int8_t run;
+  bool proper;
+  bool vertex1;  // at the first end of segment1
+  bool vertex2;
+};
+
+struct Block {
+  Buffer<Hit> hits;
+  std::vector<Run> runs;
+  std::uint32_t covered_begin = 0;  // segments of C1 inside a known run
+  std::uint32_t covered_end = 0;
+  Buffer<Contact> contacts;
+  ContactCounts counts;
+};
+
+class ContactFinder final : public PairConsumer {
+ public:
+  ContactFinder(const CurveView& c1, const CurveView& c2, double scale)
+      : c1_(c1), c2_(c2), scale_(scale), blocks_((c1.segments() + block_segments - 1) / block_segments) {}
+
+  std::uint32_t consume(std::uint32_t number, std::span<const SegmentPair> pairs) override {
+    std::unique_ptr<Block>& block = blocks_[number];
+    if (!block) block = std::make_unique<Block>();
+    const std::uint32_t end = std::min((number + 1) * block_segments, static_cast<std::uint32_t>(c1_.segments()));
+    for (const SegmentPair& pair : pairs) {
+      if (pair.first >= block->covered_begin && pair.first < block->covered_end) continue;
+      classify(pair.first, pair.second, end, *block);
+    }
+    return block->covered_end;
+  }
+
+  void finish(std::uint32_t number) override {
+    if (!blocks_[number]) return;
+    Block& block = *blocks_[number];
+    drop_inside_runs(block);
+    sort_by_segment(block.hits, number * block_segments);
+    place(block);
+    order_on_segments(block);
+    block.hits = {};
+  }
+
+  Contacts gather() {
+    Contacts result;
+    std::vector<std::size_t> begin(blocks_.size() + 1, 0);
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
+      begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->contacts.size() : 0);
+      if (!blocks_[k]) continue;
+      const ContactCounts& counts = blocks_[k]->counts;
+      result.counts.predicates += counts.predicates;
+      result.counts.exact_parameters += counts.exact_parameters;
+      result.counts.exact_orders += counts.exact_orders;
+      result.counts.shared_vertices += counts.shared_vertices;
+    }
+    result.list.resize(begin.back());
+    for_each_block(blocks_.size(), 8, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        if (!blocks_[k]) continue;
+        std::copy(blocks_[k]->contacts.begin(), blocks_[k]->contacts.end(), result.list.data() + begin[k]);
+        blocks_[k].reset();
+      }
+    });
+    return result;
+  }
+
+ private:
+  void classify(std::uint32_t i, std::uint32_t j, std::uint32_t block_end, Block& block) {
+    const auto [a, b] = segment(c1_, i);
+    const auto [c, d] = segment(c2_, j);
+    PredicateCounts& counts = block.counts.predicates;
+    const int side_c = orient2d(a, b, c, counts), side_d = orient2d(a, b, d, counts);
+    if (side_c * side_d > 0) return;
+    const int side_a = orient2d(c, d, a, counts), side_b = orient2d(c, d, b, counts);
+    if (side_a * side_b > 0) return;
+    if (side_a * side_b < 0 && side_c * side_d < 0) {
+      block.hits.push_back({i, j, static_cast<std::int8_t>(side_d), 0, true, false, false});
+      return;
+    }
+    if (a == b || c == d) return;  // repeated vertices carry no segment
+    if (a == c) {
+      block.hits.push_back({i, j, 0, 0, false, true, true});
+      follow_run(i, j, block_end, block);
+      return;
+    }
+    if (side_a == 0 && a != d && on_segment(c, d, a, counts)) block.hits.push_back({i, j, 0, 0, false, true, false});
+    if (side_c == 0 && c != b && on_segment(a, b, c, counts)) block.hits.push_back({i, j, 0, 0, false, false, true});
+  }
+
+  // Vertex i of C1 is vertex j of C2: follows both as long as they have the same vertices, inside the block.
+  void follow_run(std::uint32_t i, std::uint32_t j, std::uint32_t block_end, Block& block) {
+    for (const int direction : {1, -1}) {
+      std::uint32_t last = i, other = j;
+      while (last < block_end) {
+        // A run that is known already (pairs may come in descending order) is taken over whole.
+        if (!block.runs.empty() && block.runs.back().first == last && block.runs.back().direction == direction) {
+          last = block.runs.back().last;
+          break;
+        }
+        const std::uint32_t next = last + 1 == c1_.points.size() ? 0 : last + 1;
+        const std::uint32_t next_other = step(c2_, other, direction);
+        if (next_other == no_vertex) break;
+        const Point here = c1_.points[next];
+        if (!(here == c2_.points[next_other]) || here == c1_.points[last]) break;
+        other = next_other;
+        ++last;
+      }
+      if (last == i) continue;
+      block.hits.back().run = static_cast<std::int8_t>(direction);
+      block.runs.push_back({i, last, direction});
+      block.covered_begin = i;
+      block.covered_end = last;
+      return;
+    }
+  }
+
+  static constexpr std::uint32_t no_vertex = 0xffffffff;
+  static std::uint32_t step(const CurveView& curve, std::uint32_t vertex, int direction) {
+    const auto last = static_cast<std::uint32_t>(curve.points.size() - 1);
+    if (direction > 0) return vertex < last ? vertex + 1 : (curve.closed ? 0 : no_vertex);
+    return vertex > 0 ? vertex - 1 : (curve.closed ? last : no_vertex);
+  }
+
+  // Contacts inside a run that were found before the run was known.
+  static void drop_inside_runs(Block& block) {
+    if (block.runs.empty()) return;
+    std::sort(block.runs.begin(), block.runs.end(), [](const Run& x, const Run& y) { return x.first < y.first; });
+    std::vector<Run> merged;
+    for (const Run& run : block.runs) {
+      if (!merged.empty() && run.first < merged.back().last) {
+        merged.back().last = std::max(merged.back().last, run.last);
+      } else {
+        merged.push_back(run);
+      }
+    }
+    for (const Run& run : merged) block.counts.shared_vertices += run.last - run.first;
+    std::erase_if(block.hits, [&](const Hit& hit) {
+      const auto after = std::upper_bound(merged.begin(), merged.end(), hit.segment1,
+                                          [](std::uint32_t value, const Run& run) { return value <= run.first; });
+      return after != merged.begin() && hit.segment1 < std::prev(after)->last;
+    });
+  }
+
+  // Counting sort: a block has few segments and, when this matters, many hits.
+  static void sort_by_segment(Buffer<Hit>& hits, std::uint32_t first_segment) {
+    const auto less = [](const Hit& x, const Hit& y) { return x.segment1 < y.segment1; };
+    if (std::is_sorted(hits.begin(), hits.end(), less)) return;
+    std::array<std::uint32_t, block_segments + 1> begin{};
+    for (const Hit& hit : hits) ++begin[hit.segment1 - first_segment + 1];
+    for (std::uint32_t k = 0; k < block_segments; ++k) begin[k + 1] += begin[k];
+    Buffer<Hit> sorted(hits.size());
+    for (const Hit& hit : hits) sorted[begin[hit.segment1 - first_segment]++] = hit;
+    hits.swap(sorted);
+  }
+
+  // Computes the parameters of all hits of the block.
+  void place(Block& block) {
+    constexpr std::size_t batch = 256;
+    std::array<SegmentCrossing, batch> crossings;
+    std::array<CrossingParameters, batch> parameters;
+    std::array<std::uint32_t, batch> target;
+    std::size_t waiting = 0;
+    block.contacts.resize(block.hits.size());
+    const auto flush = [&] {
+      block.counts.exact_parameters += crossing_parameters(crossings.data(), waiting, scale_, parameters.data());
+      for (std::size_t k = 0; k < waiting; ++k) {
+        block.contacts[target[k]].t1 = parameters[k].t1;
+        block.contacts[target[k]].t2 = parameters[k].t2;
+      }
+      waiting = 0;
+    };
+    for (std::uint32_t k = 0; k < block.hits.size(); ++k) {
+      const Hit& hit = block.hits[k];
+      const auto [a, b] = segment(c1_, hit.segment1);
+      const auto [c, d] = segment(c2_, hit.segment2);
+      Contact& contact = block.contacts[k];
+      contact = {hit.segment1, hit.segment2, {}, {}, hit.rho, hit.run, hit.proper, hit.vertex1, hit.vertex2};
+      if (hit.proper) {
+        crossings[waiting] = {a, b, c, d};
+        target[waiting++] = k;
+        if (waiting == batch) flush();
+      } else {
+        if (!hit.vertex1) contact.t1 = exact_parameter(a, b, {c, c, true});
+        if (!hit.vertex2) contact.t2 = exact_parameter(c, d, {a, a, true});
+      }
+    }
+    flush();
+  }
+
+  // Brings the contacts of each segment of C1 into their order along it.
+  void order_on_segments(Block& block) {
+    Buffer<Contact>& list = block.contacts;
+    for (std::size_t k = 1; k < list.size(); ++k) {
+      for (std::size_t m = k; m > 0 && list[m].segment1 == list[m - 1].segment1 && before(list[m], list[m - 1], block); --m) {
+        std::swap(list[m], list[m - 1]);
+      }
+    }
+  }
+
+  bool before(const Contact& x, const Contact& y, Block& block) const {
+    if (x.vertex1 != y.vertex1) return x.vertex1;
+    const double difference = (x.t1.hi - y.t1.hi) + (x.t1.lo - y.t1.lo);
+    if (difference < -parameter_doubt) return true;
+    if (difference > parameter_doubt) return false;
+    ++block.counts.exact_orders;
+    const auto [a, b] = segment(c1_, x.segment1);
+    return compare_along(a, b, implicit(x), implicit(y)) < 0;
+  }
+
+  [[nodiscard]] ImplicitPoint implicit(const Contact& contact) const {
+    if (contact.vertex1) {
+      const Point vertex = c1_.points[contact.segment1];
+      return {vertex, vertex, true};
+    }
+    const auto [c, d] = segment(c2_, contact.segment2);
+    return contact.proper ? ImplicitPoint{c, d} : ImplicitPoint{c, c, true};
+  }
+
+  CurveView c1_, c2_;
+  double scale_;
+  std::vector<std::unique_ptr<Block>> blocks_;
+};
+
+}  // namespace
+
+Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind) {
+  const double scale = unite(c1.tree().box(), c2.tree().box()).extent();
+  const Stopwatch watch;
+  ContactFinder finder(c1.view(), c2.view(), scale);
+  const SearchCounts search = find_pairs(c1, c2, kind, finder);
+  Contacts contacts = finder.gather();
+  contacts.search_seconds = watch.seconds();
+  contacts.counts.search = search;
+  contacts.all_proper = std::all_of(contacts.list.begin(), contacts.list.end(), [](const Contact& c) { return c.proper; });
+  sort_along_second(contacts.list, c1.view(), c2.view(), contacts.order2, contacts.counts.exact_orders);
+  contacts.order_seconds = watch.seconds() - contacts.search_seconds;
+  return contacts;
+}
+
+}  // namespace lober

@@ -1,0 +1,363 @@
+#include "engine/overlay/overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/overlay/arc_sums.hpp"
+#include "engine/overlay/faces.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober {
+namespace {
+
+constexpr Membership only1{true, false}, only2{false, true}, both{true, true}, neither{false, false};
+
+double half(DD twice) { return std::max(0.0, 0.5 * (twice.hi + twice.lo)); }
+DD absolute(DD value) { return value.hi < 0 ? -value : value; }
+
+// Bound on what double-double loses in any area of the scene: the gap at each crossing (crossing_parameters.hpp) times the
+// size of the scene, and the additions of RunningSum.
+double double_double_bound(double extent, std::size_t nodes, std::size_t segments) {
+  const double additions = static_cast<double>(segments) / 1024 + 4096;
+  return extent * extent * (static_cast<double>(nodes) * 0x1p-91 + additions * 0x1p-104);
+}
+
+}  // namespace
+
+std::string_view name(Pairing pairing) {
+  switch (pairing) {
+    case Pairing::c1_minus_c2: return "c1_minus_c2";
+    case Pairing::c2_minus_c1: return "c2_minus_c1";
+    case Pairing::intersection: return "intersection";
+    case Pairing::unite: return "union";
+  }
+  return "";
+}
+
+Piece Pieces::operator[](std::size_t number) const {
+  Piece piece;
+  piece.area = areas_[number];
+  const auto add = [&](std::span<const std::uint32_t> steps) {
+    for (const std::uint32_t step : steps) {
+      if (step < whole1) piece.crossings.push_back(unpack(step).node);
+    }
+  };
+  add(outer(number));
+  for (auto hole = std::lower_bound(holes_.begin(), holes_.end(), number,
+                                    [](const Hole& h, std::size_t value) { return h.piece < value; });
+       hole != holes_.end() && hole->piece == number; ++hole) {
+    add(hole->steps);
+    ++piece.holes;
+  }
+  return piece;
+}
+
+// Puts an Overlay together. One for each call.
+class OverlayBuilder {
+ public:
+  OverlayBuilder(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options)
+      : c1_(c1), c2_(c2), options_(options) {}
+
+  Overlay build() {
+    const Stopwatch watch;
+    report(0);
+    if (options_.check_simple) {
+      for (const SimpleCheck& check : {require_simple(c1_, 1), require_simple(c2_, 2)}) {
+        result_.statistics.simple_check += check.search;
+        result_.statistics.simple_check_pairs += check.pairs;
+      }
+    }
+    result_.timing.check = watch.seconds();
+    report(0.3);
+    const IndexKind kind = options_.index == IndexKind::automatic ? choose_index(c1_, c2_) : options_.index;
+    NodeGraph graph = build_node_graph(c1_, c2_, kind);
+    result_.timing.crossings = graph.search_seconds;
+    result_.timing.order = graph.order_seconds;
+    report(0.7);
+
+    const Stopwatch area_watch;
+    sums_ = sum_arcs(c1_, c2_, graph);
+    set_orientation(sums_.total1, result_.orientation1);
+    set_orientation(sums_.total2, result_.orientation2);
+    result_.statistics.index = kind;
+    result_.statistics.counts = graph.counts;
+    result_.statistics.index_bytes = c1_.tree().memory() + c2_.tree().memory();
+    result_.nodes = Crossings(std::move(graph), c1_.view(), c2_.view(), result_.orientation1, result_.orientation2);
+    if (result_.nodes.size() > 0) {
+      overlay_connected();
+    } else {
+      overlay_apart();
+    }
+    bound_rounding();
+    result_.timing.areas = area_watch.seconds();
+    result_.timing.total = watch.seconds();
+    report(1);
+    return std::move(result_);
+  }
+
+  // Multiplies all areas by a power of two and lets the result speak of other points.
+  static void rescale(Overlay& result, int exponent, CurveView c1, CurveView c2) {
+    for (Areas* areas : {&result.areas, &result.rounding}) {
+      for (double* area : {&areas->c1, &areas->c2, &areas->intersection, &areas->unite, &areas->c1_minus_c2,
+                           &areas->c2_minus_c1, &areas->symmetric_difference}) {
+        *area = std::ldexp(*area, exponent);
+      }
+    }
+    for (Pieces& pieces : result.pieces_) {
+      for (double& area : pieces.areas_) area = std::ldexp(area, exponent);
+    }
+    result.nodes = std::move(result.nodes).on(c1, c2);
+  }
+
+ private:
+  void report(double fraction) const {
+    if (options_.progress && !options_.progress(fraction)) throw Cancelled();
+  }
+
+  void set_orientation(DD twice_area, Orientation& orientation) {
+    orientation = twice_area.hi > 0   ? Orientation::counter_clockwise
+                  : twice_area.hi < 0 ? Orientation::clockwise
+                                      : Orientation::degenerate;
+  }
+  [[nodiscard]] Handedness hands() const { return {result_.nodes.clockwise1(), result_.nodes.clockwise2()}; }
+  Pieces& pieces(Pairing pairing) { return result_.pieces_[static_cast<std::size_t>(pairing)]; }
+
+  void set_areas(DD minus12, DD minus21, DD common) {
+    Areas& areas = result_.areas;
+    areas.c1 = half(absolute(sums_.total1));
+    areas.c2 = half(absolute(sums_.total2));
+    areas.c1_minus_c2 = half(minus12);
+    areas.c2_minus_c1 = half(minus21);
+    areas.intersection = half(common);
+    areas.symmetric_difference = half(minus12 + minus21);
+    areas.unite = half(minus12 + minus21 + common);
+  }
+
+  // ------------------------------------------------------------------------------ curves that meet
+
+  void overlay_connected() {
+    const NodeGraph& graph = result_.nodes.graph();
+    const bool large = graph.size() > 4096;
+    const auto total = [&](Membership wanted) { return total_of_faces(graph, sums_, hands(), wanted); };
+    set_areas(total(only1), total(only2), total(both));
+    if (!options_.pieces) return;
+    run_together(
+        large, [&] { take_faces(only1, Pairing::c1_minus_c2); }, [&] { take_faces(only2, Pairing::c2_minus_c1); },
+        [&] { take_faces(both, Pairing::intersection); }, [&] { unite_connected(); });
+    classify();
+  }
+
+  void take_faces(Membership wanted, Pairing pairing) {
+    Faces faces = walk_faces(result_.nodes.graph(), sums_, hands(), wanted);
+    Pieces& target = pieces(pairing);
+    for (double& area : faces.area) area = std::max(area, 0.0);
+    target.areas_ = std::move(faces.area);
+    target.begin_ = std::move(faces.begin);
+    target.steps_ = std::move(faces.steps);
+    // One curve inside the other with a single touch: the walk runs round both, but what it encloses has a hole.
+    const NodeGraph& graph = result_.nodes.graph();
+    if (graph.size() == 1 && graph.span(0).direction == 0 && target.steps_.size() == 2) {
+      const std::uint32_t hole = pairing == Pairing::c1_minus_c2 ? 1 : 0;
+      target.steps_ = {pack({0, 1 - hole})};
+      target.begin_ = {0, 1};
+      target.holes_.push_back({0, {pack({0, hole})}});
+    }
+  }
+
+  // The union is what the faces outside both curves leave. It is in one piece, unless the curves only touch from outside.
+  void unite_connected() {
+    const NodeGraph& graph = result_.nodes.graph();
+    Pieces& target = pieces(Pairing::unite);
+    bool one_piece = false;
+    for (std::uint32_t node = 0; node < graph.size() && !one_piece; ++node) {
+      one_piece = graph.span(node).direction != 0 || sectors_at(graph.order[node], hands(), both) > 0;
+    }
+    if (!one_piece) {
+      const auto round = [&](std::uint32_t curve, bool backward) {
+        std::vector<std::uint32_t> steps(graph.size());
+        for (std::uint32_t k = 0; k < graph.size(); ++k) steps[k] = pack({curve == 0 ? k : graph.along2()[k], curve});
+        if (backward) std::reverse(steps.begin(), steps.end());
+        return steps;
+      };
+      add_piece(target, result_.areas.c1, round(0, hands().clockwise1));
+      add_piece(target, result_.areas.c2, round(1, hands().clockwise2));
+      return;
+    }
+    const Faces faces = walk_faces(graph, sums_, hands(), neither);
+    const auto outside = static_cast<std::size_t>(std::min_element(faces.area.begin(), faces.area.end()) - faces.area.begin());
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      std::vector<std::uint32_t> steps = reversed(faces, k);
+      if (k == outside) {
+        add_piece(target, result_.areas.unite, std::move(steps));
+      } else {
+        target.holes_.push_back({0, std::move(steps)});
+      }
+    }
+  }
+
+  static void add_piece(Pieces& target, double area, std::span<const std::uint32_t> steps) {
+    target.areas_.push_back(area);
+    target.steps_.insert(target.steps_.end(), steps.begin(), steps.end());
+    target.begin_.push_back(static_cast<std::uint32_t>(target.steps_.size()));
+  }
+
+  // A face walked the other way round, so that the outside of it is on the left.
+  static std::vector<std::uint32_t> reversed(const Faces& faces, std::size_t face) {
+    const std::uint32_t begin = faces.begin[face], end = faces.begin[face + 1];
+    std::vector<std::uint32_t> steps;
+    steps.reserve(end - begin);
+    for (std::uint32_t k = end; k-- > begin;) {
+      const Step arc_before = unpack(faces.steps[k == begin ? end - 1 : k - 1]);
+      steps.push_back(pack({unpack(faces.steps[k]).node, arc_before.curve}));
+    }
+    return steps;
+  }
+
+  // Equivalence classes of the crossings under sigma.
+  void classify() {
+    const NodeGraph& graph = result_.nodes.graph();
+    const std::uint32_t count = graph.size();
+    result_.classes.assign(count, Overlay::no_class);
+    if (result_.nodes.crossings() == count) {  // then classes are faces, which are numbered the same way
+      const Pieces& faces = pieces(Pairing::c1_minus_c2);
+      for (std::size_t face = 0; face < faces.size(); ++face) {
+        for (const std::uint32_t step : faces.outer(face)) result_.classes[unpack(step).node] = static_cast<std::uint32_t>(face);
+      }
+      result_.class_count = faces.size();
+      return;
+    }
+    const Buffer<std::uint32_t>& along2 = graph.along2();
+    const auto next_crossing = [&](std::uint32_t node, bool on_first, bool forward) {
+      do {
+        const std::uint32_t place = on_first ? node : graph.rank2[node];
+        const std::uint32_t next = forward ? (place + 1 == count ? 0 : place + 1) : (place == 0 ? count - 1 : place - 1);
+        node = on_first ? next : along2[next];
+      } while (result_.nodes.rho(node) == 0);
+      return node;
+    };
+    for (std::uint32_t start = 0; start < count; ++start) {
+      if (result_.nodes.rho(start) == 0 || result_.classes[start] != Overlay::no_class) continue;
+      const auto number = static_cast<std::uint32_t>(result_.class_count++);
+      for (std::uint32_t node = start; result_.classes[node] == Overlay::no_class;) {
+        result_.classes[node] = number;
+        node = result_.nodes.rho(node) > 0 ? next_crossing(node, true, !hands().clockwise1)
+                                           : next_crossing(node, false, hands().clockwise2);
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------------------ curves that do not meet
+
+  void overlay_apart() {
+    const DD area1 = absolute(sums_.total1), area2 = absolute(sums_.total2);
+    constexpr std::uint32_t whole1 = Pieces::whole1, whole2 = Pieces::whole2;
+    if (result_.nodes.same_curve()) {
+      set_areas({}, {}, area1);
+      add_whole(Pairing::intersection, result_.areas.c1, whole1);
+      add_whole(Pairing::unite, result_.areas.c1, whole1);
+    } else if (encloses(c1_, c2_.view().points[0])) {
+      set_areas(area1 - area2, {}, area2);
+      add_whole(Pairing::c1_minus_c2, result_.areas.c1_minus_c2, whole1, whole2);
+      add_whole(Pairing::intersection, result_.areas.c2, whole2);
+      add_whole(Pairing::unite, result_.areas.c1, whole1);
+    } else if (encloses(c2_, c1_.view().points[0])) {
+      set_areas({}, area2 - area1, area1);
+      add_whole(Pairing::c2_minus_c1, result_.areas.c2_minus_c1, whole2, whole1);
+      add_whole(Pairing::intersection, result_.areas.c1, whole1);
+      add_whole(Pairing::unite, result_.areas.c2, whole2);
+    } else {
+      set_areas(area1, area2, {});
+      add_whole(Pairing::c1_minus_c2, result_.areas.c1, whole1);
+      add_whole(Pairing::c2_minus_c1, result_.areas.c2, whole2);
+      add_whole(Pairing::unite, result_.areas.c1, whole1);
+      add_whole(Pairing::unite, result_.areas.c2, whole2);
+    }
+  }
+
+  void add_whole(Pairing pairing, double area, std::uint32_t curve, std::uint32_t hole = 0) {
+    if (!options_.pieces) return;
+    Pieces& target = pieces(pairing);
+    add_piece(target, area, std::array{curve});
+    if (hole != 0) target.holes_.push_back({static_cast<std::uint32_t>(target.size() - 1), {hole}});
+  }
+
+  // ------------------------------------------------------------------------------
+
+  void bound_rounding() {
+    const double extent = unite(c1_.tree().box(), c2_.tree().box()).extent();
+    const double lost = double_double_bound(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
+    const Areas& areas = result_.areas;
+    const auto bound = [&](double area) { return area == 0 ? 0 : area * 0x1p-53 + lost; };
+    result_.rounding = {bound(areas.c1),          bound(areas.c2),          bound(areas.intersection), bound(areas.unite),
+                        bound(areas.c1_minus_c2), bound(areas.c2_minus_c1), bound(areas.symmetric_difference)};
+  }
+
+  const IndexedCurve& c1_;
+  const IndexedCurve& c2_;
+  const OverlayOptions& options_;
+  ArcSums sums_;
+  Overlay result_;
+};
+
+// Coordinates so large or small that products of four of them leave the range of double are brought into it by a power of
+// two first. Parameters and combinatorics do not change; areas are scaled back.
+class ScaledOverlay {
+ public:
+  // The power of two by which coordinates have to be multiplied; 0 nearly always.
+  static int exponent(const Box& box) {
+    constexpr int comfortable = 400;
+    int size = 0;
+    for (const double lane : box.lane) size = std::max(size, std::abs(lane) == 0 ? 0 : std::ilogb(lane));
+    const int extent = box.extent() == 0 ? 0 : std::ilogb(box.extent());
+    return size > comfortable ? -size : extent < -comfortable ? -extent : 0;
+  }
+
+  static Overlay build(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent) {
+    const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
+    const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
+    try {
+      Overlay result = OverlayBuilder(scaled1, scaled2, options).build();
+      OverlayBuilder::rescale(result, -2 * exponent, c1.view(), c2.view());
+      return result;
+    } catch (const NotSimpleError& error) {
+      throw NotSimpleError(error.curve, error.segment1, error.segment2,
+                           {std::ldexp(error.at.x, -exponent), std::ldexp(error.at.y, -exponent)});
+    }
+  }
+
+ private:
+  static std::vector<Point> scaled(const CurveView& curve, int exponent) {
+    std::vector<Point> points;
+    points.reserve(curve.points.size());
+    for (const Point& p : curve.points) {
+      const Point q{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      if (!(Point{std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent)} == p)) {
+        throw DataError("coordinates range too widely: an area in double precision cannot span them");
+      }
+      points.push_back(q);
+    }
+    return points;
+  }
+};
+
+Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options) {
+  const int exponent = ScaledOverlay::exponent(unite(c1.tree().box(), c2.tree().box()));
+  if (exponent != 0) return ScaledOverlay::build(c1, c2, options, exponent);
+  return OverlayBuilder(c1, c2, options).build();
+}
+
+Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
+  validate(c1, "curve 1");
+  validate(c2, "curve 2");
+  const Stopwatch watch;
+  const IndexedCurve first(c1), second(c2);
+  const double index_seconds = watch.seconds();
+  Overlay result = overlay(first, second, options);
+  result.timing.index = index_seconds;
+  result.timing.total += index_seconds;
+  return result;
+}
+
+}  // namespace lober

@@ -1,0 +1,32 @@
+#include "kernels/sagitta.hpp"
+
+#include <cmath>
+
+namespace lober {
+namespace {
+
+double cross(Point u, Point v) { return u.x * v.y - u.y * v.x; }
+Point minus(Point u, Point v) { return {u.x - v.x, u.y - v.y}; }
+
+// Tangent at the vertex between two segments, per unit of a parameter in which segment `mine` has length 1.
+Point tangent(Point mine, double my_length, Point other, double other_length) {
+  constexpr double cosine_of_corner = 0.70710678118654757;
+  const double dot = mine.x * other.x + mine.y * other.y;
+  if (other_length == 0 || dot < cosine_of_corner * my_length * other_length) return mine;
+  const double sum = my_length + other_length;
+  const double of_other = my_length / sum * (my_length / other_length), of_mine = other_length / sum;
+  return {of_other * other.x + of_mine * mine.x, of_other * other.y + of_mine * mine.y};
+}
+
+}  // namespace
+
+double twice_sagitta_area(Point p0, Point p1, Point p2, Point p3) {
+  const Point before = minus(p1, p0), chord = minus(p2, p1), after = minus(p3, p2);
+  const double length = std::hypot(chord.x, chord.y);
+  if (length == 0) return 0;
+  const Point m1 = tangent(chord, length, before, std::hypot(before.x, before.y));
+  const Point m2 = tangent(chord, length, after, std::hypot(after.x, after.y));
+  return (cross(m1, chord) + cross(chord, m2)) / 5 - cross(m1, m2) / 30;
+}
+
+}  // namespace lober

@@ -1,0 +1,30 @@
+#include "kernels/segment_boxes.hpp"
+
+#include "kernels/cpu.hpp"
+#include "kernels/simd.hpp"
+
+#include "kernels/segment_boxes.inl"
+
+namespace lober {
+
+static_assert(leaf_size == 32, "a leaf's segments are the bits of a 32-bit word");
+
+void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes);
+std::size_t meeting_segments_avx2(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
+                                  std::uint32_t b_begin, SegmentPair* pairs);
+
+void segment_boxes(const Point* points, SegmentBoxes& boxes) {
+  if (has_avx2()) {
+    segment_boxes_avx2(points, boxes);
+  } else {
+    boxes_of(points, boxes);
+  }
+}
+
+std::size_t meeting_segments(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
+                             std::uint32_t b_begin, SegmentPair* pairs) {
+  return has_avx2() ? meeting_segments_avx2(a, a_box, a_begin, b, b_begin, pairs)
+                    : find_meeting(a, a_box, a_begin, b, b_begin, pairs);
+}
+
+}  // namespace lober

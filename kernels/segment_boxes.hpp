@@ -1,0 +1,36 @@
+// Boxes of the segments of two leaves, and which of them meet.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/box.hpp"
+#include "kernels/leaf.hpp"
+
+namespace lober {
+
+/// A segment of the first curve and one of the second.
+struct SegmentPair {
+  std::uint32_t first;
+  std::uint32_t second;
+  friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
+};
+
+/// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once.
+struct alignas(64) SegmentBoxes {
+  double min_x[leaf_size];
+  double max_x[leaf_size];
+  double min_y[leaf_size];
+  double max_y[leaf_size];
+};
+
+/// Fills `boxes` from the leaf_size + 1 points of a leaf.
+void segment_boxes(const Point* points, SegmentBoxes& boxes);
+
+/// Writes to `pairs` every (a_begin + i, b_begin + j) such that the boxes of segment i of leaf a and segment j of leaf b meet
+/// (touching counts), ordered by j, then i, and returns how many; room for leaf_size^2 is needed. `a_box` is the box of leaf
+/// a. All comparisons are exact.
+std::size_t meeting_segments(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
+                             std::uint32_t b_begin, SegmentPair* pairs);
+
+}  // namespace lober

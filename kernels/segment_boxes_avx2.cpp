@@ -1,0 +1,15 @@
+#include "kernels/segment_boxes.hpp"
+#include "kernels/simd.hpp"
+
+#include "kernels/segment_boxes.inl"
+
+namespace lober {
+
+void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) { boxes_of(points, boxes); }
+
+std::size_t meeting_segments_avx2(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
+                                  std::uint32_t b_begin, SegmentPair* pairs) {
+  return find_meeting(a, a_box, a_begin, b, b_begin, pairs);
+}
+
+}  // namespace lober
