@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# A million random pairs, with seeds that no run before has used, against the exact oracle.
+# usage: stress.sh [PAIRS [SEED]]      pairs that fail are written to build/failures
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export LOBER_RANDOM_PAIRS=${1:-1000000}
+export LOBER_SEED=${2:-$(date +%s%N)}
+export LOBER_FAILURES=$PWD/build/failures
+mkdir -p "$LOBER_FAILURES"
+echo "LOBER_RANDOM_PAIRS=$LOBER_RANDOM_PAIRS LOBER_SEED=$LOBER_SEED"
+build/bin/lober_tests --gtest_filter='*Random*'
