@@ -12,6 +12,9 @@ function(lober_own_code target)
   # -Wno-psabi: GCC warns that vector types are passed differently by builds with and without AVX; ours
   # never cross a translation unit. -Wno-restrict: a false alarm of GCC 12 on std::string (its bug 105651).
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi -Wno-restrict>)
+  if(LOBER_BUILD_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
   if(LOBER_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${LOBER_SANITIZE} -fno-omit-frame-pointer
                                             $<$<NOT:$<STREQUAL:${LOBER_SANITIZE},thread>>:-fno-sanitize-recover=all>)

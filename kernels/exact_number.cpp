@@ -67,21 +67,21 @@ ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sig
   }
   result.exponent_ = std::min(a.exponent_, b.exponent_);
   const int top = std::max(a.exponent_ + a.size_, b.exponent_ + b.size_);
+  result.size_ = top - result.exponent_;
+  std::uint64_t* digits = result.digits_.data();
+  std::fill_n(digits, result.size_ + 1, 0);
+  std::copy_n(large->digits_.data(), large->size_, digits + (large->exponent_ - result.exponent_));
+  const std::uint64_t* from = small->digits_.data();
+  std::uint64_t* to = digits + (small->exponent_ - result.exponent_);
   std::uint64_t carry = 0;
-  for (int position = result.exponent_; position < top; ++position) {
-    const std::uint64_t from_large = large->digit_at(position), from_small = small->digit_at(position);
-    std::uint64_t& digit = result.digits_[static_cast<std::size_t>(result.size_++)];
-    if (subtract) {
-      const Wide difference = static_cast<Wide>(from_large) - from_small - carry;
-      digit = static_cast<std::uint64_t>(difference);
-      carry = static_cast<std::uint64_t>(difference >> 64) & 1;
-    } else {
-      const Wide total = static_cast<Wide>(from_large) + from_small + carry;
-      digit = static_cast<std::uint64_t>(total);
-      carry = static_cast<std::uint64_t>(total >> 64);
-    }
+  int k = 0;
+  for (; k < small->size_ || carry != 0; ++k) {
+    const std::uint64_t digit = k < small->size_ ? from[k] : 0;
+    const Wide changed = subtract ? static_cast<Wide>(to[k]) - digit - carry : static_cast<Wide>(to[k]) + digit + carry;
+    to[k] = static_cast<std::uint64_t>(changed);
+    carry = static_cast<std::uint64_t>(changed >> 64) & 1;
   }
-  if (carry != 0) result.digits_[static_cast<std::size_t>(result.size_++)] = carry;
+  if (digits[result.size_] != 0) ++result.size_;
   result.trim();
   return result;
 }

@@ -41,16 +41,16 @@ inline void summarise_leaf(const Point* p, Box& box, std::uint8_t& flags, Lanes&
     falls &= (after0 < here0) & (after1 < here1);
     const Lanes rise0 = after0 - before, rise1 = after1 - after0;
     before = after1;
-    const Lanes x = __builtin_shuffle(here0, here1, LaneMask{0, 4, 2, 6}) - origin;
-    const Lanes rise = __builtin_shuffle(rise0, rise1, LaneMask{1, 5, 3, 7});
+    const Lanes x = __builtin_shufflevector(here0, here1, 0, 4, 2, 6) - origin;
+    const Lanes rise = __builtin_shufflevector(rise0, rise1, 1, 5, 3, 7);
     const BasicDD<Lanes> product = two_product(x, rise);
     const BasicDD<Lanes> sum = two_sum(sum_high, product.hi);
     sum_high = sum.hi;
     sum_low += sum.lo + product.lo;
   }
-  low = min(low, __builtin_shuffle(low, LaneMask{2, 3, 0, 1}));
-  high = max(high, __builtin_shuffle(high, LaneMask{2, 3, 0, 1}));
-  store(box.lane, __builtin_shuffle(low, -high, LaneMask{0, 1, 6, 7}));
+  low = min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
+  high = max(high, __builtin_shufflevector(high, high, 2, 3, 0, 1));
+  store(box.lane, __builtin_shufflevector(low, -high, 0, 1, 6, 7));
   const unsigned rise_bits = mask_bits(rises), fall_bits = mask_bits(falls);
   flags = static_cast<std::uint8_t>((rise_bits & (rise_bits >> 2)) | ((fall_bits & (fall_bits >> 2)) << 2));
 }

@@ -6,6 +6,7 @@ namespace lober {
 namespace {
 
 double cross(Point u, Point v) { return u.x * v.y - u.y * v.x; }
+double length(Point u) { return std::sqrt(u.x * u.x + u.y * u.y); }
 Point minus(Point u, Point v) { return {u.x - v.x, u.y - v.y}; }
 
 // Tangent at the vertex between two segments, per unit of a parameter in which segment `mine` has length 1.
@@ -22,10 +23,10 @@ Point tangent(Point mine, double my_length, Point other, double other_length) {
 
 double twice_sagitta_area(Point p0, Point p1, Point p2, Point p3) {
   const Point before = minus(p1, p0), chord = minus(p2, p1), after = minus(p3, p2);
-  const double length = std::hypot(chord.x, chord.y);
-  if (length == 0) return 0;
-  const Point m1 = tangent(chord, length, before, std::hypot(before.x, before.y));
-  const Point m2 = tangent(chord, length, after, std::hypot(after.x, after.y));
+  const double chord_length = length(chord);
+  if (chord_length == 0) return 0;
+  const Point m1 = tangent(chord, chord_length, before, length(before));
+  const Point m2 = tangent(chord, chord_length, after, length(after));
   return (cross(m1, chord) + cross(chord, m2)) / 5 - cross(m1, m2) / 30;
 }
 

@@ -18,6 +18,7 @@ void segment_boxes(const Point* points, SegmentBoxes& boxes) {
     segment_boxes_avx2(points, boxes);
   } else {
     boxes_of(points, boxes);
+    group_boxes(boxes);
   }
 }
 

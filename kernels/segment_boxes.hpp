@@ -16,12 +16,18 @@ struct SegmentPair {
   friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
 };
 
-/// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once.
+/// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once, and the same of each group
+/// of four segments.
 struct alignas(64) SegmentBoxes {
+  static constexpr std::size_t groups = leaf_size / 4;
   double min_x[leaf_size];
   double max_x[leaf_size];
   double min_y[leaf_size];
   double max_y[leaf_size];
+  double group_min_x[groups];
+  double group_max_x[groups];
+  double group_min_y[groups];
+  double group_max_y[groups];
 };
 
 /// Fills `boxes` from the leaf_size + 1 points of a leaf.

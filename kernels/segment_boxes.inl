@@ -11,11 +11,37 @@ inline void boxes_of(const Point* points, SegmentBoxes& boxes) {
     const Lanes end0 = load(coordinates + 2 * i + 2), end1 = load(coordinates + 2 * i + 6);
     const Lanes low0 = min(begin0, end0), low1 = min(begin1, end1);
     const Lanes high0 = max(begin0, end0), high1 = max(begin1, end1);
-    store(boxes.min_x + i, __builtin_shuffle(low0, low1, LaneMask{0, 2, 4, 6}));
-    store(boxes.min_y + i, __builtin_shuffle(low0, low1, LaneMask{1, 3, 5, 7}));
-    store(boxes.max_x + i, __builtin_shuffle(high0, high1, LaneMask{0, 2, 4, 6}));
-    store(boxes.max_y + i, __builtin_shuffle(high0, high1, LaneMask{1, 3, 5, 7}));
+    store(boxes.min_x + i, __builtin_shufflevector(low0, low1, 0, 2, 4, 6));
+    store(boxes.min_y + i, __builtin_shufflevector(low0, low1, 1, 3, 5, 7));
+    store(boxes.max_x + i, __builtin_shufflevector(high0, high1, 0, 2, 4, 6));
+    store(boxes.max_y + i, __builtin_shufflevector(high0, high1, 1, 3, 5, 7));
   }
+}
+
+// Least (or greatest) of each group of four.
+template <typename Pick>
+inline void by_groups(const double* values, double* result, const Pick& pick) {
+  for (std::size_t group = 0; group < SegmentBoxes::groups; group += lanes) {
+    Lanes rows[lanes];
+    for (std::size_t k = 0; k < lanes; ++k) rows[k] = load(values + (group + k) * lanes);
+    transpose(rows);
+    store(result + group, pick(pick(rows[0], rows[1]), pick(rows[2], rows[3])));
+  }
+}
+
+inline void group_boxes(SegmentBoxes& boxes) {
+  const auto least = [](Lanes a, Lanes b) { return min(a, b); };
+  const auto most = [](Lanes a, Lanes b) { return max(a, b); };
+  by_groups(boxes.min_x, boxes.group_min_x, least);
+  by_groups(boxes.min_y, boxes.group_min_y, least);
+  by_groups(boxes.max_x, boxes.group_max_x, most);
+  by_groups(boxes.max_y, boxes.group_max_y, most);
+}
+
+// Four of the boxes against a rectangle.
+inline unsigned meeting_four(const double* min_x, const double* max_x, const double* min_y, const double* max_y,
+                             Lanes left, Lanes right, Lanes bottom, Lanes top) {
+  return mask_bits((load(min_x) <= right) & (load(max_x) >= left) & (load(min_y) <= top) & (load(max_y) >= bottom));
 }
 
 // Bit i is set where box i meets the rectangle.
@@ -23,9 +49,23 @@ inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, doubl
   const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    const LaneMask both = (load(boxes.min_x + i) <= right) & (load(boxes.max_x + i) >= left) &
-                          (load(boxes.min_y + i) <= top) & (load(boxes.max_y + i) >= bottom);
-    bits |= mask_bits(both) << i;
+    bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top) << i;
+  }
+  return bits;
+}
+
+// The same by way of the groups.
+inline std::uint32_t meeting_bits_grouped(const SegmentBoxes& boxes, double min_x, double max_x, double min_y, double max_y) {
+  const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
+  unsigned groups = 0;
+  for (std::size_t g = 0; g < SegmentBoxes::groups; g += lanes) {
+    groups |= meeting_four(boxes.group_min_x + g, boxes.group_max_x + g, boxes.group_min_y + g, boxes.group_max_y + g, left,
+                           right, bottom, top) << g;
+  }
+  std::uint32_t bits = 0;
+  for (; groups != 0; groups &= groups - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(groups)) * lanes;
+    bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top) << i;
   }
   return bits;
 }
@@ -38,7 +78,7 @@ inline std::size_t find_meeting(const SegmentBoxes& a, const Box& a_box, std::ui
   std::uint32_t candidates = meeting_bits(b_boxes, a_box.min_x(), a_box.max_x(), a_box.min_y(), a_box.max_y());
   for (; candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));
-    std::uint32_t met = meeting_bits(a, b_boxes.min_x[j], b_boxes.max_x[j], b_boxes.min_y[j], b_boxes.max_y[j]);
+    std::uint32_t met = meeting_bits_grouped(a, b_boxes.min_x[j], b_boxes.max_x[j], b_boxes.min_y[j], b_boxes.max_y[j]);
     for (; met != 0; met &= met - 1) {
       pairs[count++] = {a_begin + static_cast<std::uint32_t>(__builtin_ctz(met)), b_begin + j};
     }

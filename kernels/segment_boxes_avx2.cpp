@@ -5,7 +5,10 @@
 
 namespace lober {
 
-void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) { boxes_of(points, boxes); }
+void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) {
+  boxes_of(points, boxes);
+  group_boxes(boxes);
+}
 
 std::size_t meeting_segments_avx2(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
                                   std::uint32_t b_begin, SegmentPair* pairs) {

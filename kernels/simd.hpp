@@ -42,14 +42,14 @@ LOBER_INLINE Lanes absolute(Lanes a) { return max(a, -a); }
 
 /// Swaps rows and columns of a 4 x 4 block.
 LOBER_INLINE void transpose(Lanes (&row)[lanes]) {
-  const Lanes a = __builtin_shuffle(row[0], row[1], LaneMask{0, 4, 2, 6});
-  const Lanes b = __builtin_shuffle(row[0], row[1], LaneMask{1, 5, 3, 7});
-  const Lanes c = __builtin_shuffle(row[2], row[3], LaneMask{0, 4, 2, 6});
-  const Lanes d = __builtin_shuffle(row[2], row[3], LaneMask{1, 5, 3, 7});
-  row[0] = __builtin_shuffle(a, c, LaneMask{0, 1, 4, 5});
-  row[1] = __builtin_shuffle(b, d, LaneMask{0, 1, 4, 5});
-  row[2] = __builtin_shuffle(a, c, LaneMask{2, 3, 6, 7});
-  row[3] = __builtin_shuffle(b, d, LaneMask{2, 3, 6, 7});
+  const Lanes a = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6);
+  const Lanes b = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7);
+  const Lanes c = __builtin_shufflevector(row[2], row[3], 0, 4, 2, 6);
+  const Lanes d = __builtin_shufflevector(row[2], row[3], 1, 5, 3, 7);
+  row[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+  row[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+  row[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+  row[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 
 /// Bit k is set where lane k of the mask is true.

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <memory>
 
 #include "engine/parallel/parallel.hpp"
 #include "engine/stopwatch.hpp"
+#include "kernels/pair_filter.hpp"
 
 namespace lober {
 namespace {
@@ -29,26 +31,41 @@ struct Hit {
 };
 
 struct Block {
+  Buffer<PairVerdict> verdicts;
   Buffer<Hit> hits;
   std::vector<Run> runs;
   std::uint32_t covered_begin = 0;  // segments of C1 inside a known run
   std::uint32_t covered_end = 0;
-  Buffer<Contact> contacts;
   ContactCounts counts;
 };
 
 class ContactFinder final : public PairConsumer {
  public:
   ContactFinder(const CurveView& c1, const CurveView& c2, double scale)
-      : c1_(c1), c2_(c2), scale_(scale), blocks_((c1.segments() + block_segments - 1) / block_segments) {}
+      : c1_(c1),
+        c2_(c2),
+        source1_{c1.points.data(), static_cast<std::uint32_t>(c1.points.size() - 1)},
+        source2_{c2.points.data(), static_cast<std::uint32_t>(c2.points.size() - 1)},
+        scale_(scale),
+        blocks_((c1.segments() + block_segments - 1) / block_segments) {}
 
   std::uint32_t consume(std::uint32_t number, std::span<const SegmentPair> pairs) override {
     std::unique_ptr<Block>& block = blocks_[number];
     if (!block) block = std::make_unique<Block>();
     const std::uint32_t end = std::min((number + 1) * block_segments, static_cast<std::uint32_t>(c1_.segments()));
-    for (const SegmentPair& pair : pairs) {
-      if (pair.first >= block->covered_begin && pair.first < block->covered_end) continue;
-      classify(pair.first, pair.second, end, *block);
+    block->verdicts.resize(std::max(pairs.size(), block->verdicts.size()));
+    filter_pairs(source1_, source2_, pairs.data(), pairs.size(), block->verdicts.data());
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto [i, j] = pairs[k];
+      const PairVerdict verdict = block->verdicts[k];
+      if (verdict == PairVerdict::apart) continue;
+      if (i >= block->covered_begin && i < block->covered_end) continue;
+      if (verdict == PairVerdict::doubtful) {
+        classify(i, j, end, *block);
+      } else {
+        const std::int8_t rho = verdict == PairVerdict::crosses_to_left ? 1 : -1;
+        block->hits.push_back({i, j, rho, 0, true, false, false});
+      }
     }
     return block->covered_end;
   }
@@ -58,31 +75,32 @@ class ContactFinder final : public PairConsumer {
     Block& block = *blocks_[number];
     drop_inside_runs(block);
     sort_by_segment(block.hits, number * block_segments);
-    place(block);
-    order_on_segments(block);
-    block.hits = {};
+    block.verdicts = {};
   }
 
+  // Turns the hits of all blocks into contacts, in order along C1.
   Contacts gather() {
     Contacts result;
     std::vector<std::size_t> begin(blocks_.size() + 1, 0);
-    for (std::size_t k = 0; k < blocks_.size(); ++k) {
-      begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->contacts.size() : 0);
-      if (!blocks_[k]) continue;
-      const ContactCounts& counts = blocks_[k]->counts;
-      result.counts.predicates += counts.predicates;
-      result.counts.exact_parameters += counts.exact_parameters;
-      result.counts.exact_orders += counts.exact_orders;
-      result.counts.shared_vertices += counts.shared_vertices;
-    }
+    for (std::size_t k = 0; k < blocks_.size(); ++k) begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->hits.size() : 0);
     result.list.resize(begin.back());
-    for_each_block(blocks_.size(), 8, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) {
-        if (!blocks_[k]) continue;
-        std::copy(blocks_[k]->contacts.begin(), blocks_[k]->contacts.end(), result.list.data() + begin[k]);
-        blocks_[k].reset();
-      }
+    std::atomic<bool> all_proper{true};
+    for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
+      if (!blocks_[k]) return;
+      Block& block = *blocks_[k];
+      const std::span<Contact> contacts(result.list.data() + begin[k], block.hits.size());
+      if (!place(block, contacts)) all_proper = false;
+      order_on_segments(contacts, block);
+      block.hits = {};
     });
+    result.all_proper = all_proper;
+    for (const std::unique_ptr<Block>& block : blocks_) {
+      if (!block) continue;
+      result.counts.predicates += block->counts.predicates;
+      result.counts.exact_parameters += block->counts.exact_parameters;
+      result.counts.exact_orders += block->counts.exact_orders;
+      result.counts.shared_vertices += block->counts.shared_vertices;
+    }
     return result;
   }
 
@@ -175,19 +193,19 @@ class ContactFinder final : public PairConsumer {
     hits.swap(sorted);
   }
 
-  // Computes the parameters of all hits of the block.
-  void place(Block& block) {
+  // Computes the parameters of all hits of the block. Returns whether all are proper crossings.
+  bool place(Block& block, std::span<Contact> contacts) {
     constexpr std::size_t batch = 256;
     std::array<SegmentCrossing, batch> crossings;
     std::array<CrossingParameters, batch> parameters;
     std::array<std::uint32_t, batch> target;
     std::size_t waiting = 0;
-    block.contacts.resize(block.hits.size());
+    bool all_proper = true;
     const auto flush = [&] {
       block.counts.exact_parameters += crossing_parameters(crossings.data(), waiting, scale_, parameters.data());
       for (std::size_t k = 0; k < waiting; ++k) {
-        block.contacts[target[k]].t1 = parameters[k].t1;
-        block.contacts[target[k]].t2 = parameters[k].t2;
+        contacts[target[k]].t1 = parameters[k].t1;
+        contacts[target[k]].t2 = parameters[k].t2;
       }
       waiting = 0;
     };
@@ -195,23 +213,24 @@ class ContactFinder final : public PairConsumer {
       const Hit& hit = block.hits[k];
       const auto [a, b] = segment(c1_, hit.segment1);
       const auto [c, d] = segment(c2_, hit.segment2);
-      Contact& contact = block.contacts[k];
+      Contact& contact = contacts[k];
       contact = {hit.segment1, hit.segment2, {}, {}, hit.rho, hit.run, hit.proper, hit.vertex1, hit.vertex2};
       if (hit.proper) {
         crossings[waiting] = {a, b, c, d};
         target[waiting++] = k;
         if (waiting == batch) flush();
       } else {
+        all_proper = false;
         if (!hit.vertex1) contact.t1 = exact_parameter(a, b, {c, c, true});
         if (!hit.vertex2) contact.t2 = exact_parameter(c, d, {a, a, true});
       }
     }
     flush();
+    return all_proper;
   }
 
   // Brings the contacts of each segment of C1 into their order along it.
-  void order_on_segments(Block& block) {
-    Buffer<Contact>& list = block.contacts;
+  void order_on_segments(std::span<Contact> list, Block& block) {
     for (std::size_t k = 1; k < list.size(); ++k) {
       for (std::size_t m = k; m > 0 && list[m].segment1 == list[m - 1].segment1 && before(list[m], list[m - 1], block); --m) {
         std::swap(list[m], list[m - 1]);
@@ -239,6 +258,7 @@ class ContactFinder final : public PairConsumer {
   }
 
   CurveView c1_, c2_;
+  SegmentSource source1_, source2_;
   double scale_;
   std::vector<std::unique_ptr<Block>> blocks_;
 };
@@ -253,7 +273,6 @@ Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind
   Contacts contacts = finder.gather();
   contacts.search_seconds = watch.seconds();
   contacts.counts.search = search;
-  contacts.all_proper = std::all_of(contacts.list.begin(), contacts.list.end(), [](const Contact& c) { return c.proper; });
   sort_along_second(contacts.list, c1.view(), c2.view(), contacts.order2, contacts.counts.exact_orders);
   contacts.order_seconds = watch.seconds() - contacts.search_seconds;
   return contacts;

@@ -6,6 +6,7 @@
 
 #include "engine/crossings/arms.hpp"
 #include "engine/crossings/crossings.hpp"
+#include "kernels/pair_filter.hpp"
 
 namespace lober {
 namespace {
@@ -13,17 +14,23 @@ namespace {
 class SelfChecker final : public PairConsumer {
  public:
   explicit SelfChecker(const CurveView& curve)
-      : curve_(curve), blocks_((curve.segments() + block_segments - 1) / block_segments) {}
+      : curve_(curve),
+        source_{curve.points.data(), static_cast<std::uint32_t>(curve.points.size() - 1)},
+        blocks_((curve.segments() + block_segments - 1) / block_segments) {}
 
   std::uint32_t consume(std::uint32_t number, std::span<const SegmentPair> pairs) override {
     Block& block = blocks_[number];
     block.pairs += pairs.size();
-    for (const SegmentPair& pair : pairs) {
-      if (pair < block.first_bad && bad(pair, block.counts)) block.first_bad = pair;
+    block.verdicts.resize(std::max(pairs.size(), block.verdicts.size()));
+    filter_pairs(source_, source_, pairs.data(), pairs.size(), block.verdicts.data());
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const SegmentPair& pair = pairs[k];
+      if (block.verdicts[k] == PairVerdict::apart || block.first_bad < pair) continue;
+      if (block.verdicts[k] != PairVerdict::doubtful || bad(pair, block.counts)) block.first_bad = pair;
     }
     return 0;
   }
-  void finish(std::uint32_t) override {}
+  void finish(std::uint32_t number) override { blocks_[number].verdicts = {}; }
 
   [[nodiscard]] SegmentPair first_bad() const {
     SegmentPair first = none;
@@ -42,6 +49,7 @@ class SelfChecker final : public PairConsumer {
     SegmentPair first_bad = none;
     std::uint64_t pairs = 0;
     PredicateCounts counts;
+    Buffer<PairVerdict> verdicts;
   };
 
   // Whether the two segments meet where they should not.
@@ -80,6 +88,7 @@ class SelfChecker final : public PairConsumer {
   }
 
   CurveView curve_;
+  SegmentSource source_;
   std::vector<Block> blocks_;
 };
 

@@ -51,6 +51,9 @@ enum class Orientation : std::int8_t { clockwise = -1, degenerate = 0, counter_c
 /// when closed and two when open, fewer than 2^31 vertices. `name` begins the message. O(N).
 void validate(CurveView curve, std::string_view name);
 
+/// The part of `validate` that need not look at every coordinate. O(1), unless the curve begins with repeated vertices.
+void require_enough_vertices(CurveView curve, std::string_view name);
+
 // ---------------------------------------------------------------------------------------------- files
 
 enum class Format : std::uint8_t {

@@ -43,19 +43,23 @@ std::size_t first_not_finite(std::span<const Point> points) {
   return first;
 }
 
-void validate(CurveView curve, std::string_view name) {
+void require_enough_vertices(CurveView curve, std::string_view name) {
   const auto fail = [&](const std::string& message) { throw DataError(std::string(name) + ": " + message); };
   if (curve.points.size() >= most_vertices) {
     fail("has " + std::to_string(curve.points.size()) + " vertices, the limit is 2147483647");
-  }
-  if (const std::size_t bad = first_not_finite(curve.points); bad != curve.points.size()) {
-    fail("vertex " + std::to_string(bad) + " is not finite");
   }
   const int needed = curve.closed ? 3 : 2;
   if (const int found = distinct_vertices(curve.points); found < needed) {
     fail("has " + std::to_string(found) + (found == 1 ? " distinct vertex, " : " distinct vertices, ") +
          (curve.closed ? "a closed curve needs three" : "an open curve needs two"));
   }
+}
+
+void validate(CurveView curve, std::string_view name) {
+  if (const std::size_t bad = first_not_finite(curve.points); bad != curve.points.size()) {
+    throw DataError(std::string(name) + ": vertex " + std::to_string(bad) + " is not finite");
+  }
+  require_enough_vertices(curve, name);
 }
 
 void drop_closing_vertex(std::vector<Point>& points) {

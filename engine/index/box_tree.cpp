@@ -1,6 +1,7 @@
 #include "engine/index/box_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/parallel/parallel.hpp"
 
@@ -85,6 +86,10 @@ void BoxTree::build_upper(std::uint32_t level, std::size_t begin, std::size_t en
     here[pairs] = below[2 * pairs];
     flags_here[pairs] = flags_below[2 * pairs];
   }
+}
+
+bool BoxTree::sums_finite() const {
+  return std::all_of(stretch_sums_.begin(), stretch_sums_.end(), [](const DD& sum) { return std::isfinite(sum.hi + sum.lo); });
 }
 
 std::size_t BoxTree::memory() const {

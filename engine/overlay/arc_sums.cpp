@@ -83,18 +83,33 @@ Buffer<DD> differences(const Buffer<DD>& sums, std::size_t nodes, DD total, cons
   return arcs;
 }
 
+// The same in place, when every node is one contact.
+void to_differences(Buffer<DD>& sums, DD total) {
+  const std::size_t count = sums.size();
+  if (count == 0) return;
+  std::vector<DD> after((count + node_grain - 1) / node_grain);  // the sum that follows each block
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    const std::size_t next = (k + 1) * node_grain;
+    after[k] = next < count ? sums[next] : sums[0] + total;
+  }
+  for_each_block(count, node_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) sums[k] = (k + 1 < end ? sums[k + 1] : after[begin / node_grain]) - sums[k];
+  });
+}
+
 }  // namespace
 
-ArcSums sums_between_nodes(const NodeGraph& graph, const Buffer<DD>& sums1, DD total1, const Buffer<DD>& sums2, DD total2) {
+ArcSums sums_between_nodes(const NodeGraph& graph, Buffer<DD> sums1, DD total1, Buffer<DD> sums2, DD total2) {
   ArcSums result;
   result.total1 = total1;
   result.total2 = total2;
   const std::size_t count = graph.contacts.size(), nodes = graph.size();
   if (graph.spans.empty()) {
-    const auto same = [](std::size_t k) { return k; };
+    result.arc1 = std::move(sums1);
+    result.arc2 = std::move(sums2);
     run_together(
-        nodes > node_grain, [&] { result.arc1 = differences(sums1, nodes, result.total1, same, same); },
-        [&] { result.arc2 = differences(sums2, nodes, result.total2, same, same); });
+        nodes > node_grain, [&] { to_differences(result.arc1, result.total1); },
+        [&] { to_differences(result.arc2, result.total2); });
     return result;
   }
   Buffer<std::uint32_t> place2(count);
@@ -143,7 +158,7 @@ ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph
             },
             total2);
       });
-  return sums_between_nodes(graph, sums1, total1, sums2, total2);
+  return sums_between_nodes(graph, std::move(sums1), total1, std::move(sums2), total2);
 }
 
 }  // namespace lober

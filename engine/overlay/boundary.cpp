@@ -84,9 +84,7 @@ std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing, 
     return points;
   };
   std::vector<std::vector<Point>> polygons{polygon(pieces.outer(piece))};
-  for (const Pieces::Hole& hole : pieces.holes()) {
-    if (hole.piece == piece) polygons.push_back(polygon(hole.steps));
-  }
+  for (const Pieces::Hole& hole : pieces.holes_of(piece)) polygons.push_back(polygon(hole.steps));
   return polygons;
 }
 

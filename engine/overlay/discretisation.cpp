@@ -65,9 +65,9 @@ Areas discretisation_error(const Overlay& result) {
   const CurveView &c1 = result.nodes.curve1(), &c2 = result.nodes.curve2();
   const std::size_t count = graph.contacts.size();
   DD total1, total2;
-  const Buffer<DD> sums1 = bulges_at_contacts(
+  Buffer<DD> sums1 = bulges_at_contacts(
       c1, count, [&](std::size_t k) { return Place{graph.contacts[k].segment1, graph.contacts[k].t1.hi}; }, total1);
-  const Buffer<DD> sums2 = bulges_at_contacts(
+  Buffer<DD> sums2 = bulges_at_contacts(
       c2, count,
       [&](std::size_t k) {
         const Contact& contact = graph.contacts[graph.contacts2[k]];
@@ -79,11 +79,12 @@ Areas discretisation_error(const Overlay& result) {
   const DD gain1 = result.nodes.clockwise1() ? -total1 : total1, gain2 = result.nodes.clockwise2() ? -total2 : total2;
   DD minus12, minus21, common;
   if (graph.size() > 0) {
-    const ArcSums sums = sums_between_nodes(graph, sums1, total1, sums2, total2);
+    const ArcSums sums = sums_between_nodes(graph, std::move(sums1), total1, std::move(sums2), total2);
     const Handedness hands{result.nodes.clockwise1(), result.nodes.clockwise2()};
-    minus12 = total_of_faces(graph, sums, hands, {true, false});
-    minus21 = total_of_faces(graph, sums, hands, {false, true});
-    common = total_of_faces(graph, sums, hands, {true, true});
+    const FaceTotals totals = total_of_faces(graph, sums, hands);
+    minus12 = totals.only1;
+    minus21 = totals.only2;
+    common = totals.both;
   } else if (result.areas.intersection == 0) {
     minus12 = gain1;
     minus21 = gain2;

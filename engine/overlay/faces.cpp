@@ -140,31 +140,36 @@ Faces walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands, 
   return faces;
 }
 
-DD total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands, Membership wanted) {
+FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands) {
+  constexpr std::array<Membership, 3> memberships{{{true, false}, {false, true}, {true, true}}};
+  std::array<std::array<std::uint8_t, 6>, 3> wanted{};
+  for (std::size_t m = 0; m < 3; ++m) wanted[m] = arrivals(hands, memberships[m]);
   const std::uint32_t count = graph.size();
-  const std::array<std::uint8_t, 6> wanted_arrivals = arrivals(hands, wanted);
-  std::vector<DD> partial((count + grain - 1) / grain);
+  std::vector<std::array<DD, 3>> partial((count + grain - 1) / grain);
   for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
-    RunningSum sum;
+    std::array<RunningSum, 3> sum;
     for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
       const std::uint8_t order = graph.order[node];
-      for (unsigned bits = wanted_arrivals[order]; bits != 0; bits &= bits - 1) {
-        const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
-        const Arm leave = turns[order][arrive].leave;
-        if (!graph.spans.empty()) sum.add(along_shared(graph, sums, node, arrive, leave));
-        switch (leave) {
-          case out1: sum.add(sums.arc1[node]); break;
-          case in1: sum.add(-sums.arc1[node == 0 ? count - 1 : node - 1]); break;
-          case out2: sum.add(sums.arc2[graph.rank2[node]]); break;
-          case in2: sum.add(-sums.arc2[graph.rank2[node] == 0 ? count - 1 : graph.rank2[node] - 1]); break;
+      const std::uint32_t rank = graph.rank2[node];
+      const DD onwards1 = sums.arc1[node], back1 = -sums.arc1[node == 0 ? count - 1 : node - 1];
+      const DD onwards2 = sums.arc2[rank], back2 = -sums.arc2[rank == 0 ? count - 1 : rank - 1];
+      const std::array<DD, 4> along{onwards1, onwards2, back1, back2};  // indexed by Arm
+      for (std::size_t m = 0; m < 3; ++m) {
+        for (unsigned bits = wanted[m][order]; bits != 0; bits &= bits - 1) {
+          const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
+          const Arm leave = turns[order][arrive].leave;
+          if (!graph.spans.empty()) sum[m].add(along_shared(graph, sums, node, arrive, leave));
+          sum[m].add(along[leave]);
         }
       }
     }
-    partial[begin / grain] = sum.value();
+    for (std::size_t m = 0; m < 3; ++m) partial[begin / grain][m] = sum[m].value();
   });
-  DD total;
-  for (const DD& part : partial) total += part;
-  return total;
+  std::array<DD, 3> total{};
+  for (const auto& part : partial) {
+    for (std::size_t m = 0; m < 3; ++m) total[m] += part[m];
+  }
+  return {total[0], total[1], total[2]};
 }
 
 }  // namespace lober

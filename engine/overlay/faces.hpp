@@ -44,9 +44,13 @@ struct Handedness {
 /// Walks every face with the given membership, in order of their first node. O(nodes).
 [[nodiscard]] Faces walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands, Membership wanted);
 
-/// Twice the total area of the faces with the given membership, without walking: each arc counts for the faces at its
-/// sides. O(nodes), parallel.
-[[nodiscard]] DD total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands, Membership wanted);
+/// Twice the total areas of all faces of a membership.
+struct FaceTotals {
+  DD only1, only2, both;
+};
+
+/// The totals without walking: each arc counts for the faces at its sides. O(nodes), parallel.
+[[nodiscard]] FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands);
 
 /// How many of the four sectors at a node have this membership (0, 1 or 2).
 [[nodiscard]] int sectors_at(std::uint8_t arm_order, Handedness hands, Membership wanted);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "engine/overlay/arc_sums.hpp"
 #include "engine/overlay/faces.hpp"
@@ -45,13 +46,19 @@ Piece Pieces::operator[](std::size_t number) const {
     }
   };
   add(outer(number));
-  for (auto hole = std::lower_bound(holes_.begin(), holes_.end(), number,
-                                    [](const Hole& h, std::size_t value) { return h.piece < value; });
-       hole != holes_.end() && hole->piece == number; ++hole) {
-    add(hole->steps);
+  for (const Hole& hole : holes_of(number)) {
+    add(hole.steps);
     ++piece.holes;
   }
   return piece;
+}
+
+std::span<const Pieces::Hole> Pieces::holes_of(std::size_t piece) const {
+  const auto first = std::lower_bound(holes_.begin(), holes_.end(), piece,
+                                      [](const Hole& hole, std::size_t number) { return hole.piece < number; });
+  auto last = first;
+  while (last != holes_.end() && last->piece == piece) ++last;
+  return {first, last};
 }
 
 // Puts an Overlay together. One for each call.
@@ -105,6 +112,12 @@ class OverlayBuilder {
         *area = std::ldexp(*area, exponent);
       }
     }
+    // What underflows is lost to rounding too.
+    Areas& rounding = result.rounding;
+    for (double* bound : {&rounding.c1, &rounding.c2, &rounding.intersection, &rounding.unite, &rounding.c1_minus_c2,
+                          &rounding.c2_minus_c1, &rounding.symmetric_difference}) {
+      *bound += std::numeric_limits<double>::denorm_min();
+    }
     for (Pieces& pieces : result.pieces_) {
       for (double& area : pieces.areas_) area = std::ldexp(area, exponent);
     }
@@ -140,8 +153,8 @@ class OverlayBuilder {
   void overlay_connected() {
     const NodeGraph& graph = result_.nodes.graph();
     const bool large = graph.size() > 4096;
-    const auto total = [&](Membership wanted) { return total_of_faces(graph, sums_, hands(), wanted); };
-    set_areas(total(only1), total(only2), total(both));
+    const FaceTotals totals = total_of_faces(graph, sums_, hands());
+    set_areas(totals.only1, totals.only2, totals.both);
     if (!options_.pieces) return;
     run_together(
         large, [&] { take_faces(only1, Pairing::c1_minus_c2); }, [&] { take_faces(only2, Pairing::c2_minus_c1); },
@@ -349,10 +362,13 @@ Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOpt
 }
 
 Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
-  validate(c1, "curve 1");
-  validate(c2, "curve 2");
+  require_enough_vertices(c1, "curve 1");
+  require_enough_vertices(c2, "curve 2");
   const Stopwatch watch;
   const IndexedCurve first(c1), second(c2);
+  // The streaming pass over the points sees a coordinate that is not finite; only then is it worth another to say which.
+  if (!first.tree().sums_finite()) validate(c1, "curve 1");
+  if (!second.tree().sums_finite()) validate(c2, "curve 2");
   const double index_seconds = watch.seconds();
   Overlay result = overlay(first, second, options);
   result.timing.index = index_seconds;

@@ -38,7 +38,8 @@ struct Areas {
 };
 
 /// One connected component. `crossings` are the indices of the nodes on its boundary in the order of a walk that keeps
-/// the piece on the left, outer boundary first.
+/// the piece on the left, outer boundary first. A node occurs as often as the walk passes it: twice for a piece that touches
+/// both ends of a shared arc, or itself in a point.
 struct Piece {
   double area = 0;
   std::vector<std::uint32_t> crossings;
@@ -63,6 +64,7 @@ class Pieces {
     return std::span(steps_).subspan(begin_[piece], begin_[piece + 1] - begin_[piece]);
   }
   [[nodiscard]] std::span<const Hole> holes() const { return holes_; }  ///< in order of their pieces
+  [[nodiscard]] std::span<const Hole> holes_of(std::size_t piece) const;
 
   class Iterator {
    public:

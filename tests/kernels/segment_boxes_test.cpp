@@ -68,6 +68,7 @@ TEST(MeetingSegments, BothCopiesGiveTheSame) {
     const Points a = random_leaf(random), b = random_leaf(random);
     SegmentBoxes plain, wide;
     boxes_of(a.data(), plain);
+    group_boxes(plain);
     segment_boxes_avx2(a.data(), wide);
     ASSERT_EQ(std::memcmp(&plain, &wide, sizeof plain), 0);
     std::vector<SegmentPair> from_plain(leaf_size * leaf_size), from_wide(leaf_size * leaf_size);

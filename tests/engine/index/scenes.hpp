@@ -23,6 +23,8 @@ struct SceneKind {
   const char* name;
   Scene (*make)(Random& random, std::size_t size);
   std::size_t largest;  ///< beyond which brute force takes too long
+  /// Enough for several tasks where the scene has not too many pairs.
+  [[nodiscard]] std::size_t size_for_threads() const { return largest < 3000 ? largest : 40000; }
 };
 inline std::ostream& operator<<(std::ostream& stream, const SceneKind& kind) {
   return stream << kind.name;

@@ -49,7 +49,7 @@ TEST_P(Search, ProposesEveryPairWithACommonPointOnce) {
 TEST_P(Search, DoesTheSameForAnyNumberOfThreads) {
   const tbb::global_control at_most(tbb::global_control::max_allowed_parallelism, 7);
   Random random(seed());
-  const Scene made = scene().make(random, std::min<std::size_t>(scene().largest, 6500));
+  const Scene made = scene().make(random, scene().size_for_threads());
   const IndexedCurve first(made.first), second(made.second);
   Recorder expected(made.first, made.second);
   const SearchCounts counts = with_threads(1, [&] { return find_pairs(first, second, index(), expected); });

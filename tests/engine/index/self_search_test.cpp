@@ -61,7 +61,7 @@ TEST_P(SelfSearch, ProposesEveryPairThatMeetsBeyondAJoint) {
 TEST_P(SelfSearch, DoesTheSameForAnyNumberOfThreads) {
   const tbb::global_control at_most(tbb::global_control::max_allowed_parallelism, 7);
   Random random(seed());
-  const Scene made = GetParam().make(random, std::min<std::size_t>(GetParam().largest, 6500));
+  const Scene made = GetParam().make(random, GetParam().size_for_threads());
   const IndexedCurve curve(made.first);
   Recorder expected(made.first, made.first);
   const SearchCounts counts = with_threads(1, [&] { return find_self_pairs(curve, expected); });
@@ -75,23 +75,36 @@ TEST_P(SelfSearch, DoesTheSameForAnyNumberOfThreads) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SelfSearch, ::testing::ValuesIn(scene_kinds()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
-// Monotone stretches of every length, so that runs begin and end everywhere within leaves, that turn back and
-// cross what came before, or fold back onto it.
-TEST(SelfSearchOfMonotoneRuns, LosesNothing) {
+// A walk of monotone stretches that turn back and cross what came before, or fold back onto it.
+Curve monotone_stretches(Random& random, int shortest, int longest) {
+  Curve curve;
+  Point at{0, 0};
+  curve.points.push_back(at);
+  while (curve.points.size() < 704) {
+    const double dx = random.integer(-1, 1), dy = random.integer(-1, 1);
+    for (int left = random.integer(shortest, longest); left > 0; --left) {
+      const double noise = random.chance(0.5) ? random.unit() : 0;
+      curve.points.push_back(at = {at.x + dx * (1 + noise), at.y + dy + noise * 0.5});
+    }
+  }
+  curve.points.resize(704);  // a whole number of leaves
+  curve.closed = random.chance(0.7);
+  return curve;
+}
+
+TEST(SelfSearchOfMonotoneRuns, LosesNothingWhereverRunsEnd) {
+  Random random(seed());
+  for (int k = 0; k < 40; ++k) {
+    SCOPED_TRACE(k);
+    expect_complete(monotone_stretches(random, 1, 150));
+  }
+}
+
+TEST(SelfSearchOfMonotoneRuns, LosesNothingWhenRunsAreLeaves) {
   Random random(seed());
   for (int k = 0; k < 60; ++k) {
     SCOPED_TRACE(k);
-    Curve curve;
-    curve.closed = random.chance(0.7);
-    Point at{0, 0};
-    while (curve.points.size() < 700) {
-      const double dx = random.integer(-1, 1), dy = random.integer(-1, 1);
-      for (int left = random.integer(1, 150); left > 0; --left) {
-        const double noise = random.chance(0.5) ? random.unit() : 0;
-        curve.points.push_back(at = {at.x + dx * (1 + noise), at.y + dy + noise * 0.5});
-      }
-    }
-    expect_complete(curve);
+    expect_complete(monotone_stretches(random, leaf_size, leaf_size));
   }
 }
 

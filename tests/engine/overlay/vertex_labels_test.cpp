@@ -56,7 +56,7 @@ TEST_P(VertexLabels, AgreeWithATestOfEveryVertex) {
 
 INSTANTIATE_TEST_SUITE_P(Families, VertexLabels,
                          testing::ValuesIn(oracle::families().begin(), oracle::families().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& family) { return std::string(family.param.name); });
 
 TEST(VertexLabels, ChangeTwiceAtASharedArc) {
   const std::vector<Point> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, shifted{{1, 0}, {3, 0}, {3, 1}, {1, 1}};

@@ -1,0 +1,64 @@
+#include "cli/command_line.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "engine/curve/output_file.hpp"
+#include "engine/error.hpp"
+
+namespace lober::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_file(const std::string& first, const std::string& second) {
+  if (first == second) return true;
+  std::error_code ignored;
+  if (fs::equivalent(first, second, ignored)) return true;
+  return fs::weakly_canonical(fs::absolute(first), ignored) ==
+         fs::weakly_canonical(fs::absolute(second), ignored);
+}
+
+// The file of FILE or FILE#ZONE.
+std::string file_of(const std::string& spec) {
+  std::error_code ignored;
+  return fs::exists(spec, ignored) ? spec : spec.substr(0, spec.rfind('#'));
+}
+
+// Pipes and devices can take several outputs, and opening them has effects.
+bool is_special(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return path == "-" || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written || std::fflush(stdout) != 0) throw DataError("standard output cannot be written");
+}
+
+void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs) {
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const Output& output = outputs[k];
+    for (const Output& earlier : outputs.first(k)) {
+      if (earlier.path == "-" ? output.path == "-"
+                              : !is_special(output.path) && same_file(earlier.path, output.path)) {
+        throw UsageError(earlier.option + " and " + output.option + " both write " + output.path);
+      }
+    }
+    if (is_special(output.path)) continue;
+    for (const std::string& input : inputs) {
+      if (same_file(file_of(input), output.path)) {
+        throw UsageError(output.option + " would overwrite the input " + output.path);
+      }
+    }
+  }
+  for (const Output& output : outputs) {
+    // Opens a temporary file beside it, and removes that again.
+    if (!is_special(output.path)) OutputFile probe(output.path);
+  }
+}
+
+}  // namespace lober::cli

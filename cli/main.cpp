@@ -1,0 +1,82 @@
+// The program: finds out what is wanted, and turns what goes wrong into one line and an exit status.
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "cli/overlay_command.hpp"
+#include "cli/published_form.hpp"
+#include "engine/error.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr const char* usage = R"(lober: exact crossings, lobes and areas of curves for phase-space transport
+
+usage:
+  lober overlay C1 C2 [options]          crossings, lobes and areas of two closed curves
+  lober overlay --help                   its options
+  lober <c1> <c2> <rslt> [-DENS p n]     the same with the command line and files of the published program
+  lober --version
+
+A curve is a file of points, or FILE#ZONE for one zone of it (by number from 0, or by title): Tecplot ASCII, columns
+separated by commas or blanks, NPY, or raw float64, known by its content.
+
+exit status: 0 done, 1 the data cannot be used, 2 the command cannot be understood
+)";
+
+constexpr std::array later_commands{"interior", "densify", "tangle", "grow", "transport", "escape", "batch"};
+
+void run(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
+  const std::string& first = arguments[0];
+  if (first == "--help" || first == "-h") {
+    print(usage);
+  } else if (first == "--version") {
+    print("lober " LOBER_VERSION "\n");
+  } else if (first == "overlay") {
+    run_overlay({arguments.begin() + 1, arguments.end()});
+  } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
+    throw UsageError("the command " + first + " is not in this version");
+  } else {
+    run_published_form(arguments);
+  }
+}
+
+// Exactly one line, whatever the message holds.
+int fail(std::string message, int status) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  spdlog::error("{}", message);
+  return status;
+}
+
+int guarded(const std::vector<std::string>& arguments) {
+  try {
+    run(arguments);
+    return 0;
+  } catch (const UsageError& error) {
+    return fail(error.what(), 2);
+  } catch (const Cancelled& error) {
+    return fail(error.what(), 130);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", 1);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 1);
+  }
+}
+
+}  // namespace
+}  // namespace lober::cli
+
+int main(int count, char** arguments) {
+  // Standard output belongs to results. Warnings and errors go to standard error, more with --verbose.
+  spdlog::set_default_logger(spdlog::stderr_color_mt("lober"));
+  spdlog::set_pattern("lober: %v");
+  spdlog::set_level(spdlog::level::warn);
+  return lober::cli::guarded({arguments + 1, arguments + count});
+}

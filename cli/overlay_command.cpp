@@ -1,0 +1,182 @@
+// `lober overlay C1 C2`: reads the curves, calls the engine, and hands what it found to those who show it.
+
+#include "cli/overlay_command.hpp"
+
+#include <spdlog/spdlog.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <optional>
+
+#include "cli/command_line.hpp"
+#include "cli/overlay_report.hpp"
+#include "cli/progress.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  std::array<std::string, 2> curves;
+  std::string lobes, crossings, json, svg;
+  OverlayOptions options;
+  int threads = 0;
+  bool verbose = false;
+};
+
+// Nothing when the arguments asked for help, which is printed.
+std::optional<Request> parse(const std::vector<std::string>& arguments) {
+  Request request;
+  bool areas_only = false, no_check = false;
+  std::string index = "auto";
+  CLI::App app("Crossings, lobes and areas of two simple closed curves.", "lober overlay");
+  app.add_option("C1", request.curves[0],
+                 "the first curve: FILE, or FILE#ZONE for one zone (from 0, or by title)")
+      ->required();
+  app.add_option("C2", request.curves[1], "the second curve")->required();
+  app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
+      ->type_name("FILE");
+  CLI::Option* lobes =
+      app.add_option("--lobes", request.lobes, "write the pieces of C1 \\ C2 and C2 \\ C1 as Tecplot zones")
+          ->type_name("FILE");
+  app.add_option("--crossings", request.crossings, "write the crossings as comma-separated columns")
+      ->type_name("FILE");
+  CLI::Option* svg = app.add_option("--svg", request.svg, "draw the curves and the lobes")->type_name("FILE");
+  app.add_flag("--areas-only", areas_only, "totals only, no pieces: faster")->excludes(lobes)->excludes(svg);
+  app.add_option("--index", index, "auto (default), tree, grid or kd; the results are the same bits")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"auto", "tree", "grid", "kd"}));
+  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  app.add_flag("--no-check", no_check,
+               "do not check that the curves are simple, when you know that they are");
+  app.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
+  try {
+    std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
+    app.parse(std::move(last_first));
+  } catch (const CLI::CallForHelp&) {
+    print(app.help());
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + " (see lober overlay --help)");
+  }
+  request.options.pieces = !areas_only;
+  request.options.check_simple = !no_check;
+  for (const IndexKind kind : {IndexKind::automatic, IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
+    if (name(kind) == index) request.options.index = kind;
+  }
+  return request;
+}
+
+std::vector<Output> outputs_of(const Request& request) {
+  std::vector<Output> outputs;
+  for (const auto& [option, path] : {std::pair{"--json", request.json},
+                                     {"--lobes", request.lobes},
+                                     {"--crossings", request.crossings},
+                                     {"--svg", request.svg}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  return outputs;
+}
+
+OverlayReport compute(const Request& request, Progress& progress) {
+  OverlayReport report;
+  report.options = request.options;
+  ReportTiming& timing = report.timing;
+  progress.phase("reading", 0, 0.25);
+  const Stopwatch read_watch;
+  for (std::size_t k = 0; k < 2; ++k) {
+    report.inputs[k] = read_curve(request.curves[k], true);
+    progress.advance(0.5 * static_cast<double>(k + 1));
+  }
+  timing.read = read_watch.seconds();
+
+  progress.phase("overlay", 0.25, 0.8);
+  const Stopwatch index_watch;
+  const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
+  timing.index = index_watch.seconds();
+  OverlayOptions options = request.options;
+  options.progress = [&](double fraction) { return progress.advance(fraction); };
+  try {
+    report.result = overlay(c1, c2, options);
+  } catch (const NotSimpleError& error) {
+    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
+  }
+  const OverlayTiming& engine = report.result.timing;
+  timing.check = engine.check;
+  timing.crossings = engine.crossings;
+  timing.order = engine.order;
+  timing.areas = engine.areas;
+
+  progress.phase("measuring pieces", 0.8, 0.9);
+  const Stopwatch measure_watch;
+  report.discretisation = discretisation_error(report.result);
+  if (request.options.pieces) {
+    for (const Pairing pairing : all_pairings) {
+      // Only the JSON shows the pieces of the intersection and of the union.
+      const bool lobes = pairing == Pairing::c1_minus_c2 || pairing == Pairing::c2_minus_c1;
+      if (!lobes && request.json.empty()) continue;
+      const auto number = static_cast<std::size_t>(pairing);
+      report.centroids[number] = centroids(report.result, pairing);
+      report.slivers[number] = find_slivers(report.result, pairing);
+      progress.advance(0.25 * static_cast<double>(number + 1));
+    }
+  }
+  timing.measures = measure_watch.seconds();
+  for (const NamedArea& area : named_areas) {
+    if (std::isfinite(report.result.areas.*area.member)) continue;
+    spdlog::warn("warning: areas beyond the range of double, such as that of {}, are written as null",
+                 area.label);
+    break;
+  }
+  return report;
+}
+
+void run(const Request& request) {
+  const Stopwatch watch;
+  const std::vector<Output> outputs = outputs_of(request);
+  check_outputs(outputs, request.curves);
+  OverlayReport report;
+  {
+    Progress progress;
+    report = compute(request, progress);
+    progress.phase("writing", 0.9, 1);
+    const Stopwatch write_watch;
+    if (!request.lobes.empty()) write_lobes(request.lobes, report);
+    if (!request.crossings.empty()) write_crossings(request.crossings, report);
+    if (!request.svg.empty()) write_picture(request.svg, report);
+    report.timing.write = write_watch.seconds();
+    if (!request.json.empty()) write_overlay_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  // Standard output holds one thing only.
+  const bool taken =
+      std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
+  if (!taken) print(overlay_table(report));
+  const ReportTiming& timing = report.timing;
+  spdlog::info(
+      "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, areas {:.4f}, "
+      "measures {:.4f}, "
+      "write {:.4f}, total {:.4f}",
+      timing.read, timing.index, timing.check, timing.crossings, timing.order, timing.areas, timing.measures,
+      timing.write, watch.seconds());
+}
+
+}  // namespace
+
+void run_overlay(const std::vector<std::string>& arguments) {
+  const std::optional<Request> request = parse(arguments);
+  if (!request) return;
+  if (request->verbose) spdlog::set_level(spdlog::level::info);
+  // The arena sets how many threads work; the global limit lets there be more of them than the machine has
+  // cores.
+  std::optional<tbb::global_control> limit;
+  if (request->threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request->threads));
+  }
+  with_threads(request->threads, [&] { run(*request); });
+}
+
+}  // namespace lober::cli

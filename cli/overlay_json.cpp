@@ -1,0 +1,232 @@
+// The JSON object of `lober overlay`. Its members are a contract; more may be added, none renamed.
+//
+// Short members go through nlohmann::ordered_json. The lists, which can have millions of elements, are
+// formatted in parallel, one element a line, and never held in memory as a whole.
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/overlay_report.hpp"
+#include "cli/text.hpp"
+#include "engine/curve/ordered_pipeline.hpp"
+#include "engine/curve/output_file.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dumped(const Json& value) {
+  // A file name need not be UTF-8.
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// As nlohmann writes them: numbers that are not finite as null, whole ones with ".0".
+struct JsonNumber {
+  double value;
+};
+void append(std::string& text, JsonNumber number) {
+  if (!std::isfinite(number.value)) {
+    text += "null";
+    return;
+  }
+  const std::size_t begin = text.size();
+  cli::append(text, number.value);
+  if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
+}
+
+template <typename... Values>
+void put(std::string& text, const Values&... values) {
+  const auto one = [&](const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
+      append(text, JsonNumber{value});
+    } else {
+      cli::append(text, value);
+    }
+  };
+  (one(values), ...);
+}
+
+// Writes "[" element, element ... "]", each element by `format(text, index)`.
+template <typename Format>
+void write_list(OutputFile& file, std::size_t size, const Format& format) {
+  constexpr std::size_t block = 2048;
+  struct Slot {
+    std::size_t begin = 0, end = 0;
+    std::string text;
+  };
+  file.write("[");
+  std::size_t next = 0;
+  ordered_pipeline<Slot>(
+      [&](Slot& slot) {
+        slot.begin = next;
+        slot.end = next = std::min(size, next + block);
+        return slot.begin < slot.end;
+      },
+      [&](Slot& slot) {
+        slot.text.clear();
+        for (std::size_t k = slot.begin; k < slot.end; ++k) {
+          slot.text += k == 0 ? "\n  " : ",\n  ";
+          format(slot.text, k);
+        }
+      },
+      [&](const Slot& slot) { file.write(slot.text); });
+  file.write(size == 0 ? "]" : "\n]");
+}
+
+Json as_json(const NamedCurve& input, double area, Orientation orientation) {
+  return {{"file", input.file},
+          {"zone", input.zone},
+          {"sha256", input.sha256},
+          {"points", input.curve.points.size()},
+          {"area", orientation == Orientation::clockwise ? -area : area},
+          {"orientation", name(orientation)}};
+}
+
+Json as_json(const Areas& areas) {
+  Json object;
+  for (const NamedArea& area : named_areas) object[area.key] = areas.*area.member;
+  return object;
+}
+
+Json as_json(const OverlayStatistics& statistics) {
+  const ContactCounts& counts = statistics.counts;
+  return {
+      {"index", name(statistics.index)},
+      {"index_bytes", statistics.index_bytes},
+      {"boxes_tested", counts.search.boxes_tested},
+      {"pairs_tested", counts.search.pairs_proposed},
+      {"filter_failures", counts.predicates.filter_failures},
+      {"exact_calls", counts.predicates.exact_calls},
+      {"exact_parameters", counts.exact_parameters},
+      {"exact_orders", counts.exact_orders},
+      {"skipped", {{"blocks", counts.search.blocks_skipped}, {"shared_vertices", counts.shared_vertices}}},
+      {"simple_check",
+       {{"boxes_tested", statistics.simple_check.boxes_tested},
+        {"pairs_tested", statistics.simple_check_pairs},
+        {"skipped_blocks", statistics.simple_check.blocks_skipped}}}};
+}
+
+void format_node(std::string& text, const Node& node, std::size_t index, std::uint32_t class_number,
+                 std::uint32_t rank2) {
+  put(text, "{\"index\":", index, ",\"kind\":\"", kind_of(node), "\",\"rho\":", node.rho);
+  const auto end_point = [&](Point point, Position on1, Position on2) {
+    put(text, "\"x\":", point.x, ",\"y\":", point.y, ",\"segment1\":", on1.segment, ",\"t1\":", on1.t,
+        ",\"segment2\":", on2.segment, ",\"t2\":", on2.t);
+  };
+  put(text, ",");
+  end_point(node.begin, node.begin1, node.begin2);
+  if (node.shared != 0) {
+    put(text, ",\"shared\":", node.shared, ",\"end\":{");
+    end_point(node.end, node.end1, node.end2);
+    put(text, "}");
+  }
+  put(text, ",\"class\":");
+  if (class_number == Overlay::no_class) {
+    put(text, "null");
+  } else {
+    put(text, class_number);
+  }
+  put(text, ",\"order2\":", rank2, "}");
+}
+
+void write_crossings_member(OutputFile& file, const OverlayReport& report) {
+  const Overlay& result = report.result;
+  Json head{{"count", result.nodes.crossings()},
+            {"contacts", result.nodes.touches()},
+            {"shared_arcs", result.nodes.shared_arcs()},
+            {"same_curve", result.nodes.same_curve()}};
+  if (report.options.pieces) head["classes"] = result.class_count;
+  std::string text = dumped(head);
+  text.back() = ',';  // the object goes on with the list
+  file.write("\"crossings\": ");
+  file.write(text);
+  file.write("\"list\": ");
+  write_list(file, result.nodes.size(), [&](std::string& line, std::size_t k) {
+    const std::uint32_t class_number = result.classes.empty() ? Overlay::no_class : result.classes[k];
+    format_node(line, result.nodes[k], k, class_number, result.nodes.graph().rank2[k]);
+  });
+  file.write("},\n");
+}
+
+void write_pieces_member(OutputFile& file, const OverlayReport& report) {
+  file.write("\"pieces\": {");
+  for (const Pairing pairing : all_pairings) {
+    const Pieces& pieces = report.result.pieces(pairing);
+    const std::vector<Point>& centroids = report.centroids_of(pairing);
+    const std::vector<std::uint32_t>& slivers = report.slivers_of(pairing).pieces;
+    std::string key;
+    append_all(key, pairing == all_pairings[0] ? "\"" : ",\n\"", name(pairing), "\": ");
+    file.write(key);
+    write_list(file, pieces.size(), [&](std::string& text, std::size_t k) {
+      const Piece piece = pieces[k];
+      put(text, "{\"area\":", piece.area, ",\"centroid\":[", centroids[k].x, ",", centroids[k].y,
+          "],\"crossings\":[");
+      for (std::size_t m = 0; m < piece.crossings.size(); ++m)
+        put(text, m == 0 ? "" : ",", piece.crossings[m]);
+      const bool sliver = std::binary_search(slivers.begin(), slivers.end(), static_cast<std::uint32_t>(k));
+      put(text, "],\"holes\":", piece.holes, ",\"sliver\":", sliver ? "true" : "false", "}");
+    });
+  }
+  file.write("},\n");
+}
+
+Json slivers_json(const OverlayReport& report) {
+  Json object;
+  for (const Pairing pairing : all_pairings) {
+    const Slivers& slivers = report.slivers_of(pairing);
+    object[std::string(name(pairing))] = {{"count", slivers.pieces.size()}, {"area", slivers.area}};
+  }
+  return object;
+}
+
+Json error_json(const OverlayReport& report) {
+  return {{"rounding", as_json(report.result.rounding)},
+          {"discretisation", as_json(report.discretisation)},
+          {"meaning",
+           {{"rounding", "bound on |area - exact area of the polygons as given|"},
+            {"discretisation",
+             "estimate of |area of the polygons - area between smooth curves through the same points|"}}}};
+}
+
+}  // namespace
+
+void write_overlay_json(const std::string& path, OverlayReport& report,
+                        const std::function<double()>& seconds_so_far) {
+  const Stopwatch watch;
+  const Overlay& result = report.result;
+  OutputFile file(path);
+  const auto member = [&](const char* key, const Json& value) {
+    std::string line;
+    append_all(line, "\"", key, "\": ", dumped(value), ",\n");
+    file.write(line);
+  };
+  file.write("{");
+  member("program", {{"name", "lober"}, {"version", LOBER_VERSION}});
+  member("command", "overlay");
+  member("inputs", Json::array({as_json(report.inputs[0], result.areas.c1, result.orientation1),
+                                as_json(report.inputs[1], result.areas.c2, result.orientation2)}));
+  member("options", {{"index", name(report.options.index)},
+                     {"areas_only", !report.options.pieces},
+                     {"check_simple", report.options.check_simple}});
+  write_crossings_member(file, report);
+  member("areas", as_json(result.areas));
+  if (report.options.pieces) {
+    write_pieces_member(file, report);
+    member("slivers", slivers_json(report));
+  }
+  member("error", error_json(report));
+  member("statistics", as_json(result.statistics));
+  ReportTiming& timing = report.timing;
+  timing.write += watch.seconds();
+  const Json seconds{{"read", timing.read},           {"index", timing.index}, {"check", timing.check},
+                     {"crossings", timing.crossings}, {"order", timing.order}, {"areas", timing.areas},
+                     {"measures", timing.measures},   {"write", timing.write}, {"total", seconds_so_far()}};
+  file.write("\"timing\": ");
+  file.write(dumped(seconds));
+  file.write("}\n");
+  file.commit();
+}
+
+}  // namespace lober::cli

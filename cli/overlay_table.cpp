@@ -1,0 +1,112 @@
+// The table of `lober overlay` for people.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "cli/overlay_report.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr std::size_t shown = 10;  ///< lobes of either kind
+
+std::string spec_of(const NamedCurve& input) {
+  return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+void add_inputs(std::string& text, const OverlayReport& report) {
+  const std::array<std::string, 2> specs{spec_of(report.inputs[0]), spec_of(report.inputs[1])};
+  const std::size_t width = std::max(specs[0].size(), specs[1].size());
+  const std::array<Orientation, 2> orientations{report.result.orientation1, report.result.orientation2};
+  for (std::size_t k = 0; k < 2; ++k) {
+    text += fmt::format(
+        "C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, report.inputs[k].curve.points.size(),
+        orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
+  }
+}
+
+void add_meetings(std::string& text, const Crossings& nodes) {
+  if (nodes.same_curve()) {
+    text += "\nthe two curves are one and the same\n";
+  } else {
+    text += fmt::format("\n{}, {}, {}\n", counted(nodes.crossings(), "crossing", "crossings"),
+                        counted(nodes.touches(), "touch", "touches"),
+                        counted(nodes.shared_arcs(), "shared arc", "shared arcs"));
+  }
+}
+
+void add_areas(std::string& text, const OverlayReport& report) {
+  text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}\n", "area of", "", "+- rounding", "discretisation");
+  for (const NamedArea& area : named_areas) {
+    text +=
+        fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}\n", area.label, report.result.areas.*area.member,
+                    report.result.rounding.*area.member, report.discretisation.*area.member);
+  }
+}
+
+// The numbers of the largest pieces, largest first.
+std::vector<std::uint32_t> largest(std::span<const double> areas) {
+  std::vector<std::uint32_t> order(areas.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const std::size_t count = std::min(shown, order.size());
+  std::partial_sort(
+      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+      [&](std::uint32_t x, std::uint32_t y) { return areas[x] != areas[y] ? areas[x] > areas[y] : x < y; });
+  order.resize(count);
+  return order;
+}
+
+// "0 1 2 3 4 5 6 7 ... (20)": the crossings of a piece, shortened.
+std::string crossings_text(const std::vector<std::uint32_t>& crossings) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, crossings.size()); ++k) {
+    text += fmt::format("{}{}", k == 0 ? "" : " ", crossings[k]);
+  }
+  if (crossings.size() > most) text += fmt::format(" ... ({})", crossings.size());
+  return text.empty() ? "-" : text;
+}
+
+void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing, const char* label) {
+  const Pieces& pieces = report.result.pieces(pairing);
+  const Slivers& slivers = report.slivers_of(pairing);
+  text += fmt::format("\n{}: {}\n", label,
+                      pieces.size() == 0 ? "no lobe" : counted(pieces.size(), "lobe", "lobes"));
+  if (pieces.size() == 0) return;
+  text += fmt::format("{:>8} {:>23}   {:^26} {:>6}  {}\n", "lobe", "area", "centroid", "holes", "crossings");
+  const std::vector<std::uint32_t> order = largest(pieces.areas());
+  for (const std::uint32_t number : order) {
+    const Piece piece = pieces[number];
+    const Point centroid = report.centroids_of(pairing)[number];
+    text += fmt::format("{:>8} {:>23.16g}   ({:>11.5g}, {:>11.5g}) {:>6}  {}\n", number, piece.area,
+                        centroid.x, centroid.y, piece.holes, crossings_text(piece.crossings));
+  }
+  if (pieces.size() > order.size())
+    text += fmt::format("{:>8} and {} more\n", "...", pieces.size() - order.size());
+  if (!slivers.pieces.empty()) {
+    text += fmt::format("         {} no wider than rounding, {:.2g} in total\n",
+                        counted(slivers.pieces.size(), "sliver", "slivers"), slivers.area);
+  }
+}
+
+}  // namespace
+
+std::string overlay_table(const OverlayReport& report) {
+  std::string text;
+  add_inputs(text, report);
+  add_meetings(text, report.result.nodes);
+  add_areas(text, report);
+  if (report.options.pieces) {
+    add_pieces(text, report, Pairing::c1_minus_c2, "C1 \\ C2");
+    add_pieces(text, report, Pairing::c2_minus_c1, "C2 \\ C1");
+  }
+  return text;
+}
+
+}  // namespace lober::cli

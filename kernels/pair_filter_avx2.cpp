@@ -1,0 +1,14 @@
+#include "kernels/pair_filter.hpp"
+#include "kernels/predicates.hpp"
+#include "kernels/simd.hpp"
+
+#include "kernels/pair_filter.inl"
+
+namespace lober {
+
+void filter_pairs_avx2(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
+                       PairVerdict* verdicts) {
+  filter(first, second, pairs, count, verdicts);
+}
+
+}  // namespace lober

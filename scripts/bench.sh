@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Runs the benchmarks of build/bin.
+# usage: bench.sh [full|quick]
+#   full    10^6 points, all rivals, about half an hour; writes bench/RESULTS.md, which the README quotes
+#   quick   10^5 points, fast rivals, a few minutes; writes build/bench-quick.md
+set -euo pipefail
+cd "$(dirname "$0")/.."
+mode=${1:-full}
+case $mode in
+  full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 60) kernels=(--benchmark_min_time=0.5) ;;
+  quick) results=build/bench-quick.md overlay=(--n 100000 --rivals fast --limit 20 --no-growth) kernels=(--benchmark_min_time=0.1) ;;
+  *) echo "usage: bench.sh [full|quick]" >&2; exit 2 ;;
+esac
+tables=$(mktemp)
+draft=$(mktemp)
+trap 'rm -f "$tables" "$draft"' EXIT
+
+build/bin/bench_overlay "${overlay[@]}" --markdown "$tables"
+
+processor=$(lscpu | sed -n 's/^Model name: *//p' | head -n 1)
+compiler=$("$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' build/CMakeCache.txt)" --version | head -n 1)
+commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
+{
+  echo '# Results of the benchmarks'
+  echo
+  echo "Written by \`scripts/bench.sh $mode\`. $processor, $(nproc) cores; $compiler; commit $commit."
+  echo 'Scenes, what is measured and what the rivals are asked for: `bench/scenes`, `bench/harness`, `bench/rivals`.'
+  echo
+  cat "$tables"
+  for suite in kernels reading; do
+    [ -x "build/bin/bench_$suite" ] || continue
+    echo "### ${suite^}"
+    echo
+    echo '```'
+    "build/bin/bench_$suite" "${kernels[@]}" --benchmark_color=false 2>/dev/null
+    echo '```'
+    echo
+  done
+} >"$draft"
+cp "$draft" "$results"
+echo "wrote $results"

@@ -1,0 +1,144 @@
+// `lober overlay` on pairs with known answers, and all its outputs.
+
+#include <algorithm>
+
+#include "engine/curve/curve.hpp"
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+class OverlayProgram : public ProgramTest {
+ protected:
+  // Areas of C1 \ C2 and C2 \ C1.
+  std::pair<double, double> differences(const std::vector<Point>& c1, const std::vector<Point>& c2) {
+    write_curve("c1", c1);
+    write_curve("c2", c2);
+    const Json areas = overlay({"c1", "c2"})["areas"];
+    return {areas["c1_minus_c2"], areas["c2_minus_c1"]};
+  }
+};
+
+// What the published program gets wrong.
+TEST_F(OverlayProgram, GetsSharedSidesRight) {
+  using Pair = std::pair<double, double>;
+  EXPECT_EQ(differences(box(0, 0, 1, 1), box(0, 0, 2, 1)), Pair(0, 1));
+  EXPECT_EQ(differences(box(0, 0, 1, 1), box(0.5, 0, 1.5, 1)), Pair(0.5, 0.5));
+  EXPECT_EQ(differences(box(0, 0, 1, 1), box(1, 0.25, 2, 0.75)), Pair(1, 0.5));
+  EXPECT_EQ(differences(box(0, 2, 6, 4), box(2, 0, 4, 6)), Pair(8, 8));
+  const std::vector<Point> curve = flower(64, 3, 0.25, {0, 0});
+  EXPECT_EQ(differences(curve, curve), Pair(0, 0));
+  EXPECT_EQ(differences(box(0, 0, 2, 2), {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}),
+            Pair(0, 0));
+}
+
+TEST_F(OverlayProgram, TakesEitherOrientationAndAClosingVertex) {
+  write("c1", "0 0\n0 1\n1 1\n1 0\n0 0\n");
+  write_curve("c2", box(0.5, 0.5, 1.5, 1.5));
+  const Json result = overlay({"c1", "c2"});
+  EXPECT_EQ(result["inputs"][0]["points"], 4);
+  EXPECT_EQ(result["inputs"][0]["orientation"], "clockwise");
+  EXPECT_EQ(result["inputs"][0]["area"], -1.0);
+  EXPECT_EQ(result["inputs"][1]["orientation"], "counter_clockwise");
+  EXPECT_EQ(result["areas"]["intersection"], 0.25);
+}
+
+TEST_F(OverlayProgram, TakesZonesByNumberAndByTitle) {
+  write("zones.dat",
+        "VARIABLES=\"x\"\"y\"\nZONE T=\"small\"\n0 0\n1 0\n1 1\n0 1\nZONE T=\"large\"\n0 0\n3 0\n3 3\n0 3\n");
+  const Json result = overlay({"zones.dat#0", "zones.dat#large"});
+  EXPECT_EQ(result["inputs"][0]["zone"], 0);
+  EXPECT_EQ(result["inputs"][1]["zone"], 1);
+  EXPECT_EQ(result["inputs"][1]["file"], "zones.dat");
+  EXPECT_EQ(result["areas"]["c2_minus_c1"], 8.0);
+  const Outcome table = run({"overlay", "zones.dat#0", "zones.dat#1"});
+  EXPECT_NE(table.out.find("zones.dat#1"), std::string::npos) << table.out;
+}
+
+TEST_F(OverlayProgram, PrintsAShortTable) {
+  write_curve("c1", flower(2000, 40, 0.1, {0, 0}));
+  write_curve("c2", flower(2000, 40, -0.1, {0, 0}));
+  const Outcome outcome = run({"overlay", "c1", "c2"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");  // no progress bar where there is no terminal
+  EXPECT_NE(outcome.out.find("80 crossings, 0 touches, 0 shared arcs"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("C1 \\ C2: 40 lobes"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("and 30 more"), std::string::npos) << outcome.out;
+  EXPECT_LT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 45);
+}
+
+TEST_F(OverlayProgram, TellsPhasesOnStandardErrorWhenAsked) {
+  write_curve("c1", box(0, 0, 1, 1));
+  write_curve("c2", box(0.5, 0.5, 2, 2));
+  const Outcome outcome = run({"overlay", "c1", "c2", "--verbose", "--json", "-"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("crossings"), std::string::npos);
+  EXPECT_TRUE(Json::accept(outcome.out));
+}
+
+TEST_F(OverlayProgram, WritesLobesThatItCanRead) {
+  write_curve("outer", box(0, 0, 10, 10));
+  write_curve("inner", box(2, 2, 4, 12));
+  EXPECT_EQ(run({"overlay", "outer", "inner", "--lobes", "lobes.dat"}).status, 0);
+  const CurveFile file = read_curve_file(folder() / "lobes.dat");
+  ASSERT_EQ(file.zones.size(), 2U);
+  EXPECT_EQ(file.zones[0].title, "c1_minus_c2 0 area=84");
+  EXPECT_EQ(file.zones[1].title, "c2_minus_c1 0 area=4");
+  EXPECT_EQ(signed_area({file.zones[0].points}), 84);
+  EXPECT_EQ(signed_area({file.zones[1].points}), 4);
+  EXPECT_EQ(overlay({"lobes.dat#0", "outer"})["areas"]["c1_minus_c2"], 0.0);
+}
+
+TEST_F(OverlayProgram, WritesHolesAsZonesOfTheirOwn) {
+  write_curve("outer", box(0, 0, 10, 10));
+  write_curve("inner", box(2, 2, 4, 4));
+  EXPECT_EQ(run({"overlay", "outer", "inner", "--lobes", "lobes.dat"}).status, 0);
+  const CurveFile file = read_curve_file(folder() / "lobes.dat");
+  ASSERT_EQ(file.zones.size(), 2U);
+  EXPECT_EQ(file.zones[0].title, "c1_minus_c2 0 area=96");
+  EXPECT_EQ(file.zones[1].title, "c1_minus_c2 0 hole 1");
+  EXPECT_EQ(signed_area({file.zones[0].points}) + signed_area({file.zones[1].points}), 96);
+}
+
+TEST_F(OverlayProgram, WritesCrossingsAsColumns) {
+  write_curve("c1", box(0, 0, 2, 2));
+  write_curve("c2", box(1, 0, 3, 1));
+  EXPECT_EQ(run({"overlay", "c1", "c2", "--crossings", "crossings.csv"}).status, 0);
+  const std::string text = read("crossings.csv");
+  const std::size_t rows = text.find("\nindex,x,y,rho,kind,segment1,t1,segment2,t2,class,order2,end_x");
+  ASSERT_NE(rows, std::string::npos) << text;
+  EXPECT_TRUE(text.starts_with("#"));
+  const std::string body = text.substr(text.find('\n', rows + 1) + 1);
+  EXPECT_EQ(body,
+            "0,1,0,-1,shared_arc,0,0.5,0,0,0,0,2,0,1,0,0,0.5\n"
+            "1,2,1,1,crossing,1,0.5,2,0.5,0,1,,,,,,\n");
+}
+
+TEST_F(OverlayProgram, DrawsAPicture) {
+  write_curve("c1", flower(20000, 7, 0.2, {0, 0}));
+  write_curve("c2", flower(20000, 5, 0.2, {0.1, 0}));
+  EXPECT_EQ(run({"overlay", "c1", "c2", "--svg", "picture.svg"}).status, 0);
+  const std::string svg = read("picture.svg");
+  EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_NE(svg.find("<circle"), std::string::npos);
+  EXPECT_LT(svg.size(), 200'000U);  // vertices that could not be told apart are left out
+}
+
+TEST_F(OverlayProgram, LeavesNoTemporaryFiles) {
+  write_curve("c1", box(0, 0, 2, 2));
+  write_curve("c2", box(1, 1, 3, 3));
+  EXPECT_EQ(
+      run({"overlay", "c1", "c2", "--json", "j", "--lobes", "l", "--crossings", "c", "--svg", "s"}).status,
+      0);
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder()))
+    names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{".streams", "c", "c1", "c2", "j", "l", "s"}));
+}
+
+}  // namespace
+}  // namespace lober::cli

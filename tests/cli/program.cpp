@@ -1,0 +1,101 @@
+#include "tests/cli/program.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+extern char** environ;
+
+namespace lober::cli {
+namespace {
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+}  // namespace
+
+ProgramTest::ProgramTest() {
+  std::string name = (std::filesystem::temp_directory_path() / "lober-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  folder_ = name;
+  std::filesystem::create_directory(folder_ / ".streams");
+}
+
+ProgramTest::~ProgramTest() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+Outcome ProgramTest::run(const std::vector<std::string>& arguments) const {
+  std::string program = LOBER_PROGRAM;
+  std::vector<char*> list{program.data()};
+  std::vector<std::string> copies = arguments;
+  for (std::string& argument : copies) list.push_back(argument.data());
+  list.push_back(nullptr);
+
+  const std::string out = folder_ / ".streams/out", err = folder_ / ".streams/err";
+  constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder_.c_str());
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), flags, 0600);
+  posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), flags, 0600);
+  pid_t process = 0;
+  const int failed = posix_spawn(&process, program.c_str(), &actions, nullptr, list.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) throw std::runtime_error(program + " does not start");
+  int status = 0;
+  waitpid(process, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+}
+
+nlohmann::json ProgramTest::overlay(std::vector<std::string> arguments) const {
+  arguments.insert(arguments.begin(), "overlay");
+  arguments.insert(arguments.end(), {"--json", "-"});
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  return outcome.status == 0 ? nlohmann::json::parse(outcome.out) : nlohmann::json();
+}
+
+void ProgramTest::write(std::string_view name, std::string_view content) const {
+  std::ofstream(folder_ / name, std::ios::binary) << content;
+}
+
+void ProgramTest::write_curve(std::string_view name, std::span<const Point> points) const {
+  std::ofstream file(folder_ / name);
+  file.precision(17);
+  for (const Point& p : points) file << p.x << ' ' << p.y << '\n';
+}
+
+std::string ProgramTest::read(std::string_view name) const {
+  return content_of(folder_ / name);
+}
+
+std::vector<Point> box(double left, double low, double right, double high) {
+  return {{left, low}, {right, low}, {right, high}, {left, high}};
+}
+
+std::vector<Point> flower(std::size_t points, int petals, double depth, Point centre) {
+  std::vector<Point> curve(points);
+  for (std::size_t k = 0; k < points; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points);
+    const double radius = 1 + depth * std::sin(petals * angle);
+    curve[k] = {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
+  }
+  return curve;
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,49 @@
+// Runs the program in a folder of its own and tells what came out.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernels/point.hpp"
+
+namespace lober::cli {
+
+struct Outcome {
+  int status;  ///< exit status; -1 if a signal ended the program
+  std::string out, err;
+};
+
+/// A test with an empty current folder, removed at its end.
+class ProgramTest : public testing::Test {
+ protected:
+  ProgramTest();
+  ~ProgramTest() override;
+
+  /// Runs `lober` with these arguments in `folder()`.
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+
+  /// Runs `lober overlay` with --json - and parses what it prints. Fails the test when the program does.
+  [[nodiscard]] nlohmann::json overlay(std::vector<std::string> arguments) const;
+
+  void write(std::string_view name, std::string_view content) const;
+  void write_curve(std::string_view name, std::span<const Point> points) const;
+  [[nodiscard]] std::string read(std::string_view name) const;
+  [[nodiscard]] bool exists(std::string_view name) const { return std::filesystem::exists(folder_ / name); }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+[[nodiscard]] std::vector<Point> box(double left, double low, double right, double high);
+
+/// A wavy circle about `centre`.
+[[nodiscard]] std::vector<Point> flower(std::size_t points, int petals, double depth, Point centre);
+
+}  // namespace lober::cli
