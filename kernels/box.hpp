@@ -1,6 +1,10 @@
 // Axis-parallel boxes, laid out so that one vector compare decides whether two of them meet.
 #pragma once
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <limits>
 
@@ -34,6 +38,24 @@ inline Box unite(const Box& a, const Box& b) {
 
 inline bool meet(const Box& a, const Box& b) {
   return a.lane[0] <= -b.lane[2] && a.lane[1] <= -b.lane[3] && a.lane[2] <= -b.lane[0] && a.lane[3] <= -b.lane[1];
+}
+
+/// A box prepared for being tested against many: the right-hand sides of the four comparisons of `meet`.
+struct alignas(32) BoxQuery {
+  double bound[4];
+  explicit BoxQuery(const Box& box) : bound{-box.lane[2], -box.lane[3], -box.lane[0], -box.lane[1]} {}
+};
+
+/// The same as for two boxes, without branches.
+inline bool meet(const BoxQuery& query, const Box& box) {
+#ifdef __SSE2__
+  const __m128d low = _mm_cmple_pd(_mm_load_pd(box.lane), _mm_load_pd(query.bound));
+  const __m128d high = _mm_cmple_pd(_mm_load_pd(box.lane + 2), _mm_load_pd(query.bound + 2));
+  return _mm_movemask_pd(_mm_and_pd(low, high)) == 3;
+#else
+  return box.lane[0] <= query.bound[0] && box.lane[1] <= query.bound[1] && box.lane[2] <= query.bound[2] &&
+         box.lane[3] <= query.bound[3];
+#endif
 }
 
 /// Whether `point` lies in the closed box.

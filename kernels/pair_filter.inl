@@ -1,5 +1,7 @@
 // Body of filter_pairs, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
 
+#include "kernels/predicates.hpp"
+
 namespace {
 
 using namespace lober;

@@ -10,8 +10,8 @@ namespace lober {
 static_assert(leaf_size == 32, "a leaf's segments are the bits of a 32-bit word");
 
 void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes);
-std::size_t meeting_segments_avx2(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
-                                  std::uint32_t b_begin, SegmentPair* pairs);
+std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
+    std::uint32_t b_begin, SegmentPair* pairs);
 
 void segment_boxes(const Point* points, SegmentBoxes& boxes) {
   if (has_avx2()) {
@@ -22,10 +22,10 @@ void segment_boxes(const Point* points, SegmentBoxes& boxes) {
   }
 }
 
-std::size_t meeting_segments(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
-                             std::uint32_t b_begin, SegmentPair* pairs) {
-  return has_avx2() ? meeting_segments_avx2(a, a_box, a_begin, b, b_begin, pairs)
-                    : find_meeting(a, a_box, a_begin, b, b_begin, pairs);
+std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
+    std::uint32_t b_begin, SegmentPair* pairs) {
+  return has_avx2() ? meeting_segments_avx2(a, a_begin, b, b_box, b_begin, pairs)
+                    : find_meeting(a, a_begin, b, b_box, b_begin, pairs);
 }
 
 }  // namespace lober

@@ -34,9 +34,9 @@ struct alignas(64) SegmentBoxes {
 void segment_boxes(const Point* points, SegmentBoxes& boxes);
 
 /// Writes to `pairs` every (a_begin + i, b_begin + j) such that the boxes of segment i of leaf a and segment j of leaf b meet
-/// (touching counts), ordered by j, then i, and returns how many; room for leaf_size^2 is needed. `a_box` is the box of leaf
-/// a. All comparisons are exact.
-std::size_t meeting_segments(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
-                             std::uint32_t b_begin, SegmentPair* pairs);
+/// (touching counts), ordered by j, then i, and returns how many; room for leaf_size^2 is needed. `b_box` is the box of leaf
+/// b. All comparisons are exact.
+std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
+    std::uint32_t b_begin, SegmentPair* pairs);
 
 }  // namespace lober

@@ -54,28 +54,45 @@ inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, doubl
   return bits;
 }
 
-// The same by way of the groups.
-inline std::uint32_t meeting_bits_grouped(const SegmentBoxes& boxes, double min_x, double max_x, double min_y, double max_y) {
-  const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
+// Bit g is set where group g meets the rectangle.
+inline unsigned meeting_groups(const SegmentBoxes& boxes, Lanes left, Lanes right, Lanes bottom, Lanes top) {
   unsigned groups = 0;
   for (std::size_t g = 0; g < SegmentBoxes::groups; g += lanes) {
     groups |= meeting_four(boxes.group_min_x + g, boxes.group_max_x + g, boxes.group_min_y + g, boxes.group_max_y + g, left,
                            right, bottom, top) << g;
   }
+  return groups;
+}
+
+// The same as meeting_bits by way of the groups.
+inline std::uint32_t meeting_bits_grouped(const SegmentBoxes& boxes, double min_x, double max_x, double min_y, double max_y) {
+  const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
   std::uint32_t bits = 0;
-  for (; groups != 0; groups &= groups - 1) {
+  for (unsigned groups = meeting_groups(boxes, left, right, bottom, top); groups != 0; groups &= groups - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctz(groups)) * lanes;
     bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top) << i;
   }
   return bits;
 }
 
-inline std::size_t find_meeting(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
+inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
                                 std::uint32_t b_begin, SegmentPair* pairs) {
+  // Often the boxes of two leaves meet and those of their parts do not.
+  unsigned groups = meeting_groups(a, splat(b_box.min_x()), splat(b_box.max_x()), splat(b_box.min_y()), splat(b_box.max_y()));
+  if (groups == 0) return 0;
+  auto g = static_cast<std::size_t>(__builtin_ctz(groups));
+  double min_x = a.group_min_x[g], max_x = a.group_max_x[g], min_y = a.group_min_y[g], max_y = a.group_max_y[g];
+  for (groups &= groups - 1; groups != 0; groups &= groups - 1) {
+    g = static_cast<std::size_t>(__builtin_ctz(groups));
+    min_x = a.group_min_x[g] < min_x ? a.group_min_x[g] : min_x;
+    max_x = a.group_max_x[g] > max_x ? a.group_max_x[g] : max_x;
+    min_y = a.group_min_y[g] < min_y ? a.group_min_y[g] : min_y;
+    max_y = a.group_max_y[g] > max_y ? a.group_max_y[g] : max_y;
+  }
   SegmentBoxes b_boxes;
   boxes_of(b, b_boxes);
   std::size_t count = 0;
-  std::uint32_t candidates = meeting_bits(b_boxes, a_box.min_x(), a_box.max_x(), a_box.min_y(), a_box.max_y());
+  std::uint32_t candidates = meeting_bits(b_boxes, min_x, max_x, min_y, max_y);
   for (; candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));
     std::uint32_t met = meeting_bits_grouped(a, b_boxes.min_x[j], b_boxes.max_x[j], b_boxes.min_y[j], b_boxes.max_y[j]);

@@ -10,9 +10,9 @@ void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) {
   group_boxes(boxes);
 }
 
-std::size_t meeting_segments_avx2(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin, const Point* b,
-                                  std::uint32_t b_begin, SegmentPair* pairs) {
-  return find_meeting(a, a_box, a_begin, b, b_begin, pairs);
+std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
+    std::uint32_t b_begin, SegmentPair* pairs) {
+  return find_meeting(a, a_begin, b, b_box, b_begin, pairs);
 }
 
 }  // namespace lober

@@ -14,7 +14,8 @@ LOBER_INLINE DD shoelace(Point a, Point b, Point origin) {
   return cross(two_diff(a.x, origin.x), two_diff(a.y, origin.y), two_diff(b.x, origin.x), two_diff(b.y, origin.y));
 }
 
-/// The same for the leaf_size segments of a leaf, four at a time.
+/// The same value for the leaf_size segments of a leaf, four at a time, from a - origin and the edge b - a: error below
+/// 2^-102 times |a - origin| |b - a|. The last bits may differ from those of `shoelace`.
 void shoelace_terms(const Point* points, Point origin, DD* terms);
 
 /// A running sum of double-doubles: the high parts exactly, the low parts rounded. Error after n additions at most

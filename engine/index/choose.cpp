@@ -77,7 +77,7 @@ TreeSample sample_tree(const BoxTree& first, const BoxTree& second) {
     const std::size_t step = std::max<std::size_t>(met.size() * looked_at / leaf_pairs_looked_into, 1);
     for (std::size_t m = k % step; m < met.size(); m += step) {
       candidates += static_cast<double>(
-          meeting_segments(boxes, first.leaf_boxes()[leaf], 0, second.leaf_points(met[m]), 0, pairs.data()));
+          meeting_segments(boxes, 0, second.leaf_points(met[m]), second.leaf_boxes()[met[m]], 0, pairs.data()));
       looked_into += 1;
     }
   }

@@ -24,9 +24,8 @@ class TreeSearch {
 
   // The nodes of the second tree that meet `node` of the first, out of those in `list`, split to the size of `node`.
   void keep_meeting(TreeNode node, std::span<const TreeNode> list, std::vector<TreeNode>& kept, SearchCounts& counts) const {
-    const Box& box = first_.box(node);
-    const double extent = box.extent();
-    for (const TreeNode& candidate : list) keep_one(node, box, extent, candidate, kept, counts);
+    const Query query(first_, node);
+    for (const TreeNode& candidate : list) keep_one(query, candidate, kept, counts);
   }
 
   void walk(TreeNode node, std::size_t list_begin, std::uint32_t block, std::vector<TreeNode>& stack,
@@ -45,11 +44,10 @@ class TreeSearch {
     for (std::uint32_t child = 2 * node.index; child < 2 * node.index + 2; ++child) {
       const TreeNode below{node.level - 1, child};
       if (child >= first_.nodes(below.level)) break;
-      const Box& box = first_.box(below);
-      const double extent = box.extent();
+      const Query query(first_, below);
       for (std::size_t k = list_begin; k < list_end; ++k) {
         const TreeNode candidate = stack[k];  // a copy: the stack moves when it grows
-        keep_one(below, box, extent, candidate, stack, counts);
+        keep_one(query, candidate, stack, counts);
       }
       walk(below, list_end, block, stack, pairs, consumer, skip_before, counts);
       stack.resize(list_end);
@@ -70,18 +68,23 @@ class TreeSearch {
     return other_begin == end || wraps;
   }
 
-  void keep_one(TreeNode node, const Box& box, double extent, TreeNode candidate, std::vector<TreeNode>& kept,
-                SearchCounts& counts) const {
+  // A node of the first tree, ready to be tested against many.
+  struct Query {
+    Query(const BoxTree& tree, TreeNode which) : node(which), box(tree.box(which)), extent(tree.box(which).extent()) {}
+    TreeNode node;
+    BoxQuery box;
+    double extent;
+  };
+
+  void keep_one(const Query& query, TreeNode candidate, std::vector<TreeNode>& kept, SearchCounts& counts) const {
     ++counts.boxes_tested;
     const Box& other = second_.box(candidate);
-    if (!meet(box, other)) return;
-    if (self_ && apart(node, candidate)) return;
-    if (candidate.level > 0 && (other.extent() > extent || node.level == 0)) {
+    if (!meet(query.box, other)) return;
+    if (self_ && apart(query.node, candidate)) return;
+    if (candidate.level > 0 && (query.node.level == 0 || other.extent() > query.extent)) {
       const TreeNode left{candidate.level - 1, 2 * candidate.index};
-      keep_one(node, box, extent, left, kept, counts);
-      if (left.index + 1 < second_.nodes(left.level)) {
-        keep_one(node, box, extent, {left.level, left.index + 1}, kept, counts);
-      }
+      keep_one(query, left, kept, counts);
+      if (left.index + 1 < second_.nodes(left.level)) keep_one(query, {left.level, left.index + 1}, kept, counts);
     } else {
       kept.push_back(candidate);
     }
@@ -96,7 +99,7 @@ class TreeSearch {
       const std::size_t before = pairs.size();
       pairs.resize(before + leaf_size * leaf_size);
       const auto other_begin = static_cast<std::uint32_t>(other.index * leaf_size);
-      std::size_t found = meeting_segments(boxes, first_.box(leaf), begin, second_.leaf_points(other.index), other_begin,
+      std::size_t found = meeting_segments(boxes, begin, second_.leaf_points(other.index), second_.box(other), other_begin,
                                            pairs.data() + before);
       if (self_ && other.index == leaf.index) found = keep_upper(pairs.data() + before, found);
       pairs.resize(before + found);

@@ -13,8 +13,8 @@
 
 namespace lober {
 void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes);
-std::size_t meeting_segments_avx2(const SegmentBoxes& a, const Box& a_box, std::uint32_t a_begin,
-                                  const Point* b, std::uint32_t b_begin, SegmentPair* pairs);
+std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
+                                  std::uint32_t b_begin, SegmentPair* pairs);
 }  // namespace lober
 
 namespace lober::testing {
@@ -54,7 +54,7 @@ TEST(MeetingSegments, EqualsBruteForceInOrder) {
     SegmentBoxes boxes;
     segment_boxes(a.data(), boxes);
     std::vector<SegmentPair> pairs(leaf_size * leaf_size);
-    pairs.resize(meeting_segments(boxes, box_of(a), 100, b.data(), 7000, pairs.data()));
+    pairs.resize(meeting_segments(boxes, 100, b.data(), box_of(b), 7000, pairs.data()));
     ASSERT_EQ(pairs, expected) << "try " << k;
     met += pairs.size();
   }
@@ -69,17 +69,21 @@ TEST(MeetingSegments, BothCopiesGiveTheSame) {
     SegmentBoxes plain, wide;
     boxes_of(a.data(), plain);
     group_boxes(plain);
+    group_boxes(plain);
     segment_boxes_avx2(a.data(), wide);
     ASSERT_EQ(std::memcmp(&plain, &wide, sizeof plain), 0);
     std::vector<SegmentPair> from_plain(leaf_size * leaf_size), from_wide(leaf_size * leaf_size);
-    from_plain.resize(find_meeting(plain, box_of(a), 3, b.data(), 5, from_plain.data()));
-    from_wide.resize(meeting_segments_avx2(wide, box_of(a), 3, b.data(), 5, from_wide.data()));
+    from_plain.resize(find_meeting(plain, 3, b.data(), box_of(b), 5, from_plain.data()));
+    from_wide.resize(meeting_segments_avx2(wide, 3, b.data(), box_of(b), 5, from_wide.data()));
     ASSERT_EQ(from_plain, from_wide) << "try " << k;
   }
 }
 
 TEST(Box, MeetsExactlyWhenClosedRectanglesDo) {
   const Box box = Box::of({0, 0}, {1, 1});
+  EXPECT_TRUE(meet(BoxQuery(box), Box::of({1, 1}, {2, 2}))) << "a common corner";
+  EXPECT_FALSE(meet(BoxQuery(box), Box::of({neighbour(1.0, 1), 0}, {2, 1}))) << "an ulp away";
+  EXPECT_FALSE(meet(BoxQuery(box), Box::of({0, -2}, {1, neighbour(0.0, -1)}))) << "below";
   EXPECT_TRUE(meet(box, Box::of({1, 1}, {2, 2}))) << "a common corner";
   EXPECT_TRUE(meet(box, Box::of({-1, 0.5}, {2, 0.5}))) << "a segment through";
   EXPECT_FALSE(meet(box, Box::of({neighbour(1.0, 1), 0}, {2, 1}))) << "an ulp away";

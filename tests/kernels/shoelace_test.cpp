@@ -28,28 +28,39 @@ Leaf random_leaf(Random& random) {
   return leaf;
 }
 
+struct Vector {
+  mpq_class x, y;
+};
+Vector between(Point from, Point to) {
+  return {mpq_class(to.x) - mpq_class(from.x), mpq_class(to.y) - mpq_class(from.y)};
+}
+mpq_class squared(const Vector& u) {
+  return u.x * u.x + u.y * u.y;
+}
+
 mpq_class value_of(DD a) {
   return mpq_class(a.hi) + mpq_class(a.lo);
 }
 
 TEST(Shoelace, KeepsItsBound) {
   Random random(seed());
-  for (int k = 0; k < 500; ++k) {
+  const mpq_class bound = power_of_two(-102) * power_of_two(-102);
+  for (int k = 0; k < 1000; ++k) {
     const Leaf leaf = random_leaf(random);
-    const Point origin =
-        random.chance(0.5) ? leaf[random.index(leaf.size())] : Point{leaf[0].x + 1, leaf[0].y - 2};
+    const Point at = leaf[random.index(leaf.size())];
+    const Point origin = random.chance(0.3)   ? at
+                         : random.chance(0.5) ? neighbour(random, at, 3)
+                                              : Point{at.x + 1, at.y - 2};
     std::array<DD, leaf_size> terms;
     shoelace_terms(leaf.data(), origin, terms.data());
     for (std::size_t i = 0; i < leaf_size; ++i) {
-      const mpq_class ax = mpq_class(leaf[i].x) - mpq_class(origin.x),
-                      ay = mpq_class(leaf[i].y) - mpq_class(origin.y);
-      const mpq_class bx = mpq_class(leaf[i + 1].x) - mpq_class(origin.x);
-      const mpq_class by = mpq_class(leaf[i + 1].y) - mpq_class(origin.y);
-      const mpq_class error = value_of(terms[i]) - (ax * by - ay * bx);
-      const mpq_class bound = power_of_two(-102);
-      ASSERT_LE(error * error, bound * bound * (ax * ax + ay * ay) * (bx * bx + by * by)) << "try " << k;
-      const mpq_class single = value_of(shoelace(leaf[i], leaf[i + 1], origin)) - (ax * by - ay * bx);
-      ASSERT_LE(single * single, bound * bound * (ax * ax + ay * ay) * (bx * bx + by * by)) << "one at a time, try " << k;
+      const Vector a = between(origin, leaf[i]), b = between(origin, leaf[i + 1]);
+      const Vector edge = between(leaf[i], leaf[i + 1]);
+      const mpq_class exact = a.x * b.y - a.y * b.x;
+      const mpq_class error = value_of(shoelace(leaf[i], leaf[i + 1], origin)) - exact;
+      ASSERT_LE(error * error, bound * squared(a) * squared(b)) << "one segment, try " << k;
+      const mpq_class term_error = value_of(terms[i]) - exact;
+      ASSERT_LE(term_error * term_error, bound * squared(a) * squared(edge)) << "of a leaf, try " << k;
     }
   }
 }

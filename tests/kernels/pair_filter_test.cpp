@@ -1,0 +1,118 @@
+// Verdicts of the floating-point filter: never wrong, seldom in doubt, the same from both compiled copies.
+#include "kernels/pair_filter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "kernels/cpu.hpp"
+#include "kernels/pair_filter.inl"
+#include "kernels/predicates.hpp"
+#include "kernels/simd.hpp"
+#include "tests/kernels/random_doubles.hpp"
+
+namespace lober {
+void filter_pairs_avx2(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
+                       PairVerdict* verdicts);
+}
+
+namespace lober::testing {
+namespace {
+
+using Points = std::vector<Point>;
+
+struct Kind {
+  const char* name;
+  Point (*make)(Random&);
+  double most_doubtful;
+};
+constexpr Kind kinds[] = {
+    {"ordinary",
+     [](Random& random) {
+       return Point{random.unit(), random.unit()};
+     },
+     0.05},
+    {"lattice",
+     [](Random& random) {
+       return Point{1.0 * random.integer(0, 5), 1.0 * random.integer(0, 5)};
+     },
+     1},
+    {"bit_patterns",
+     [](Random& random) {
+       return Point{any_finite(random), any_finite(random)};
+     },
+     1},
+    {"nearly_collinear",
+     [](Random& random) {
+       return Point{random.unit(), neighbour(0.3, random.integer(-2, 2))};
+     },
+     1},
+};
+
+PairVerdict exact_verdict(Point a, Point b, Point c, Point d) {
+  const int side_c = exact_orientation(a, b, c), side_d = exact_orientation(a, b, d);
+  const int side_a = exact_orientation(c, d, a), side_b = exact_orientation(c, d, b);
+  if (side_c * side_d > 0 || side_a * side_b > 0) return PairVerdict::apart;
+  if (side_c * side_d == 0 || side_a * side_b == 0) return PairVerdict::doubtful;
+  return side_d > 0 ? PairVerdict::crosses_to_left : PairVerdict::crosses_to_right;
+}
+
+struct Case {
+  Points first, second;
+  std::vector<SegmentPair> pairs;
+};
+Case make_case(const Kind& kind, Random& random) {
+  Case made{Points(30), Points(40), {}};
+  for (Point& point : made.first) point = kind.make(random);
+  for (Point& point : made.second) point = kind.make(random);
+  made.pairs.resize(random.index(50));
+  for (SegmentPair& pair : made.pairs) {
+    pair = {static_cast<std::uint32_t>(random.index(30)), static_cast<std::uint32_t>(random.index(40))};
+  }
+  return made;
+}
+
+class PairFilter : public ::testing::TestWithParam<Kind> {};
+
+TEST_P(PairFilter, IsRightOrInDoubt) {
+  Random random(seed());
+  std::size_t doubtful = 0, total = 0;
+  for (int k = 0; k < 800; ++k) {
+    const auto [first, second, pairs] = make_case(GetParam(), random);
+    std::vector<PairVerdict> verdicts(pairs.size());
+    filter_pairs({first.data(), 29}, {second.data(), 39}, pairs.data(), pairs.size(), verdicts.data());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto [s, t] = pairs[i];
+      if (s == 29 || t == 39) {
+        ASSERT_EQ(verdicts[i], PairVerdict::doubtful) << "a segment that wraps";
+        continue;
+      }
+      ++total;
+      if (verdicts[i] == PairVerdict::doubtful) {
+        ++doubtful;
+      } else {
+        ASSERT_EQ(verdicts[i], exact_verdict(first[s], first[s + 1], second[t], second[t + 1]))
+            << "try " << k;
+      }
+    }
+  }
+  EXPECT_LE(static_cast<double>(doubtful), GetParam().most_doubtful * static_cast<double>(total));
+}
+
+TEST_P(PairFilter, BothCopiesGiveTheSame) {
+  if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
+  Random random(seed());
+  for (int k = 0; k < 800; ++k) {
+    const auto [first, second, pairs] = make_case(GetParam(), random);
+    std::vector<PairVerdict> plain(pairs.size()), wide(pairs.size());
+    filter({first.data(), 29}, {second.data(), 39}, pairs.data(), pairs.size(), plain.data());
+    filter_pairs_avx2({first.data(), 29}, {second.data(), 39}, pairs.data(), pairs.size(), wide.data());
+    ASSERT_EQ(plain, wide) << "try " << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, PairFilter, ::testing::ValuesIn(kinds),
+                         [](const auto& kind) { return kind.param.name; });
+
+}  // namespace
+}  // namespace lober::testing
