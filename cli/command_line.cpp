@@ -15,8 +15,7 @@ bool same_file(const std::string& first, const std::string& second) {
   if (first == second) return true;
   std::error_code ignored;
   if (fs::equivalent(first, second, ignored)) return true;
-  return fs::weakly_canonical(fs::absolute(first), ignored) ==
-         fs::weakly_canonical(fs::absolute(second), ignored);
+  return fs::weakly_canonical(fs::absolute(first), ignored) == fs::weakly_canonical(fs::absolute(second), ignored);
 }
 
 // The file of FILE or FILE#ZONE.
@@ -43,8 +42,7 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const Output& output = outputs[k];
     for (const Output& earlier : outputs.first(k)) {
-      if (earlier.path == "-" ? output.path == "-"
-                              : !is_special(output.path) && same_file(earlier.path, output.path)) {
+      if (earlier.path == "-" ? output.path == "-" : !is_special(output.path) && same_file(earlier.path, output.path)) {
         throw UsageError(earlier.option + " and " + output.option + " both write " + output.path);
       }
     }

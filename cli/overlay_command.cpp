@@ -32,8 +32,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   bool areas_only = false, no_check = false;
   std::string index = "auto";
   CLI::App app("Crossings, lobes and areas of two simple closed curves.", "lober overlay");
-  app.add_option("C1", request.curves[0],
-                 "the first curve: FILE, or FILE#ZONE for one zone (from 0, or by title)")
+  app.add_option("C1", request.curves[0], "the first curve: FILE, or FILE#ZONE for one zone (from 0, or by title)")
       ->required();
   app.add_option("C2", request.curves[1], "the second curve")->required();
   app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
@@ -41,8 +40,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   CLI::Option* lobes =
       app.add_option("--lobes", request.lobes, "write the pieces of C1 \\ C2 and C2 \\ C1 as Tecplot zones")
           ->type_name("FILE");
-  app.add_option("--crossings", request.crossings, "write the crossings as comma-separated columns")
-      ->type_name("FILE");
+  app.add_option("--crossings", request.crossings, "write the crossings as comma-separated columns")->type_name("FILE");
   CLI::Option* svg = app.add_option("--svg", request.svg, "draw the curves and the lobes")->type_name("FILE");
   app.add_flag("--areas-only", areas_only, "totals only, no pieces: faster")->excludes(lobes)->excludes(svg);
   app.add_option("--index", index, "auto (default), tree, grid or kd; the results are the same bits")
@@ -51,8 +49,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
-  app.add_flag("--no-check", no_check,
-               "do not check that the curves are simple, when you know that they are");
+  app.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
   app.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
   try {
     std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
@@ -128,8 +125,7 @@ OverlayReport compute(const Request& request, Progress& progress) {
   timing.measures = measure_watch.seconds();
   for (const NamedArea& area : named_areas) {
     if (std::isfinite(report.result.areas.*area.member)) continue;
-    spdlog::warn("warning: areas beyond the range of double, such as that of {}, are written as null",
-                 area.label);
+    spdlog::warn("warning: areas beyond the range of double, such as that of {}, are written as null", area.label);
     break;
   }
   return report;

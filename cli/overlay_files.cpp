@@ -30,15 +30,15 @@ constexpr const char* crossings_header =
 void format_crossing(std::string& text, const OverlayReport& report, std::size_t k) {
   const Overlay& result = report.result;
   const Node node = result.nodes[k];
-  append_all(text, k, ",", node.begin.x, ",", node.begin.y, ",", node.rho, ",", kind_of(node), ",",
-             node.begin1.segment, ",", node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",");
+  append_all(text, k, ",", node.begin.x, ",", node.begin.y, ",", node.rho, ",", kind_of(node), ",", node.begin1.segment,
+             ",", node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",");
   if (!result.classes.empty() && result.classes[k] != Overlay::no_class) append(text, result.classes[k]);
   append_all(text, ",", result.nodes.graph().rank2[k]);
   if (node.shared == 0) {
     text += ",,,,,,\n";
   } else {
-    append_all(text, ",", node.end.x, ",", node.end.y, ",", node.end1.segment, ",", node.end1.t, ",",
-               node.end2.segment, ",", node.end2.t, "\n");
+    append_all(text, ",", node.end.x, ",", node.end.y, ",", node.end1.segment, ",", node.end1.t, ",", node.end2.segment,
+               ",", node.end2.t, "\n");
   }
 }
 
@@ -64,8 +64,7 @@ void write_lobes(const std::string& path, const OverlayReport& report) {
     for_each_block(by_piece.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) by_piece[k] = zones_of(report, pairing, k);
     });
-    for (std::vector<Zone>& piece : by_piece)
-      std::move(piece.begin(), piece.end(), std::back_inserter(zones));
+    for (std::vector<Zone>& piece : by_piece) std::move(piece.begin(), piece.end(), std::back_inserter(zones));
   }
   write_tecplot(path, zones);
 }

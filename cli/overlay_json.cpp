@@ -92,20 +92,19 @@ Json as_json(const Areas& areas) {
 
 Json as_json(const OverlayStatistics& statistics) {
   const ContactCounts& counts = statistics.counts;
-  return {
-      {"index", name(statistics.index)},
-      {"index_bytes", statistics.index_bytes},
-      {"boxes_tested", counts.search.boxes_tested},
-      {"pairs_tested", counts.search.pairs_proposed},
-      {"filter_failures", counts.predicates.filter_failures},
-      {"exact_calls", counts.predicates.exact_calls},
-      {"exact_parameters", counts.exact_parameters},
-      {"exact_orders", counts.exact_orders},
-      {"skipped", {{"blocks", counts.search.blocks_skipped}, {"shared_vertices", counts.shared_vertices}}},
-      {"simple_check",
-       {{"boxes_tested", statistics.simple_check.boxes_tested},
-        {"pairs_tested", statistics.simple_check_pairs},
-        {"skipped_blocks", statistics.simple_check.blocks_skipped}}}};
+  return {{"index", name(statistics.index)},
+          {"index_bytes", statistics.index_bytes},
+          {"boxes_tested", counts.search.boxes_tested},
+          {"pairs_tested", counts.search.pairs_proposed},
+          {"filter_failures", counts.predicates.filter_failures},
+          {"exact_calls", counts.predicates.exact_calls},
+          {"exact_parameters", counts.exact_parameters},
+          {"exact_orders", counts.exact_orders},
+          {"skipped", {{"blocks", counts.search.blocks_skipped}, {"shared_vertices", counts.shared_vertices}}},
+          {"simple_check",
+           {{"boxes_tested", statistics.simple_check.boxes_tested},
+            {"pairs_tested", statistics.simple_check_pairs},
+            {"skipped_blocks", statistics.simple_check.blocks_skipped}}}};
 }
 
 void format_node(std::string& text, const Node& node, std::size_t index, std::uint32_t class_number,
@@ -161,10 +160,8 @@ void write_pieces_member(OutputFile& file, const OverlayReport& report) {
     file.write(key);
     write_list(file, pieces.size(), [&](std::string& text, std::size_t k) {
       const Piece piece = pieces[k];
-      put(text, "{\"area\":", piece.area, ",\"centroid\":[", centroids[k].x, ",", centroids[k].y,
-          "],\"crossings\":[");
-      for (std::size_t m = 0; m < piece.crossings.size(); ++m)
-        put(text, m == 0 ? "" : ",", piece.crossings[m]);
+      put(text, "{\"area\":", piece.area, ",\"centroid\":[", centroids[k].x, ",", centroids[k].y, "],\"crossings\":[");
+      for (std::size_t m = 0; m < piece.crossings.size(); ++m) put(text, m == 0 ? "" : ",", piece.crossings[m]);
       const bool sliver = std::binary_search(slivers.begin(), slivers.end(), static_cast<std::uint32_t>(k));
       put(text, "],\"holes\":", piece.holes, ",\"sliver\":", sliver ? "true" : "false", "}");
     });
@@ -192,8 +189,7 @@ Json error_json(const OverlayReport& report) {
 
 }  // namespace
 
-void write_overlay_json(const std::string& path, OverlayReport& report,
-                        const std::function<double()>& seconds_so_far) {
+void write_overlay_json(const std::string& path, OverlayReport& report, const std::function<double()>& seconds_so_far) {
   const Stopwatch watch;
   const Overlay& result = report.result;
   OutputFile file(path);

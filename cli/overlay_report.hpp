@@ -29,9 +29,7 @@ struct OverlayReport {
   [[nodiscard]] const std::vector<Point>& centroids_of(Pairing pairing) const {
     return centroids[static_cast<std::size_t>(pairing)];
   }
-  [[nodiscard]] const Slivers& slivers_of(Pairing pairing) const {
-    return slivers[static_cast<std::size_t>(pairing)];
-  }
+  [[nodiscard]] const Slivers& slivers_of(Pairing pairing) const { return slivers[static_cast<std::size_t>(pairing)]; }
 };
 
 /// The areas under the names that the program uses, in its order.
@@ -76,8 +74,7 @@ inline constexpr std::array<NamedArea, 7> named_areas{{
 
 /// Writes the JSON object (DESIGN section 6); `seconds_so_far` gives the time since the program began and is
 /// asked when all but the timing is written.
-void write_overlay_json(const std::string& path, OverlayReport& report,
-                        const std::function<double()>& seconds_so_far);
+void write_overlay_json(const std::string& path, OverlayReport& report, const std::function<double()>& seconds_so_far);
 
 /// One Tecplot zone for each piece of C1 \ C2, then of C2 \ C1; the holes of a piece follow it as zones of
 /// their own.

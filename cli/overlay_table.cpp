@@ -25,9 +25,9 @@ void add_inputs(std::string& text, const OverlayReport& report) {
   const std::size_t width = std::max(specs[0].size(), specs[1].size());
   const std::array<Orientation, 2> orientations{report.result.orientation1, report.result.orientation2};
   for (std::size_t k = 0; k < 2; ++k) {
-    text += fmt::format(
-        "C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, report.inputs[k].curve.points.size(),
-        orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
+    text +=
+        fmt::format("C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, report.inputs[k].curve.points.size(),
+                    orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
   }
 }
 
@@ -44,9 +44,8 @@ void add_meetings(std::string& text, const Crossings& nodes) {
 void add_areas(std::string& text, const OverlayReport& report) {
   text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}\n", "area of", "", "+- rounding", "discretisation");
   for (const NamedArea& area : named_areas) {
-    text +=
-        fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}\n", area.label, report.result.areas.*area.member,
-                    report.result.rounding.*area.member, report.discretisation.*area.member);
+    text += fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}\n", area.label, report.result.areas.*area.member,
+                        report.result.rounding.*area.member, report.discretisation.*area.member);
   }
 }
 
@@ -76,19 +75,17 @@ std::string crossings_text(const std::vector<std::uint32_t>& crossings) {
 void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing, const char* label) {
   const Pieces& pieces = report.result.pieces(pairing);
   const Slivers& slivers = report.slivers_of(pairing);
-  text += fmt::format("\n{}: {}\n", label,
-                      pieces.size() == 0 ? "no lobe" : counted(pieces.size(), "lobe", "lobes"));
+  text += fmt::format("\n{}: {}\n", label, pieces.size() == 0 ? "no lobe" : counted(pieces.size(), "lobe", "lobes"));
   if (pieces.size() == 0) return;
   text += fmt::format("{:>8} {:>23}   {:^26} {:>6}  {}\n", "lobe", "area", "centroid", "holes", "crossings");
   const std::vector<std::uint32_t> order = largest(pieces.areas());
   for (const std::uint32_t number : order) {
     const Piece piece = pieces[number];
     const Point centroid = report.centroids_of(pairing)[number];
-    text += fmt::format("{:>8} {:>23.16g}   ({:>11.5g}, {:>11.5g}) {:>6}  {}\n", number, piece.area,
-                        centroid.x, centroid.y, piece.holes, crossings_text(piece.crossings));
+    text += fmt::format("{:>8} {:>23.16g}   ({:>11.5g}, {:>11.5g}) {:>6}  {}\n", number, piece.area, centroid.x,
+                        centroid.y, piece.holes, crossings_text(piece.crossings));
   }
-  if (pieces.size() > order.size())
-    text += fmt::format("{:>8} and {} more\n", "...", pieces.size() - order.size());
+  if (pieces.size() > order.size()) text += fmt::format("{:>8} and {} more\n", "...", pieces.size() - order.size());
   if (!slivers.pieces.empty()) {
     text += fmt::format("         {} no wider than rounding, {:.2g} in total\n",
                         counted(slivers.pieces.size(), "sliver", "slivers"), slivers.area);

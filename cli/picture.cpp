@@ -160,8 +160,7 @@ void add_dots(std::string& svg, const View& view, const Crossings& nodes) {
     const Node node = nodes[k];
     if (node.rho == 0) continue;
     const Pixel at = view(node.begin);
-    append_all(svg, "<circle cx=\"", subpixel(at.x), "\" cy=\"", subpixel(at.y), "\" r=\"", 3 * subpixels,
-               "\"/>\n");
+    append_all(svg, "<circle cx=\"", subpixel(at.x), "\" cy=\"", subpixel(at.y), "\" r=\"", 3 * subpixels, "\"/>\n");
   }
   svg += "</g>\n";
 }
@@ -169,15 +168,14 @@ void add_dots(std::string& svg, const View& view, const Crossings& nodes) {
 void add_legend(std::string& svg, const OverlayReport& report, double top) {
   const auto entry = [&](double x, double y, const char* swatch, const std::string& text) {
     append_all(svg, "<g transform=\"translate(", x, " ", y, ")\">", swatch,
-               "<text x=\"34\" y=\"5\" font-family=\"sans-serif\" font-size=\"15\" fill=\"#333333\">",
-               escaped(text), "</text></g>\n");
+               "<text x=\"34\" y=\"5\" font-family=\"sans-serif\" font-size=\"15\" fill=\"#333333\">", escaped(text),
+               "</text></g>\n");
   };
   const auto line = [](const char* colour) {
     return std::string("<path d=\"M0 0h26\" stroke=\"") + colour + "\" stroke-width=\"2\"/>";
   };
   const auto patch = [](const char* colour) {
-    return std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colour +
-           "\" fill-opacity=\"0.4\"/>";
+    return std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colour + "\" fill-opacity=\"0.4\"/>";
   };
   const auto pieces = [&](Pairing pairing) {
     const std::size_t count = report.result.pieces(pairing).size();
@@ -186,8 +184,7 @@ void add_legend(std::string& svg, const OverlayReport& report, double top) {
   const Areas& areas = report.result.areas;
   const double right = margin + width / 2;
   entry(margin, top, line(colour1).c_str(), "C1, area " + rounded(areas.c1));
-  entry(right, top, patch(colour1).c_str(),
-        "C1 \\ C2: " + pieces(Pairing::c1_minus_c2) + rounded(areas.c1_minus_c2));
+  entry(right, top, patch(colour1).c_str(), "C1 \\ C2: " + pieces(Pairing::c1_minus_c2) + rounded(areas.c1_minus_c2));
   entry(margin, top + legend_line, line(colour2).c_str(), "C2, area " + rounded(areas.c2));
   entry(right, top + legend_line, patch(colour2).c_str(),
         "C2 \\ C1: " + pieces(Pairing::c2_minus_c1) + rounded(areas.c2_minus_c1));
@@ -201,18 +198,17 @@ void write_picture(const std::string& path, const OverlayReport& report) {
   const View view(c1, c2);
   const double full_width = width + 2 * margin, full_height = view.height() + 2 * margin + legend_height;
   std::string svg;
-  append_all(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", full_width, "\" height=\"",
-             full_height, "\" viewBox=\"0 0 ", full_width, " ", full_height, "\">\n",
-             "<title>Lobes between two curves</title>\n",
-             "<rect width=\"100%\" height=\"100%\" fill=\"#fbfaf7\"/>\n", "<g transform=\"scale(",
-             1.0 / subpixels, ")\" stroke-linejoin=\"round\">\n");
+  append_all(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", full_width, "\" height=\"", full_height,
+             "\" viewBox=\"0 0 ", full_width, " ", full_height, "\">\n", "<title>Lobes between two curves</title>\n",
+             "<rect width=\"100%\" height=\"100%\" fill=\"#fbfaf7\"/>\n", "<g transform=\"scale(", 1.0 / subpixels,
+             ")\" stroke-linejoin=\"round\">\n");
   const auto fill = [&](Pairing pairing, const char* colour) {
     append_all(svg, "<path fill=\"", colour, "\" fill-opacity=\"0.4\" fill-rule=\"evenodd\" d=\"",
                pieces_path(view, result, pairing), "\"/>\n");
   };
   const auto stroke = [&](const CurveView& curve, const char* colour, double pixels) {
-    append_all(svg, "<path fill=\"none\" stroke=\"", colour, "\" stroke-width=\"", pixels * subpixels,
-               "\" d=\"", curve_path(view, curve), "\"/>\n");
+    append_all(svg, "<path fill=\"none\" stroke=\"", colour, "\" stroke-width=\"", pixels * subpixels, "\" d=\"",
+               curve_path(view, curve), "\"/>\n");
   };
   fill(Pairing::c1_minus_c2, colour1);
   fill(Pairing::c2_minus_c1, colour2);

@@ -62,11 +62,10 @@ class Progress::Ticker {
   void draw(double seconds) const {
     constexpr int width = 30;
     const int done = static_cast<int>(fraction_ * width);
-    const std::string bar = std::string(static_cast<std::size_t>(done), '=') +
-                            std::string(static_cast<std::size_t>(width - done), ' ');
-    std::fputs(
-        fmt::format("\r\x1b[K[{}] {:3.0f} %  {:.1f} s  {}", bar, 100 * fraction_, seconds, phase_).c_str(),
-        stderr);
+    const std::string bar =
+        std::string(static_cast<std::size_t>(done), '=') + std::string(static_cast<std::size_t>(width - done), ' ');
+    std::fputs(fmt::format("\r\x1b[K[{}] {:3.0f} %  {:.1f} s  {}", bar, 100 * fraction_, seconds, phase_).c_str(),
+               stderr);
   }
 
   std::mutex mutex_;

@@ -60,9 +60,8 @@ Request parse(const std::vector<std::string>& arguments) {
 std::string result_line(const Overlay& result) {
   const auto percent = [](double error, double area) { return area == 0 ? 0 : 100 * error / area; };
   std::string line;
-  append_all(line, result.areas.c1_minus_c2, "\t",
-             percent(result.rounding.c1_minus_c2, result.areas.c1_minus_c2), "\t", result.areas.c2_minus_c1,
-             "\t", percent(result.rounding.c2_minus_c1, result.areas.c2_minus_c1), "\n");
+  append_all(line, result.areas.c1_minus_c2, "\t", percent(result.rounding.c1_minus_c2, result.areas.c1_minus_c2), "\t",
+             result.areas.c2_minus_c1, "\t", percent(result.rounding.c2_minus_c1, result.areas.c2_minus_c1), "\n");
   return line;
 }
 
@@ -112,9 +111,8 @@ void run_published_form(const std::vector<std::string>& arguments) {
     throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
   }
   progress.phase("writing", 0.8, 1);
-  const std::array<std::vector<LabelledPoint>, 2> points{
-      densified_curve(result.nodes, 1, request.densification),
-      densified_curve(result.nodes, 2, request.densification)};
+  const std::array<std::vector<LabelledPoint>, 2> points{densified_curve(result.nodes, 1, request.densification),
+                                                         densified_curve(result.nodes, 2, request.densification)};
   for (const PointFile& file : point_files) {
     write_points(file.path, points[static_cast<std::size_t>(file.curve - 1)], file.side);
   }

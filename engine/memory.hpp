@@ -1,6 +1,6 @@
-// Arrays for millions of elements. They are not filled with zeros first, lie on huge pages where the system offers them, and
-// their memory is kept for the next ones (oneTBB's allocator): at these sizes the first touch of a fresh 4 KiB page
-// costs as much as the work done on it.
+// Arrays for millions of elements. They are not filled with zeros first, lie on huge pages where the system offers
+// them, and their memory is kept for the next ones (oneTBB's allocator): at these sizes the first touch of a fresh 4
+// KiB page costs as much as the work done on it.
 #pragma once
 
 #include <tbb/scalable_allocator.h>
@@ -36,7 +36,9 @@ class BulkAllocator {
 #endif
     return static_cast<T*>(memory);
   }
-  void deallocate(T* memory, std::size_t) { scalable_aligned_free(memory); }
+  void deallocate(T* memory, std::size_t) {
+    scalable_aligned_free(memory);
+  }
 
   /// Leaves plain values uninitialised.
   template <typename U, typename... Arguments>
@@ -47,7 +49,9 @@ class BulkAllocator {
       ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
     }
   }
-  friend bool operator==(const BulkAllocator&, const BulkAllocator&) { return true; }
+  friend bool operator==(const BulkAllocator&, const BulkAllocator&) {
+    return true;
+  }
 
  private:
   static constexpr std::size_t huge_page = std::size_t{2} << 20;

@@ -26,8 +26,7 @@ std::size_t crossing_parameters(const SegmentCrossing* crossings, std::size_t co
       from = padded;
       to = padded_parameters;
     }
-    const unsigned shallow =
-        has_avx2() ? four_parameters_avx2(from, scale, to) : four_parameters(from, scale, to);
+    const unsigned shallow = has_avx2() ? four_parameters_avx2(from, scale, to) : four_parameters(from, scale, to);
     if (together < lanes) std::copy_n(padded_parameters, together, parameters + begin);
     if (shallow == 0) continue;
     for (std::size_t k = 0; k < together; ++k) {

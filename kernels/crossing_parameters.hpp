@@ -18,9 +18,9 @@ struct CrossingParameters {
   DD t1, t2;
 };
 
-/// The parameters are right to 2^-62 at least, and so well that the gap between the two points that they describe is below
-/// 2^-91 `scale`, where `scale` is the size of the scene (gaps times distances are what areas lose). Crossings so shallow
-/// that double-double cannot promise this are computed exactly (exact_parameter). Returns how many were.
+/// The parameters are right to 2^-62 at least, and so well that the gap between the two points that they describe is
+/// below 2^-91 `scale`, where `scale` is the size of the scene (gaps times distances are what areas lose). Crossings so
+/// shallow that double-double cannot promise this are computed exactly (exact_parameter). Returns how many were.
 std::size_t crossing_parameters(const SegmentCrossing* crossings, std::size_t count, double scale,
                                 CrossingParameters* parameters);
 

@@ -6,10 +6,12 @@ using namespace lober;
 
 // Four crossings; bit k of the result is set when lane k is too shallow for double-double.
 //
-// A determinant of differences has error at most 12 u^2 m, m the sum of the sizes of its two products, u = 2^-53; dividing
-// by the determinant D of the directions gives parameters with error below 2^-102 m / |D|. The gap is that times
-// the lengths, so m / |D| times length / scale up to 2^10 keeps it below 2^-92 scale, and m / |D| up to 2^40 keeps
-// the parameters themselves right to 2^-62.
+// A determinant of differences has error at most 12 u^2 m, m the sum of the sizes of its two products, u = 2^-53;
+// dividing by the determinant D of the directions gives parameters with error below 2^-102 m / |D|. The gap is that
+// times the lengths, so m / |D| times length / scale up to 2^10 keeps it below 2^-92 scale, and m / |D| up to 2^40
+// keeps the parameters themselves right to 2^-62. If all differences are exact in double, as they are for curves that
+// run close to each other, so are the products, and only their difference is rounded: to 2^-104 |D| + 2^-158 m. Then m
+// / |D| up to 2^46 is good enough for both.
 inline unsigned four_parameters(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters) {
   Lanes first[lanes], second[lanes];
   for (std::size_t k = 0; k < lanes; ++k) {
@@ -30,8 +32,12 @@ inline unsigned four_parameters(const SegmentCrossing* crossings, double scale, 
   const Lanes longest = max(u, v);
   const Lanes products = 2 * (max(u, w) * v + w * u);
   const Lanes determinant = absolute(below.hi);
-  const LaneMask good = (products * longest <= determinant * splat(0x1p10 * scale)) &
-                        (products <= determinant * 0x1p40) & (determinant > 0x1p-900) & (products < 0x1p900);
+  const Lanes rounded =
+      absolute(ux.lo) + absolute(uy.lo) + absolute(vx.lo) + absolute(vy.lo) + absolute(wx.lo) + absolute(wy.lo);
+  const LaneMask deep =
+      (products * longest <= determinant * splat(0x1p10 * scale)) & (products <= determinant * 0x1p40);
+  const LaneMask exact = (rounded == 0) & (products <= determinant * 0x1p46);
+  const LaneMask good = (deep | exact) & (determinant > 0x1p-900) & (products < 0x1p900);
 
   Lanes rows[lanes] = {t1.hi, t1.lo, t2.hi, t2.lo};
   transpose(rows);

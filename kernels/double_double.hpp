@@ -87,8 +87,12 @@ LOBER_INLINE BasicDD<T> operator/(BasicDD<T> a, BasicDD<T> b) {
   return fast_two_sum(first, rest / b.hi);
 }
 
-LOBER_INLINE DD& operator+=(DD& a, DD b) { return a = a + b; }
-LOBER_INLINE DD& operator-=(DD& a, DD b) { return a = a - b; }
+LOBER_INLINE DD& operator+=(DD& a, DD b) {
+  return a = a + b;
+}
+LOBER_INLINE DD& operator-=(DD& a, DD b) {
+  return a = a - b;
+}
 
 /// The determinant |u v| = u.x v.y - u.y v.x of two double-double vectors; error 12 u^2 (|u.x v.y| + |u.y v.x|).
 template <typename T>

@@ -97,8 +97,9 @@ ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
     std::uint64_t carry = 0;
     for (int j = 0; j < b.size_; ++j) {
       std::uint64_t& digit = result.digits_[static_cast<std::size_t>(i + j)];
-      const Wide term = static_cast<Wide>(a.digits_[static_cast<std::size_t>(i)]) *
-                            b.digits_[static_cast<std::size_t>(j)] + digit + carry;
+      const Wide term =
+          static_cast<Wide>(a.digits_[static_cast<std::size_t>(i)]) * b.digits_[static_cast<std::size_t>(j)] + digit +
+          carry;
       digit = static_cast<std::uint64_t>(term);
       carry = static_cast<std::uint64_t>(term >> 64);
     }

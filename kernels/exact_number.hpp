@@ -1,8 +1,8 @@
 // Exact arithmetic for the rare cases where floating point cannot tell: integers times a power of two.
 //
-// Every finite double is one, and so is every sum and product of such numbers. The digits are kept on the stack, only as
-// many as there are, so that ordinary coordinates cost a handful of words and the extremes (2^-1074 against
-// 2^1024) still fit. There is no rounding, no overflow and no underflow anywhere.
+// Every finite double is one, and so is every sum and product of such numbers. The digits are kept on the stack, only
+// as many as there are, so that ordinary coordinates cost a handful of words and the extremes (2^-1074 against 2^1024)
+// still fit. There is no rounding, no overflow and no underflow anywhere.
 #pragma once
 
 #include <array>
@@ -50,7 +50,9 @@ class ExactNumber {
 };
 
 /// a - b exactly.
-inline ExactNumber exact_difference(double a, double b) { return ExactNumber(a) - ExactNumber(b); }
+inline ExactNumber exact_difference(double a, double b) {
+  return ExactNumber(a) - ExactNumber(b);
+}
 
 /// a / b in double-double, relative error at most 2^-98. b must not be zero; the quotient must be in double range.
 [[nodiscard]] DD exact_ratio(const ExactNumber& a, const ExactNumber& b);

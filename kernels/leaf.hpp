@@ -22,8 +22,9 @@ enum MonotoneFlags : std::uint8_t {
   falls_in_y = 8,
 };
 
-/// Reads leaves [first, first + count) of a chain of points; leaf k has the segments k * leaf_size + (0 .. leaf_size - 1),
-/// so points up to index (first + count) * leaf_size must exist (a caller pads by repeating the last one). For each leaf:
+/// Reads leaves [first, first + count) of a chain of points; leaf k has the segments k * leaf_size + (0 .. leaf_size -
+/// 1), so points up to index (first + count) * leaf_size must exist (a caller pads by repeating the last one). For each
+/// leaf:
 ///   box    of its leaf_size + 1 points
 ///   sum    sum of cross(v_i - o, v_{i+1} - o) over its segments, o the first point of the leaf: twice the signed area
 ///          between leaf and chord, in double-double, error below 2^-96 times the squared diameter of the leaf

@@ -6,7 +6,7 @@
 namespace lober {
 
 void summarise_leaves_avx512(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
-                           std::uint8_t* flags) {
+                             std::uint8_t* flags) {
   summarise(points, first, count, boxes, sums, flags);
 }
 

@@ -13,11 +13,11 @@ enum class PairVerdict : std::uint8_t {
   apart,            ///< the segments have no common point
   crosses_to_left,  ///< they cross properly, the second one from right to left of the first
   crosses_to_right,
-  doubtful,         ///< some orientation is zero or too near to it to tell: ask the exact predicates
+  doubtful,  ///< some orientation is zero or too near to it to tell: ask the exact predicates
 };
 
-/// One of the curves: segment k joins points[k] and points[k + 1]; segments from `first_wrapped` on do not, and are always
-/// doubtful.
+/// One of the curves: segment k joins points[k] and points[k + 1]; segments from `first_wrapped` on do not, and are
+/// always doubtful.
 struct SegmentSource {
   const Point* points;
   std::uint32_t first_wrapped;

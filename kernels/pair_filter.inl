@@ -31,8 +31,8 @@ inline void verdicts_of_four(const Point* const (&first)[lanes], const Point* co
   const Signs d = orientations(p[0], p[1], p[2], p[3], q[2], q[3]);
   const Signs a = orientations(q[0], q[1], q[2], q[3], p[0], p[1]);
   const Signs b = orientations(q[0], q[1], q[2], q[3], p[2], p[3]);
-  const unsigned apart = (c.positive & d.positive) | (c.negative & d.negative) | (a.positive & b.positive) |
-                         (a.negative & b.negative);
+  const unsigned apart =
+      (c.positive & d.positive) | (c.negative & d.negative) | (a.positive & b.positive) | (a.negative & b.negative);
   const unsigned across = (a.positive & b.negative) | (a.negative & b.positive);
   const unsigned to_left = c.negative & d.positive & across, to_right = c.positive & d.negative & across;
   for (std::size_t k = 0; k < lanes; ++k) {

@@ -42,7 +42,8 @@ int orient2d_beyond_filter(Point a, Point b, Point c, PredicateCounts& counts) {
     // The products are exact if nothing over- or underflowed: a zero product of zero factors, or one of safe size.
     const auto safe = [](double product, double u, double v) {
       const double size = std::fabs(product);
-      return u == 0 || v == 0 || (size > 0x1p-900 && size < 0x1p900 && std::fabs(u) < 0x1p900 && std::fabs(v) < 0x1p900);
+      return u == 0 || v == 0 ||
+             (size > 0x1p-900 && size < 0x1p900 && std::fabs(u) < 0x1p900 && std::fabs(v) < 0x1p900);
     };
     if (safe(left.hi, ax.hi, by.hi) && safe(right.hi, ay.hi, bx.hi)) {
       if (left.hi != right.hi) return left.hi > right.hi ? 1 : -1;

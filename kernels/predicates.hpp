@@ -47,8 +47,8 @@ inline int orient2d(Point a, Point b, Point c, PredicateCounts& counts) {
 /// Whether p lies on the closed segment a b. Exact.
 bool on_segment(Point a, Point b, Point p, PredicateCounts& counts);
 
-/// The point where the line through c and d crosses segment a b properly (c, d strictly on both sides of line a b and the
-/// other way round), or, when `vertex` is set, the point c itself, which lies on segment a b.
+/// The point where the line through c and d crosses segment a b properly (c, d strictly on both sides of line a b and
+/// the other way round), or, when `vertex` is set, the point c itself, which lies on segment a b.
 struct ImplicitPoint {
   Point c, d;
   bool vertex = false;

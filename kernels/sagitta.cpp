@@ -5,9 +5,15 @@
 namespace lober {
 namespace {
 
-double cross(Point u, Point v) { return u.x * v.y - u.y * v.x; }
-double length(Point u) { return std::sqrt(u.x * u.x + u.y * u.y); }
-Point minus(Point u, Point v) { return {u.x - v.x, u.y - v.y}; }
+double cross(Point u, Point v) {
+  return u.x * v.y - u.y * v.x;
+}
+double length(Point u) {
+  return std::sqrt(u.x * u.x + u.y * u.y);
+}
+Point minus(Point u, Point v) {
+  return {u.x - v.x, u.y - v.y};
+}
 
 // Tangent at the vertex between two segments, per unit of a parameter in which segment `mine` has length 1.
 Point tangent(Point mine, double my_length, Point other, double other_length) {

@@ -16,8 +16,8 @@ struct SegmentPair {
   friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
 };
 
-/// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once, and the same of each group
-/// of four segments.
+/// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once, and the same of each
+/// group of four segments.
 struct alignas(64) SegmentBoxes {
   static constexpr std::size_t groups = leaf_size / 4;
   double min_x[leaf_size];
@@ -33,10 +33,10 @@ struct alignas(64) SegmentBoxes {
 /// Fills `boxes` from the leaf_size + 1 points of a leaf.
 void segment_boxes(const Point* points, SegmentBoxes& boxes);
 
-/// Writes to `pairs` every (a_begin + i, b_begin + j) such that the boxes of segment i of leaf a and segment j of leaf b meet
-/// (touching counts), ordered by j, then i, and returns how many; room for leaf_size^2 is needed. `b_box` is the box of leaf
-/// b. All comparisons are exact.
+/// Writes to `pairs` every (a_begin + i, b_begin + j) such that the boxes of segment i of leaf a and segment j of leaf
+/// b meet (touching counts), ordered by j, then i, and returns how many; room for leaf_size^2 is needed. `b_box` is the
+/// box of leaf b. All comparisons are exact.
 std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
-    std::uint32_t b_begin, SegmentPair* pairs);
+                             std::uint32_t b_begin, SegmentPair* pairs);
 
 }  // namespace lober

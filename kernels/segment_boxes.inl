@@ -49,7 +49,8 @@ inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, doubl
   const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top) << i;
+    bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top)
+            << i;
   }
   return bits;
 }
@@ -58,19 +59,22 @@ inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, doubl
 inline unsigned meeting_groups(const SegmentBoxes& boxes, Lanes left, Lanes right, Lanes bottom, Lanes top) {
   unsigned groups = 0;
   for (std::size_t g = 0; g < SegmentBoxes::groups; g += lanes) {
-    groups |= meeting_four(boxes.group_min_x + g, boxes.group_max_x + g, boxes.group_min_y + g, boxes.group_max_y + g, left,
-                           right, bottom, top) << g;
+    groups |= meeting_four(boxes.group_min_x + g, boxes.group_max_x + g, boxes.group_min_y + g, boxes.group_max_y + g,
+                           left, right, bottom, top)
+              << g;
   }
   return groups;
 }
 
 // The same as meeting_bits by way of the groups.
-inline std::uint32_t meeting_bits_grouped(const SegmentBoxes& boxes, double min_x, double max_x, double min_y, double max_y) {
+inline std::uint32_t meeting_bits_grouped(const SegmentBoxes& boxes, double min_x, double max_x, double min_y,
+                                          double max_y) {
   const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
   std::uint32_t bits = 0;
   for (unsigned groups = meeting_groups(boxes, left, right, bottom, top); groups != 0; groups &= groups - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctz(groups)) * lanes;
-    bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top) << i;
+    bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top)
+            << i;
   }
   return bits;
 }
@@ -78,7 +82,8 @@ inline std::uint32_t meeting_bits_grouped(const SegmentBoxes& boxes, double min_
 inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
                                 std::uint32_t b_begin, SegmentPair* pairs) {
   // Often the boxes of two leaves meet and those of their parts do not.
-  unsigned groups = meeting_groups(a, splat(b_box.min_x()), splat(b_box.max_x()), splat(b_box.min_y()), splat(b_box.max_y()));
+  unsigned groups =
+      meeting_groups(a, splat(b_box.min_x()), splat(b_box.max_x()), splat(b_box.min_y()), splat(b_box.max_y()));
   if (groups == 0) return 0;
   auto g = static_cast<std::size_t>(__builtin_ctz(groups));
   double min_x = a.group_min_x[g], max_x = a.group_max_x[g], min_y = a.group_min_y[g], max_y = a.group_max_y[g];

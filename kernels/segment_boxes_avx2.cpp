@@ -11,7 +11,7 @@ void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) {
 }
 
 std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
-    std::uint32_t b_begin, SegmentPair* pairs) {
+                                  std::uint32_t b_begin, SegmentPair* pairs) {
   return find_meeting(a, a_begin, b, b_box, b_begin, pairs);
 }
 

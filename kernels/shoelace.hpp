@@ -9,7 +9,8 @@
 
 namespace lober {
 
-/// cross(a - origin, b - origin), twice the signed area of the triangle, error below 2^-102 times |a - origin| |b - origin|.
+/// cross(a - origin, b - origin), twice the signed area of the triangle, error below 2^-102 times |a - origin| |b -
+/// origin|.
 LOBER_INLINE DD shoelace(Point a, Point b, Point origin) {
   return cross(two_diff(a.x, origin.x), two_diff(a.y, origin.y), two_diff(b.x, origin.x), two_diff(b.y, origin.y));
 }

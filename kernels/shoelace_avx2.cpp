@@ -5,6 +5,8 @@
 
 namespace lober {
 
-void shoelace_terms_avx2(const Point* points, Point origin, DD* terms) { terms_of(points, origin, terms); }
+void shoelace_terms_avx2(const Point* points, Point origin, DD* terms) {
+  terms_of(points, origin, terms);
+}
 
 }  // namespace lober

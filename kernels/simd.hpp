@@ -1,7 +1,7 @@
 // Four doubles side by side, in the compiler's portable vector type.
 //
-// A kernel that is worth it is written once over `Lanes` in a *.inl file, which two .cpp files include: one compiled for
-// plain x86-64 (each Lanes is two SSE2 registers; any other machine works too), one for AVX2 + FMA. Lanes hold
+// A kernel that is worth it is written once over `Lanes` in a *.inl file, which two .cpp files include: one compiled
+// for plain x86-64 (each Lanes is two SSE2 registers; any other machine works too), one for AVX2 + FMA. Lanes hold
 // independent sums that are joined in a fixed order, and the one thing that FMA changes, the error of a product,
 // is exact either way, so both give the same bits.
 #pragma once
@@ -13,8 +13,8 @@
 #include <immintrin.h>
 #endif
 
-/// Kernels are compiled twice with different instruction sets; a helper that is not inlined would be emitted by both and
-/// merged by the linker into one of them, possibly the wrong one.
+/// Kernels are compiled twice with different instruction sets; a helper that is not inlined would be emitted by both
+/// and merged by the linker into one of them, possibly the wrong one.
 #define LOBER_INLINE [[gnu::always_inline]] inline
 
 namespace lober {
@@ -28,17 +28,31 @@ LOBER_INLINE Lanes load(const double* from) {
   std::memcpy(&value, from, sizeof value);
   return value;
 }
-LOBER_INLINE void store(double* to, Lanes value) { std::memcpy(to, &value, sizeof value); }
-LOBER_INLINE Lanes splat(double value) { return Lanes{value, value, value, value}; }
+LOBER_INLINE void store(double* to, Lanes value) {
+  std::memcpy(to, &value, sizeof value);
+}
+LOBER_INLINE Lanes splat(double value) {
+  return Lanes{value, value, value, value};
+}
 #ifdef __AVX2__
-LOBER_INLINE Lanes min(Lanes a, Lanes b) { return _mm256_min_pd(a, b); }
-LOBER_INLINE Lanes max(Lanes a, Lanes b) { return _mm256_max_pd(a, b); }
+LOBER_INLINE Lanes min(Lanes a, Lanes b) {
+  return _mm256_min_pd(a, b);
+}
+LOBER_INLINE Lanes max(Lanes a, Lanes b) {
+  return _mm256_max_pd(a, b);
+}
 #else
-LOBER_INLINE Lanes min(Lanes a, Lanes b) { return a < b ? a : b; }
-LOBER_INLINE Lanes max(Lanes a, Lanes b) { return a > b ? a : b; }
+LOBER_INLINE Lanes min(Lanes a, Lanes b) {
+  return a < b ? a : b;
+}
+LOBER_INLINE Lanes max(Lanes a, Lanes b) {
+  return a > b ? a : b;
+}
 #endif
 
-LOBER_INLINE Lanes absolute(Lanes a) { return max(a, -a); }
+LOBER_INLINE Lanes absolute(Lanes a) {
+  return max(a, -a);
+}
 
 /// Swaps rows and columns of a 4 x 4 block.
 LOBER_INLINE void transpose(Lanes (&row)[lanes]) {

@@ -12,9 +12,8 @@ namespace lober {
 /// value of the environment variable LOBER_SHARED, by default the sibling `shared` of the source tree.
 inline std::optional<std::filesystem::path> shared_data(std::string_view name) {
   const char* const chosen = std::getenv("LOBER_SHARED");
-  const std::filesystem::path folder = chosen != nullptr
-                                           ? std::filesystem::path(chosen)
-                                           : std::filesystem::path(LOBER_SOURCE_DIR) / "../shared";
+  const std::filesystem::path folder =
+      chosen != nullptr ? std::filesystem::path(chosen) : std::filesystem::path(LOBER_SOURCE_DIR) / "../shared";
   std::filesystem::path file = folder / "data" / name;
   if (!std::filesystem::exists(file)) return std::nullopt;
   return file;

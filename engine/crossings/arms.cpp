@@ -51,7 +51,8 @@ bool turns_first(Point at, Point from, Point x, Point y, PredicateCounts& counts
   return orient2d(at, x, y, counts) > 0;
 }
 
-std::uint8_t arm_order_at_point(const Contact& contact, const CurveView& c1, const CurveView& c2, PredicateCounts& counts) {
+std::uint8_t arm_order_at_point(const Contact& contact, const CurveView& c1, const CurveView& c2,
+                                PredicateCounts& counts) {
   if (contact.proper) return contact.rho > 0 ? rightward_to_left : leftward_to_right;
   const Arms arms = arms_of(contact, c1, c2);
   std::array<Arm, 4> order{out1, out2, in1, in2};

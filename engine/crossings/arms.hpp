@@ -6,26 +6,26 @@
 
 namespace lober {
 
-/// Where the arms of a contact lead: `at` is the contact, the others are points further along the arms. All are vertices of
-/// the input, except `at` of a proper crossing, which has no need of them.
+/// Where the arms of a contact lead: `at` is the contact, the others are points further along the arms. All are
+/// vertices of the input, except `at` of a proper crossing, which has no need of them.
 struct Arms {
   Point at;
   Point target[4];  // indexed by Arm
 };
 [[nodiscard]] Arms arms_of(const Contact& contact, const CurveView& c1, const CurveView& c2);
 
-/// Whether, turning counter-clockwise about `at` from the direction of `from`, the direction of x comes before that of y.
-/// Exact. None of the three directions may be equal.
+/// Whether, turning counter-clockwise about `at` from the direction of `from`, the direction of x comes before that of
+/// y. Exact. None of the three directions may be equal.
 [[nodiscard]] bool turns_first(Point at, Point from, Point x, Point y, PredicateCounts& counts);
 
 /// The order of the arms at a contact that is a node of its own.
 [[nodiscard]] std::uint8_t arm_order_at_point(const Contact& contact, const CurveView& c1, const CurveView& c2,
                                               PredicateCounts& counts);
 
-/// The order of the arms around an arc that is shared from contact `first` to contact `last` (along C1), with C2 running
-/// in `direction`.
-[[nodiscard]] std::uint8_t arm_order_at_arc(const Contact& first, const Contact& last, int direction, const CurveView& c1,
-                                            const CurveView& c2, PredicateCounts& counts);
+/// The order of the arms around an arc that is shared from contact `first` to contact `last` (along C1), with C2
+/// running in `direction`.
+[[nodiscard]] std::uint8_t arm_order_at_arc(const Contact& first, const Contact& last, int direction,
+                                            const CurveView& c1, const CurveView& c2, PredicateCounts& counts);
 
 /// The next vertex in the direction +1 / -1 whose place differs from that of `vertex`.
 [[nodiscard]] std::uint32_t next_distinct(const CurveView& curve, std::uint32_t vertex, int direction);

@@ -82,7 +82,8 @@ class ContactFinder final : public PairConsumer {
   Contacts gather() {
     Contacts result;
     std::vector<std::size_t> begin(blocks_.size() + 1, 0);
-    for (std::size_t k = 0; k < blocks_.size(); ++k) begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->hits.size() : 0);
+    for (std::size_t k = 0; k < blocks_.size(); ++k)
+      begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->hits.size() : 0);
     result.list.resize(begin.back());
     std::atomic<bool> all_proper{true};
     for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
@@ -232,7 +233,8 @@ class ContactFinder final : public PairConsumer {
   // Brings the contacts of each segment of C1 into their order along it.
   void order_on_segments(std::span<Contact> list, Block& block) {
     for (std::size_t k = 1; k < list.size(); ++k) {
-      for (std::size_t m = k; m > 0 && list[m].segment1 == list[m - 1].segment1 && before(list[m], list[m - 1], block); --m) {
+      for (std::size_t m = k; m > 0 && list[m].segment1 == list[m - 1].segment1 && before(list[m], list[m - 1], block);
+           --m) {
         std::swap(list[m], list[m - 1]);
       }
     }

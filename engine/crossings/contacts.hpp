@@ -1,10 +1,10 @@
 // The raw material of crossings (private to crossings/): every point where two curves meet, found exactly, once, and
 // sorted along both.
 //
-// A contact is either a proper crossing (inside a segment of either curve) or a vertex of one curve that lies on the other.
-// Segments are taken half-open, with their first end and without their second, so that a contact belongs to exactly
-// one pair of segments and nothing is found twice. Where the curves share an arc its vertices are contacts,
-// and the straight pieces between neighbouring contacts are shared; long runs of common vertices are recognised and
+// A contact is either a proper crossing (inside a segment of either curve) or a vertex of one curve that lies on the
+// other. Segments are taken half-open, with their first end and without their second, so that a contact belongs to
+// exactly one pair of segments and nothing is found twice. Where the curves share an arc its vertices are contacts, and
+// the straight pieces between neighbouring contacts are shared; long runs of common vertices are recognised and
 // represented by their first contact alone.
 #pragma once
 
@@ -21,36 +21,37 @@ namespace lober {
 struct Contact {
   std::uint32_t segment1;
   std::uint32_t segment2;
-  DD t1, t2;         ///< parameters in [0, 1), rounded
-  std::int8_t rho;   ///< proper crossing: +1 if C2 passes from right to left of C1 as the input runs; else 0
-  std::int8_t run;   ///< +1 / -1: from here to the next contact along C1 the curves share their vertices (C2 forward / back)
+  DD t1, t2;        ///< parameters in [0, 1), rounded
+  std::int8_t rho;  ///< proper crossing: +1 if C2 passes from right to left of C1 as the input runs; else 0
+  std::int8_t
+      run;  ///< +1 / -1: from here to the next contact along C1 the curves share their vertices (C2 forward / back)
   bool proper;
-  bool vertex1;      ///< at the first end of segment1 (then t1 is zero, but t1 may also have underflowed to it)
+  bool vertex1;  ///< at the first end of segment1 (then t1 is zero, but t1 may also have underflowed to it)
   bool vertex2;
 };
 
 struct ContactCounts {
   SearchCounts search;
   PredicateCounts predicates;
-  std::uint64_t exact_parameters = 0;   ///< crossings too shallow for double-double
-  std::uint64_t exact_orders = 0;       ///< pairs of crossings on one segment ordered by exact arithmetic
-  std::uint64_t shared_vertices = 0;    ///< vertices of shared arcs recognised as runs and never tested further
+  std::uint64_t exact_parameters = 0;  ///< crossings too shallow for double-double
+  std::uint64_t exact_orders = 0;      ///< pairs of crossings on one segment ordered by exact arithmetic
+  std::uint64_t shared_vertices = 0;   ///< vertices of shared arcs recognised as runs and never tested further
 };
 
 struct Contacts {
-  Buffer<Contact> list;             ///< in order along C1
-  Buffer<std::uint32_t> order2;     ///< indices into `list` in order along C2
+  Buffer<Contact> list;          ///< in order along C1
+  Buffer<std::uint32_t> order2;  ///< indices into `list` in order along C2
   bool all_proper = true;
   ContactCounts counts;
   double search_seconds = 0, order_seconds = 0;
 };
 
-/// O(n + m + candidates), parallel. Both curves are taken to be simple; if they are not, the result is complete all the same
-/// except inside runs of common vertices.
+/// O(n + m + candidates), parallel. Both curves are taken to be simple; if they are not, the result is complete all the
+/// same except inside runs of common vertices.
 [[nodiscard]] Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind);
 
-/// Sorts `order` by segment, then along the segment. `segment(k)` and `before(k, l)` (exact, same segment) speak of contact
-/// indices. Stable, parallel, deterministic; about two passes of counting sort.
+/// Sorts `order` by segment, then along the segment. `segment(k)` and `before(k, l)` (exact, same segment) speak of
+/// contact indices. Stable, parallel, deterministic; about two passes of counting sort.
 void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, const CurveView& c2,
                        Buffer<std::uint32_t>& order, std::uint64_t& exact_orders);
 

@@ -18,7 +18,8 @@
 
 namespace lober {
 
-/// A place on a curve: `t` in [0, 1) along segment `segment` (rounded, so 1 may occur), in the vertex order of the caller's curve.
+/// A place on a curve: `t` in [0, 1) along segment `segment` (rounded, so 1 may occur), in the vertex order of the
+/// caller's curve.
 struct Position {
   std::uint32_t segment = 0;
   double t = 0;
@@ -46,9 +47,11 @@ class Crossings {
   /// Node numbers in order along C2, from its first vertex on.
   [[nodiscard]] std::span<const std::uint32_t> order2() const { return graph_.along2(); }
   [[nodiscard]] int rho(std::size_t node) const;
-  [[nodiscard]] std::size_t crossings() const { return crossings_; }      ///< nodes with rho != 0: always even
-  [[nodiscard]] std::size_t touches() const { return touches_; }          ///< points with rho == 0
-  [[nodiscard]] std::size_t shared_arcs() const { return shared_arcs_; }  ///< arcs; 1 when the curves are one and the same
+  [[nodiscard]] std::size_t crossings() const { return crossings_; }  ///< nodes with rho != 0: always even
+  [[nodiscard]] std::size_t touches() const { return touches_; }      ///< points with rho == 0
+  [[nodiscard]] std::size_t shared_arcs() const {
+    return shared_arcs_;
+  }  ///< arcs; 1 when the curves are one and the same
   [[nodiscard]] bool same_curve() const { return graph_.same_curve != 0; }
   /// The contact rounded to double: exact at a vertex, else right to about an ulp.
   [[nodiscard]] Point place(const Contact& contact) const;
@@ -71,9 +74,9 @@ class Crossings {
   std::size_t crossings_ = 0, touches_ = 0, shared_arcs_ = 0;
 };
 
-/// Throws NotSimpleError unless the closed curve is simple: no two segments meet except neighbours in their common vertex.
-/// `number` is what the error calls the curve (1 or 2). Decided exactly; monotone runs are skipped, so a smooth curve costs
-/// next to nothing. Parallel; names the first pair of segments in curve order.
+/// Throws NotSimpleError unless the closed curve is simple: no two segments meet except neighbours in their common
+/// vertex. `number` is what the error calls the curve (1 or 2). Decided exactly; monotone runs are skipped, so a smooth
+/// curve costs next to nothing. Parallel; names the first pair of segments in curve order.
 struct SimpleCheck {
   SearchCounts search;
   std::uint64_t pairs = 0;  ///< pairs of segments decided

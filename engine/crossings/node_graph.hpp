@@ -34,19 +34,21 @@ struct NodeSpan {
 };
 
 struct NodeGraph {
-  Buffer<Contact> contacts;        ///< in order along C1
-  Buffer<NodeSpan> spans;          ///< in order along C1; empty when every node is the contact of the same number
-  Buffer<std::uint8_t> order;      ///< ArmOrder of each node
-  Buffer<std::uint32_t> contacts2; ///< contact numbers in order along C2
-  Buffer<std::uint32_t> nodes2;    ///< node numbers in order along C2; empty when `spans` is: then see along2()
-  Buffer<std::uint32_t> rank2;     ///< place of each node in along2()
-  std::int8_t same_curve = 0;      ///< +1 / -1: the two curves are one and the same, run in the same / opposite direction
+  Buffer<Contact> contacts;         ///< in order along C1
+  Buffer<NodeSpan> spans;           ///< in order along C1; empty when every node is the contact of the same number
+  Buffer<std::uint8_t> order;       ///< ArmOrder of each node
+  Buffer<std::uint32_t> contacts2;  ///< contact numbers in order along C2
+  Buffer<std::uint32_t> nodes2;     ///< node numbers in order along C2; empty when `spans` is: then see along2()
+  Buffer<std::uint32_t> rank2;      ///< place of each node in along2()
+  std::int8_t same_curve = 0;  ///< +1 / -1: the two curves are one and the same, run in the same / opposite direction
   ContactCounts counts;
   double search_seconds = 0, order_seconds = 0;
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order.size()); }
   [[nodiscard]] const Buffer<std::uint32_t>& along2() const { return spans.empty() ? contacts2 : nodes2; }
-  [[nodiscard]] NodeSpan span(std::uint32_t node) const { return spans.empty() ? NodeSpan{node, node, 0} : spans[node]; }
+  [[nodiscard]] NodeSpan span(std::uint32_t node) const {
+    return spans.empty() ? NodeSpan{node, node, 0} : spans[node];
+  }
 };
 
 /// Finds all contacts and joins them to nodes. O(n + m + candidates), parallel where it is long.

@@ -42,7 +42,8 @@ class SelfChecker final : public PairConsumer {
     for (const Block& block : blocks_) sum += block.pairs;
     return sum;
   }
-  static constexpr SegmentPair none{std::numeric_limits<std::uint32_t>::max(), std::numeric_limits<std::uint32_t>::max()};
+  static constexpr SegmentPair none{std::numeric_limits<std::uint32_t>::max(),
+                                    std::numeric_limits<std::uint32_t>::max()};
 
  private:
   struct Block {

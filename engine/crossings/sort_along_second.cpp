@@ -19,8 +19,8 @@ constexpr std::size_t grain = std::size_t{1} << 15;
 constexpr std::uint32_t digit_bits = 11;
 constexpr std::size_t digits = std::size_t{1} << digit_bits;
 
-// One stable pass of counting sort by the digit at `shift`. The grain fixes the pieces, so the result does not depend on
-// threads (a stable sort has one result anyway).
+// One stable pass of counting sort by the digit at `shift`. The grain fixes the pieces, so the result does not depend
+// on threads (a stable sort has one result anyway).
 void sort_by_digit(const Buffer<Item>& from, Buffer<Item>& to, std::uint32_t shift) {
   const std::size_t pieces = (from.size() + grain - 1) / grain;
   std::vector<std::array<std::uint32_t, digits>> begin(pieces);
@@ -94,7 +94,8 @@ void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, con
       std::size_t end = k + 1;
       while (end < count && items[end].segment == items[k].segment) ++end;
       if (end - k > 1) {
-        on_segment.assign(items.begin() + static_cast<std::ptrdiff_t>(k), items.begin() + static_cast<std::ptrdiff_t>(end));
+        on_segment.assign(items.begin() + static_cast<std::ptrdiff_t>(k),
+                          items.begin() + static_cast<std::ptrdiff_t>(end));
         std::sort(on_segment.begin(), on_segment.end(), before);
         for (std::size_t m = k; m < end; ++m) order[m] = on_segment[m - k].contact;
       } else {

@@ -55,9 +55,7 @@ class HeaderParser {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw DataError(path_ + ": NPY header: " + reason);
-  }
+  [[noreturn]] void fail(const std::string& reason) const { throw DataError(path_ + ": NPY header: " + reason); }
 
   void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size())); }
 
@@ -204,9 +202,8 @@ void read_npy(std::span<const std::byte> bytes, CurveFile& file) {
   const std::span<const std::byte> data = rest.subspan(header_size);
   const std::size_t point_size = 2 * layout.item;
   if (data.size() % point_size != 0 || data.size() / point_size != layout.points) {
-    fail("the NPY header promises " + std::to_string(layout.points) + " points of " +
-         std::to_string(point_size) + " bytes, the file has " + std::to_string(data.size()) +
-         " bytes for them");
+    fail("the NPY header promises " + std::to_string(layout.points) + " points of " + std::to_string(point_size) +
+         " bytes, the file has " + std::to_string(data.size()) + " bytes for them");
   }
   std::vector<Point> points(layout.points);
   if (layout.item == 8) {

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/parallel/parallel.hpp"
+
 namespace lober {
 
 /// Until `next(slot)` returns false: `next(slot)` takes the next block (one call at a time), `work(slot)`
@@ -22,23 +24,28 @@ void ordered_pipeline(const Next& next, const Work& work, const Deliver& deliver
   // Slot k is free when block number k + in_flight starts: no more than `in_flight` blocks are under way, and
   // they end in order.
   std::size_t blocks = 0;
-  tbb::parallel_pipeline(in_flight, tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order,
-                                                                  [&](tbb::flow_control& control) -> Slot* {
-                                                                    Slot& slot = slots[blocks % in_flight];
-                                                                    if (!next(slot)) {
-                                                                      control.stop();
-                                                                      return nullptr;
-                                                                    }
-                                                                    ++blocks;
-                                                                    return &slot;
-                                                                  }) &
-                                        tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel,
-                                                                       [&](Slot* slot) {
-                                                                         work(*slot);
-                                                                         return slot;
-                                                                       }) &
-                                        tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order,
-                                                                      [&](Slot* slot) { deliver(*slot); }));
+  TaskOrder order;
+  order.before();
+  tbb::parallel_pipeline(
+      in_flight,
+      tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) -> Slot* {
+        Slot* slot = &slots[blocks % in_flight];
+        order.task([&] {
+          if (next(*slot)) {
+            ++blocks;
+          } else {
+            control.stop();
+            slot = nullptr;
+          }
+        });
+        return slot;
+      }) & tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel, [&](Slot* slot) {
+        order.task([&] { work(*slot); });
+        return slot;
+      }) & tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, [&](Slot* slot) {
+        order.task([&] { deliver(*slot); });
+      }));
+  order.after();
 }
 
 }  // namespace lober

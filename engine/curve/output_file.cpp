@@ -79,16 +79,15 @@ void OutputFile::open_beside() {
   static std::atomic<unsigned> counter = 0;
   do {
     temporary_ = target_ + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
-    descriptor_ = uninterrupted(
-        [&] { return ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
+    descriptor_ =
+        uninterrupted([&] { return ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) fail();
 }
 
 void OutputFile::write(std::string_view content) {
   while (!content.empty()) {
-    const ::ssize_t written =
-        uninterrupted([&] { return ::write(descriptor_, content.data(), content.size()); });
+    const ::ssize_t written = uninterrupted([&] { return ::write(descriptor_, content.data(), content.size()); });
     if (written < 0) fail();
     content.remove_prefix(static_cast<std::size_t>(written));
   }

@@ -45,8 +45,7 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
   const auto [stop, error] = std::from_chars(choice.data(), end, index);
   if (stop == end && error != std::errc::invalid_argument) {
     if (error == std::errc{} && index < zones) return index;
-    fail("has no zone " + choice +
-         (zones == 1 ? ", only " + file.path + "#0" : ", only " + choices(file.path, zones)));
+    fail("has no zone " + choice + (zones == 1 ? ", only " + file.path + "#0" : ", only " + choices(file.path, zones)));
   }
   const auto titled = [&](const Zone& zone) { return zone.title == choice; };
   const auto found = std::find_if(file.zones.begin(), file.zones.end(), titled);
@@ -98,8 +97,7 @@ CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
   CurveFile file;
   std::string hash;
   run_together(
-      options.hash && mapped.bytes().size() > worth_two_threads,
-      [&] { file = read_curve_bytes(path, mapped.bytes()); },
+      options.hash && mapped.bytes().size() > worth_two_threads, [&] { file = read_curve_bytes(path, mapped.bytes()); },
       [&] {
         if (options.hash) hash = sha256(mapped.bytes());
       });

@@ -80,8 +80,7 @@ void compress_portable(State& state, const std::byte* data, std::size_t blocks) 
     for (std::size_t t = 0; t < 64; ++t) {
       const std::uint32_t choice = (e & f) ^ (~e & g);
       const std::uint32_t majority = (a & b) ^ (a & c) ^ (b & c);
-      const std::uint32_t t1 =
-          h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + choice + K[t] + w[t];
+      const std::uint32_t t1 = h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + choice + K[t] + w[t];
       const std::uint32_t t2 = (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + majority;
       h = g;
       g = f;
@@ -110,8 +109,7 @@ bool has_sha_instructions() {
 
 /// The same with the SHA instructions, which keep the state as the two vectors (a b e f) and (c d g h),
 /// highest lane first, and do two rounds at a time on the two low lanes of w + K.
-__attribute__((target("sha,ssse3,sse4.1"))) void compress_sha(State& state, const std::byte* data,
-                                                              std::size_t blocks) {
+__attribute__((target("sha,ssse3,sse4.1"))) void compress_sha(State& state, const std::byte* data, std::size_t blocks) {
   const __m128i big_endian = _mm_set_epi64x(0x0c0d0e0f08090a0b, 0x0405060700010203);
   auto* const memory = reinterpret_cast<__m128i*>(state.data());
   const __m128i dcba = _mm_loadu_si128(memory);
@@ -137,8 +135,7 @@ __attribute__((target("sha,ssse3,sse4.1"))) void compress_sha(State& state, cons
         const __m128i w_minus_7 = _mm_alignr_epi8(before1, before2, 4);
         now = _mm_sha256msg2_epu32(_mm_add_epi32(_mm_sha256msg1_epu32(now, before3), w_minus_7), before1);
       }
-      const __m128i wk =
-          _mm_add_epi32(now, _mm_load_si128(reinterpret_cast<const __m128i*>(K.data()) + group));
+      const __m128i wk = _mm_add_epi32(now, _mm_load_si128(reinterpret_cast<const __m128i*>(K.data()) + group));
       cdgh = _mm_sha256rnds2_epu32(cdgh, abef, wk);
       abef = _mm_sha256rnds2_epu32(abef, cdgh, _mm_shuffle_epi32(wk, 0x0E));
     }

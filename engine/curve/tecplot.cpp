@@ -33,8 +33,7 @@ class Scanner {
 
   /// Skips blanks and, on request, commas. False at the end of the line or at a comment.
   bool more(bool commas = false) {
-    while (!rest_.empty() && (is_blank(rest_.front()) || (commas && rest_.front() == ',')))
-      rest_.remove_prefix(1);
+    while (!rest_.empty() && (is_blank(rest_.front()) || (commas && rest_.front() == ','))) rest_.remove_prefix(1);
     return !rest_.empty() && rest_.front() != '#';
   }
 

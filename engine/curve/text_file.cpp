@@ -115,9 +115,8 @@ class Assembler {
     const std::size_t points = zone.points.size();
     for (const TecplotZone::Count& count : header_.counts) {
       if (count.points == points) continue;
-      Place{file_.path, count.line}.fail(count.key + "=" + std::to_string(count.points) +
-                                         " is declared, found " + std::to_string(points) +
-                                         (points == 1 ? " point" : " points"));
+      Place{file_.path, count.line}.fail(count.key + "=" + std::to_string(count.points) + " is declared, found " +
+                                         std::to_string(points) + (points == 1 ? " point" : " points"));
     }
     if (points == 0) Place{file_.path, zone.line}.fail("the zone has no points");
     if (zone.points.capacity() / 2 > points) zone.points.shrink_to_fit();
@@ -142,8 +141,7 @@ void read_text(std::string_view text, std::size_t chunk_size, CurveFile& file) {
   std::string_view rest = text;
   const auto next = [&](TextChunk& chunk) {
     if (rest.empty()) return false;
-    const std::size_t line_end =
-        chunk_size < rest.size() ? rest.find('\n', chunk_size - 1) : std::string_view::npos;
+    const std::size_t line_end = chunk_size < rest.size() ? rest.find('\n', chunk_size - 1) : std::string_view::npos;
     chunk.text = rest.substr(0, line_end == std::string_view::npos ? rest.size() : line_end + 1);
     rest.remove_prefix(chunk.text.size());
     return true;

@@ -117,8 +117,7 @@ void parse_chunk(TextChunk& chunk) {
     if (line_end != nullptr) {
       chunk.points.push_back(point);
     } else {
-      line_end =
-          p == end ? end : static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
+      line_end = p == end ? end : static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
       if (line_end == nullptr) line_end = end;
       const std::string_view line(p, static_cast<std::size_t>(line_end - p));
       if (line.empty() || line.front() == '#') {

@@ -42,8 +42,7 @@ void for_each_segment_of_leaf(const BoxTree& tree, std::size_t leaf, const Box& 
 
 /// The level of the nodes of a tree that are its blocks.
 inline std::uint32_t block_level(const BoxTree& tree) {
-  return std::min(static_cast<std::uint32_t>(std::countr_zero(block_segments / leaf_size)),
-                  tree.levels() - 1);
+  return std::min(static_cast<std::uint32_t>(std::countr_zero(block_segments / leaf_size)), tree.levels() - 1);
 }
 
 /// The result of a search of curves whose boxes do not meet.
@@ -69,8 +68,7 @@ SearchCounts search_blocks(const BoxTree& first, const Box& window, PairConsumer
     Buffer<SegmentPair> pairs;
     Buffer<std::uint32_t> candidates;
     std::uint32_t skip_before = 0;
-    const std::size_t end =
-        std::min<std::size_t>((block + std::size_t{1}) * leaves_per_block, first.leaves());
+    const std::size_t end = std::min<std::size_t>((block + std::size_t{1}) * leaves_per_block, first.leaves());
     for (std::size_t leaf = block * std::size_t{leaves_per_block}; leaf < end; ++leaf) {
       if ((leaf + 1) * leaf_size <= skip_before) continue;
       pairs.clear();

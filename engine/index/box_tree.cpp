@@ -89,7 +89,8 @@ void BoxTree::build_upper(std::uint32_t level, std::size_t begin, std::size_t en
 }
 
 bool BoxTree::sums_finite() const {
-  return std::all_of(stretch_sums_.begin(), stretch_sums_.end(), [](const DD& sum) { return std::isfinite(sum.hi + sum.lo); });
+  return std::all_of(stretch_sums_.begin(), stretch_sums_.end(),
+                     [](const DD& sum) { return std::isfinite(sum.hi + sum.lo); });
 }
 
 std::size_t BoxTree::memory() const {

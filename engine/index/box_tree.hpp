@@ -1,7 +1,7 @@
 // The curve-order box tree: boxes over consecutive segments, over consecutive boxes, and so on.
 //
-// The points of a curve come in order, so no sorting is needed: the tree is built in one pass over contiguous memory, and
-// everything else that only that pass can give cheaply (shoelace sums, monotone runs) is taken along.
+// The points of a curve come in order, so no sorting is needed: the tree is built in one pass over contiguous memory,
+// and everything else that only that pass can give cheaply (shoelace sums, monotone runs) is taken along.
 #pragma once
 
 #include <array>
@@ -42,8 +42,8 @@ class BoxTree {
   [[nodiscard]] const DD* leaf_sums() const { return sums_.data(); }
   /// Shoelace sums of stretches of leaf_size leaves, each about its first point (the last one may be shorter).
   [[nodiscard]] const Buffer<DD>& stretch_sums() const { return stretch_sums_; }
-  /// False when the shoelace sums came out infinite or not a number: then some coordinate is not finite, or so large that
-  /// products overflow. A curve with a bad coordinate never passes. O(N / 1024).
+  /// False when the shoelace sums came out infinite or not a number: then some coordinate is not finite, or so large
+  /// that products overflow. A curve with a bad coordinate never passes. O(N / 1024).
   [[nodiscard]] bool sums_finite() const;
   /// Where leaf `leaf` begins; leaves() is allowed and means the end of the curve (the first point again, if closed).
   [[nodiscard]] Point leaf_begin(std::size_t leaf) const {

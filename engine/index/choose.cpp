@@ -22,10 +22,9 @@ constexpr std::size_t leaves_met_at_most = 512;  // per leaf walked through the 
 constexpr std::size_t leaf_pairs_looked_into = 256;
 constexpr std::size_t segments_drawn = 1 << 12;
 constexpr std::size_t cells_visited_at_most = 1 << 15;
-constexpr double moderate = 64;  // candidates per segment: below this the tree is not questioned
-constexpr double worth_asking =
-    20e6;                      // nanoseconds: what takes the tree less takes the grid as much to be built
-constexpr double clearly = 3;  // how many times cheaper the grid must be
+constexpr double moderate = 64;        // candidates per segment: below this the tree is not questioned
+constexpr double worth_asking = 20e6;  // nanoseconds: what takes the tree less takes the grid as much to be built
+constexpr double clearly = 3;          // how many times cheaper the grid must be
 
 // Rough costs in nanoseconds; what matters is that all are right within a factor of two or so.
 constexpr double cost_of_leaf_pair = 120;
@@ -112,9 +111,8 @@ CellSample sample_cells(const BoxTree& tree, const Raster& raster, std::uint64_t
 // Of a grid over the second curve, by entering a sample of it and looking up a sample of the first. Many
 // points in one cell show as many comparisons, wherever they come from.
 double grid_cost(const BoxTree& first, const BoxTree& second) {
-  const Raster raster =
-      Raster::fitted(second, intersection(first.box(), second.box()),
-                     max_grid_entries(first.segments() + second.segments()), leaves_sampled);
+  const Raster raster = Raster::fitted(second, intersection(first.box(), second.box()),
+                                       max_grid_entries(first.segments() + second.segments()), leaves_sampled);
   const CellSample entered = sample_cells(second, raster, 1), visited = sample_cells(first, raster, 2);
   std::unordered_map<std::size_t, std::uint32_t> occupancy;
   for (const std::size_t cell : entered.cells) ++occupancy[cell];

@@ -6,8 +6,11 @@
 namespace lober {
 namespace {
 
-// Whether a way from height `from` to height `to` crosses height y an odd number of times (a point at y counts as below).
-bool changes_side(double from, double to, double y) { return (from > y) != (to > y); }
+// Whether a way from height `from` to height `to` crosses height y an odd number of times (a point at y counts as
+// below).
+bool changes_side(double from, double to, double y) {
+  return (from > y) != (to > y);
+}
 
 bool odd_crossings(const BoxTree& tree, TreeNode node, Point point, PredicateCounts& counts) {
   const Box& box = tree.box(node);

@@ -77,13 +77,12 @@ class Grid {
     for_each_block(tree.leaves(), leaves_per_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t leaf = begin; leaf < end; ++leaf) {
         std::uint64_t entries = 0;
-        for_each_segment_of_leaf(tree, leaf, raster_.window(),
-                                 [&](std::uint32_t segment, const SegmentEnds& ends) {
-                                   raster_.for_each_cell(ends.a, ends.b, [&](std::size_t cell) {
-                                     ++entries;
-                                     visit(segment, cell);
-                                   });
-                                 });
+        for_each_segment_of_leaf(tree, leaf, raster_.window(), [&](std::uint32_t segment, const SegmentEnds& ends) {
+          raster_.for_each_cell(ends.a, ends.b, [&](std::size_t cell) {
+            ++entries;
+            visit(segment, cell);
+          });
+        });
         if (!done(entries)) return;
       }
     });
@@ -92,14 +91,11 @@ class Grid {
   // Counts the entries of each cell into end_. Gives up and returns false when there are too many.
   bool count() {
     end_.resize(raster_.cells());
-    for_each_block(end_.size(), cells_per_task, [&](std::size_t begin, std::size_t end) {
-      std::fill(end_.data() + begin, end_.data() + end, 0);
-    });
+    for_each_block(end_.size(), cells_per_task,
+                   [&](std::size_t begin, std::size_t end) { std::fill(end_.data() + begin, end_.data() + end, 0); });
     std::atomic<std::uint64_t> total = 0;
     for_each_entry(
-        [&](std::uint32_t, std::size_t cell) {
-          std::atomic_ref(end_[cell]).fetch_add(1, std::memory_order_relaxed);
-        },
+        [&](std::uint32_t, std::size_t cell) { std::atomic_ref(end_[cell]).fetch_add(1, std::memory_order_relaxed); },
         [&](std::uint64_t entries) {
           return total.fetch_add(entries, std::memory_order_relaxed) + entries <= most_entries_;
         });
@@ -137,14 +133,12 @@ class Grid {
   Raster raster_;
   Buffer<std::uint32_t> end_;
   Buffer<std::uint32_t> entries_;
-  mutable tbb::enumerable_thread_specific<std::vector<std::uint64_t>>
-      met_bits_;  // all zero between two look-ups
+  mutable tbb::enumerable_thread_specific<std::vector<std::uint64_t>> met_bits_;  // all zero between two look-ups
 };
 
 }  // namespace
 
-SearchCounts find_pairs_by_grid(const IndexedCurve& first, const IndexedCurve& second,
-                                PairConsumer& consumer) {
+SearchCounts find_pairs_by_grid(const IndexedCurve& first, const IndexedCurve& second, PairConsumer& consumer) {
   const Box& box = second.tree().box();
   if (!meet(first.tree().box(), box)) return search_nothing(first.tree());
   const Box window = intersection(first.tree().box(), box);

@@ -71,9 +71,9 @@ struct SearchCounts {
   }
 };
 
-/// Hands every pair of segments (one of `first`, one of `second`) that have a point in common to the consumer, in parallel,
-/// and none whose boxes do not meet. Segments of no length may be left out. `kind` must not be `automatic` (see
-/// choose_index). Grid and k-d tree are built over `second`, then thrown away.
+/// Hands every pair of segments (one of `first`, one of `second`) that have a point in common to the consumer, in
+/// parallel, and none whose boxes do not meet. Segments of no length may be left out. `kind` must not be `automatic`
+/// (see choose_index). Grid and k-d tree are built over `second`, then thrown away.
 SearchCounts find_pairs(const IndexedCurve& first, const IndexedCurve& second, IndexKind kind, PairConsumer& consumer);
 
 /// Hands the pairs i < j of segments of one curve that can meet in more than a common end to the consumer: all whose
@@ -84,8 +84,8 @@ SearchCounts find_self_pairs(const IndexedCurve& curve, PairConsumer& consumer);
 /// that their boxes say little. Looks at a sample of a few hundred leaves.
 [[nodiscard]] IndexKind choose_index(const IndexedCurve& first, const IndexedCurve& second);
 
-/// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. About log N: whole
-/// subtrees count by their end points.
+/// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. About log N:
+/// whole subtrees count by their end points.
 [[nodiscard]] bool encloses(const IndexedCurve& curve, Point point);
 
 }  // namespace lober

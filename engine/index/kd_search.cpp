@@ -89,24 +89,20 @@ class LengthClass {
   [[nodiscard]] const Buffer<std::uint32_t>& segments() const { return segments_; }
 
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return midpoints_.size(); }
-  [[nodiscard]] double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-    return midpoints_[index][axis];
-  }
+  [[nodiscard]] double kdtree_get_pt(std::size_t index, std::size_t axis) const { return midpoints_[index][axis]; }
   template <typename Bounds>
   bool kdtree_get_bbox(Bounds&) const {
     return false;  // let it compute them
   }
 
  private:
-  using Tree =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, LengthClass>, LengthClass, 2>;
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, LengthClass>, LengthClass, 2>;
 
   // A search goes down to a leaf of the tree even when all of it is far away.
   [[nodiscard]] double distance_to_box_squared(const std::array<double, 2>& point) const {
     double sum = 0;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double below = tree_->root_bbox[axis].low - point[axis],
-                   above = point[axis] - tree_->root_bbox[axis].high;
+      const double below = tree_->root_bbox[axis].low - point[axis], above = point[axis] - tree_->root_bbox[axis].high;
       const double distance = std::max({below, above, 0.0});
       sum += distance * distance;
     }
@@ -124,20 +120,18 @@ class Forest {
   Forest(const IndexedCurve& curve, const Box& window) : curve_(curve), frame_(window) {
     std::array<std::unique_ptr<LengthClass>, largest_class - smallest_class + 1> by_exponent;
     for (std::size_t leaf = 0; leaf < curve.tree().leaves(); ++leaf) {
-      for_each_segment_of_leaf(
-          curve.tree(), leaf, window, [&](std::uint32_t segment, const SegmentEnds& ends) {
-            const Midpoint midpoint = frame_.midpoint(ends);
-            if (!midpoint.usable()) {
-              unusable_.push_back(segment);
-              return;
-            }
-            int exponent = 0;
-            std::frexp(midpoint.half_length, &exponent);
-            auto& members =
-                by_exponent[static_cast<std::size_t>(std::max(exponent, smallest_class) - smallest_class)];
-            if (!members) members = std::make_unique<LengthClass>();
-            members->add(segment, midpoint);
-          });
+      for_each_segment_of_leaf(curve.tree(), leaf, window, [&](std::uint32_t segment, const SegmentEnds& ends) {
+        const Midpoint midpoint = frame_.midpoint(ends);
+        if (!midpoint.usable()) {
+          unusable_.push_back(segment);
+          return;
+        }
+        int exponent = 0;
+        std::frexp(midpoint.half_length, &exponent);
+        auto& members = by_exponent[static_cast<std::size_t>(std::max(exponent, smallest_class) - smallest_class)];
+        if (!members) members = std::make_unique<LengthClass>();
+        members->add(segment, midpoint);
+      });
     }
     for (auto& members : by_exponent) {
       if (members) classes_.push_back(std::move(members));

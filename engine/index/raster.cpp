@@ -16,12 +16,10 @@ double share(double low, double high, double from, double to) {
 }  // namespace
 
 std::uint64_t max_grid_entries(std::size_t segments) {
-  return std::min<std::uint64_t>(8 * std::uint64_t{segments} + (1U << 20U),
-                                 std::numeric_limits<std::uint32_t>::max());
+  return std::min<std::uint64_t>(8 * std::uint64_t{segments} + (1U << 20U), std::numeric_limits<std::uint32_t>::max());
 }
 
-Raster Raster::fitted(const BoxTree& tree, const Box& window, std::uint64_t most_entries,
-                      std::size_t sample) {
+Raster Raster::fitted(const BoxTree& tree, const Box& window, std::uint64_t most_entries, std::size_t sample) {
   const std::size_t leaves = tree.leaves(), looked_at = std::min(leaves, sample);
   double segments = 0, across = 0,
          along = 0;  // how many, and their widths and heights in those of the window

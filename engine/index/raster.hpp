@@ -27,13 +27,10 @@ class Raster {
   /// A grid over the window for the segments of a curve that meet it: about two entries a cell, shaped so
   /// that the segments cross as few borders as they can, coarse enough that `most_entries` are not likely to
   /// be exceeded. Looks at `sample` leaves of the tree, evenly spread.
-  static Raster fitted(const BoxTree& tree, const Box& window, std::uint64_t most_entries,
-                       std::size_t sample);
+  static Raster fitted(const BoxTree& tree, const Box& window, std::uint64_t most_entries, std::size_t sample);
 
   /// Halves the number of columns and rows.
-  [[nodiscard]] Raster coarser() const {
-    return {window_, std::max(x_.cells / 2, 1U), std::max(y_.cells / 2, 1U)};
-  }
+  [[nodiscard]] Raster coarser() const { return {window_, std::max(x_.cells / 2, 1U), std::max(y_.cells / 2, 1U)}; }
   [[nodiscard]] std::size_t cells() const { return std::size_t{x_.cells} * y_.cells; }
   [[nodiscard]] const Box& window() const { return window_; }
 
@@ -57,11 +54,9 @@ class Raster {
     }
     const double u0 = x_.place(a.x), u1 = x_.place(b.x), v0 = y_.place(a.y), v1 = y_.place(b.y);
     if (std::fabs(u1 - u0) >= std::fabs(v1 - v0)) {
-      step(u0, u1, v0, v1, left, right, bottom, top,
-           [&](auto column, auto row) { visit(number(column, row)); });
+      step(u0, u1, v0, v1, left, right, bottom, top, [&](auto column, auto row) { visit(number(column, row)); });
     } else {
-      step(v0, v1, u0, u1, bottom, top, left, right,
-           [&](auto row, auto column) { visit(number(column, row)); });
+      step(v0, v1, u0, u1, bottom, top, left, right, [&](auto row, auto column) { visit(number(column, row)); });
     }
   }
 
@@ -72,9 +67,7 @@ class Raster {
     std::uint32_t cells;
 
     // In units of cells; right to 2^-51 relative. Infinite or NaN for ends far outside of an extreme window.
-    [[nodiscard]] double place(double coordinate) const {
-      return scale == 0 ? 0 : (coordinate - begin) * scale;
-    }
+    [[nodiscard]] double place(double coordinate) const { return scale == 0 ? 0 : (coordinate - begin) * scale; }
     [[nodiscard]] std::uint32_t cell(double coordinate) const {
       return static_cast<std::uint32_t>(std::min(place(coordinate), static_cast<double>(cells - 1)));
     }

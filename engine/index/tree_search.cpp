@@ -23,13 +23,15 @@ class TreeSearch {
   TreeSearch(const BoxTree& first, const BoxTree& second, bool self) : first_(first), second_(second), self_(self) {}
 
   // The nodes of the second tree that meet `node` of the first, out of those in `list`, split to the size of `node`.
-  void keep_meeting(TreeNode node, std::span<const TreeNode> list, std::vector<TreeNode>& kept, SearchCounts& counts) const {
+  void keep_meeting(TreeNode node, std::span<const TreeNode> list, std::vector<TreeNode>& kept,
+                    SearchCounts& counts) const {
     const Query query(first_, node);
     for (const TreeNode& candidate : list) keep_one(query, candidate, kept, counts);
   }
 
   void walk(TreeNode node, std::size_t list_begin, std::uint32_t block, std::vector<TreeNode>& stack,
-            Buffer<SegmentPair>& pairs, PairConsumer& consumer, std::uint32_t& skip_before, SearchCounts& counts) const {
+            Buffer<SegmentPair>& pairs, PairConsumer& consumer, std::uint32_t& skip_before,
+            SearchCounts& counts) const {
     const std::size_t list_end = stack.size();
     if (list_begin == list_end) return;
     if (static_cast<std::size_t>(node.index + 1) * (leaf_size << node.level) <= skip_before) return;
@@ -90,7 +92,8 @@ class TreeSearch {
     }
   }
 
-  void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs, SearchCounts& counts) const {
+  void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs,
+                  SearchCounts& counts) const {
     SegmentBoxes boxes;
     segment_boxes(first_.leaf_points(leaf.index), boxes);
     const auto begin = static_cast<std::uint32_t>(leaf.index * leaf_size);
@@ -99,8 +102,8 @@ class TreeSearch {
       const std::size_t before = pairs.size();
       pairs.resize(before + leaf_size * leaf_size);
       const auto other_begin = static_cast<std::uint32_t>(other.index * leaf_size);
-      std::size_t found = meeting_segments(boxes, begin, second_.leaf_points(other.index), second_.box(other), other_begin,
-                                           pairs.data() + before);
+      std::size_t found = meeting_segments(boxes, begin, second_.leaf_points(other.index), second_.box(other),
+                                           other_begin, pairs.data() + before);
       if (self_ && other.index == leaf.index) found = keep_upper(pairs.data() + before, found);
       pairs.resize(before + found);
     }
@@ -120,7 +123,8 @@ class TreeSearch {
   // The last leaf is filled up with segments of no length that are not there.
   void drop_padding(Buffer<SegmentPair>& pairs) const {
     const std::size_t first_count = first_.segments(), second_count = second_.segments();
-    std::erase_if(pairs, [&](const SegmentPair& pair) { return pair.first >= first_count || pair.second >= second_count; });
+    std::erase_if(pairs,
+                  [&](const SegmentPair& pair) { return pair.first >= first_count || pair.second >= second_count; });
   }
 
   const BoxTree& first_;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t node_grain = std::size_t{1} << 13;
 
-// Running sums of one curve at each of its contacts. `contact(k)` gives (segment, parameter) of the k-th contact along the
-// curve.
+// Running sums of one curve at each of its contacts. `contact(k)` gives (segment, parameter) of the k-th contact along
+// the curve.
 template <typename ContactAt>
 Buffer<DD> sums_at_contacts(const BoxTree& tree, Point origin, std::size_t count, const ContactAt& contact, DD& total) {
   const Buffer<DD>& stretches = tree.stretch_sums();
@@ -34,7 +34,10 @@ Buffer<DD> sums_at_contacts(const BoxTree& tree, Point origin, std::size_t count
       std::size_t low = 0, high = count;
       while (low < high) {
         const std::size_t middle = low + (high - low) / 2;
-        if (contact(middle).segment < begin_segment) low = middle + 1; else high = middle;
+        if (contact(middle).segment < begin_segment)
+          low = middle + 1;
+        else
+          high = middle;
       }
       return low;
     };
@@ -69,9 +72,11 @@ struct Place {
   DD t;
 };
 
-// Turns sums at points into sums between them. Entering contact and leaving contact of node k, by number along the curve.
+// Turns sums at points into sums between them. Entering contact and leaving contact of node k, by number along the
+// curve.
 template <typename Enters, typename Leaves>
-Buffer<DD> differences(const Buffer<DD>& sums, std::size_t nodes, DD total, const Enters& enters, const Leaves& leaves) {
+Buffer<DD> differences(const Buffer<DD>& sums, std::size_t nodes, DD total, const Enters& enters,
+                       const Leaves& leaves) {
   Buffer<DD> arcs(nodes);
   for_each_block(nodes, node_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -93,7 +98,8 @@ void to_differences(Buffer<DD>& sums, DD total) {
     after[k] = next < count ? sums[next] : sums[0] + total;
   }
   for_each_block(count, node_grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) sums[k] = (k + 1 < end ? sums[k + 1] : after[begin / node_grain]) - sums[k];
+    for (std::size_t k = begin; k < end; ++k)
+      sums[k] = (k + 1 < end ? sums[k + 1] : after[begin / node_grain]) - sums[k];
   });
 }
 
@@ -147,7 +153,10 @@ ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph
       [&] {
         sums1 = sums_at_contacts(
             c1.tree(), origin, count,
-            [&](std::size_t k) { return Place{graph.contacts[k].segment1, graph.contacts[k].t1}; }, total1);
+            [&](std::size_t k) {
+              return Place{graph.contacts[k].segment1, graph.contacts[k].t1};
+            },
+            total1);
       },
       [&] {
         sums2 = sums_at_contacts(

@@ -19,7 +19,8 @@ struct ArcSums {
 };
 
 /// Turns running sums at contacts (sums1 in order along C1, sums2 along C2) into sums between nodes.
-[[nodiscard]] ArcSums sums_between_nodes(const NodeGraph& graph, Buffer<DD> sums1, DD total1, Buffer<DD> sums2, DD total2);
+[[nodiscard]] ArcSums sums_between_nodes(const NodeGraph& graph, Buffer<DD> sums1, DD total1, Buffer<DD> sums2,
+                                         DD total2);
 
 /// O(contacts + leaves that hold one + n / 1024), parallel.
 [[nodiscard]] ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph& graph);

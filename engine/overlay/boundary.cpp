@@ -23,7 +23,8 @@ Directions directions(const Overlay& result, Pairing pairing) {
   return {left1 != result.nodes.clockwise1(), left2 != result.nodes.clockwise2()};
 }
 
-std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint32_t> steps, bool forward1, bool forward2) {
+std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint32_t> steps, bool forward1,
+                               bool forward2) {
   const NodeGraph& graph = result.nodes.graph();
   std::vector<Stretch> list;
   if (steps.size() == 1 && steps[0] >= Pieces::whole1) {

@@ -7,8 +7,9 @@
 
 namespace lober {
 
-/// A stretch of a curve between two contacts. `from` and `to` are contact numbers and follow each other in the direction of
-/// the walk; `forward` says whether that is the direction of the input. Whole curves have no contacts: from == to == none.
+/// A stretch of a curve between two contacts. `from` and `to` are contact numbers and follow each other in the
+/// direction of the walk; `forward` says whether that is the direction of the input. Whole curves have no contacts:
+/// from == to == none.
 struct Stretch {
   static constexpr std::uint32_t none = 0xffffffff;
   int curve;  ///< 1 or 2
@@ -16,8 +17,8 @@ struct Stretch {
   std::uint32_t from, to;
 };
 
-/// The boundary that the steps of a piece (Pieces::outer, Pieces::Hole) stand for, shared arcs included (as parts of C1).
-/// `keeps_left1`, `keeps_left2`: whether the walk runs along C1 (C2) counter-clockwise.
+/// The boundary that the steps of a piece (Pieces::outer, Pieces::Hole) stand for, shared arcs included (as parts of
+/// C1). `keeps_left1`, `keeps_left2`: whether the walk runs along C1 (C2) counter-clockwise.
 [[nodiscard]] std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint32_t> steps, bool forward1,
                                              bool forward2);
 

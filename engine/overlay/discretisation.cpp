@@ -66,7 +66,11 @@ Areas discretisation_error(const Overlay& result) {
   const std::size_t count = graph.contacts.size();
   DD total1, total2;
   Buffer<DD> sums1 = bulges_at_contacts(
-      c1, count, [&](std::size_t k) { return Place{graph.contacts[k].segment1, graph.contacts[k].t1.hi}; }, total1);
+      c1, count,
+      [&](std::size_t k) {
+        return Place{graph.contacts[k].segment1, graph.contacts[k].t1.hi};
+      },
+      total1);
   Buffer<DD> sums2 = bulges_at_contacts(
       c2, count,
       [&](std::size_t k) {

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 14;
 
-// What happens to a walk that arrives along an arm, its face on the left: the arm it leaves by and the side of each curve
-// (as the input runs) that the face lies on.
+// What happens to a walk that arrives along an arm, its face on the left: the arm it leaves by and the side of each
+// curve (as the input runs) that the face lies on.
 struct Turn {
   Arm leave;
   bool left1, left2;
@@ -51,10 +51,14 @@ std::array<std::uint8_t, 6> arrivals(Handedness hands, Membership wanted) {
 // At which end of a shared arc an arm is.
 bool at_last(Arm arm, int direction) {
   switch (arm) {
-    case in1: return false;
-    case out1: return true;
-    case in2: return direction < 0;
-    case out2: return direction > 0;
+    case in1:
+      return false;
+    case out1:
+      return true;
+    case in2:
+      return direction < 0;
+    case out2:
+      return direction > 0;
   }
   return false;
 }

@@ -22,9 +22,9 @@ struct Membership {
 
 /// All faces of one membership. Face k has steps begin[k] .. begin[k + 1].
 struct Faces {
-  Buffer<double> area;           ///< signed: the unbounded face is negative
+  Buffer<double> area;  ///< signed: the unbounded face is negative
   Buffer<std::uint32_t> begin;
-  Buffer<std::uint32_t> steps;   ///< see Step
+  Buffer<std::uint32_t> steps;  ///< see Step
   [[nodiscard]] std::size_t size() const { return area.size(); }
 };
 
@@ -33,8 +33,12 @@ struct Step {
   std::uint32_t node;
   std::uint32_t curve;
 };
-inline constexpr std::uint32_t pack(Step step) { return step.node << 1 | step.curve; }
-inline constexpr Step unpack(std::uint32_t packed) { return {packed >> 1, packed & 1U}; }
+inline constexpr std::uint32_t pack(Step step) {
+  return step.node << 1 | step.curve;
+}
+inline constexpr Step unpack(std::uint32_t packed) {
+  return {packed >> 1, packed & 1U};
+}
 
 /// Which curves run clockwise in the input.
 struct Handedness {

@@ -15,11 +15,15 @@ namespace {
 
 constexpr Membership only1{true, false}, only2{false, true}, both{true, true}, neither{false, false};
 
-double half(DD twice) { return std::max(0.0, 0.5 * (twice.hi + twice.lo)); }
-DD absolute(DD value) { return value.hi < 0 ? -value : value; }
+double half(DD twice) {
+  return std::max(0.0, 0.5 * (twice.hi + twice.lo));
+}
+DD absolute(DD value) {
+  return value.hi < 0 ? -value : value;
+}
 
-// Bound on what double-double loses in any area of the scene: the gap at each crossing (crossing_parameters.hpp) times the
-// size of the scene, and the additions of RunningSum.
+// Bound on what double-double loses in any area of the scene: the gap at each crossing (crossing_parameters.hpp) times
+// the size of the scene, and the additions of RunningSum.
 double double_double_bound(double extent, std::size_t nodes, std::size_t segments) {
   const double additions = static_cast<double>(segments) / 1024 + 4096;
   return extent * extent * (static_cast<double>(nodes) * 0x1p-91 + additions * 0x1p-104);
@@ -29,10 +33,14 @@ double double_double_bound(double extent, std::size_t nodes, std::size_t segment
 
 std::string_view name(Pairing pairing) {
   switch (pairing) {
-    case Pairing::c1_minus_c2: return "c1_minus_c2";
-    case Pairing::c2_minus_c1: return "c2_minus_c1";
-    case Pairing::intersection: return "intersection";
-    case Pairing::unite: return "union";
+    case Pairing::c1_minus_c2:
+      return "c1_minus_c2";
+    case Pairing::c2_minus_c1:
+      return "c2_minus_c1";
+    case Pairing::intersection:
+      return "intersection";
+    case Pairing::unite:
+      return "union";
   }
   return "";
 }
@@ -179,7 +187,8 @@ class OverlayBuilder {
     }
   }
 
-  // The union is what the faces outside both curves leave. It is in one piece, unless the curves only touch from outside.
+  // The union is what the faces outside both curves leave. It is in one piece, unless the curves only touch from
+  // outside.
   void unite_connected() {
     const NodeGraph& graph = result_.nodes.graph();
     Pieces& target = pieces(Pairing::unite);
@@ -199,7 +208,8 @@ class OverlayBuilder {
       return;
     }
     const Faces faces = walk_faces(graph, sums_, hands(), neither);
-    const auto outside = static_cast<std::size_t>(std::min_element(faces.area.begin(), faces.area.end()) - faces.area.begin());
+    const auto outside =
+        static_cast<std::size_t>(std::min_element(faces.area.begin(), faces.area.end()) - faces.area.begin());
     for (std::size_t k = 0; k < faces.size(); ++k) {
       std::vector<std::uint32_t> steps = reversed(faces, k);
       if (k == outside) {
@@ -236,7 +246,8 @@ class OverlayBuilder {
     if (result_.nodes.crossings() == count) {  // then classes are faces, which are numbered the same way
       const Pieces& faces = pieces(Pairing::c1_minus_c2);
       for (std::size_t face = 0; face < faces.size(); ++face) {
-        for (const std::uint32_t step : faces.outer(face)) result_.classes[unpack(step).node] = static_cast<std::uint32_t>(face);
+        for (const std::uint32_t step : faces.outer(face))
+          result_.classes[unpack(step).node] = static_cast<std::uint32_t>(face);
       }
       result_.class_count = faces.size();
       return;
@@ -245,7 +256,8 @@ class OverlayBuilder {
     const auto next_crossing = [&](std::uint32_t node, bool on_first, bool forward) {
       do {
         const std::uint32_t place = on_first ? node : graph.rank2[node];
-        const std::uint32_t next = forward ? (place + 1 == count ? 0 : place + 1) : (place == 0 ? count - 1 : place - 1);
+        const std::uint32_t next =
+            forward ? (place + 1 == count ? 0 : place + 1) : (place == 0 ? count - 1 : place - 1);
         node = on_first ? next : along2[next];
       } while (result_.nodes.rho(node) == 0);
       return node;
@@ -303,8 +315,9 @@ class OverlayBuilder {
     const double lost = double_double_bound(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
     const Areas& areas = result_.areas;
     const auto bound = [&](double area) { return area == 0 ? 0 : area * 0x1p-53 + lost; };
-    result_.rounding = {bound(areas.c1),          bound(areas.c2),          bound(areas.intersection), bound(areas.unite),
-                        bound(areas.c1_minus_c2), bound(areas.c2_minus_c1), bound(areas.symmetric_difference)};
+    result_.rounding = {
+        bound(areas.c1),          bound(areas.c2),          bound(areas.intersection),        bound(areas.unite),
+        bound(areas.c1_minus_c2), bound(areas.c2_minus_c1), bound(areas.symmetric_difference)};
   }
 
   const IndexedCurve& c1_;
@@ -314,8 +327,8 @@ class OverlayBuilder {
   Overlay result_;
 };
 
-// Coordinates so large or small that products of four of them leave the range of double are brought into it by a power of
-// two first. Parameters and combinatorics do not change; areas are scaled back.
+// Coordinates so large or small that products of four of them leave the range of double are brought into it by a power
+// of two first. Parameters and combinatorics do not change; areas are scaled back.
 class ScaledOverlay {
  public:
   // The power of two by which coordinates have to be multiplied; 0 nearly always.
@@ -366,7 +379,8 @@ Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
   require_enough_vertices(c2, "curve 2");
   const Stopwatch watch;
   const IndexedCurve first(c1), second(c2);
-  // The streaming pass over the points sees a coordinate that is not finite; only then is it worth another to say which.
+  // The streaming pass over the points sees a coordinate that is not finite; only then is it worth another to say
+  // which.
   if (!first.tree().sums_finite()) validate(c1, "curve 1");
   if (!second.tree().sums_finite()) validate(c2, "curve 2");
   const double index_seconds = watch.seconds();

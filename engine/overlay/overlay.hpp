@@ -1,8 +1,8 @@
 // The overlay of two simple closed curves: areas and pieces of A1 \ A2, A2 \ A1, A1 n A2 and A1 u A2.
 //
-// The result is the regularised one: a piece is a connected component of the interior of the region. Two components that
-// meet in a vertex only are two pieces; none has zero area; corridors of zero width do not join. A hole of a piece is a
-// bounded component of the interior of its complement.
+// The result is the regularised one: a piece is a connected component of the interior of the region. Two components
+// that meet in a vertex only are two pieces; none has zero area; corridors of zero width do not join. A hole of a piece
+// is a bounded component of the interior of its complement.
 //
 //   lober::Overlay result = lober::overlay(c1, c2);
 //   double flux = result.areas.c1_minus_c2;
@@ -25,8 +25,8 @@
 namespace lober {
 
 enum class Pairing : std::uint8_t { c1_minus_c2, c2_minus_c1, intersection, unite };
-inline constexpr std::array<Pairing, 4> all_pairings{Pairing::c1_minus_c2, Pairing::c2_minus_c1,
-                                                     Pairing::intersection, Pairing::unite};
+inline constexpr std::array<Pairing, 4> all_pairings{Pairing::c1_minus_c2, Pairing::c2_minus_c1, Pairing::intersection,
+                                                     Pairing::unite};
 [[nodiscard]] std::string_view name(Pairing pairing);  ///< as in the JSON: "c1_minus_c2", ..., "union"
 
 /// Areas in squared units of the coordinates, all >= 0.
@@ -38,8 +38,8 @@ struct Areas {
 };
 
 /// One connected component. `crossings` are the indices of the nodes on its boundary in the order of a walk that keeps
-/// the piece on the left, outer boundary first. A node occurs as often as the walk passes it: twice for a piece that touches
-/// both ends of a shared arc, or itself in a point.
+/// the piece on the left, outer boundary first. A node occurs as often as the walk passes it: twice for a piece that
+/// touches both ends of a shared arc, or itself in a point.
 struct Piece {
   double area = 0;
   std::vector<std::uint32_t> crossings;
@@ -89,10 +89,10 @@ class Pieces {
 };
 
 struct OverlayStatistics {
-  IndexKind index = IndexKind::tree;      ///< the one that was used
-  ContactCounts counts;                   ///< of the search of C1 against C2
-  SearchCounts simple_check;              ///< of the searches of each curve against itself
-  std::uint64_t simple_check_pairs = 0;   ///< pairs of segments decided exactly there
+  IndexKind index = IndexKind::tree;     ///< the one that was used
+  ContactCounts counts;                  ///< of the search of C1 against C2
+  SearchCounts simple_check;             ///< of the searches of each curve against itself
+  std::uint64_t simple_check_pairs = 0;  ///< pairs of segments decided exactly there
   std::size_t index_bytes = 0;
 };
 
@@ -103,8 +103,8 @@ struct OverlayTiming {
 
 struct OverlayOptions {
   IndexKind index = IndexKind::automatic;
-  bool pieces = true;          ///< false: totals only, no polygon is ever formed
-  bool check_simple = true;    ///< refuse curves that are not simple; false when the caller knows that they are
+  bool pieces = true;        ///< false: totals only, no polygon is ever formed
+  bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
   /// Called between phases with the fraction done, from the calling thread; return false to cancel.
   std::function<bool(double)> progress;
 };
@@ -112,8 +112,8 @@ struct OverlayOptions {
 struct Overlay {
   Areas areas;
   Crossings nodes;  ///< where the curves meet
-  /// For each node its equivalence class under sigma (paper, section 3), numbered from 0 in order along C1; no_class for
-  /// touches. Each class bounds one piece of A1 \ A2, unless a touch splits it or joins two.
+  /// For each node its equivalence class under sigma (paper, section 3), numbered from 0 in order along C1; no_class
+  /// for touches. Each class bounds one piece of A1 \ A2, unless a touch splits it or joins two.
   std::vector<std::uint32_t> classes;
   std::size_t class_count = 0;
   static constexpr std::uint32_t no_class = 0xffffffff;
@@ -130,10 +130,10 @@ struct Overlay {
   std::array<Pieces, 4> pieces_;
 };
 
-/// Overlays two simple closed curves of either orientation. The points must outlive the result, whose node coordinates are
-/// computed from them on demand. Throws DataError (validate), NotSimpleError, Cancelled. About one pass over the points
-/// plus work in proportion to what is near crossings; parallel; the same bits for any number of threads and any index.
-/// Areas, of pieces and in total, have relative error below 1e-15 where they exceed 1e-12 of the bounding box.
+/// Overlays two simple closed curves of either orientation. The points must outlive the result, whose node coordinates
+/// are computed from them on demand. Throws DataError (validate), NotSimpleError, Cancelled. About one pass over the
+/// points plus work in proportion to what is near crossings; parallel; the same bits for any number of threads and any
+/// index. Areas, of pieces and in total, have relative error below 1e-15 where they exceed 1e-12 of the bounding box.
 [[nodiscard]] Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options = {});
 
 /// The same for curves that are indexed already (and validated by the caller).
@@ -149,9 +149,9 @@ struct Overlay {
 /// of both curves, parallel.
 [[nodiscard]] std::vector<Point> centroids(const Overlay& result, Pairing pairing);
 
-/// Slivers: pieces no wider than the rounding of their vertices, area <= 2 perimeter ulp, ulp the unit in the last place
-/// of the largest coordinate of the two curves. Where curves share an arc up to rounding, these are the noise between
-/// them. Perimeters are computed only for pieces small enough to be in question.
+/// Slivers: pieces no wider than the rounding of their vertices, area <= 2 perimeter ulp, ulp the unit in the last
+/// place of the largest coordinate of the two curves. Where curves share an arc up to rounding, these are the noise
+/// between them. Perimeters are computed only for pieces small enough to be in question.
 struct Slivers {
   std::vector<std::uint32_t> pieces;  ///< ascending
   double area = 0;                    ///< their total

@@ -21,8 +21,7 @@ class BadInput : public ProgramTest {
     EXPECT_EQ(outcome.status, status) << command << '\n' << outcome.err;
     EXPECT_EQ(outcome.out, "") << command;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << command << '\n' << outcome.err;
-    EXPECT_TRUE(outcome.err.starts_with("lober: ") && outcome.err.ends_with("\n")) << command << '\n'
-                                                                                   << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("lober: ") && outcome.err.ends_with("\n")) << command << '\n' << outcome.err;
     EXPECT_NE(outcome.err.find(words), std::string::npos) << command << '\n' << outcome.err;
     for (const char* name : {"out", "c12.dat", "c10.dat"})
       EXPECT_EQ(read(name), "precious\n") << command << ' ' << name;
@@ -100,8 +99,7 @@ TEST_F(BadInput, CurveThatIsNotSimple) {
 TEST_F(BadInput, OutputThatCannotBeWritten) {
   write_curve("other", box(0.5, 0.5, 2, 2));
   for (const char* option : {"--json", "--lobes", "--crossings", "--svg"}) {
-    expect_failure({"overlay", "good", "other", option, "nowhere/file"}, 1,
-                   "nowhere/file: cannot be written");
+    expect_failure({"overlay", "good", "other", option, "nowhere/file"}, 1, "nowhere/file: cannot be written");
     // Nothing else is written either.
     const char* const another = std::string_view(option) == "--json" ? "--svg" : "--json";
     expect_failure({"overlay", "good", "other", another, "out", option, "nowhere/file"}, 1, "nowhere/file");
@@ -146,8 +144,7 @@ TEST_F(BadInput, OptionsThatContradictEachOther) {
 TEST_F(BadInput, PublishedFormsOfLaterVersions) {
   expect_failure({"-light", "good", "good", "out"}, 2, "not in this version");
   expect_failure({"u", "s", "lobes", "manifolds", "pips", "1", "1", "5"}, 2, "not in this version");
-  expect_failure({"u", "s", "lobes", "manifolds", "pips", "1", "1", "5", "b", "-BIP", "3"}, 2,
-                 "not in this version");
+  expect_failure({"u", "s", "lobes", "manifolds", "pips", "1", "1", "5", "b", "-BIP", "3"}, 2, "not in this version");
   expect_failure({"tangle", "u", "s"}, 2, "not in this version");
 }
 

@@ -37,9 +37,8 @@ const std::set<std::string> pairing_names{"c1_minus_c2", "c2_minus_c1", "interse
 
 TEST_F(OverlayJson, HasTheMembersOfTheContract) {
   const Json result = overlay({"c1", "c2"});
-  EXPECT_EQ(members(result),
-            (std::set<std::string>{"program", "command", "inputs", "options", "crossings", "areas", "pieces",
-                                   "slivers", "error", "statistics", "timing"}));
+  EXPECT_EQ(members(result), (std::set<std::string>{"program", "command", "inputs", "options", "crossings", "areas",
+                                                    "pieces", "slivers", "error", "statistics", "timing"}));
   EXPECT_EQ(members(result["program"]), (std::set<std::string>{"name", "version"}));
   EXPECT_EQ(result["command"], "overlay");
   ASSERT_EQ(result["inputs"].size(), 2U);
@@ -57,8 +56,7 @@ TEST_F(OverlayJson, HasTheMembersOfTheContract) {
   for (const char* name : {"read", "index", "crossings", "order", "areas", "write", "total"}) {
     EXPECT_TRUE(result["timing"][name].is_number()) << name;
   }
-  for (const char* name :
-       {"index", "boxes_tested", "pairs_tested", "filter_failures", "exact_calls", "skipped"}) {
+  for (const char* name : {"index", "boxes_tested", "pairs_tested", "filter_failures", "exact_calls", "skipped"}) {
     EXPECT_TRUE(result["statistics"].contains(name)) << name;
   }
 }
@@ -77,8 +75,7 @@ TEST_F(OverlayJson, CountsWhatItLists) {
     EXPECT_EQ(node["rho"], -rho) << "signs alternate along C1";
     rho = node["rho"];
     for (const char* name : {"x", "y", "t1", "t2"}) EXPECT_TRUE(node[name].is_number_float());
-    for (const char* name : {"segment1", "segment2", "class", "order2"})
-      EXPECT_TRUE(node[name].is_number_unsigned());
+    for (const char* name : {"segment1", "segment2", "class", "order2"}) EXPECT_TRUE(node[name].is_number_unsigned());
   }
   for (const std::string& pairing : pairing_names) {
     double sum = 0;
@@ -163,8 +160,7 @@ TEST_F(OverlayJson, HasTheSameBytesForAnyNumberOfThreads) {
   for (const char* index : {"auto", "tree", "grid", "kd"}) {
     std::set<std::string> seen;
     for (const char* threads : {"1", "2", "7"}) {
-      const Outcome outcome =
-          run({"overlay", "c1", "c2", "--index", index, "--threads", threads, "--json", "-"});
+      const Outcome outcome = run({"overlay", "c1", "c2", "--index", index, "--threads", threads, "--json", "-"});
       ASSERT_EQ(outcome.status, 0) << outcome.err;
       seen.insert(without_timing(outcome.out));
     }

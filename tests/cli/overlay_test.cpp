@@ -30,8 +30,7 @@ TEST_F(OverlayProgram, GetsSharedSidesRight) {
   EXPECT_EQ(differences(box(0, 2, 6, 4), box(2, 0, 4, 6)), Pair(8, 8));
   const std::vector<Point> curve = flower(64, 3, 0.25, {0, 0});
   EXPECT_EQ(differences(curve, curve), Pair(0, 0));
-  EXPECT_EQ(differences(box(0, 0, 2, 2), {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}),
-            Pair(0, 0));
+  EXPECT_EQ(differences(box(0, 0, 2, 2), {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}), Pair(0, 0));
 }
 
 TEST_F(OverlayProgram, TakesEitherOrientationAndAClosingVertex) {
@@ -130,12 +129,9 @@ TEST_F(OverlayProgram, DrawsAPicture) {
 TEST_F(OverlayProgram, LeavesNoTemporaryFiles) {
   write_curve("c1", box(0, 0, 2, 2));
   write_curve("c2", box(1, 1, 3, 3));
-  EXPECT_EQ(
-      run({"overlay", "c1", "c2", "--json", "j", "--lobes", "l", "--crossings", "c", "--svg", "s"}).status,
-      0);
+  EXPECT_EQ(run({"overlay", "c1", "c2", "--json", "j", "--lobes", "l", "--crossings", "c", "--svg", "s"}).status, 0);
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder()))
-    names.push_back(entry.path().filename());
+  for (const auto& entry : std::filesystem::directory_iterator(folder())) names.push_back(entry.path().filename());
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (std::vector<std::string>{".streams", "c", "c1", "c2", "j", "l", "s"}));
 }

@@ -32,8 +32,7 @@ class RealData : public ProgramTest {
   }
 
   // The area of each lobe inside the boundary: a number, or all, or none (up to rounding of shared arcs).
-  void check_boundary(double boundary_area, const std::map<int, double>& areas,
-                      const std::map<int, double>& inside) {
+  void check_boundary(double boundary_area, const std::map<int, double>& areas, const std::map<int, double>& inside) {
     for (int k = 1; k <= lobes(); ++k) {
       const Json result = overlay({lobe(k), boundary()})["areas"];
       const std::string what = "lobe " + std::to_string(k);
@@ -74,10 +73,8 @@ class VortexPair : public RealData {
 };
 
 TEST_F(VortexPair, LobesAgainstTheBoundary) {
-  const std::map<int, double> areas{
-      {1, 0.20336131661854304}, {2, 0.20629856472411115}, {3, 0.20492581346961261}};
-  check_boundary(4.5607360095726941, areas,
-                 {{1, 0}, {2, areas.at(2)}, {3, 0}, {4, 0}, {5, areas.at(2)}, {6, 0}});
+  const std::map<int, double> areas{{1, 0.20336131661854304}, {2, 0.20629856472411115}, {3, 0.20492581346961261}};
+  check_boundary(4.5607360095726941, areas, {{1, 0}, {2, areas.at(2)}, {3, 0}, {4, 0}, {5, areas.at(2)}, {6, 0}});
 }
 
 TEST_F(VortexPair, LobesAgainstEachOther) {
@@ -89,11 +86,10 @@ class Homoclinic : public RealData {
   void SetUp() override { find("run1", 20); }
 };
 
-const std::map<int, double> homoclinic_areas{{1, 2.6327857237719841e-4}, {2, 2.6452993368371091e-4},
-                                             {3, 2.6293965177081691e-4}, {4, 2.6426152940943194e-4},
-                                             {5, 2.629522950661525e-4},  {6, 2.6391171898579454e-4},
-                                             {7, 2.6248994531955834e-4}, {8, 2.6389115067170838e-4},
-                                             {9, 2.6041836004159463e-4}, {10, 2.6353138811812819e-4}};
+const std::map<int, double> homoclinic_areas{
+    {1, 2.6327857237719841e-4}, {2, 2.6452993368371091e-4}, {3, 2.6293965177081691e-4}, {4, 2.6426152940943194e-4},
+    {5, 2.629522950661525e-4},  {6, 2.6391171898579454e-4}, {7, 2.6248994531955834e-4}, {8, 2.6389115067170838e-4},
+    {9, 2.6041836004159463e-4}, {10, 2.6353138811812819e-4}};
 
 TEST_F(Homoclinic, LobesAgainstTheBoundary) {
   const auto all = [](int lobe) { return homoclinic_areas.at(std::min(lobe, 21 - lobe)); };

@@ -26,20 +26,17 @@ inline void require(bool condition, const char* what) {
 
 inline bool same_bits(std::span<const Point> a, std::span<const Point> b) {
   const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Point& p, const Point& q) {
-    return bits(p.x) == bits(q.x) && bits(p.y) == bits(q.y);
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const Point& p, const Point& q) { return bits(p.x) == bits(q.x) && bits(p.y) == bits(q.y); });
 }
 
 inline bool same_zones(const CurveFile& a, const CurveFile& b) {
-  return std::equal(
-      a.zones.begin(), a.zones.end(), b.zones.begin(), b.zones.end(),
-      [](const Zone& p, const Zone& q) { return p.title == q.title && same_bits(p.points, q.points); });
+  return std::equal(a.zones.begin(), a.zones.end(), b.zones.begin(), b.zones.end(),
+                    [](const Zone& p, const Zone& q) { return p.title == q.title && same_bits(p.points, q.points); });
 }
 
 /// The file, or nothing and the reason.
-inline std::optional<CurveFile> read(std::span<const std::byte> bytes, std::size_t chunk_size,
-                                     std::string& error) {
+inline std::optional<CurveFile> read(std::span<const std::byte> bytes, std::size_t chunk_size, std::string& error) {
   try {
     return read_curve_bytes("in", bytes, chunk_size);
   } catch (const DataError& refused) {

@@ -13,8 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto in_chunks = fuzz::read(bytes, chunk_size, error_in_chunks);
   fuzz::require(error == error_in_chunks, "chunks change the error");
   if (!file || (file->format != Format::text && file->format != Format::tecplot)) return 0;
-  fuzz::require(in_chunks->format == file->format && fuzz::same_zones(*file, *in_chunks),
-                "chunks change the zones");
+  fuzz::require(in_chunks->format == file->format && fuzz::same_zones(*file, *in_chunks), "chunks change the zones");
 
   write_tecplot(fuzz::scratch(), file->zones);
   fuzz::require(fuzz::same_zones(*file, fuzz::read_back()), "Tecplot is not read back");

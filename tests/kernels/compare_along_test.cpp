@@ -65,17 +65,13 @@ std::optional<Scene> lattice(Random& random) {
 // Every exponent that doubles have.
 std::optional<Scene> any(Random& random) {
   const int scale = random.integer(-1070, 1020);
-  const auto value = [&] {
-    return with_exponent(random, std::max(scale - 40, -1074), std::min(scale + 3, 1022));
-  };
+  const auto value = [&] { return with_exponent(random, std::max(scale - 40, -1074), std::min(scale + 3, 1022)); };
   const auto point = [&] { return Point{value(), value()}; };
   return Scene{point(), point(), {point(), point()}, {point(), point()}};
 }
 
 bool valid(const Scene& scene) {
-  const auto meets = [&](const ImplicitPoint& p) {
-    return p.vertex || cross_properly(scene.a, scene.b, p.c, p.d);
-  };
+  const auto meets = [&](const ImplicitPoint& p) { return p.vertex || cross_properly(scene.a, scene.b, p.c, p.d); };
   return meets(scene.p) && meets(scene.q);
 }
 
@@ -85,8 +81,8 @@ struct Kind {
   int tries;
   bool ties;
 };
-constexpr std::array kinds = {Kind{"nearly_equal", nearly_equal, 20000, true},
-                              Kind{"lattice", lattice, 150000, true}, Kind{"any_scale", any, 60000, false}};
+constexpr std::array kinds = {Kind{"nearly_equal", nearly_equal, 20000, true}, Kind{"lattice", lattice, 150000, true},
+                              Kind{"any_scale", any, 60000, false}};
 
 class CompareAlong : public ::testing::TestWithParam<Kind> {};
 

@@ -35,8 +35,7 @@ SegmentCrossing far_away(Random& random) {
 }
 SegmentCrossing nearly_parallel(Random& random) {
   const double angle = random.log_uniform(1e-17, 1e-3), shift = random.uniform(-1, 1);
-  const Point a{random.uniform(-1, 1), random.uniform(-1, 1)},
-      b{random.uniform(-1, 1), random.uniform(-1, 1)};
+  const Point a{random.uniform(-1, 1), random.uniform(-1, 1)}, b{random.uniform(-1, 1), random.uniform(-1, 1)};
   const double dx = b.x - a.x, dy = b.y - a.y;
   return {a,
           b,
@@ -47,8 +46,7 @@ SegmentCrossing nearly_parallel(Random& random) {
 SegmentCrossing parallel_to_an_axis(Random& random) {
   const auto across = [&] { return random.log_uniform(1e-300, 1e-2); };
   const double ya = across(), yc = across();
-  const SegmentCrossing x{
-      {0, ya}, {random.uniform(0.5, 1), -across()}, {random.uniform(0, 0.5), -yc}, {1, across()}};
+  const SegmentCrossing x{{0, ya}, {random.uniform(0.5, 1), -across()}, {random.uniform(0, 0.5), -yc}, {1, across()}};
   if (random.chance(0.5)) return x;
   return {{x.a.y, x.a.x}, {x.b.y, x.b.x}, {x.c.y, x.c.x}, {x.d.y, x.d.x}};
 }

@@ -21,9 +21,8 @@ mpq_class value_of(DD a) {
 DD random_dd(Random& random, int spread) {
   double hi = with_exponent(random, -spread, spread);
   if (random.chance(0.3))
-    hi = std::ldexp(
-        random.chance(0.5) ? 1 + 0x1p-52 * random.integer(0, 9) : 2 - 0x1p-52 * random.integer(1, 9),
-        random.integer(-spread, spread));
+    hi = std::ldexp(random.chance(0.5) ? 1 + 0x1p-52 * random.integer(0, 9) : 2 - 0x1p-52 * random.integer(1, 9),
+                    random.integer(-spread, spread));
   int exponent = 0;
   std::frexp(hi, &exponent);
   const double half_ulp = std::ldexp(1.0, exponent - 54);
@@ -51,8 +50,7 @@ TEST(DoubleDouble, TransformsAreExact) {
     ASSERT_EQ(value_of(two_product(a, b)), mpq_class(a) * mpq_class(b));
     const double large = std::max(std::fabs(a), std::fabs(b)), small = std::min(std::fabs(a), std::fabs(b));
     ASSERT_EQ(value_of(fast_two_sum(large, -small)), mpq_class(large) - mpq_class(small));
-    for (const DD result : {two_sum(a, b), two_diff(a, b), two_product(a, b)})
-      ASSERT_TRUE(normalised(result));
+    for (const DD result : {two_sum(a, b), two_diff(a, b), two_product(a, b)}) ASSERT_TRUE(normalised(result));
   }
 }
 
@@ -114,8 +112,7 @@ TEST(DoubleDouble, LanesGiveTheBitsOfScalars) {
       bool all = true;
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const DD expected = scalar(a[lane], b[lane]);
-        all = all &&
-              std::bit_cast<std::uint64_t>(wide.hi[lane]) == std::bit_cast<std::uint64_t>(expected.hi) &&
+        all = all && std::bit_cast<std::uint64_t>(wide.hi[lane]) == std::bit_cast<std::uint64_t>(expected.hi) &&
               std::bit_cast<std::uint64_t>(wide.lo[lane]) == std::bit_cast<std::uint64_t>(expected.lo);
       }
       return all;

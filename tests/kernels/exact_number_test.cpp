@@ -55,8 +55,8 @@ TEST(ExactNumber, HoldsEveryFiniteDouble) {
     ASSERT_EQ(number.sign(), (value > 0) - (value < 0));
     ASSERT_EQ(value_of(number), mpq_class(value)) << std::hexfloat << value;
   }
-  for (const double value : {std::numeric_limits<double>::max(), -std::numeric_limits<double>::max(),
-                             0x1p-1074, 0x1p-1022, 0.0, -0.0}) {
+  for (const double value :
+       {std::numeric_limits<double>::max(), -std::numeric_limits<double>::max(), 0x1p-1074, 0x1p-1022, 0.0, -0.0}) {
     EXPECT_EQ(value_of(ExactNumber(value)), mpq_class(value));
   }
 }
@@ -112,8 +112,7 @@ TEST(ExactNumber, HoldsPolynomialsOfDegreeFour) {
 TEST(ExactNumber, RoundsToDoubleDouble) {
   Random random(seed());
   for (int k = 0; k < 20000; ++k) {
-    const double a = interesting(random), b = interesting(random), c = interesting(random),
-                 d = interesting(random);
+    const double a = interesting(random), b = interesting(random), c = interesting(random), d = interesting(random);
     const ExactNumber number = exact_difference(a, b) * exact_difference(c, d);
     const mpq_class exact = (mpq_class(a) - mpq_class(b)) * (mpq_class(c) - mpq_class(d));
     const ExactNumber::Scaled rounded = number.rounded();
@@ -131,10 +130,8 @@ TEST(ExactNumber, RatioIsRightToDoubleDouble) {
   Random random(seed());
   for (int k = 0; k < 20000; ++k) {
     const int scale = random.integer(-500, 500);
-    const double a = with_exponent(random, scale - 60, scale + 60),
-                 b = with_exponent(random, scale - 60, scale + 60);
-    const double c = with_exponent(random, scale - 60, scale + 60),
-                 d = with_exponent(random, scale - 60, scale + 60);
+    const double a = with_exponent(random, scale - 60, scale + 60), b = with_exponent(random, scale - 60, scale + 60);
+    const double c = with_exponent(random, scale - 60, scale + 60), d = with_exponent(random, scale - 60, scale + 60);
     const mpq_class exact = (mpq_class(a) - mpq_class(b)) / (mpq_class(c) - mpq_class(d));
     const DD ratio = exact_ratio(exact_difference(a, b), exact_difference(c, d));
     ASSERT_TRUE(within(mpq_class(ratio.hi) + mpq_class(ratio.lo), exact, -98, exact)) << "try " << k;

@@ -69,8 +69,7 @@ mpq_class exact_sum(const Point* p) {
   mpq_class total(0);
   for (std::size_t i = 1; i < leaf_size; ++i) {
     const mpq_class x1 = mpq_class(p[i].x) - mpq_class(p[0].x), y1 = mpq_class(p[i].y) - mpq_class(p[0].y);
-    const mpq_class x2 = mpq_class(p[i + 1].x) - mpq_class(p[0].x),
-                    y2 = mpq_class(p[i + 1].y) - mpq_class(p[0].y);
+    const mpq_class x2 = mpq_class(p[i + 1].x) - mpq_class(p[0].x), y2 = mpq_class(p[i + 1].y) - mpq_class(p[0].y);
     total += x1 * y2 - x2 * y1;
   }
   return total;
@@ -135,16 +134,14 @@ TEST(SummariseLeaves, SumsAreRightOnEitherSideOfExactDifferences) {
   for (int k = 0; k < 500; ++k) {
     Points points(leaf_size + 1);
     const double low = random.uniform(1, 2), sign = random.chance(0.5) ? 1 : -1;
-    const double high =
-        random.chance(0.5) ? neighbour(2 * low, random.integer(-1, 1)) : random.uniform(1.5, 4) * low;
+    const double high = random.chance(0.5) ? neighbour(2 * low, random.integer(-1, 1)) : random.uniform(1.5, 4) * low;
     for (Point& point : points) point = {sign * random.uniform(low, high), random.uniform(low, high)};
     points[random.index(leaf_size)].x = sign * high;
     points[random.index(leaf_size)].x = sign * low;
     Summary summary(1);
     summarise_leaves(points.data(), 0, 1, summary.boxes.data(), summary.sums.data(), summary.flags.data());
     const mpq_class sum = mpq_class(summary.sums[0].hi) + mpq_class(summary.sums[0].lo);
-    ASSERT_TRUE(within(sum, exact_sum(points.data()), -96, mpq_class(2 * (high - low) * (high - low))))
-        << "try " << k;
+    ASSERT_TRUE(within(sum, exact_sum(points.data()), -96, mpq_class(2 * (high - low) * (high - low)))) << "try " << k;
   }
 }
 

@@ -91,8 +91,7 @@ TEST_P(PairFilter, IsRightOrInDoubt) {
       if (verdicts[i] == PairVerdict::doubtful) {
         ++doubtful;
       } else {
-        ASSERT_EQ(verdicts[i], exact_verdict(first[s], first[s + 1], second[t], second[t + 1]))
-            << "try " << k;
+        ASSERT_EQ(verdicts[i], exact_verdict(first[s], first[s + 1], second[t], second[t + 1])) << "try " << k;
       }
     }
   }

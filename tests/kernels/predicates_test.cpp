@@ -59,12 +59,10 @@ Triple neighbours(Random& random) {
 Triple lattice(Random& random) {
   return {lattice_point(random, 6), lattice_point(random, 6), lattice_point(random, 6)};
 }
-Triple lattice_multiples(
-    Random& random) {  // collinear, with a common factor that does not fit small integers
+Triple lattice_multiples(Random& random) {  // collinear, with a common factor that does not fit small integers
   const Point a = lattice_point(random, 1 << 20), step = lattice_point(random, 1 << 20);
   const int k = random.integer(-99, 99), m = random.integer(-99, 99);
-  return {
-      a, {a.x + k * step.x, a.y + k * step.y}, {a.x + m * step.x, a.y + m * step.y + random.integer(-1, 1)}};
+  return {a, {a.x + k * step.x, a.y + k * step.y}, {a.x + m * step.x, a.y + m * step.y + random.integer(-1, 1)}};
 }
 Triple denormals(Random& random) {
   const auto value = [&] { return static_cast<double>(random.integer(-9, 9)) * 0x1p-1074; };
@@ -115,8 +113,8 @@ TEST_P(Orient2d, EqualsTheExactSignAndObeysItsIdentities) {
     const bool right = orient2d(a, b, c, counts) == expected && orient2d(b, c, a, counts) == expected &&
                        orient2d(c, a, b, counts) == expected && orient2d(b, a, c, counts) == -expected &&
                        orient2d(a, c, b, counts) == -expected && orient2d(c, b, a, counts) == -expected;
-    ASSERT_TRUE(right) << std::hexfloat << "try " << k << ": " << a.x << ' ' << a.y << ' ' << b.x << ' '
-                       << b.y << ' ' << c.x << ' ' << c.y << " expected " << expected;
+    ASSERT_TRUE(right) << std::hexfloat << "try " << k << ": " << a.x << ' ' << a.y << ' ' << b.x << ' ' << b.y << ' '
+                       << c.x << ' ' << c.y << " expected " << expected;
   }
   RecordProperty("filter_failures", std::to_string(counts.filter_failures));
   RecordProperty("exact_calls", std::to_string(counts.exact_calls));

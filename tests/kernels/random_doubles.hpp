@@ -49,8 +49,7 @@ inline double neighbour(double value, int steps) {
   return value;
 }
 inline Point neighbour(Random& random, Point point, int steps) {
-  return {neighbour(point.x, random.integer(-steps, steps)),
-          neighbour(point.y, random.integer(-steps, steps))};
+  return {neighbour(point.x, random.integer(-steps, steps)), neighbour(point.y, random.integer(-steps, steps))};
 }
 
 /// value / 2^exponent, which must be an integer.

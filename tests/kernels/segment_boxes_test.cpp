@@ -27,9 +27,8 @@ Points random_leaf(Random& random) {
   const bool coarse = random.chance(0.5);  // touching boxes, points and repeated vertices
   const double size = random.log_uniform(0.01, 1), x = random.unit(), y = random.unit();
   for (Point& point : points) {
-    point = coarse
-                ? Point{static_cast<double>(random.integer(0, 9)), static_cast<double>(random.integer(0, 9))}
-                : Point{x + size * random.unit(), y + size * random.unit()};
+    point = coarse ? Point{static_cast<double>(random.integer(0, 9)), static_cast<double>(random.integer(0, 9))}
+                   : Point{x + size * random.unit(), y + size * random.unit()};
   }
   return points;
 }

@@ -130,8 +130,7 @@ class Pieces {
       piece.holes = static_cast<unsigned>(components(beyond).size() - 1);
       pieces.push_back(piece);
     }
-    std::sort(pieces.begin(), pieces.end(),
-              [](const CgalPiece& a, const CgalPiece& b) { return a.area > b.area; });
+    std::sort(pieces.begin(), pieces.end(), [](const CgalPiece& a, const CgalPiece& b) { return a.area > b.area; });
     return pieces;
   }
 

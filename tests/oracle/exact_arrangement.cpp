@@ -92,8 +92,7 @@ class Splitter {
     };
     std::vector<std::uint32_t> order(table_.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return compare(a, b) < 0; });
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return compare(a, b) < 0; });
     std::vector<std::uint32_t> name(table_.size());
     std::vector<std::uint32_t> kept;
     for (const std::uint32_t index : order) {

@@ -40,9 +40,8 @@ struct Arrangement {
   std::vector<SubEdge> edges;
   std::array<std::vector<std::uint32_t>, 2> chain;        ///< per curve: its vertices, from its vertex 0
   std::array<std::vector<std::uint32_t>, 2> chain_edges;  ///< edge k joins chain[k] and chain[k + 1]
-  std::vector<std::uint32_t>
-      left;                 ///< face to the left of half-edge 2 e (from -> to) and 2 e + 1 (to -> from)
-  std::vector<Face> faces;  ///< face 0 is the unbounded one
+  std::vector<std::uint32_t> left;  ///< face to the left of half-edge 2 e (from -> to) and 2 e + 1 (to -> from)
+  std::vector<Face> faces;          ///< face 0 is the unbounded one
 
   [[nodiscard]] const Face& left_face(std::size_t half_edge) const { return faces[left[half_edge]]; }
 };

@@ -94,14 +94,12 @@ class Finder {
     }
     std::vector<std::size_t> along2 = along1;
     const auto position = [&](std::size_t k) { return on_second_.at(point(contacts_[k].first)); };
-    std::sort(along2.begin(), along2.end(),
-              [&](std::size_t a, std::size_t b) { return position(a) < position(b); });
+    std::sort(along2.begin(), along2.end(), [&](std::size_t a, std::size_t b) { return position(a) < position(b); });
     std::vector<std::size_t> sigma(contacts_.size());
     const std::size_t count = along1.size();
     for (std::size_t k = 0; k < count; ++k) {
       const int follower = contacts_[along1[(k + 1) % count]].node.rho;
-      if (follower == contacts_[along1[k]].node.rho)
-        throw std::logic_error("signs do not alternate along C1");
+      if (follower == contacts_[along1[k]].node.rho) throw std::logic_error("signs do not alternate along C1");
       if (contacts_[along2[(k + 1) % count]].node.rho == contacts_[along2[k]].node.rho) {
         throw std::logic_error("signs do not alternate along C2");
       }

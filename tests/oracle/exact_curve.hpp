@@ -33,8 +33,7 @@ struct ExactCurve {
 [[nodiscard]] int side(const ExactCurve& curve, std::size_t i, const ExactCurve& other, std::size_t j);
 
 /// Whether the bounding boxes of two segments have a point in common; exact, as it only compares doubles.
-[[nodiscard]] bool boxes_meet(const ExactCurve& first, std::size_t i, const ExactCurve& second,
-                              std::size_t j);
+[[nodiscard]] bool boxes_meet(const ExactCurve& first, std::size_t i, const ExactCurve& second, std::size_t j);
 
 /// Whether a point known to be on the line of segment i is on the segment, ends included.
 [[nodiscard]] bool within_box(const ExactCurve& curve, std::size_t i, const Point& point);

@@ -157,8 +157,7 @@ class Tracer {
         known[beyond] = true;
         open.push_back(beyond);
         for (std::size_t c = 0; c < 2; ++c) {
-          arrangement_.faces[beyond].inside[c] =
-              arrangement_.faces[face].inside[c] != (edges_[h / 2].along[c] != 0);
+          arrangement_.faces[beyond].inside[c] = arrangement_.faces[face].inside[c] != (edges_[h / 2].along[c] != 0);
         }
       }
     }

@@ -84,8 +84,7 @@ std::vector<ExactPiece> find_pieces(const Arrangement& arrangement, std::size_t 
     }
     pieces.push_back({sum(std::move(areas)), count_holes(arrangement, in_piece)});
   }
-  std::sort(pieces.begin(), pieces.end(),
-            [](const ExactPiece& a, const ExactPiece& b) { return a.area > b.area; });
+  std::sort(pieces.begin(), pieces.end(), [](const ExactPiece& a, const ExactPiece& b) { return a.area > b.area; });
   return pieces;
 }
 
@@ -101,8 +100,7 @@ ExactOverlay exact_overlay(std::span<const Point> first, std::span<const Point> 
   overlay.area1 = scaled(Rational(arrangement.curves[0].twice_area) / 2, area_exponent);
   overlay.area2 = scaled(Rational(arrangement.curves[1].twice_area) / 2, area_exponent);
   const Rational common = total(overlay.pieces[intersection]);
-  overlay.areas = {overlay.area1 - common, overlay.area2 - common, common,
-                   overlay.area1 + overlay.area2 - common};
+  overlay.areas = {overlay.area1 - common, overlay.area2 - common, common, overlay.area1 + overlay.area2 - common};
   for (const std::size_t pairing : {c1_minus_c2, c2_minus_c1, unite}) {
     if (total(overlay.pieces[pairing]) != overlay.areas[pairing]) {
       throw std::logic_error("pieces do not add up to their area");

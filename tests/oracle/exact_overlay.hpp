@@ -35,7 +35,7 @@ inline constexpr std::uint32_t no_orbit = 0xffffffff;
 
 struct ExactOverlay {
   Rational area1, area2;
-  std::array<Rational, 4> areas;  ///< per pairing, from area1, area2 and the pieces of the intersection
+  std::array<Rational, 4> areas;                  ///< per pairing, from area1, area2 and the pieces of the intersection
   std::array<std::vector<ExactPiece>, 4> pieces;  ///< per pairing, largest first
   /// In the caller's order of C1 from its vertex 0, by where they begin. A wholly shared curve is one arc.
   std::vector<ExactNode> nodes;

@@ -47,8 +47,7 @@ PolygonPair wavy(Random& random) {
 PolygonPair lattice(Random& random) {
   const int size = random.integer(2, 6);
   const int most = std::min(12, (size + 1) * (size + 1) - 2);
-  return {on_lattice(random, random.integer(3, most), size),
-          on_lattice(random, random.integer(3, most), size)};
+  return {on_lattice(random, random.integer(3, most), size), on_lattice(random, random.integer(3, most), size)};
 }
 
 PolygonPair polyominoes(Random& random) {
@@ -83,8 +82,7 @@ PolygonPair combs(Random& random) {
 PolygonPair spirals(Random& random) {
   const Polygon first = spiral(random, random.uniform(1, 3));
   if (random.chance(0.3)) return {first, star(random, random.integer(3, 12), {0, 0}, 0.2, 1.4)};
-  const Point shift =
-      random.chance(0.5) ? Point{} : Point{random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)};
+  const Point shift = random.chance(0.5) ? Point{} : Point{random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)};
   return {first, moved(spiral(random, random.uniform(1, 3)), {random.chance(0.5) ? 1.0 : -1.0, 1}, shift)};
 }
 

@@ -43,8 +43,7 @@ PolygonPair own_scales(Random& random) {
   const Point& b = first[(k + 1) % first.size()];
   const Point origin{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
   const double scale1 = random.log_uniform(1e-15, 1e15);
-  const double scale2 =
-      random.chance(0.5) ? random.log_uniform(1e-15, 1e15) : scale1 * random.log_uniform(1e-3, 1e3);
+  const double scale2 = random.chance(0.5) ? random.log_uniform(1e-15, 1e15) : scale1 * random.log_uniform(1e-3, 1e3);
   first = moved(moved(first, {1, 1}, {-origin.x, -origin.y}), {scale1, scale1}, {});
   return {first, moved(any_shape(random), {scale2, scale2}, {-0.5 * scale2, -0.5 * scale2})};
 }
@@ -63,8 +62,7 @@ PolygonPair log_uniform(Random& random) {
     for (const Point quadrant : {Point{1, 1}, Point{-1, 1}, Point{-1, -1}, Point{1, -1}}) {
       Polygon part;
       for (int count = random.integer(1, 3); count > 0; --count) {
-        part.push_back(
-            {quadrant.x * random.log_uniform(low, high), quadrant.y * random.log_uniform(low, high)});
+        part.push_back({quadrant.x * random.log_uniform(low, high), quadrant.y * random.log_uniform(low, high)});
       }
       const double way = quadrant.x * quadrant.y;
       std::sort(part.begin(), part.end(), [&](const Point& a, const Point& b) {
@@ -107,8 +105,7 @@ PolygonPair slivers(Random& random) {
 
 PolygonPair far_away(Random& random) {
   const double size = random.log_uniform(1e-6, 1);
-  const Point shift{1e6 * random_sign(random) * random.uniform(0.5, 1),
-                    1e6 * random_sign(random) * random.unit()};
+  const Point shift{1e6 * random_sign(random) * random.uniform(0.5, 1), 1e6 * random_sign(random) * random.unit()};
   return moved_both(any_pair(random), {size, size}, shift);
 }
 

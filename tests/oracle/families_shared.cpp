@@ -127,9 +127,7 @@ PolygonPair shared_on_lattice(Random& random) {
 
 PolygonPair shared_to_one_ulp(Random& random) {
   const int kind = random.integer(0, 2);
-  PolygonPair pair = kind == 0   ? shared_same_way(random)
-                     : kind == 1 ? shared_border(random)
-                                 : identical(random);
+  PolygonPair pair = kind == 0 ? shared_same_way(random) : kind == 1 ? shared_border(random) : identical(random);
   if (kind == 2) {
     // Away from the lattice, where an ulp is the same for many coordinates.
     const Point scale{random.uniform(0.1, 1), random.uniform(0.1, 1)};

@@ -65,8 +65,8 @@ class Judge {
     const Rational slack = large ? exact * Rational(large_error) + Rational(area_underflow) : small_slack_;
     if (error > slack) {
       complaints_.precision(17);
-      complaints_ << what << ": " << found << ", exactly " << nearest_double(exact) << ", error "
-                  << error.get_d() << (large ? "" : " (small)") << "\n";
+      complaints_ << what << ": " << found << ", exactly " << nearest_double(exact) << ", error " << error.get_d()
+                  << (large ? "" : " (small)") << "\n";
     }
     if (error <= Rational(area_underflow)) return;
     double& worst = large ? verdict_.relative_error : verdict_.small_error;
@@ -81,8 +81,7 @@ class Judge {
     area("C2 minus C1", areas.c2_minus_c1, exact_.areas[c2_minus_c1]);
     area("intersection", areas.intersection, exact_.areas[intersection]);
     area("union", areas.unite, exact_.areas[unite]);
-    area("symmetric difference", areas.symmetric_difference,
-         exact_.areas[c1_minus_c2] + exact_.areas[c2_minus_c1]);
+    area("symmetric difference", areas.symmetric_difference, exact_.areas[c1_minus_c2] + exact_.areas[c2_minus_c1]);
   }
 
   void compare_nodes() {
@@ -91,8 +90,8 @@ class Judge {
       const Node node = found_.nodes[k];
       const ExactNode& exact = exact_.nodes[k];
       if (node.rho != exact.rho || node.shared != exact.shared) {
-        complaints_ << "node " << k << ": rho " << node.rho << ", shared " << node.shared << "; exactly "
-                    << exact.rho << ", " << exact.shared << "\n";
+        complaints_ << "node " << k << ": rho " << node.rho << ", shared " << node.shared << "; exactly " << exact.rho
+                    << ", " << exact.shared << "\n";
       }
       compare_class(k, renumbered);
       place("begin", k, node.begin, exact.begin);
@@ -112,8 +111,7 @@ class Judge {
       complaints_ << "node " << k << (found == no_orbit ? " has no class\n" : " has a class\n");
     } else if (found != no_orbit) {
       const auto number = static_cast<std::uint32_t>(renumbered.size());
-      if (renumbered.emplace(found, number).first->second != exact)
-        complaints_ << "class of node " << k << "\n";
+      if (renumbered.emplace(found, number).first->second != exact) complaints_ << "class of node " << k << "\n";
     }
   }
 
@@ -131,8 +129,8 @@ class Judge {
     verdict_.place_error = std::max(verdict_.place_error, error);
     if (!(error < 1e-14)) {
       complaints_.precision(17);
-      complaints_ << what << " of node " << k << ": (" << found.x << ", " << found.y << "), exactly ("
-                  << exact.x << ", " << exact.y << ")\n";
+      complaints_ << what << " of node " << k << ": (" << found.x << ", " << found.y << "), exactly (" << exact.x
+                  << ", " << exact.y << ")\n";
     }
   }
 
@@ -151,8 +149,7 @@ class Judge {
   }
 
   // Pieces of nearly the same area may have changed places: their holes are compared as a set.
-  void compare_holes(const std::string& what, const std::vector<Piece>& found,
-                     const std::vector<ExactPiece>& exact) {
+  void compare_holes(const std::string& what, const std::vector<Piece>& found, const std::vector<ExactPiece>& exact) {
     for (std::size_t first = 0; first < exact.size();) {
       std::multiset<unsigned> holes;
       std::multiset<unsigned> expected;
@@ -161,8 +158,8 @@ class Judge {
         holes.insert(found[k].holes);
         expected.insert(exact[k].holes);
         ++k;
-      } while (k < exact.size() && exact[k - 1].area - exact[k].area <=
-                                       2 * (exact[k].area * Rational(large_error) + small_slack_));
+      } while (k < exact.size() &&
+               exact[k - 1].area - exact[k].area <= 2 * (exact[k].area * Rational(large_error) + small_slack_));
       if (holes != expected)
         complaints_ << "holes of the pieces " << first << " to " << k - 1 << " of " << what << "\n";
       first = k;

@@ -12,8 +12,7 @@
 namespace lober::oracle {
 namespace {
 
-bool removed_one(CurvePair& pair, Polygon CurvePair::*member,
-                 const std::function<bool(const CurvePair&)>& fails) {
+bool removed_one(CurvePair& pair, Polygon CurvePair::*member, const std::function<bool(const CurvePair&)>& fails) {
   bool any = false;
   for (std::size_t k = (pair.*member).size(); k-- > 0;) {
     CurvePair smaller = pair;
@@ -40,9 +39,8 @@ std::string as_source(const CurvePair& pair) {
 
 std::string write_pair(const CurvePair& pair, const std::string& remark) {
   const char* chosen = std::getenv("LOBER_FAILURES");
-  const std::filesystem::path folder = chosen != nullptr
-                                           ? std::filesystem::path(chosen)
-                                           : std::filesystem::temp_directory_path() / "lober-failures";
+  const std::filesystem::path folder =
+      chosen != nullptr ? std::filesystem::path(chosen) : std::filesystem::temp_directory_path() / "lober-failures";
   std::filesystem::create_directories(folder);
   std::string name = pair.family + "-" + std::to_string(pair.seed) + ".txt";
   std::replace(name.begin(), name.end(), ' ', '_');

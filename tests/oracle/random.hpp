@@ -22,9 +22,7 @@ class Random {
   double uniform(double low, double high) { return low + (high - low) * unit(); }
   double log_uniform(double low, double high) { return low * std::pow(high / low, unit()); }
   /// In [low, high], both included.
-  int integer(int low, int high) {
-    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
-  }
+  int integer(int low, int high) { return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1)); }
   std::size_t index(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
   bool chance(double probability) { return unit() < probability; }
 

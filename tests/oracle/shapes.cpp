@@ -220,8 +220,7 @@ Polygon any_lattice_shape(Random& random) {
 
 Polygon moved(const Polygon& polygon, Point scale, Point shift) {
   Polygon result;
-  for (const Point& point : polygon)
-    result.push_back({point.x * scale.x + shift.x, point.y * scale.y + shift.y});
+  for (const Point& point : polygon) result.push_back({point.x * scale.x + shift.x, point.y * scale.y + shift.y});
   return result;
 }
 

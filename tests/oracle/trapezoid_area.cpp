@@ -23,8 +23,7 @@ std::vector<Edge> edges_of(std::span<const Point> points) {
     const Point& b = points[(i + 1) % points.size()];
     if (a.x == b.x) continue;
     const Rational slope = (Rational(b.y) - Rational(a.y)) / (Rational(b.x) - Rational(a.x));
-    edges.push_back(
-        {std::min(a.x, b.x), std::max(a.x, b.x), a.x, a.y, slope, a.x > b.x ? orientation : -orientation});
+    edges.push_back({std::min(a.x, b.x), std::max(a.x, b.x), a.x, a.y, slope, a.x > b.x ? orientation : -orientation});
   }
   return edges;
 }

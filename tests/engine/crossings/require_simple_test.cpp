@@ -38,8 +38,9 @@ TEST(RequireSimple, RefusesTouchesSpikesAndOverlaps) {
 }
 
 TEST(RequireSimple, AcceptsRepeatedVerticesAndStraightAngles) {
-  for (const Points& points : {Points{{0, 0}, {1, 0}, {0, 1}}, Points{{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 0}, {0, 1}, {0, 0}},
-                               Points{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 1}}}) {
+  for (const Points& points :
+       {Points{{0, 0}, {1, 0}, {0, 1}}, Points{{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 0}, {0, 1}, {0, 0}},
+        Points{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 1}}}) {
     EXPECT_NO_THROW(require_simple(IndexedCurve(CurveView{points}), 1));
   }
 }
@@ -51,7 +52,8 @@ TEST(RequireSimple, FindsOneBadPlaceAmongManySegments) {
     points[k] = {std::cos(angle), std::sin(angle)};
   }
   EXPECT_NO_THROW(require_simple(IndexedCurve(CurveView{points}), 1));
-  for (const std::size_t k : {std::size_t{0}, std::size_t{31}, std::size_t{32}, std::size_t{12345}, std::size_t{49998}}) {
+  for (const std::size_t k :
+       {std::size_t{0}, std::size_t{31}, std::size_t{32}, std::size_t{12345}, std::size_t{49998}}) {
     Points bent = points;
     std::swap(bent[k], bent[k + 1]);  // a loop of three segments
     const NotSimpleError error = refusal(bent);

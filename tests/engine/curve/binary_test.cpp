@@ -30,15 +30,14 @@ std::string npy(const std::string& header, const std::string& data, int version 
 }
 
 std::string header_of(const std::string& descr, bool fortran, const std::string& shape) {
-  return "{'descr': '" + descr + "', 'fortran_order': " + (fortran ? "True" : "False") +
-         ", 'shape': " + shape + ", }\n";
+  return "{'descr': '" + descr + "', 'fortran_order': " + (fortran ? "True" : "False") + ", 'shape': " + shape +
+         ", }\n";
 }
 
 std::string data_of(const std::string& descr, bool interleaved, std::span<const Point> points) {
   std::string data;
   const auto add = [&](double value) {
-    data +=
-        descr[2] == '8' ? element<double>(value, descr[0] == '>') : element<float>(value, descr[0] == '>');
+    data += descr[2] == '8' ? element<double>(value, descr[0] == '>') : element<float>(value, descr[0] == '>');
   };
   if (interleaved) {
     for (const Point& point : points) {
@@ -76,10 +75,9 @@ TEST(Npy, TwoByTwoIsOnePointARow) {
 
 TEST(Npy, ReadsHeadersThatAreWrittenOtherwise) {
   const std::string data = data_of("<f8", true, three);
-  for (const std::string header :
-       {"{\"shape\":(3,2),\"descr\":\"<f8\",\"fortran_order\":False}",
-        "{ 'fortran_order' : False , 'descr' : '<f8' , 'shape' : ( 3 , 2 , ) }  \n",
-        "{\n'descr':'<f8','fortran_order':False,'shape':(3,2),}"}) {
+  for (const std::string header : {"{\"shape\":(3,2),\"descr\":\"<f8\",\"fortran_order\":False}",
+                                   "{ 'fortran_order' : False , 'descr' : '<f8' , 'shape' : ( 3 , 2 , ) }  \n",
+                                   "{\n'descr':'<f8','fortran_order':False,'shape':(3,2),}"}) {
     EXPECT_EQ(read(npy(header, data)).zones[0].points, three) << header;
   }
 }
@@ -87,14 +85,10 @@ TEST(Npy, ReadsHeadersThatAreWrittenOtherwise) {
 TEST(Npy, RefusesWhatItCannotRead) {
   const std::string data = data_of("<f8", true, three);
   const auto error = [&](const std::string& header) { return read_error(npy(header, data)); };
-  EXPECT_EQ(error(header_of("<i8", false, "(3, 2)")),
-            "in: element type \"<i8\": expected <f8, >f8, <f4 or >f4");
-  EXPECT_EQ(error(header_of("|S8", false, "(3, 2)")),
-            "in: element type \"|S8\": expected <f8, >f8, <f4 or >f4");
-  EXPECT_EQ(error(header_of("|f8", false, "(3, 2)")),
-            "in: element type \"|f8\": expected <f8, >f8, <f4 or >f4");
-  EXPECT_EQ(error(header_of("<c16", false, "(3, 2)")),
-            "in: element type \"<c16\": expected <f8, >f8, <f4 or >f4");
+  EXPECT_EQ(error(header_of("<i8", false, "(3, 2)")), "in: element type \"<i8\": expected <f8, >f8, <f4 or >f4");
+  EXPECT_EQ(error(header_of("|S8", false, "(3, 2)")), "in: element type \"|S8\": expected <f8, >f8, <f4 or >f4");
+  EXPECT_EQ(error(header_of("|f8", false, "(3, 2)")), "in: element type \"|f8\": expected <f8, >f8, <f4 or >f4");
+  EXPECT_EQ(error(header_of("<c16", false, "(3, 2)")), "in: element type \"<c16\": expected <f8, >f8, <f4 or >f4");
   EXPECT_EQ(error("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (3,)}"),
             "in: NPY header: structured arrays are not supported");
   EXPECT_EQ(error(header_of("<f8", false, "(6,)")), "in: shape (6): expected (N, 2) or (2, N)");
@@ -105,13 +99,11 @@ TEST(Npy, RefusesWhatItCannotRead) {
             "in: the NPY header promises 4 points of 16 bytes, the file has 48 bytes for them");
   EXPECT_EQ(error(header_of("<f8", false, "(2, 2)")),
             "in: the NPY header promises 2 points of 16 bytes, the file has 48 bytes for them");
-  EXPECT_EQ(
-      error(header_of("<f8", false, "(1152921504606846979, 2)")),
-      "in: the NPY header promises 1152921504606846979 points of 16 bytes, the file has 48 bytes for them");
+  EXPECT_EQ(error(header_of("<f8", false, "(1152921504606846979, 2)")),
+            "in: the NPY header promises 1152921504606846979 points of 16 bytes, the file has 48 bytes for them");
   EXPECT_EQ(error(header_of("<f8", false, "(99999999999999999999, 2)")),
             "in: NPY header: expected a size before \"99999999999999999999, 2), }?\"");
-  EXPECT_EQ(error(header_of("<f8", false, "(-3, 2)")),
-            "in: NPY header: expected a size before \"-3, 2), }?\"");
+  EXPECT_EQ(error(header_of("<f8", false, "(-3, 2)")), "in: NPY header: expected a size before \"-3, 2), }?\"");
   EXPECT_EQ(error("{}"), "in: NPY header: expected descr, fortran_order and shape");
   EXPECT_EQ(error(""), "in: NPY header: expected '{' before \"\"");
   EXPECT_EQ(error("{'descr': '<f8"), "in: NPY header: unterminated string");

@@ -43,9 +43,8 @@ inline std::string read_error(std::string_view text, std::size_t chunk_size = de
 
 inline bool same_bits(std::span<const Point> a, std::span<const Point> b) {
   const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Point& p, const Point& q) {
-    return bits(p.x) == bits(q.x) && bits(p.y) == bits(q.y);
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const Point& p, const Point& q) { return bits(p.x) == bits(q.x) && bits(p.y) == bits(q.y); });
 }
 
 /// A folder of its own for each test, removed afterwards.

@@ -83,8 +83,7 @@ TEST_F(Files, WritesTheFormatsAsDocumented) {
   EXPECT_EQ(content(path("a")), "VARIABLES=\"x\"\"y\"\nZONE T=\"u\" I=2\n1\t-0.5\n1e+300\t0.1\nZONE I=0\n");
   write_npy(path("a"), points);
   EXPECT_EQ(content(path("a")).size(), 128U + 32U);
-  EXPECT_EQ(content(path("a")).substr(10, 60),
-            "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), } ");
+  EXPECT_EQ(content(path("a")).substr(10, 60), "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), } ");
   EXPECT_THROW(write_text(path("a"), points, 'x'), UsageError);
 }
 
@@ -141,8 +140,7 @@ TEST_F(Files, WriteFileSaysWhatIsWrong) {
             path("no/a") + ": cannot be written: No such file or directory");
   EXPECT_EQ(error_of([&] { write_file(path(""), ""); }), path("") + ": cannot be written: Is a directory");
   if (std::filesystem::exists("/dev/full")) {
-    EXPECT_EQ(error_of([&] { write_file("/dev/full", "x"); }),
-              "/dev/full: cannot be written: No space left on device");
+    EXPECT_EQ(error_of([&] { write_file("/dev/full", "x"); }), "/dev/full: cannot be written: No space left on device");
   }
 }
 

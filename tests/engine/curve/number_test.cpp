@@ -40,8 +40,7 @@ class Literals {
   double unit() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
   std::string sign() { return below(2) == 0 ? "-" : ""; }
   std::string exponent() {
-    return std::string(1, "eEdD"[below(4)]) + (below(3) == 0 ? "+" : "") +
-           std::to_string(static_cast<int>(below(330)));
+    return std::string(1, "eEdD"[below(4)]) + (below(3) == 0 ? "+" : "") + std::to_string(static_cast<int>(below(330)));
   }
   std::string digits(std::uint64_t count) {
     std::string text;
@@ -64,8 +63,7 @@ class Literals {
     const auto middle =
         (static_cast<long double>(value) + static_cast<long double>(std::nextafter(value, 2 * value))) / 2;
     char buffer[400];
-    std::string text(buffer,
-                     static_cast<std::size_t>(std::snprintf(buffer, sizeof buffer, "%.110Lf", middle)));
+    std::string text(buffer, static_cast<std::size_t>(std::snprintf(buffer, sizeof buffer, "%.110Lf", middle)));
     if (below(2) == 0) text += below(2) == 0 ? "1" : "000000000000000001";
     return text;
   }
@@ -119,18 +117,17 @@ TEST(Number, RoundsTheEndsOfTheRangeAsStrtodDoes) {
                                     "10000000000000000000000000000000000e-9223372036854775808"}) {
     double value = 42;
     ASSERT_EQ(parse_number(literal, value), NumberKind::finite) << literal;
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(value),
-              std::bit_cast<std::uint64_t>(std::strtod(literal, nullptr)))
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(std::strtod(literal, nullptr)))
         << literal;
   }
   for (const char* const literal :
-       {"1e999", "-1e999", "1.7976931348623159e308", "1e99999999999999999999999", "0.00001e314",
-        "1000000000e300", "inf", "-inf", "nan", "-nan", "infinity", "+inf"}) {
+       {"1e999", "-1e999", "1.7976931348623159e308", "1e99999999999999999999999", "0.00001e314", "1000000000e300",
+        "inf", "-inf", "nan", "-nan", "infinity", "+inf"}) {
     double value = 42;
     EXPECT_EQ(parse_number(literal, value), NumberKind::not_finite) << literal;
   }
-  for (const char* const literal : {"", "+", "-", ".", "e5", "--1", "+-1", "-+1", "++1", "1e", "1e+", "1_000",
-                                    "0x1p3", "1 ", " 1", "1,5", "1.2.3", "1d5d6", "none"}) {
+  for (const char* const literal : {"", "+", "-", ".", "e5", "--1", "+-1", "-+1", "++1", "1e", "1e+", "1_000", "0x1p3",
+                                    "1 ", " 1", "1,5", "1.2.3", "1d5d6", "none"}) {
     double value = 42;
     EXPECT_EQ(parse_number(literal, value), NumberKind::not_a_number) << literal;
   }

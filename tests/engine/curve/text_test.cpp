@@ -51,8 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Variant{"semicolon", "1;2\n3;4\n5;-6\n", Format::text},
                       Variant{"csv_header", "x,y\n1,2\n3,4\n5,-6\n", Format::text},
                       Variant{"csv_quoted_header", "\"x\",\"y\"\n1,2\n3,4\n5,-6\n", Format::text},
-                      Variant{"header_after_comment", "# made by hand\n\nx y\n1 2\n3 4\n5 -6\n",
-                              Format::text},
+                      Variant{"header_after_comment", "# made by hand\n\nx y\n1 2\n3 4\n5 -6\n", Format::text},
                       Variant{"header_like_a_keyword", "zone,title\n1,2\n3,4\n5,-6\n", Format::text},
                       Variant{"comments", "# x y\n1 2\n  # between\n3 4 # behind\n5 -6#\n", Format::text},
                       Variant{"blank_lines", "\n\n1 2\n \n3 4\n\t\r\n5 -6\n\n\n", Format::text},
@@ -80,14 +79,11 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"variables_only", "VARIABLES=\"x\"\"y\"\n1 2\n3 4\n5 -6\n", Format::tecplot},
         Variant{"commas", "VARIABLES = \"x\", \"y\"\n1 2\n3 4\n5 -6\n", Format::tecplot},
         Variant{"blanks_between", "variables = \"x\" \"y\"\nzone\n1 2\n3 4\n5 -6\n", Format::tecplot},
-        Variant{"doubled_single_quotes", "VARIABLES=''x''''y''\nZONE T=''a''\n1 2\n3 4\n5 -6\n",
-                Format::tecplot},
+        Variant{"doubled_single_quotes", "VARIABLES=''x''''y''\nZONE T=''a''\n1 2\n3 4\n5 -6\n", Format::tecplot},
         Variant{"single_quotes", "Variables='x','y'\nZone T='a'\n1 2\n3 4\n5 -6\n", Format::tecplot},
         Variant{"unquoted", "VARIABLES = x, y\nZONE T=a, I=3\n1 2\n3 4\n5 -6\n", Format::tecplot},
-        Variant{"names_on_the_next_lines", "VARIABLES =\n\"x\"\n\"y\"\nZONE\n1 2\n3 4\n5 -6\n",
-                Format::tecplot},
-        Variant{"second_name_on_the_next_line", "VARIABLES = \"x\"\n\"y\"\n1 2\n3 4\n5 -6\n",
-                Format::tecplot},
+        Variant{"names_on_the_next_lines", "VARIABLES =\n\"x\"\n\"y\"\nZONE\n1 2\n3 4\n5 -6\n", Format::tecplot},
+        Variant{"second_name_on_the_next_line", "VARIABLES = \"x\"\n\"y\"\n1 2\n3 4\n5 -6\n", Format::tecplot},
         Variant{"title", "TITLE = \"a # b\"\nVARIABLES=\"x\"\"y\"\n1 2\n3 4\n5 -6\n", Format::tecplot},
         Variant{"zone_only", "ZONE\n1 2\n3 4\n5 -6\n", Format::tecplot},
         Variant{"all_attributes",
@@ -99,8 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "2\n3 4\n5 -6\n",
                 Format::tecplot},
         Variant{"n", "ZONE N = 3\n1 2\n3 4\n5 -6\n", Format::tecplot},
-        Variant{"comment_in_header",
-                "#c\nVARIABLES=\"x\"\"y\" # two\n# between\nZONE I=3 # three\n1 2\n3 4\n5 -6\n",
+        Variant{"comment_in_header", "#c\nVARIABLES=\"x\"\"y\" # two\n# between\nZONE I=3 # three\n1 2\n3 4\n5 -6\n",
                 Format::tecplot},
         Variant{"crlf", "VARIABLES=\"x\"\"y\"\r\nZONE T=\"a\"\r\n1\t2\r\n3\t4\r\n5\t-6", Format::tecplot},
         Variant{"auxiliary_data",
@@ -196,8 +191,7 @@ TEST(TextErrors, SayWhereAndWhat) {
       {"ZONE I=99999999999999999999\n1 2\n", "in:1: I=99999999999999999999: expected a count"},
       {"ZONE I=1 J=2\n1 2\n", "in:1: J=2: expected one line of points, J=1"},
       {"ZONE F=BLOCK\n1 2\n", "in:1: F=BLOCK: not supported, write the zone as F=POINT"},
-      {"ZONE\nDATAPACKING=BLOCK\n1 2\n",
-       "in:2: DATAPACKING=BLOCK: not supported, write the zone as DATAPACKING=POINT"},
+      {"ZONE\nDATAPACKING=BLOCK\n1 2\n", "in:2: DATAPACKING=BLOCK: not supported, write the zone as DATAPACKING=POINT"},
       {"ZONE ZONETYPE=FELINESEG\n1 2\n", "in:1: ZONETYPE=FELINESEG: not supported, expected ORDERED"},
       {"ZONE T=\"a\n1 2\n", "in:1: unterminated string: \"\"a\""},
       {"ZONE hello\n1 2\n", "in:1: expected KEY=VALUE in a ZONE record, found \"hello\""},
@@ -246,8 +240,7 @@ TEST(TextChunks, LongFilesAreTheSameForEveryChunkSize) {
     const CurveFile file = read(text, chunk);
     ASSERT_EQ(file.zones.size(), zones.size());
     for (std::size_t k = 0; k < zones.size(); ++k) {
-      EXPECT_TRUE(testing::same_bits(file.zones[k].points, zones[k]))
-          << "zone " << k << ", chunk size " << chunk;
+      EXPECT_TRUE(testing::same_bits(file.zones[k].points, zones[k])) << "zone " << k << ", chunk size " << chunk;
     }
   }
 }

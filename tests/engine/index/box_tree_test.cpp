@@ -18,8 +18,7 @@ constexpr std::size_t sizes[] = {3, 31, 32, 33, 64, 65, 1000, 1024, 1025, 32768,
 
 Curve random_walk(Random& random, std::size_t size, bool closed) {
   Curve curve = scene::walks(random, size).first;
-  for (std::size_t k = 0; k < size / 2; ++k)
-    curve.points[k] = {static_cast<double>(k), 0.5 * static_cast<double>(k)};
+  for (std::size_t k = 0; k < size / 2; ++k) curve.points[k] = {static_cast<double>(k), 0.5 * static_cast<double>(k)};
   curve.closed = closed;
   return curve;
 }
@@ -117,8 +116,7 @@ TEST(BoxTree, SumsAreExactToTheirBounds) {
       const Box box = brute_force(curve, begin, end).box;
       const mpq_class diameter = mpq_class(box.width()) + mpq_class(box.height());
       const mpq_class value = mpq_class(sum.hi) + mpq_class(sum.lo);
-      EXPECT_TRUE(within(value, exact_sum(curve, begin, end), bound, diameter * diameter))
-          << size << ' ' << begin;
+      EXPECT_TRUE(within(value, exact_sum(curve, begin, end), bound, diameter * diameter)) << size << ' ' << begin;
     };
     for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
       expect_sum(tree.leaf_sums()[leaf], leaf * leaf_size, (leaf + 1) * leaf_size, -96);

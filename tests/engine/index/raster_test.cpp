@@ -48,8 +48,7 @@ TEST_P(RasterOf, GivesSegmentsWithACommonPointACommonCell) {
     const Raster raster(window, side() + (k % 2 == 0 ? 0U : 3U), side());
     for (const SegmentPair& pair : pairs_with_common_point(made.first, made.second)) {
       const Ends s = ends_of(made.first, pair.first), t = ends_of(made.second, pair.second);
-      ASSERT_TRUE(have_common_cell(raster, s, t))
-          << "try " << k << ", segments " << pair.first << ' ' << pair.second;
+      ASSERT_TRUE(have_common_cell(raster, s, t)) << "try " << k << ", segments " << pair.first << ' ' << pair.second;
     }
   }
 }
@@ -62,8 +61,7 @@ TEST(Raster, EntersLongSegmentsAlongTheirLine) {
   const Raster raster(Box::of({0, 0}, {1, 1}), 100, 100);
   for (int k = 0; k < 1000; ++k) {
     const Ends segment{{random.unit(), random.unit()}, {random.unit(), random.unit()}};
-    const double crossed =
-        100 * (std::fabs(segment.b.x - segment.a.x) + std::fabs(segment.b.y - segment.a.y));
+    const double crossed = 100 * (std::fabs(segment.b.x - segment.a.x) + std::fabs(segment.b.y - segment.a.y));
     EXPECT_LT(static_cast<double>(cells_of(raster, segment).size()), crossed + 4);
   }
 }
@@ -72,8 +70,7 @@ TEST(Raster, LeavesOutWhatIsOutsideTheWindow) {
   const Raster raster(Box::of({0, 0}, {1, 1}), 10, 10);
   EXPECT_TRUE(cells_of(raster, {{2, 0}, {3, 1}}).empty());
   EXPECT_LT(cells_of(raster, {{-5, 0.9}, {0.1, 6}}).size(), 3U) << "passes a corner outside";
-  EXPECT_LT(cells_of(raster, {{-1e6, -1e6 + 0.5}, {1e6, 1e6 + 0.5}}).size(), 25U)
-      << "long, but a line all the same";
+  EXPECT_LT(cells_of(raster, {{-1e6, -1e6 + 0.5}, {1e6, 1e6 + 0.5}}).size(), 25U) << "long, but a line all the same";
 }
 
 TEST(Raster, FitsAboutTwoEntriesToACellAndKeepsToItsLimit) {
@@ -83,8 +80,7 @@ TEST(Raster, FitsAboutTwoEntriesToACellAndKeepsToItsLimit) {
   for (const std::uint64_t limit : {20000U, 100000U, 100000000U}) {
     const Raster raster = Raster::fitted(curve.tree(), curve.tree().box(), limit, 10000);
     std::size_t entries = 0;
-    for (std::size_t k = 0; k < curve.segments(); ++k)
-      entries += cells_of(raster, ends_of(made.first, k)).size();
+    for (std::size_t k = 0; k < curve.segments(); ++k) entries += cells_of(raster, ends_of(made.first, k)).size();
     EXPECT_LT(static_cast<double>(entries), 1.3 * static_cast<double>(limit));
     if (limit > 1000000) {
       EXPECT_NEAR(static_cast<double>(entries) / static_cast<double>(raster.cells()), 2, 0.5);

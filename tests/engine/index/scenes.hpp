@@ -46,8 +46,8 @@ inline Curve needles(std::size_t size, double angle, Point centre) {
   Curve curve;
   for (std::size_t k = 0; k < size; ++k) {
     const double x = static_cast<double>(k) / static_cast<double>(size) - 0.5, y = k % 2 == 0 ? -0.5 : 0.5;
-    curve.points.push_back({centre.x + x * std::cos(angle) - y * std::sin(angle),
-                            centre.y + x * std::sin(angle) + y * std::cos(angle)});
+    curve.points.push_back(
+        {centre.x + x * std::cos(angle) - y * std::sin(angle), centre.y + x * std::sin(angle) + y * std::cos(angle)});
   }
   return curve;
 }
@@ -59,8 +59,7 @@ Curve moved(Curve curve, const Move& move) {
 }
 
 inline Scene circles(Random& random, std::size_t size) {
-  return {circle(size, {0, 0}, 1),
-          circle(size + random.index(3), {random.uniform(-2, 2), random.uniform(-1, 1)}, 1)};
+  return {circle(size, {0, 0}, 1), circle(size + random.index(3), {random.uniform(-2, 2), random.uniform(-1, 1)}, 1)};
 }
 inline Scene close_circles(Random& random, std::size_t size) {
   return {circle(size, {0, 0}, 1), circle(size, {random.log_uniform(1e-9, 1e-2), 0}, 1)};
@@ -171,8 +170,7 @@ inline Scene long_arms(Random& random, std::size_t size) {
   for (Curve* curve : {&result.first, &result.second}) {
     for (int k = 0; k < 5; ++k) {
       const double far = random.log_uniform(1e2, 1e305);
-      curve->points[random.index(curve->points.size())] = {random.uniform(-far, far),
-                                                           random.uniform(-far, far)};
+      curve->points[random.index(curve->points.size())] = {random.uniform(-far, far), random.uniform(-far, far)};
     }
   }
   return result;

@@ -55,8 +55,7 @@ TEST_P(Search, DoesTheSameForAnyNumberOfThreads) {
   const SearchCounts counts = with_threads(1, [&] { return find_pairs(first, second, index(), expected); });
   for (const int threads : {2, 7}) {
     Recorder recorder(made.first, made.second);
-    const SearchCounts again =
-        with_threads(threads, [&] { return find_pairs(first, second, index(), recorder); });
+    const SearchCounts again = with_threads(threads, [&] { return find_pairs(first, second, index(), recorder); });
     EXPECT_TRUE(same(counts, again));
     ASSERT_EQ(recorder.by_block(), expected.by_block()) << threads << " threads";
   }
@@ -91,12 +90,10 @@ TEST_P(Search, SkipsOnlyWhatTheConsumerDoesNotWant) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Search,
-                         ::testing::Combine(::testing::Values(IndexKind::tree, IndexKind::grid,
-                                                              IndexKind::kd),
+                         ::testing::Combine(::testing::Values(IndexKind::tree, IndexKind::grid, IndexKind::kd),
                                             ::testing::ValuesIn(scene_kinds())),
                          [](const auto& kind) {
-                           return std::string(name(std::get<0>(kind.param))) + "_" +
-                                  std::get<1>(kind.param).name;
+                           return std::string(name(std::get<0>(kind.param))) + "_" + std::get<1>(kind.param).name;
                          });
 
 TEST(SearchKinds, HaveNamesAndAutomaticIsNone) {

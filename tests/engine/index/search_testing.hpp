@@ -113,8 +113,7 @@ inline std::string listed(const std::vector<SegmentPair>& pairs) {
 }
 
 /// Elements of `wanted` that are not in `found`; both sorted.
-inline std::vector<SegmentPair> missing(const std::vector<SegmentPair>& wanted,
-                                        const std::vector<SegmentPair>& found) {
+inline std::vector<SegmentPair> missing(const std::vector<SegmentPair>& wanted, const std::vector<SegmentPair>& found) {
   std::vector<SegmentPair> result;
   std::set_difference(wanted.begin(), wanted.end(), found.begin(), found.end(), std::back_inserter(result));
   return result;

@@ -20,7 +20,9 @@ std::vector<Point> ellipse(std::size_t points, double cx, double cy, double a, d
 }
 
 // Two unit circles at distance d: the area of the lens.
-double lens_area(double d) { return 2 * std::acos(d / 2) - d / 2 * std::sqrt(4 - d * d); }
+double lens_area(double d) {
+  return 2 * std::acos(d / 2) - d / 2 * std::sqrt(4 - d * d);
+}
 
 TEST(Discretisation, IsRightToLeadingOrderOnSmoothCurves) {
   const double d = std::hypot(1, 0.3), lens = lens_area(d);
@@ -31,7 +33,8 @@ TEST(Discretisation, IsRightToLeadingOrderOnSmoothCurves) {
     EXPECT_NEAR(estimate.c1 / (std::numbers::pi - result.areas.c1), 1, 10.0 / static_cast<double>(points));
     EXPECT_NEAR(estimate.intersection / (lens - result.areas.intersection), 1, 10.0 / static_cast<double>(points));
     const double difference = std::numbers::pi - lens;  // here the losses of the two curves cancel
-    EXPECT_LE(std::fabs(difference - result.areas.c1_minus_c2), 1.5 * estimate.c1_minus_c2 + estimate.c1 * 20.0 / static_cast<double>(points));
+    EXPECT_LE(std::fabs(difference - result.areas.c1_minus_c2),
+              1.5 * estimate.c1_minus_c2 + estimate.c1 * 20.0 / static_cast<double>(points));
   }
 }
 
@@ -102,7 +105,8 @@ TEST(Overlay, TotalsAloneAreTheSameBits) {
   const std::vector<Point> first = ellipse(3000, 0, 0, 1, 1), second = ellipse(2000, 1, 0.3, 1.2, 0.7);
   OverlayOptions totals;
   totals.pieces = false;
-  const Overlay with = overlay(CurveView{first}, CurveView{second}), without = overlay(CurveView{first}, CurveView{second}, totals);
+  const Overlay with = overlay(CurveView{first}, CurveView{second}),
+                without = overlay(CurveView{first}, CurveView{second}, totals);
   EXPECT_EQ(with.areas.intersection, without.areas.intersection);
   EXPECT_EQ(with.areas.c1_minus_c2, without.areas.c1_minus_c2);
   EXPECT_EQ(without.pieces(Pairing::intersection).size(), 0U);

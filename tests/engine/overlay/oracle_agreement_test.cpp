@@ -48,8 +48,7 @@ void compare_with_itself(const CurvePair& pair, const ExactOverlay& exact, std::
   std::reverse(second.begin(), second.end());
   const ExactOverlay other = exact_overlay(second, first);
   const bool same = other.crossings == exact.crossings && other.touches == exact.touches &&
-                    other.shared_arcs == exact.shared_arcs &&
-                    other.areas[c1_minus_c2] == exact.areas[c2_minus_c1] &&
+                    other.shared_arcs == exact.shared_arcs && other.areas[c1_minus_c2] == exact.areas[c2_minus_c1] &&
                     other.pieces[unite].size() == exact.pieces[unite].size();
   if (!same) difference << "another answer for the same curves, exchanged\n";
 }
@@ -69,8 +68,7 @@ void compare_with_cgal(const CurvePair& pair, const ExactOverlay& exact, std::os
     std::sort(ours.begin(), ours.end());
     std::sort(theirs.begin(), theirs.end());
     if (ours != theirs) {
-      difference << "pieces of pairing " << pairing << ": " << ours.size() << " and " << theirs.size()
-                 << "\n";
+      difference << "pieces of pairing " << pairing << ": " << ours.size() << " and " << theirs.size() << "\n";
     }
   }
 }

@@ -38,45 +38,13 @@ Polygon box(double left, double low, double right, double high) {
 
 const std::vector<Known>& known_pairs() {
   static const std::vector<Known> pairs{
-      {"square_in_rectangle_sharing_three_sides",
-       box(0, 0, 1, 1),
-       box(0, 0, 2, 1),
-       0,
-       1,
-       0,
-       0,
-       1,
-       {0, 1, 1, 1}},
-      {"aligned_squares_overlapping_by_half",
-       box(0, 0, 1, 1),
-       box(0.5, 0, 1.5, 1),
-       0.5,
-       0.5,
-       2,
-       0,
-       2,
-       {1, 1, 1, 1}},
+      {"square_in_rectangle_sharing_three_sides", box(0, 0, 1, 1), box(0, 0, 2, 1), 0, 1, 0, 0, 1, {0, 1, 1, 1}},
+      {"aligned_squares_overlapping_by_half", box(0, 0, 1, 1), box(0.5, 0, 1.5, 1), 0.5, 0.5, 2, 0, 2, {1, 1, 1, 1}},
       {"rectangle_beside_square", box(0, 0, 1, 1), box(1, 0.25, 2, 0.75), 1, 0.5, 0, 0, 1, {1, 1, 0, 1}},
       {"plus_sign", box(0, 2, 6, 4), box(2, 0, 4, 6), 8, 8, 4, 0, 0, {2, 2, 1, 1}},
-      {"itself",
-       box(0, 0, 2, 2),
-       {{2, 1}, {2, 0}, {1, 0}, {0, 0}, {0, 2}, {2, 2}},
-       0,
-       0,
-       0,
-       0,
-       1,
-       {0, 0, 1, 1}},
+      {"itself", box(0, 0, 2, 2), {{2, 1}, {2, 0}, {1, 0}, {0, 0}, {0, 2}, {2, 2}}, 0, 0, 0, 0, 1, {0, 0, 1, 1}},
       {"corner_to_corner", box(0, 0, 1, 1), box(1, 1, 2, 2), 1, 1, 0, 1, 0, {1, 1, 0, 2}},
-      {"corner_on_side_from_inside",
-       box(0, 0, 2, 2),
-       {{1, 0}, {1.5, 1}, {0.5, 1}},
-       3.5,
-       0,
-       0,
-       1,
-       0,
-       {1, 0, 1, 1}},
+      {"corner_on_side_from_inside", box(0, 0, 2, 2), {{1, 0}, {1.5, 1}, {0.5, 1}}, 3.5, 0, 0, 1, 0, {1, 0, 1, 1}},
       // Two corners of the inner square on the sides of the outer one cut the ring in two.
       {"inner_square_touching_twice",
        box(0, 0, 2, 2),
@@ -171,8 +139,7 @@ TEST_P(KnownCircles, OraclesAndEngine) {
   EXPECT_NEAR(exact.areas[c1_minus_c2].get_d(), area, 1e-13);
   EXPECT_EQ(exact.areas[intersection], trapezoid_intersection(pair.first, pair.second));
   EXPECT_EQ(exact.crossings, 2U);
-  EXPECT_EQ(judge(pair, exact, overlay(CurveView{pair.first, true}, CurveView{pair.second, true})).complaints,
-            "");
+  EXPECT_EQ(judge(pair, exact, overlay(CurveView{pair.first, true}, CurveView{pair.second, true})).complaints, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Corners, KnownCircles,

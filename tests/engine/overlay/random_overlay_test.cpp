@@ -33,8 +33,7 @@ std::uint64_t from_environment(const char* variable, std::uint64_t otherwise) {
 CurvePair rearranged(const CurvePair& pair) {
   CurvePair result{pair.family + " rearranged", pair.seed, pair.second, pair.first};
   std::reverse(result.first.begin(), result.first.end());
-  std::rotate(result.second.begin(),
-              result.second.begin() + static_cast<std::ptrdiff_t>(result.second.size() / 2),
+  std::rotate(result.second.begin(), result.second.begin() + static_cast<std::ptrdiff_t>(result.second.size() / 2),
               result.second.end());
   return result;
 }
@@ -76,8 +75,8 @@ class Tally {
     smallest.family += " smallest";
     const std::string smallest_path = write_pair(smallest, try_pair(smallest).complaints);
     ADD_FAILURE() << pair.family << ", seed " << pair.seed << "\n"
-                  << verdict.complaints << "written to " << path << "\nsmallest pair that fails in "
-                  << smallest_path << "\n"
+                  << verdict.complaints << "written to " << path << "\nsmallest pair that fails in " << smallest_path
+                  << "\n"
                   << as_source(smallest) << try_pair(smallest).complaints;
   }
 

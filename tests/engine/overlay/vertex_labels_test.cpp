@@ -33,8 +33,7 @@ std::vector<Side> brute_force(const std::vector<Point>& points, const std::vecto
   return labels;
 }
 
-void expect_labels(const std::vector<Point>& first, const std::vector<Point>& second,
-                   const std::string& what) {
+void expect_labels(const std::vector<Point>& first, const std::vector<Point>& second, const std::string& what) {
   const Overlay result = overlay(CurveView{first}, CurveView{second});
   EXPECT_EQ(label_vertices(result.nodes, 1), brute_force(first, second)) << what << ", curve 1";
   EXPECT_EQ(label_vertices(result.nodes, 2), brute_force(second, first)) << what << ", curve 2";

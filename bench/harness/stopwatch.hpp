@@ -1,0 +1,19 @@
+// Wall time.
+#pragma once
+
+#include <chrono>
+
+namespace lober::bench {
+
+/// Runs from its construction on.
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace lober::bench

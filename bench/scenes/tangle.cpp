@@ -1,0 +1,155 @@
+// Closed curves advected by an area-preserving map until they are long, thin and folded.
+//
+// The map is a chain of shears, y += a sin(w x + phase), then x += a sin(w y + phase): each preserves area
+// exactly and is invertible, so the image of a circle is a simple closed curve for any strength a. C1 is the
+// circle's image under the chain, C2 the image under its inverse: they lie to each other as unstable and
+// stable manifolds do.
+#include <algorithm>
+#include <cstddef>
+
+#include "bench/scenes/shapes.hpp"
+
+namespace lober::bench {
+namespace {
+
+class ShearChain {
+ public:
+  ShearChain(double strength, int steps, bool inverse) : strength_(strength), steps_(steps), inverse_(inverse) {}
+
+  /// Image of the point of the initial circle at `turn` in [0, 1).
+  [[nodiscard]] Point operator()(double turn) const {
+    Point point{0.7 * std::cos(full_turn * turn), 0.7 * std::sin(full_turn * turn)};
+    if (inverse_) {
+      for (int step = steps_; step > 0; --step) {
+        point.x -= strength_ * std::sin(wave_number * point.y + 2.1 * step);
+        point.y -= strength_ * std::sin(wave_number * point.x + 0.4 * step);
+      }
+    } else {
+      for (int step = 1; step <= steps_; ++step) {
+        point.y += strength_ * std::sin(wave_number * point.x + 0.4 * step);
+        point.x += strength_ * std::sin(wave_number * point.y + 2.1 * step);
+      }
+    }
+    return point;
+  }
+
+ private:
+  static constexpr double wave_number = 7;
+  double strength_;
+  int steps_;
+  bool inverse_;
+};
+
+using Turns = std::vector<double>;  // parameters on the initial circle, ascending from 0, all below 1
+
+Turns equal_turns(std::size_t count) {
+  Turns turns(count);
+  for (std::size_t k = 0; k < count; ++k) turns[k] = static_cast<double>(k) / static_cast<double>(count);
+  return turns;
+}
+
+double distance(Point a, Point b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+double turning(Point a, Point b, Point c) {
+  const Point u{b.x - a.x, b.y - a.y};
+  const Point v{c.x - b.x, c.y - b.y};
+  return std::fabs(std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y));
+}
+
+struct Sampling {
+  Turns turns;
+  double length = 0;  ///< of the polygon that was measured to find them
+};
+
+// `count` parameters spread so that steps are short (a third of the weight), turn little (the tips of the
+// folds need points as well as the long strands do), and stay close to the smooth curve (neighbouring strands
+// must not be cut), measured on the polygon of `turns`.
+Sampling spread(const ShearChain& chain, const Turns& turns, std::size_t count) {
+  const std::size_t size = turns.size();
+  Polygon image(size);
+  for (std::size_t k = 0; k < size; ++k) image[k] = chain(turns[k]);
+  std::vector<double> lengths(size);
+  std::vector<double> turnings(size);
+  std::vector<double> sagittas(size);  // their square roots, which shrink in proportion to the steps
+  double length = 0;
+  double turned = 0;
+  double sagitta = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    const Point a = image[k];
+    const Point b = image[(k + 1) % size];
+    lengths[k] = distance(a, b);
+    turnings[k] = (turning(image[(k + size - 1) % size], a, b) + turning(a, b, image[(k + 2) % size])) / 2;
+    sagittas[k] = std::sqrt(lengths[k] * turnings[k]);
+    length += lengths[k];
+    turned += turnings[k];
+    sagitta += sagittas[k];
+  }
+  Sampling result{Turns(count), length};
+  double before = 0;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    const double share = (lengths[k] / length + turnings[k] / turned + sagittas[k] / sagitta) / 3;
+    const double end = k + 1 == size ? 1 : turns[k + 1];
+    for (; next < count; ++next) {
+      const double wanted = static_cast<double>(next) / static_cast<double>(count);
+      if (wanted >= before + share && k + 1 != size) break;
+      result.turns[next] = turns[k] + std::min((wanted - before) / share, 1.0) * (end - turns[k]);
+    }
+    before += share;
+  }
+  return result;
+}
+
+double image_length(const ShearChain& chain) {
+  constexpr std::size_t count = 20000;
+  return spread(chain, spread(chain, equal_turns(count), count).turns, 1).length;
+}
+
+// The chain under which the circle gets the wanted length. Few strong shears make strands of more even width
+// than many weak ones.
+ShearChain chain_of_length(double length, bool inverse) {
+  const int steps = std::max(1, static_cast<int>(std::log(length / 4) / 1.6));
+  double low = 0;
+  double high = 2;
+  for (int step = 0; step < 30; ++step) {
+    const double middle = (low + high) / 2;
+    (image_length({middle, steps, inverse}) < length ? low : high) = middle;
+  }
+  return {low, steps, inverse};
+}
+
+Polygon folded_curve(std::size_t points, double length, bool inverse) {
+  const ShearChain chain = chain_of_length(length, inverse);
+  const std::size_t coarse = std::max(points / 8, std::min<std::size_t>(points, 100000));
+  Turns turns = equal_turns(coarse);
+  for (int pass = 0; pass < 2; ++pass) turns = spread(chain, turns, coarse).turns;
+  turns = spread(chain, turns, points).turns;
+  Polygon curve(points);
+  for (std::size_t k = 0; k < points; ++k) curve[k] = chain(turns[k]);
+  return curve;
+}
+
+// Two curves that spread over a few units of area cross about length1 * length2 / 8 times.
+Scene folded_pair(std::size_t points, double length1, double length2) {
+  return {folded_curve(points, length1, false), folded_curve(points, length2, true), std::nullopt, std::nullopt};
+}
+
+}  // namespace
+
+Scene make_tangle(std::size_t points) {
+  // Both equally long, about 5000 crossings, unless there are too few points to draw that.
+  const double length = 200 * std::min(1.0, std::sqrt(static_cast<double>(points) / 1e5));
+  return folded_pair(points, length, length);
+}
+
+Scene make_dense_tangle(std::size_t points) {
+  // The strands of C1 are area / length apart and its segments length / points long: equal for a length that
+  // grows as the square root. About 55000 crossings at 10^6 points. Not much beyond: the thinnest
+  // strands become so thin that the polygon is no longer simple.
+  const double detail = std::sqrt(std::min(static_cast<double>(points), 2e6) / 1e6);
+  return folded_pair(points, 1500 * detail, 360 * detail);
+}
+
+}  // namespace lober::bench
