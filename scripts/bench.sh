@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=${1:-full}
 case $mode in
-  full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 60) kernels=(--benchmark_min_time=0.5) ;;
+  full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 30) kernels=(--benchmark_min_time=0.5) ;;
   quick) results=build/bench-quick.md overlay=(--n 100000 --rivals fast --limit 20 --no-growth) kernels=(--benchmark_min_time=0.1) ;;
   *) echo "usage: bench.sh [full|quick]" >&2; exit 2 ;;
 esac

@@ -16,7 +16,7 @@
 
 #include "bench/harness/measure.hpp"
 #include "bench/harness/memory.hpp"
-#include "bench/harness/stopwatch.hpp"
+#include "engine/stopwatch.hpp"
 
 namespace lober::bench {
 namespace {

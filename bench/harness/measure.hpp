@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "bench/harness/stopwatch.hpp"
 #include "bench/scenes/scenes.hpp"
 #include "engine/overlay/overlay.hpp"
+#include "engine/stopwatch.hpp"
 
 namespace lober::bench {
 

@@ -5,8 +5,8 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <exception>
 
-#include "bench/harness/stopwatch.hpp"
 #include "bench/rivals/rival.hpp"
+#include "engine/stopwatch.hpp"
 
 namespace lober::bench {
 namespace {

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <vector>
 
-#include "bench/harness/stopwatch.hpp"
 #include "bench/rivals/rival.hpp"
+#include "engine/stopwatch.hpp"
 
 namespace lober::bench {
 namespace {

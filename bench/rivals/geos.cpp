@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "bench/harness/stopwatch.hpp"
 #include "bench/rivals/rival.hpp"
+#include "engine/stopwatch.hpp"
 
 namespace lober::bench {
 namespace {

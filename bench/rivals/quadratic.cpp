@@ -11,8 +11,8 @@
 #include <numeric>
 #include <vector>
 
-#include "bench/harness/stopwatch.hpp"
 #include "bench/rivals/rival.hpp"
+#include "engine/stopwatch.hpp"
 
 namespace lober::bench {
 namespace {

@@ -11,7 +11,7 @@ struct Ways {
   Point onwards, back;
 };
 Ways ways(const CurveView& curve, std::uint32_t number, bool at_vertex) {
-  const auto [a, b] = segment(curve, number);
+  const auto [a, b] = curve.segment(number);
   if (!at_vertex) return {b, a};
   return {curve.points[next_distinct(curve, number, 1)], curve.points[next_distinct(curve, number, -1)]};
 }

@@ -107,8 +107,8 @@ class ContactFinder final : public PairConsumer {
 
  private:
   void classify(std::uint32_t i, std::uint32_t j, std::uint32_t block_end, Block& block) {
-    const auto [a, b] = segment(c1_, i);
-    const auto [c, d] = segment(c2_, j);
+    const auto [a, b] = c1_.segment(i);
+    const auto [c, d] = c2_.segment(j);
     PredicateCounts& counts = block.counts.predicates;
     const int side_c = orient2d(a, b, c, counts), side_d = orient2d(a, b, d, counts);
     if (side_c * side_d > 0) return;
@@ -212,8 +212,8 @@ class ContactFinder final : public PairConsumer {
     };
     for (std::uint32_t k = 0; k < block.hits.size(); ++k) {
       const Hit& hit = block.hits[k];
-      const auto [a, b] = segment(c1_, hit.segment1);
-      const auto [c, d] = segment(c2_, hit.segment2);
+      const auto [a, b] = c1_.segment(hit.segment1);
+      const auto [c, d] = c2_.segment(hit.segment2);
       Contact& contact = contacts[k];
       contact = {hit.segment1, hit.segment2, {}, {}, hit.rho, hit.run, hit.proper, hit.vertex1, hit.vertex2};
       if (hit.proper) {
@@ -246,7 +246,7 @@ class ContactFinder final : public PairConsumer {
     if (difference < -parameter_doubt) return true;
     if (difference > parameter_doubt) return false;
     ++block.counts.exact_orders;
-    const auto [a, b] = segment(c1_, x.segment1);
+    const auto [a, b] = c1_.segment(x.segment1);
     return compare_along(a, b, implicit(x), implicit(y)) < 0;
   }
 
@@ -255,7 +255,7 @@ class ContactFinder final : public PairConsumer {
       const Point vertex = c1_.points[contact.segment1];
       return {vertex, vertex, true};
     }
-    const auto [c, d] = segment(c2_, contact.segment2);
+    const auto [c, d] = c2_.segment(contact.segment2);
     return contact.proper ? ImplicitPoint{c, d} : ImplicitPoint{c, c, true};
   }
 

@@ -50,18 +50,9 @@ struct Contacts {
 /// same except inside runs of common vertices.
 [[nodiscard]] Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind);
 
-/// Sorts `order` by segment, then along the segment. `segment(k)` and `before(k, l)` (exact, same segment) speak of
-/// contact indices. Stable, parallel, deterministic; about two passes of counting sort.
+/// Writes the numbers of the contacts to `order`, sorted by segment of C2 and along each segment, exactly. Parallel,
+/// deterministic; about two passes of counting sort.
 void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, const CurveView& c2,
                        Buffer<std::uint32_t>& order, std::uint64_t& exact_orders);
-
-/// End points of segment k.
-struct Segment {
-  Point a, b;
-};
-inline Segment segment(const CurveView& curve, std::uint32_t k) {
-  const std::size_t next = std::size_t{k} + 1;
-  return {curve.points[k], curve.points[next == curve.points.size() ? 0 : next]};
-}
 
 }  // namespace lober

@@ -29,7 +29,7 @@ int Crossings::rho(std::size_t node) const {
 Point Crossings::place(const Contact& contact) const {
   if (contact.vertex1) return c1_.points[contact.segment1];
   if (contact.vertex2) return c2_.points[contact.segment2];
-  const auto [a, b] = segment(c1_, contact.segment1);
+  const auto [a, b] = c1_.segment(contact.segment1);
   const auto along = [&](double from, double to) {
     const DD value = DD{from, 0} + contact.t1 * two_diff(to, from);
     return value.hi;

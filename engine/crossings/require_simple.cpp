@@ -55,8 +55,8 @@ class SelfChecker final : public PairConsumer {
 
   // Whether the two segments meet where they should not.
   bool bad(const SegmentPair& pair, PredicateCounts& counts) const {
-    const auto [a, b] = segment(curve_, pair.first);
-    const auto [c, d] = segment(curve_, pair.second);
+    const auto [a, b] = curve_.segment(pair.first);
+    const auto [c, d] = curve_.segment(pair.second);
     if (a == b || c == d) return false;  // repeated vertices carry no segment
     const int side_c = orient2d(a, b, c, counts), side_d = orient2d(a, b, d, counts);
     if (side_c * side_d > 0) return false;
@@ -116,7 +116,7 @@ SimpleCheck require_simple(const IndexedCurve& curve, int number) {
   const SegmentPair bad = checker.first_bad();
   if (bad == SelfChecker::none) return result;
   throw NotSimpleError(number, bad.first, bad.second,
-                       common_point(segment(curve.view(), bad.first), segment(curve.view(), bad.second)));
+                       common_point(curve.view().segment(bad.first), curve.view().segment(bad.second)));
 }
 
 }  // namespace lober

@@ -70,7 +70,7 @@ void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, con
       const Point vertex = c2.points[contact.segment2];
       return {vertex, vertex, true};
     }
-    const auto [a, b] = segment(c1, contact.segment1);
+    const auto [a, b] = c1.segment(contact.segment1);
     return contact.proper ? ImplicitPoint{a, b} : ImplicitPoint{a, a, true};
   };
   std::atomic<std::uint64_t> exact{0};
@@ -84,7 +84,7 @@ void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, con
       if (difference < -parameter_doubt) return true;
       if (difference > parameter_doubt || x.contact == y.contact) return false;
       ++exact_here;
-      const auto [c, d] = segment(c2, cx.segment2);
+      const auto [c, d] = c2.segment(cx.segment2);
       return compare_along(c, d, implicit(cx), implicit(cy)) < 0;
     };
     // Each piece orders the segments whose first contact lies in it; `items` is only read, other pieces read it too.

@@ -18,6 +18,11 @@
 
 namespace lober {
 
+/// One straight piece of a curve, from a to b.
+struct Segment {
+  Point a, b;
+};
+
 /// A curve that somebody else owns. Cheap to copy; valid as long as the points are.
 struct CurveView {
   std::span<const Point> points;
@@ -26,6 +31,8 @@ struct CurveView {
   [[nodiscard]] std::size_t segments() const {
     return closed ? points.size() : (points.empty() ? 0 : points.size() - 1);
   }
+  /// Segment k < segments().
+  [[nodiscard]] Segment segment(std::size_t k) const { return {points[k], points[k + 1 == points.size() ? 0 : k + 1]}; }
 };
 
 /// A curve that owns its points. `name` is the zone title or the file it came from.

@@ -13,14 +13,6 @@
 
 namespace lober {
 
-struct SegmentEnds {
-  Point a, b;
-};
-inline SegmentEnds segment_ends(const CurveView& curve, std::uint32_t segment) {
-  const std::size_t next = std::size_t{segment} + 1;
-  return {curve.points[segment], curve.points[next == curve.points.size() ? 0 : next]};
-}
-
 /// What two boxes have in common; they must meet. All common points of two curves lie in that of their boxes.
 inline Box intersection(const Box& a, const Box& b) {
   return {{std::max(a.lane[0], b.lane[0]), std::max(a.lane[1], b.lane[1]), std::max(a.lane[2], b.lane[2]),
@@ -35,7 +27,7 @@ void for_each_segment_of_leaf(const BoxTree& tree, std::size_t leaf, const Box& 
   const Point* points = tree.leaf_points(leaf);
   const auto begin = static_cast<std::uint32_t>(leaf * leaf_size);
   for (std::uint32_t k = 0; k < leaf_size; ++k) {  // the padding of the last leaf has no length
-    const SegmentEnds ends{points[k], points[k + 1]};
+    const Segment ends{points[k], points[k + 1]};
     if (!(ends.a == ends.b) && meet(Box::of(ends.a, ends.b), window)) visit(begin + k, ends);
   }
 }
@@ -72,7 +64,7 @@ SearchCounts search_blocks(const BoxTree& first, const Box& window, PairConsumer
     for (std::size_t leaf = block * std::size_t{leaves_per_block}; leaf < end; ++leaf) {
       if ((leaf + 1) * leaf_size <= skip_before) continue;
       pairs.clear();
-      for_each_segment_of_leaf(first, leaf, window, [&](std::uint32_t segment, const SegmentEnds& ends) {
+      for_each_segment_of_leaf(first, leaf, window, [&](std::uint32_t segment, const Segment& ends) {
         if (segment < skip_before) return;
         candidates.clear();
         counts.boxes_tested += find(ends, Box::of(ends.a, ends.b), candidates);

@@ -101,7 +101,7 @@ CellSample sample_cells(const BoxTree& tree, const Raster& raster, std::uint64_t
   for (; drawn < segments_drawn && sample.cells.size() < cells_visited_at_most; ++drawn) {
     state = state * 6364136223846793005U + 1442695040888963407U;  // Knuth's MMIX generator
     const auto segment = static_cast<std::uint32_t>((state >> 32U) * curve.segments() >> 32U);
-    const SegmentEnds ends = segment_ends(curve, segment);
+    const Segment ends = curve.segment(segment);
     raster.for_each_cell(ends.a, ends.b, [&](std::size_t cell) { sample.cells.push_back(cell); });
   }
   sample.factor = static_cast<double>(curve.segments()) / static_cast<double>(drawn);

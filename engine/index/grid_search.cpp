@@ -40,7 +40,7 @@ class Grid {
     }
 
     // Appends the segments whose boxes meet `box` from the cells of a segment; returns the entries looked at.
-    std::size_t operator()(const SegmentEnds& ends, const Box& box, Buffer<std::uint32_t>& candidates) {
+    std::size_t operator()(const Segment& ends, const Box& box, Buffer<std::uint32_t>& candidates) {
       std::size_t looked_at = 0;
       grid_.raster_.for_each_cell(ends.a, ends.b, [&](std::size_t cell) {
         const std::uint32_t begin = cell == 0 ? 0 : grid_.end_[cell - 1], end = grid_.end_[cell];
@@ -49,7 +49,7 @@ class Grid {
       });
       for (const std::uint32_t segment : met_) {
         met_bits_[segment / 64] = 0;
-        const SegmentEnds other = segment_ends(grid_.curve_.view(), segment);
+        const Segment other = grid_.curve_.view().segment(segment);
         if (meet(box, Box::of(other.a, other.b))) candidates.push_back(segment);
       }
       met_.clear();
@@ -77,7 +77,7 @@ class Grid {
     for_each_block(tree.leaves(), leaves_per_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t leaf = begin; leaf < end; ++leaf) {
         std::uint64_t entries = 0;
-        for_each_segment_of_leaf(tree, leaf, raster_.window(), [&](std::uint32_t segment, const SegmentEnds& ends) {
+        for_each_segment_of_leaf(tree, leaf, raster_.window(), [&](std::uint32_t segment, const Segment& ends) {
           raster_.for_each_cell(ends.a, ends.b, [&](std::size_t cell) {
             ++entries;
             visit(segment, cell);

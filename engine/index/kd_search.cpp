@@ -37,7 +37,7 @@ class Frame {
     std::frexp(std::max(window.width(), window.height()), &exponent);
     scale_ = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
   }
-  [[nodiscard]] Midpoint midpoint(const SegmentEnds& ends) const {
+  [[nodiscard]] Midpoint midpoint(const Segment& ends) const {
     const Point a = scaled(ends.a), b = scaled(ends.b);
     const double dx = b.x - a.x, dy = b.y - a.y;
     const double half_length = std::sqrt(dx * dx + dy * dy) / 2;
@@ -120,7 +120,7 @@ class Forest {
   Forest(const IndexedCurve& curve, const Box& window) : curve_(curve), frame_(window) {
     std::array<std::unique_ptr<LengthClass>, largest_class - smallest_class + 1> by_exponent;
     for (std::size_t leaf = 0; leaf < curve.tree().leaves(); ++leaf) {
-      for_each_segment_of_leaf(curve.tree(), leaf, window, [&](std::uint32_t segment, const SegmentEnds& ends) {
+      for_each_segment_of_leaf(curve.tree(), leaf, window, [&](std::uint32_t segment, const Segment& ends) {
         const Midpoint midpoint = frame_.midpoint(ends);
         if (!midpoint.usable()) {
           unusable_.push_back(segment);
@@ -140,11 +140,11 @@ class Forest {
   }
 
   // Appends the segments whose boxes meet `box` out of those near a segment; returns how many were near.
-  std::size_t find(const SegmentEnds& ends, const Box& box, Buffer<std::uint32_t>& candidates) const {
+  std::size_t find(const Segment& ends, const Box& box, Buffer<std::uint32_t>& candidates) const {
     std::size_t near = 0;
     const auto consider = [&](std::uint32_t segment) {
       ++near;
-      const SegmentEnds other = segment_ends(curve_.view(), segment);
+      const Segment other = curve_.view().segment(segment);
       if (meet(box, Box::of(other.a, other.b))) candidates.push_back(segment);
     };
     std::for_each(unusable_.begin(), unusable_.end(), consider);
@@ -174,7 +174,7 @@ SearchCounts find_pairs_by_kd(const IndexedCurve& first, const IndexedCurve& sec
   const Box window = intersection(first.tree().box(), box);
   const Forest forest(second, window);
   return search_blocks(first.tree(), window, consumer, [&] {
-    return [&](const SegmentEnds& ends, const Box& ends_box, Buffer<std::uint32_t>& candidates) {
+    return [&](const Segment& ends, const Box& ends_box, Buffer<std::uint32_t>& candidates) {
       return forest.find(ends, ends_box, candidates);
     };
   });

@@ -25,7 +25,7 @@ Raster Raster::fitted(const BoxTree& tree, const Box& window, std::uint64_t most
          along = 0;  // how many, and their widths and heights in those of the window
   for (std::size_t k = 0; k < looked_at; ++k) {
     const std::size_t leaf = k * leaves / looked_at;
-    for_each_segment_of_leaf(tree, leaf, window, [&](std::uint32_t, const SegmentEnds& ends) {
+    for_each_segment_of_leaf(tree, leaf, window, [&](std::uint32_t, const Segment& ends) {
       const Box box = Box::of(ends.a, ends.b);
       segments += 1;
       across += share(box.min_x(), box.max_x(), window.min_x(), window.max_x());

@@ -47,7 +47,7 @@ double largest_coordinate(const CurveView& curve) {
 double longest_segment(const CurveView& curve) {
   double longest = 0;
   for (std::uint32_t k = 0; k < curve.segments(); ++k) {
-    const auto [a, b] = segment(curve, k);
+    const auto [a, b] = curve.segment(k);
     longest = std::max(longest, std::fabs(b.x - a.x) + std::fabs(b.y - a.y));
   }
   return longest;

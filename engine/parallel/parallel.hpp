@@ -16,8 +16,8 @@
 namespace lober {
 
 #ifdef __SANITIZE_THREAD__
-/// oneTBB as Debian ships it is not instrumented, so ThreadSanitizer cannot see that a task starts after it was spawned and
-/// ends before it is waited for. This tells it, and nothing more: any other order between tasks has to be real.
+/// oneTBB as Debian ships it is not instrumented, so ThreadSanitizer cannot see that a task starts after it was spawned
+/// and ends before it is waited for. This tells it, and nothing more: any other order between tasks has to be real.
 class TaskOrder {
  public:
   void before() { edge_.fetch_add(1, std::memory_order_release); }
