@@ -77,29 +77,25 @@ void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, con
   order.resize(count);
   for_each_block(count, grain, [&](std::size_t first, std::size_t last) {
     std::uint64_t exact_here = 0;
-    const auto before = [&](const Item& x, const Item& y) {
-      const Contact &cx = contacts[x.contact], &cy = contacts[y.contact];
+    const auto before = [&](std::uint32_t x, std::uint32_t y) {
+      const Contact &cx = contacts[x], &cy = contacts[y];
       if (cx.vertex2 != cy.vertex2) return cx.vertex2;
       const double difference = (cx.t2.hi - cy.t2.hi) + (cx.t2.lo - cy.t2.lo);
       if (difference < -parameter_doubt) return true;
-      if (difference > parameter_doubt || x.contact == y.contact) return false;
+      if (difference > parameter_doubt || x == y) return false;
       ++exact_here;
       const auto [c, d] = c2.segment(cx.segment2);
       return compare_along(c, d, implicit(cx), implicit(cy)) < 0;
     };
     // Each piece orders the segments whose first contact lies in it; `items` is only read, other pieces read it too.
     while (first > 0 && first < last && items[first].segment == items[first - 1].segment) ++first;
-    std::vector<Item> on_segment;
     for (std::size_t k = first; k < last;) {
-      std::size_t end = k + 1;
-      while (end < count && items[end].segment == items[k].segment) ++end;
-      if (end - k > 1) {
-        on_segment.assign(items.begin() + static_cast<std::ptrdiff_t>(k),
-                          items.begin() + static_cast<std::ptrdiff_t>(end));
-        std::sort(on_segment.begin(), on_segment.end(), before);
-        for (std::size_t m = k; m < end; ++m) order[m] = on_segment[m - k].contact;
-      } else {
-        order[k] = items[k].contact;
+      std::size_t end = k;
+      for (; end < count && items[end].segment == items[k].segment; ++end) order[end] = items[end].contact;
+      if (end - k == 2) {
+        if (before(order[k + 1], order[k])) std::swap(order[k], order[k + 1]);
+      } else if (end - k > 2) {
+        std::sort(&order[k], &order[k] + (end - k), before);
       }
       k = end;
     }

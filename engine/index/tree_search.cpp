@@ -132,51 +132,53 @@ class TreeSearch {
   bool self_;
 };
 
-// A block with the nodes of the second tree that it meets.
-struct BlockTask {
-  std::uint32_t block = 0;
+// A node of the first tree with the nodes of the second that it meets.
+struct Meeting {
+  TreeNode node;
   std::vector<TreeNode> list;
 };
 
-// The upper part of the walk, down to the blocks.
-void collect_blocks(const TreeSearch& search, const BoxTree& first, TreeNode node, const std::vector<TreeNode>& list,
-                    std::vector<BlockTask>& tasks, SearchCounts& counts) {
-  if (list.empty()) return;
-  if (node.level <= block_level) {
-    tasks.push_back({node.index, list});
+// The upper part of the walk, from `from` down to `level`.
+void collect(const TreeSearch& search, const BoxTree& first, const Meeting& from, std::uint32_t level,
+             std::vector<Meeting>& collected, SearchCounts& counts) {
+  if (from.list.empty()) return;
+  if (from.node.level <= level) {
+    collected.push_back(from);
     return;
   }
-  for (std::uint32_t child = 2 * node.index; child < 2 * node.index + 2; ++child) {
-    const TreeNode below{node.level - 1, child};
-    if (child >= first.nodes(below.level)) break;
-    std::vector<TreeNode> kept;
-    search.keep_meeting(below, list, kept, counts);
-    collect_blocks(search, first, below, kept, tasks, counts);
+  for (std::uint32_t child = 2 * from.node.index; child < 2 * from.node.index + 2; ++child) {
+    Meeting below{{from.node.level - 1, child}, {}};
+    if (child >= first.nodes(below.node.level)) break;
+    search.keep_meeting(below.node, from.list, below.list, counts);
+    collect(search, first, below, level, collected, counts);
   }
 }
 
 SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self, PairConsumer& consumer) {
+  constexpr std::uint32_t task_level =
+      block_level + 2;  // a task is four blocks: what lies above is walked by one thread
   const TreeSearch search(first, second, self);
   SearchCounts counts;
-  std::vector<BlockTask> tasks;
-  std::vector<TreeNode> start;
-  search.keep_meeting(first.root(), std::vector<TreeNode>{second.root()}, start, counts);
-  collect_blocks(search, first, first.root(), start, tasks, counts);
+  Meeting root{first.root(), {}};
+  search.keep_meeting(root.node, std::vector<TreeNode>{second.root()}, root.list, counts);
+  std::vector<Meeting> tasks;
+  collect(search, first, root, task_level, tasks, counts);
 
-  const std::uint32_t level = std::min(block_level, first.levels() - 1);
-  counts.blocks_searched = tasks.size();
-  counts.blocks_skipped = first.nodes(level) - tasks.size();
   std::vector<SearchCounts> task_counts(tasks.size());
-  for_each_block(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      std::vector<TreeNode> stack = std::move(tasks[k].list);
-      Buffer<SegmentPair> pairs;
+  for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {
+    SearchCounts& here = task_counts[task];
+    std::vector<Meeting> blocks;
+    collect(search, first, tasks[task], block_level, blocks, here);
+    Buffer<SegmentPair> pairs;
+    for (Meeting& block : blocks) {
       std::uint32_t skip_before = 0;
-      search.walk({level, tasks[k].block}, 0, tasks[k].block, stack, pairs, consumer, skip_before, task_counts[k]);
-      consumer.finish(tasks[k].block);
+      search.walk(block.node, 0, block.node.index, block.list, pairs, consumer, skip_before, here);
+      consumer.finish(block.node.index);
     }
+    here.blocks_searched = blocks.size();
   });
   for (const SearchCounts& task : task_counts) counts += task;
+  counts.blocks_skipped = first.nodes(std::min(block_level, first.levels() - 1)) - counts.blocks_searched;
   return counts;
 }
 
