@@ -16,6 +16,8 @@ function(lober_own_code target)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
   if(LOBER_SANITIZE)
+    # Instrumented code makes GCC see uninitialised values that are not there.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_compile_options(${target} PUBLIC -fsanitize=${LOBER_SANITIZE} -fno-omit-frame-pointer)
     if(NOT LOBER_SANITIZE STREQUAL "thread")
       target_compile_options(${target} PUBLIC -fno-sanitize-recover=all)
