@@ -12,7 +12,7 @@ status=$?
 count() { sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p" "$report" | head -n 1; }
 tests=$(count tests) failed=$(count failures) skipped=$(count skipped)
 # A skip must say why: print each with its reason.
-grep -h -o 'Skipped: .*' "$report" | sort -u
+grep -h -A 1 ': Skipped$' "$report" | grep -v -e ': Skipped$' -e '^--$' | sed 's/^/skipped: /' | sort | uniq -c
 [ "$tests" -gt 0 ] || { echo "no test ran" >&2; status=1; }
 echo "$((tests - failed - skipped)) passed, $failed failed, $skipped skipped"
 exit $status
