@@ -175,13 +175,13 @@ void crossing_parameters_at_angle(benchmark::State& state) {
   per_item(state, crossings.size());
 }
 
-void shoelace_terms_of_leaf(benchmark::State& state) {
+void shoelace_prefixes_of_leaf(benchmark::State& state) {
   const std::vector<Point> points = circle(few_points);
-  DD terms[leaf_size];
+  LeafPrefixes prefixes;
   for (auto _ : state) {
     for (std::size_t k = 0; k + leaf_size < points.size(); k += leaf_size) {
-      shoelace_terms(points.data() + k, points[k], terms);
-      benchmark::DoNotOptimize(terms);
+      shoelace_prefixes(points.data() + k, points[0], {}, nullptr, prefixes);
+      benchmark::DoNotOptimize(prefixes);
     }
   }
   per_item(state, (points.size() - 1) / leaf_size * leaf_size);
@@ -210,7 +210,7 @@ BENCHMARK(summarise_leaves_streaming)->Unit(benchmark::kMillisecond);
 BENCHMARK(segment_boxes_of_leaf);
 BENCHMARK(meeting_segments_of_leaves)->Arg(1)->Arg(100)->Arg(1000);
 BENCHMARK(crossing_parameters_at_angle)->Arg(0)->Arg(6)->Arg(12)->Arg(15);
-BENCHMARK(shoelace_terms_of_leaf);
+BENCHMARK(shoelace_prefixes_of_leaf);
 BENCHMARK(compare_along_exact);
 
 }  // namespace

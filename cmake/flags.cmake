@@ -9,9 +9,9 @@ function(lober_own_code target)
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     $<$<BOOL:${LOBER_WERROR}>:-Werror>
     -ffp-contract=off)
-  # -Wno-psabi: GCC warns that vector types are passed differently by builds with and without AVX; ours
+  # -Wno-psabi: compilers warn that vector types are passed differently by builds with and without AVX; ours
   # never cross a translation unit. -Wno-restrict: a false alarm of GCC 12 on std::string (its bug 105651).
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi -Wno-restrict>)
+  target_compile_options(${target} PRIVATE -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
   if(LOBER_BUILD_FUZZ)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()

@@ -58,9 +58,4 @@ inline bool meet(const BoxQuery& query, const Box& box) {
 #endif
 }
 
-/// Whether `point` lies in the closed box.
-inline bool contains(const Box& box, Point point) {
-  return box.lane[0] <= point.x && box.lane[1] <= point.y && box.lane[2] <= -point.x && box.lane[3] <= -point.y;
-}
-
 }  // namespace lober

@@ -1,5 +1,8 @@
 // Body of summarise_leaves, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
 
+#include "kernels/shoelace.hpp"
+#include "kernels/shoelace.inl"
+
 namespace {
 
 using namespace lober;
@@ -11,15 +14,8 @@ inline bool differences_exact(double low, double high) {
 
 // Shoelace sum over the leaf about its first point, for any coordinates.
 inline DD leaf_sum(const Point* p) {
-  DD total;
-  DD x = {0, 0}, y = {0, 0};
-  for (std::size_t i = 1; i <= leaf_size; ++i) {
-    const DD next_x = two_diff(p[i].x, p[0].x), next_y = two_diff(p[i].y, p[0].y);
-    total += cross(x, y, next_x, next_y);
-    x = next_x;
-    y = next_y;
-  }
-  return total;
+  LeafPrefixes prefixes;
+  return prefixes_of(p, p[0], {}, nullptr, prefixes);
 }
 
 // Box and flags of one leaf and, in four lanes, its shoelace sum taken as sum r_i.x (r_{i+1}.y - r_{i-1}.y) over all

@@ -1,5 +1,8 @@
 #include "kernels/segment_boxes.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "kernels/cpu.hpp"
 #include "kernels/simd.hpp"
 
@@ -19,6 +22,7 @@ void segment_boxes(const Point* points, SegmentBoxes& boxes) {
   } else {
     boxes_of(points, boxes);
     group_boxes(boxes);
+    strip_of(points, boxes);
   }
 }
 

@@ -38,21 +38,61 @@ inline void group_boxes(SegmentBoxes& boxes) {
   by_groups(boxes.max_y, boxes.group_max_y, most);
 }
 
+// across . p for each of the points of a leaf, and what rounding can do to any of them.
+struct Heights {
+  alignas(32) double height[leaf_size + lanes];  // the last one filled up
+  double doubt;
+};
+inline void heights_of(const Point* points, Point across, Heights& heights) {
+  const double* coordinates = &points[0].x;
+  const Lanes weight = {across.x, across.y, across.x, across.y};
+  Lanes size = splat(0);
+  for (std::size_t i = 0; i < leaf_size; i += lanes) {
+    const Lanes first = load(coordinates + 2 * i) * weight, second = load(coordinates + 2 * i + 4) * weight;
+    const Lanes by_x = __builtin_shufflevector(first, second, 0, 2, 4, 6);
+    const Lanes by_y = __builtin_shufflevector(first, second, 1, 3, 5, 7);
+    store(heights.height + i, by_x + by_y);
+    size = max(size, absolute(by_x) + absolute(by_y));
+  }
+  const double by_x = points[leaf_size].x * across.x, by_y = points[leaf_size].y * across.y;
+  store(heights.height + leaf_size, splat(by_x + by_y));
+  size = max(size, absolute(splat(by_x)) + absolute(splat(by_y)));
+  const double largest = std::max(std::max(size[0], size[1]), std::max(size[2], size[3]));
+  heights.doubt = largest * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
+}
+
+inline void strip_of(const Point* points, SegmentBoxes& boxes) {
+  boxes.across = {points[0].y - points[leaf_size].y, points[leaf_size].x - points[0].x};
+  if (!std::isfinite(boxes.across.x) || !std::isfinite(boxes.across.y)) boxes.across = {0, 0};  // a strip of everything
+  Heights heights;
+  heights_of(points, boxes.across, heights);
+  Lanes low = load(heights.height + leaf_size), high = low;
+  for (std::size_t i = 0; i < leaf_size; i += lanes) {
+    low = min(low, load(heights.height + i));
+    high = max(high, load(heights.height + i));
+  }
+  boxes.low = std::min(std::min(low[0], low[1]), std::min(low[2], low[3])) - heights.doubt;
+  boxes.high = std::max(std::max(high[0], high[1]), std::max(high[2], high[3])) + heights.doubt;
+}
+
+// Bit j is set unless segment j of leaf b lies wholly on one side of the strip of leaf a.
+inline std::uint32_t in_strip(const SegmentBoxes& a, const Point* b) {
+  Heights heights;
+  heights_of(b, a.across, heights);
+  const Lanes low = splat(a.low - heights.doubt), high = splat(a.high + heights.doubt);
+  std::uint64_t above = 0, below = 0;  // of the points
+  for (std::size_t i = 0; i < leaf_size + lanes; i += lanes) {
+    const Lanes height = load(heights.height + i);
+    above |= static_cast<std::uint64_t>(mask_bits(height > high)) << i;
+    below |= static_cast<std::uint64_t>(mask_bits(height < low)) << i;
+  }
+  return ~static_cast<std::uint32_t>((above & above >> 1) | (below & below >> 1));
+}
+
 // Four of the boxes against a rectangle.
 inline unsigned meeting_four(const double* min_x, const double* max_x, const double* min_y, const double* max_y,
                              Lanes left, Lanes right, Lanes bottom, Lanes top) {
   return mask_bits((load(min_x) <= right) & (load(max_x) >= left) & (load(min_y) <= top) & (load(max_y) >= bottom));
-}
-
-// Bit i is set where box i meets the rectangle.
-inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, double max_x, double min_y, double max_y) {
-  const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top)
-            << i;
-  }
-  return bits;
 }
 
 // Bit g is set where group g meets the rectangle.
@@ -66,9 +106,8 @@ inline unsigned meeting_groups(const SegmentBoxes& boxes, Lanes left, Lanes righ
   return groups;
 }
 
-// The same as meeting_bits by way of the groups.
-inline std::uint32_t meeting_bits_grouped(const SegmentBoxes& boxes, double min_x, double max_x, double min_y,
-                                          double max_y) {
+// Bit i is set where box i meets the rectangle.
+inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, double max_x, double min_y, double max_y) {
   const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
   std::uint32_t bits = 0;
   for (unsigned groups = meeting_groups(boxes, left, right, bottom, top); groups != 0; groups &= groups - 1) {
@@ -94,13 +133,12 @@ inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, co
     min_y = a.group_min_y[g] < min_y ? a.group_min_y[g] : min_y;
     max_y = a.group_max_y[g] > max_y ? a.group_max_y[g] : max_y;
   }
-  SegmentBoxes b_boxes;
-  boxes_of(b, b_boxes);
   std::size_t count = 0;
-  std::uint32_t candidates = meeting_bits(b_boxes, min_x, max_x, min_y, max_y);
-  for (; candidates != 0; candidates &= candidates - 1) {
+  for (std::uint32_t candidates = in_strip(a, b); candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));
-    std::uint32_t met = meeting_bits_grouped(a, b_boxes.min_x[j], b_boxes.max_x[j], b_boxes.min_y[j], b_boxes.max_y[j]);
+    const Box box = Box::of(b[j], b[j + 1]);
+    if (box.min_x() > max_x || box.max_x() < min_x || box.min_y() > max_y || box.max_y() < min_y) continue;
+    std::uint32_t met = meeting_bits(a, box.min_x(), box.max_x(), box.min_y(), box.max_y());
     for (; met != 0; met &= met - 1) {
       pairs[count++] = {a_begin + static_cast<std::uint32_t>(__builtin_ctz(met)), b_begin + j};
     }

@@ -1,4 +1,7 @@
 #include "kernels/segment_boxes.hpp"
+
+#include <algorithm>
+#include <cmath>
 #include "kernels/simd.hpp"
 
 #include "kernels/segment_boxes.inl"
@@ -8,6 +11,7 @@ namespace lober {
 void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) {
   boxes_of(points, boxes);
   group_boxes(boxes);
+  strip_of(points, boxes);
 }
 
 std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,

@@ -7,14 +7,11 @@
 
 namespace lober {
 
-void shoelace_terms_avx2(const Point* points, Point origin, DD* terms);
+DD shoelace_prefixes_avx2(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
 
-void shoelace_terms(const Point* points, Point origin, DD* terms) {
-  if (has_avx2()) {
-    shoelace_terms_avx2(points, origin, terms);
-  } else {
-    terms_of(points, origin, terms);
-  }
+DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes) {
+  return has_avx2() ? shoelace_prefixes_avx2(points, origin, start, extra, prefixes)
+                    : prefixes_of(points, origin, start, extra, prefixes);
 }
 
 }  // namespace lober

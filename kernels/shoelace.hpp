@@ -15,9 +15,32 @@ LOBER_INLINE DD shoelace(Point a, Point b, Point origin) {
   return cross(two_diff(a.x, origin.x), two_diff(a.y, origin.y), two_diff(b.x, origin.x), two_diff(b.y, origin.y));
 }
 
-/// The same value for the leaf_size segments of a leaf, four at a time, from a - origin and the edge b - a: error below
-/// 2^-102 times |a - origin| |b - a|. The last bits may differ from those of `shoelace`.
-void shoelace_terms(const Point* points, Point origin, DD* terms);
+/// The shoelace terms of the segments of a leaf and, for each, the sum of all that come before it.
+struct alignas(64) LeafPrefixes {
+  static constexpr std::size_t quarter = leaf_size / lanes;
+  double term_high[leaf_size], term_low[leaf_size];
+  double before_high[leaf_size], before_low[leaf_size];
+
+  /// Segments are stored in this order: four sums run side by side.
+  [[nodiscard]] static constexpr std::size_t place(std::size_t segment) {
+    return segment % quarter * lanes + segment / quarter;
+  }
+  [[nodiscard]] LOBER_INLINE DD before(std::size_t segment) const {
+    return {before_high[place(segment)], before_low[place(segment)]};
+  }
+  /// The sum up to the point with parameter t of the segment.
+  [[nodiscard]] LOBER_INLINE DD at(std::size_t segment, DD t) const {
+    const std::size_t k = place(segment);
+    const DD part = t * DD{term_high[k], term_low[k]};
+    const DD sum = two_sum(before_high[k], part.hi);
+    return fast_two_sum(sum.hi, sum.lo + (before_low[k] + part.lo));
+  }
+};
+
+/// Fills `prefixes` for the leaf_size segments of a leaf about `origin`, the first sum being `start`, and returns the
+/// sum behind the last one. extra[k], unless extra is null, is added behind segment k. Error of a term below 2^-102
+/// times |a - origin| |b - a|; of a sum, 40 times 2^-106 of the largest sum of up to leaf_size terms.
+DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
 
 /// A running sum of double-doubles: the high parts exactly, the low parts rounded. Error after n additions at most
 /// n 2^-106 times the largest partial sum; several times faster than adding double-doubles, because steps overlap.

@@ -1,32 +1,60 @@
-// Body of shoelace_terms, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
+// Body of shoelace_prefixes, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
 
 namespace {
 
 using namespace lober;
 
-inline void terms_of(const Point* points, Point origin, DD* terms) {
+// cross(a - o, b - o) = cross(a - o, b - a), where b - a is short and, mostly, exact in double.
+inline BasicDD<Lanes> terms_of(Lanes ax, Lanes ay, Lanes bx, Lanes by, Lanes x, Lanes y) {
+  const BasicDD<Lanes> rx = two_diff(ax, x), ry = two_diff(ay, y), ex = two_diff(bx, ax), ey = two_diff(by, ay);
+  if (mask_bits((ex.lo == 0) & (ey.lo == 0)) != 15U) return cross(rx, ry, ex, ey);
+  const BasicDD<Lanes> left = two_product(rx.hi, ey.hi), right = two_product(ry.hi, ex.hi);
+  const BasicDD<Lanes> main = two_diff(left.hi, right.hi);
+  return fast_two_sum(main.hi, main.lo + ((left.lo - right.lo) + (rx.lo * ey.hi - ry.lo * ex.hi)));
+}
+
+// Lane l takes the l-th quarter of the leaf, so that four sums run side by side; in the end each is raised by what
+// comes before its quarter.
+inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& result) {
   const double* coordinates = &points[0].x;
-  for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    const Lanes begin0 = load(coordinates + 2 * i), begin1 = load(coordinates + 2 * i + 4);
-    const Lanes end0 = load(coordinates + 2 * i + 2), end1 = load(coordinates + 2 * i + 6);
-    const Lanes ax = __builtin_shufflevector(begin0, begin1, 0, 2, 4, 6);
-    const Lanes ay = __builtin_shufflevector(begin0, begin1, 1, 3, 5, 7);
-    const Lanes bx = __builtin_shufflevector(end0, end1, 0, 2, 4, 6);
-    const Lanes by = __builtin_shufflevector(end0, end1, 1, 3, 5, 7);
-    const Lanes x = splat(origin.x), y = splat(origin.y);
-    // cross(a - o, b - o) = cross(a - o, b - a), where b - a is short and, mostly, exact in double.
-    const BasicDD<Lanes> rx = two_diff(ax, x), ry = two_diff(ay, y), ex = two_diff(bx, ax), ey = two_diff(by, ay);
-    BasicDD<Lanes> term;
-    if (mask_bits((ex.lo == 0) & (ey.lo == 0)) == 15U) {
-      const BasicDD<Lanes> left = two_product(rx.hi, ey.hi), right = two_product(ry.hi, ex.hi);
-      const BasicDD<Lanes> main = two_diff(left.hi, right.hi);
-      term = fast_two_sum(main.hi, main.lo + ((left.lo - right.lo) + (rx.lo * ey.hi - ry.lo * ex.hi)));
-    } else {
-      term = cross(rx, ry, ex, ey);
+  const Lanes x = splat(origin.x), y = splat(origin.y);
+  Lanes high = splat(0), low = splat(0);
+  for (std::size_t i = 0; i < LeafPrefixes::quarter; ++i) {
+    Lanes row[lanes];
+    for (std::size_t l = 0; l < lanes; ++l) row[l] = load(coordinates + 2 * (l * LeafPrefixes::quarter + i));
+    transpose(row);
+    const BasicDD<Lanes> term = terms_of(row[0], row[1], row[2], row[3], x, y);
+    const std::size_t at = i * lanes;
+    store(result.term_high + at, term.hi);
+    store(result.term_low + at, term.lo);
+    store(result.before_high + at, high);
+    store(result.before_low + at, low);
+    BasicDD<Lanes> sum = two_sum(high, term.hi);
+    low += sum.lo + term.lo;
+    if (extra != nullptr) {
+      Lanes more_high, more_low;
+      for (std::size_t l = 0; l < lanes; ++l) {
+        more_high[l] = extra[l * LeafPrefixes::quarter + i].hi;
+        more_low[l] = extra[l * LeafPrefixes::quarter + i].lo;
+      }
+      sum = two_sum(sum.hi, more_high);
+      low += sum.lo + more_low;
     }
-    store(&terms[i].hi, __builtin_shufflevector(term.hi, term.lo, 0, 4, 1, 5));
-    store(&terms[i + 2].hi, __builtin_shufflevector(term.hi, term.lo, 2, 6, 3, 7));
+    high = sum.hi;
   }
+  Lanes start_high, start_low;
+  for (std::size_t l = 0; l < lanes; ++l) {
+    start_high[l] = start.hi;
+    start_low[l] = start.lo;
+    const DD sum = two_sum(start.hi, high[l]);
+    start = fast_two_sum(sum.hi, sum.lo + (start.lo + low[l]));
+  }
+  for (std::size_t at = 0; at < leaf_size; at += lanes) {
+    const BasicDD<Lanes> sum = two_sum(start_high, load(result.before_high + at));
+    store(result.before_high + at, sum.hi);
+    store(result.before_low + at, sum.lo + (start_low + load(result.before_low + at)));
+  }
+  return start;
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace lober {
 
-void shoelace_terms_avx2(const Point* points, Point origin, DD* terms) {
-  terms_of(points, origin, terms);
+DD shoelace_prefixes_avx2(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes) {
+  return prefixes_of(points, origin, start, extra, prefixes);
 }
 
 }  // namespace lober

@@ -44,20 +44,50 @@ void sort_by_digit(const Buffer<Item>& from, Buffer<Item>& to, std::uint32_t shi
   });
 }
 
+// Moves items[k] down to its place among the items before it, which are sorted; not further than a few places.
+// Returns whether that was enough.
+bool settle(Item* items, std::size_t k) {
+  constexpr std::size_t furthest = 8;
+  const Item item = items[k];
+  const std::size_t lowest = k < furthest ? 0 : k - furthest;
+  std::size_t m = k;
+  for (; m > lowest && items[m - 1].segment > item.segment; --m) items[m] = items[m - 1];
+  items[m] = item;
+  return m == 0 || items[m - 1].segment <= item.segment;
+}
+
+// Sorts by insertion as long as items have to move by a few places only, which is so where the curves run side by side
+// in the same direction. Gives up otherwise; then equal items are in their order still.
+bool sort_if_nearly_sorted(Buffer<Item>& items) {
+  std::atomic<bool> sorted{true};
+  for_each_block(items.size(), grain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = 1; k < last - first && sorted.load(std::memory_order_relaxed); ++k) {
+      if (!settle(&items[first], k)) sorted = false;
+    }
+  });
+  for (std::size_t border = grain; border < items.size() && sorted; border += grain) {
+    for (std::size_t k = border; k < items.size() && items[k].segment < items[k - 1].segment; ++k) {
+      if (!settle(items.data(), k)) return false;
+    }
+  }
+  return sorted;
+}
+
 }  // namespace
 
 void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, const CurveView& c2,
                        Buffer<std::uint32_t>& order, std::uint64_t& exact_orders) {
   const std::size_t count = contacts.size();
-  Buffer<Item> items(count), other(count);
+  Buffer<Item> items(count);
   for_each_block(count, grain, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) items[k] = {contacts[k].segment2, static_cast<std::uint32_t>(k)};
   });
-  const auto less = [](const Item& x, const Item& y) { return x.segment < y.segment; };
-  if (!std::is_sorted(items.begin(), items.end(), less)) {
+  if (!sort_if_nearly_sorted(items)) {
+    const auto less = [](const Item& x, const Item& y) { return x.segment < y.segment; };
     if (count < digits) {
       std::stable_sort(items.begin(), items.end(), less);
     } else {
+      Buffer<Item> other(count);
       for (std::uint32_t shift = 0; (c2.segments() - 1) >> shift != 0; shift += digit_bits) {
         sort_by_digit(items, other, shift);
         items.swap(other);

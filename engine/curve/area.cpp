@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "engine/curve/curve.hpp"
@@ -15,16 +14,15 @@ double signed_area(CurveView curve) {
   const Point origin = curve.points[0];
   std::vector<DD> partial((size + grain - 1) / grain);
   for_each_block(size, grain, [&](std::size_t begin, std::size_t end) {
-    RunningSum sum;
-    std::array<DD, leaf_size> terms;
+    LeafPrefixes prefixes;
+    DD sum;
     std::size_t k = begin;
     for (; k + leaf_size <= end && k + leaf_size < size; k += leaf_size) {
-      shoelace_terms(&curve.points[k], origin, terms.data());
-      for (const DD& term : terms) sum.add(term);
+      sum = shoelace_prefixes(&curve.points[k], origin, sum, nullptr, prefixes);
     }
     // The chord that closes the curve ends at the origin and adds nothing.
-    for (; k < end && k + 1 < size; ++k) sum.add(shoelace(curve.points[k], curve.points[k + 1], origin));
-    partial[begin / grain] = sum.value();
+    for (; k < end && k + 1 < size; ++k) sum += shoelace(curve.points[k], curve.points[k + 1], origin);
+    partial[begin / grain] = sum;
   });
   DD total;
   for (const DD& part : partial) total += part;

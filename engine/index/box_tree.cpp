@@ -22,10 +22,11 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
     ++levels_;
     if (size == 1) break;
   }
-  boxes_.resize(total);
+  boxes_.resize(total + nodes_at_once - 1);  // a pyramid is read by fours
   flags_.resize(total);
-  sums_.resize(leaf_count);
   stretch_sums_.resize((leaf_count + leaf_size - 1) / leaf_size);
+  sums_.resize(stretch_sums_.size() * leaf_size);
+  starts_.resize(stretch_sums_.size() * leaf_size + 1);
 
   const std::size_t tail_begin = std::size_t{leaf_count - 1} * leaf_size;
   for (std::size_t i = 0; i <= leaf_size; ++i) {
@@ -53,13 +54,23 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
 // The shoelace sum of a stretch is that of its leaves plus that of the polygon of leaf beginnings, for which the kernel
 // that sums leaves serves once more.
 void BoxTree::sum_stretches(std::size_t begin, std::size_t end) {
-  std::array<Point, (std::size_t{1} << block_levels) + 1> starts;
   std::array<Box, (std::size_t{1} << block_levels) / leaf_size> boxes;
   std::array<std::uint8_t, boxes.size()> flags;
   const std::size_t stretches = (end - begin + leaf_size - 1) / leaf_size;
-  for (std::size_t k = 0; k <= stretches * leaf_size; ++k) starts[k] = leaf_begin(std::min(begin + k, end));
+  const std::size_t padded_end = begin + stretches * leaf_size;
+  for (std::size_t k = begin; k < end; ++k) starts_[k] = curve_.points[k * leaf_size];
+  for (std::size_t k = end; k < padded_end; ++k) {
+    starts_[k] = tail_[leaf_size];
+    sums_[k] = {};
+  }
+  // The point behind the last stretch belongs to the block that follows, if any.
+  std::array<Point, leaf_size + 1> last;
+  std::copy_n(&starts_[padded_end - leaf_size], leaf_size, last.begin());
+  last[leaf_size] = end < leaves() ? curve_.points[end * leaf_size] : tail_[leaf_size];
+  if (end == leaves()) starts_[padded_end] = last[leaf_size];
   DD* sums = &stretch_sums_[begin / leaf_size];
-  summarise_leaves(starts.data(), 0, stretches, boxes.data(), sums, flags.data());
+  summarise_leaves(&starts_[begin], 0, stretches - 1, boxes.data(), sums, flags.data());
+  summarise_leaves(last.data(), 0, 1, boxes.data(), sums + (stretches - 1), flags.data());
   for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
     const std::size_t first = begin + stretch * leaf_size;
     double high = 0, low = 0;
@@ -95,7 +106,7 @@ bool BoxTree::sums_finite() const {
 
 std::size_t BoxTree::memory() const {
   return boxes_.capacity() * sizeof(Box) + flags_.capacity() +
-         (sums_.capacity() + stretch_sums_.capacity()) * sizeof(DD);
+         (sums_.capacity() + stretch_sums_.capacity()) * sizeof(DD) + starts_.capacity() * sizeof(Point);
 }
 
 }  // namespace lober

@@ -11,19 +11,14 @@
 
 #include "engine/curve/curve.hpp"
 #include "engine/memory.hpp"
+#include "kernels/box_pyramid.hpp"
 #include "kernels/leaf.hpp"
 
 namespace lober {
 
-/// A node: level 0 are the leaves; node k of level l covers leaves [k << l, (k + 1) << l).
-struct TreeNode {
-  std::uint32_t level = 0;
-  std::uint32_t index = 0;
-};
-
 class BoxTree {
  public:
-  /// Builds the tree of a curve that stays alive as long as the tree does. O(N), parallel; about 1.5 bytes per
+  /// Builds the tree of a curve that stays alive as long as the tree does. O(N), parallel; about 2 bytes per
   /// point. The curve is not validated: NaN coordinates give a useless tree, no fault.
   explicit BoxTree(CurveView curve);
 
@@ -34,11 +29,13 @@ class BoxTree {
   [[nodiscard]] std::uint32_t nodes(std::uint32_t level) const { return level_size_[level]; }
   [[nodiscard]] TreeNode root() const { return {levels_ - 1, 0}; }
   [[nodiscard]] const Box& box(TreeNode node) const { return boxes_[level_begin_[node.level] + node.index]; }
+  [[nodiscard]] BoxPyramid pyramid() const { return {boxes_.data(), level_begin_.data(), level_size_.data()}; }
   [[nodiscard]] const Box& box() const { return box(root()); }
   /// MonotoneFlags of the whole node.
   [[nodiscard]] std::uint8_t flags(TreeNode node) const { return flags_[level_begin_[node.level] + node.index]; }
   [[nodiscard]] const Box* leaf_boxes() const { return boxes_.data(); }
   /// Shoelace sums of the leaves, see summarise_leaves.
+  /// A whole number of stretches of them: behind the last leaf they are zero.
   [[nodiscard]] const DD* leaf_sums() const { return sums_.data(); }
   /// Shoelace sums of stretches of leaf_size leaves, each about its first point (the last one may be shorter).
   [[nodiscard]] const Buffer<DD>& stretch_sums() const { return stretch_sums_; }
@@ -46,9 +43,9 @@ class BoxTree {
   /// that products overflow. A curve with a bad coordinate never passes. O(N / 1024).
   [[nodiscard]] bool sums_finite() const;
   /// Where leaf `leaf` begins; leaves() is allowed and means the end of the curve (the first point again, if closed).
-  [[nodiscard]] Point leaf_begin(std::size_t leaf) const {
-    return leaf < leaves() ? curve_.points[leaf * leaf_size] : tail_[leaf_size];
-  }
+  [[nodiscard]] Point leaf_begin(std::size_t leaf) const { return starts_[leaf]; }
+  /// leaf_begin of the leaf_size leaves of a stretch and of the next one; behind the end of the curve its last point.
+  [[nodiscard]] const Point* stretch_points(std::size_t stretch) const { return &starts_[stretch * leaf_size]; }
   /// leaf_size + 1 points of a leaf; behind the end of the curve its last point is repeated.
   [[nodiscard]] const Point* leaf_points(std::size_t leaf) const {
     return leaf + 1 == leaves() ? tail_.data() : curve_.points.data() + leaf * leaf_size;
@@ -68,6 +65,7 @@ class BoxTree {
   Buffer<std::uint8_t> flags_;
   Buffer<DD> sums_;
   Buffer<DD> stretch_sums_;
+  Buffer<Point> starts_;
   std::array<Point, leaf_size + 1> tail_{};
 };
 

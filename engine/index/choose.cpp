@@ -17,6 +17,7 @@
 namespace lober {
 namespace {
 
+constexpr std::size_t leaves_glanced_at = 32;
 constexpr std::size_t leaves_sampled = 256;
 constexpr std::size_t leaves_met_at_most = 512;  // per leaf walked through the tree; more are extrapolated
 constexpr std::size_t leaf_pairs_looked_into = 256;
@@ -61,8 +62,8 @@ double leaves_meeting(const BoxTree& tree, const Box& box, Buffer<std::uint32_t>
   return static_cast<double>(met.size());
 }
 
-TreeSample sample_tree(const BoxTree& first, const BoxTree& second) {
-  const std::size_t looked_at = std::min(first.leaves(), leaves_sampled);
+TreeSample sample_tree(const BoxTree& first, const BoxTree& second, std::size_t leaves) {
+  const std::size_t looked_at = std::min(first.leaves(), leaves);
   TreeSample sample;
   Buffer<std::uint32_t> met;
   std::array<SegmentPair, leaf_size * leaf_size> pairs;
@@ -130,7 +131,10 @@ double grid_cost(const BoxTree& first, const BoxTree& second) {
 
 IndexKind choose_index(const IndexedCurve& first, const IndexedCurve& second) {
   if (!meet(first.tree().box(), second.tree().box())) return IndexKind::tree;
-  const TreeSample sample = sample_tree(first.tree(), second.tree());
+  // A glance settles the ordinary case.
+  const TreeSample glance = sample_tree(first.tree(), second.tree(), leaves_glanced_at);
+  if (8 * glance.leaf_pairs * glance.candidates < moderate * leaf_size) return IndexKind::tree;
+  const TreeSample sample = sample_tree(first.tree(), second.tree(), leaves_sampled);
   if (sample.leaf_pairs * sample.candidates < moderate * leaf_size) return IndexKind::tree;
   const double tree_cost = static_cast<double>(first.tree().leaves()) * sample.leaf_pairs *
                            (cost_of_leaf_pair + cost_of_candidate * sample.candidates);

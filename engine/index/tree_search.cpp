@@ -5,12 +5,15 @@
 // out in curve order, which makes sorting the crossings nearly free.
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "engine/index/index.hpp"
 #include "engine/index/search.hpp"
 #include "engine/memory.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "kernels/box_pyramid.hpp"
 
 namespace lober {
 namespace {
@@ -18,45 +21,119 @@ namespace {
 constexpr std::uint32_t block_level = 6;  // a block is a node of this level
 static_assert(block_segments == leaf_size << block_level);
 
+// The nodes of the second tree that are carried along, for each of the nodes below one node of the first.
+struct Carried {
+  std::array<Buffer<TreeNode>, nodes_at_once> met;
+  std::array<std::size_t, nodes_at_once> count{};
+};
+
 class TreeSearch {
  public:
   TreeSearch(const BoxTree& first, const BoxTree& second, bool self) : first_(first), second_(second), self_(self) {}
 
-  // The nodes of the second tree that meet `node` of the first, out of those in `list`, split to the size of `node`.
-  void keep_meeting(TreeNode node, std::span<const TreeNode> list, std::vector<TreeNode>& kept,
-                    SearchCounts& counts) const {
-    const Query query(first_, node);
-    for (const TreeNode& candidate : list) keep_one(query, candidate, kept, counts);
+  // Where the walk starts: the root of the first tree with what it meets.
+  [[nodiscard]] std::vector<TreeNode> start(SearchCounts& counts) const {
+    ++counts.boxes_tested;
+    if (!meet(first_.box(), second_.box())) return {};
+    Buffer<TreeNode> list{second_.root()};
+    std::size_t count = 1;
+    split_to_size(first_.root(), list, count, counts);
+    return {list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count)};
   }
 
-  void walk(TreeNode node, std::size_t list_begin, std::uint32_t block, std::vector<TreeNode>& stack,
-            Buffer<SegmentPair>& pairs, PairConsumer& consumer, std::uint32_t& skip_before,
-            SearchCounts& counts) const {
-    const std::size_t list_end = stack.size();
-    if (list_begin == list_end) return;
-    if (static_cast<std::size_t>(node.index + 1) * (leaf_size << node.level) <= skip_before) return;
+  // Levels from a node to those that the walk goes on to: two, one where that makes the level even.
+  [[nodiscard]] static std::uint32_t step_from(std::uint32_t level) { return level % 2 == 1 ? 1 : levels_at_once; }
+
+  // For each node below `node` of the first tree the nodes of the second that meet it, out of those in `list`, split to
+  // about its size.
+  void go_down(TreeNode node, std::span<const TreeNode> list, Carried& carried, SearchCounts& counts) const {
+    const TreeNode below = first_below(node);
+    const std::size_t present = nodes_below(node);
+    std::array<TreeNode*, nodes_at_once> room{};
+    for (std::size_t i = 0; i < nodes_at_once; ++i) {
+      make_room(carried.met[i], list.size() + 1);
+      room[i] = carried.met[i].data();
+    }
+    distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), room, carried.count);
+    counts.boxes_tested += present * list.size();
+    for (std::size_t i = 0; i < present; ++i) {
+      const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
+      if (self_) drop_apart(child, carried.met[i], carried.count[i]);
+      if (carried.count[i] > 0) split_to_size(child, carried.met[i], carried.count[i], counts);
+    }
+  }
+
+  [[nodiscard]] static TreeNode first_below(TreeNode node) {
+    const std::uint32_t step = step_from(node.level);
+    return {node.level - step, node.index << step};
+  }
+  [[nodiscard]] std::size_t nodes_below(TreeNode node) const {
+    const TreeNode below = first_below(node);
+    return std::min<std::size_t>(std::size_t{1} << step_from(node.level), first_.nodes(below.level) - below.index);
+  }
+
+  struct Scratch {
+    std::array<Carried, 32> carried;  // by level of the first tree
+    Buffer<SegmentPair> pairs;
+    std::uint32_t skip_before = 0;
+    SearchCounts counts;
+  };
+
+  void walk(TreeNode node, std::span<const TreeNode> list, std::uint32_t block, PairConsumer& consumer,
+            Scratch& scratch) const {
+    if (list.empty()) return;
+    if (static_cast<std::size_t>(node.index + 1) * (leaf_size << node.level) <= scratch.skip_before) return;
     if (node.level == 0) {
-      leaf_pairs(node, std::span(stack).subspan(list_begin), pairs, counts);
-      if (!pairs.empty()) {
-        counts.pairs_proposed += pairs.size();
-        skip_before = consumer.consume(block, pairs);
+      leaf_pairs(node, list, scratch.pairs, scratch.counts);
+      if (!scratch.pairs.empty()) {
+        scratch.counts.pairs_proposed += scratch.pairs.size();
+        scratch.skip_before = consumer.consume(block, scratch.pairs);
       }
       return;
     }
-    for (std::uint32_t child = 2 * node.index; child < 2 * node.index + 2; ++child) {
-      const TreeNode below{node.level - 1, child};
-      if (child >= first_.nodes(below.level)) break;
-      const Query query(first_, below);
-      for (std::size_t k = list_begin; k < list_end; ++k) {
-        const TreeNode candidate = stack[k];  // a copy: the stack moves when it grows
-        keep_one(query, candidate, stack, counts);
-      }
-      walk(below, list_end, block, stack, pairs, consumer, skip_before, counts);
-      stack.resize(list_end);
+    Carried& carried = scratch.carried[node.level];
+    go_down(node, list, carried, scratch.counts);
+    const TreeNode below = first_below(node);
+    for (std::size_t i = 0; i < nodes_below(node); ++i) {
+      walk({below.level, below.index + static_cast<std::uint32_t>(i)}, {carried.met[i].data(), carried.count[i]}, block,
+           consumer, scratch);
     }
   }
 
  private:
+  static void make_room(Buffer<TreeNode>& buffer, std::size_t size) {
+    if (buffer.size() < size) buffer.resize(2 * size);
+  }
+
+  void drop_apart(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) const {
+    const auto end = std::remove_if(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count),
+                                    [&](TreeNode candidate) { return apart(node, candidate); });
+    count = static_cast<std::size_t>(end - list.begin());
+  }
+
+  // Replaces nodes of the second tree that are larger than `node` of the first by those below them that meet it; at a
+  // leaf, down to the leaves.
+  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    const Box& box = first_.box(node);
+    const double largest = node.level == 0 ? -1 : box.extent();
+    thread_local Buffer<TreeNode> waiting, split;
+    std::size_t kept = 0, waiting_count = count;
+    make_room(waiting, count);
+    std::copy_n(list.begin(), count, waiting.begin());
+    while (waiting_count > 0) {
+      make_room(list, kept + waiting_count + 1);
+      make_room(split, nodes_at_once * waiting_count + 1);
+      const Refined refined =
+          refine(box, largest, second_.pyramid(), waiting.data(), waiting_count, &list[kept], split.data());
+      counts.boxes_tested += nodes_at_once * (waiting_count - refined.kept);
+      kept += refined.kept;
+      waiting.swap(split);
+      waiting_count = refined.split;
+      if (self_) drop_apart(node, waiting, waiting_count);
+    }
+    count = kept;
+  }
+
   // In a search of a curve against itself: nothing to find between these two nodes.
   [[nodiscard]] bool apart(TreeNode node, TreeNode candidate) const {
     const std::uint32_t begin = node.index << node.level, end = (node.index + 1) << node.level;
@@ -68,28 +145,6 @@ class TreeSearch {
     if (other_begin < end) return true;  // one contains the other, and the larger is one monotone run
     const bool wraps = begin == 0 && other_end >= second_.leaves() && second_.curve().closed;
     return other_begin == end || wraps;
-  }
-
-  // A node of the first tree, ready to be tested against many.
-  struct Query {
-    Query(const BoxTree& tree, TreeNode which) : node(which), box(tree.box(which)), extent(tree.box(which).extent()) {}
-    TreeNode node;
-    BoxQuery box;
-    double extent;
-  };
-
-  void keep_one(const Query& query, TreeNode candidate, std::vector<TreeNode>& kept, SearchCounts& counts) const {
-    ++counts.boxes_tested;
-    const Box& other = second_.box(candidate);
-    if (!meet(query.box, other)) return;
-    if (self_ && apart(query.node, candidate)) return;
-    if (candidate.level > 0 && (query.node.level == 0 || other.extent() > query.extent)) {
-      const TreeNode left{candidate.level - 1, 2 * candidate.index};
-      keep_one(query, left, kept, counts);
-      if (left.index + 1 < second_.nodes(left.level)) keep_one(query, {left.level, left.index + 1}, kept, counts);
-    } else {
-      kept.push_back(candidate);
-    }
   }
 
   void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs,
@@ -139,43 +194,44 @@ struct Meeting {
 };
 
 // The upper part of the walk, from `from` down to `level`.
-void collect(const TreeSearch& search, const BoxTree& first, const Meeting& from, std::uint32_t level,
-             std::vector<Meeting>& collected, SearchCounts& counts) {
+void collect(const TreeSearch& search, const Meeting& from, std::uint32_t level, std::vector<Meeting>& collected,
+             SearchCounts& counts) {
   if (from.list.empty()) return;
   if (from.node.level <= level) {
     collected.push_back(from);
     return;
   }
-  for (std::uint32_t child = 2 * from.node.index; child < 2 * from.node.index + 2; ++child) {
-    Meeting below{{from.node.level - 1, child}, {}};
-    if (child >= first.nodes(below.node.level)) break;
-    search.keep_meeting(below.node, from.list, below.list, counts);
-    collect(search, first, below, level, collected, counts);
+  Carried carried;
+  search.go_down(from.node, from.list, carried, counts);
+  const TreeNode below = TreeSearch::first_below(from.node);
+  for (std::size_t i = 0; i < search.nodes_below(from.node); ++i) {
+    const TreeNode* list = carried.met[i].data();
+    collect(search, {{below.level, below.index + static_cast<std::uint32_t>(i)}, {list, list + carried.count[i]}},
+            level, collected, counts);
   }
 }
 
 SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self, PairConsumer& consumer) {
   constexpr std::uint32_t task_level =
       block_level + 2;  // a task is four blocks: what lies above is walked by one thread
+  static_assert(block_level % 2 == 0, "the walk passes through even levels");
   const TreeSearch search(first, second, self);
   SearchCounts counts;
-  Meeting root{first.root(), {}};
-  search.keep_meeting(root.node, std::vector<TreeNode>{second.root()}, root.list, counts);
   std::vector<Meeting> tasks;
-  collect(search, first, root, task_level, tasks, counts);
+  collect(search, {first.root(), search.start(counts)}, task_level, tasks, counts);
 
   std::vector<SearchCounts> task_counts(tasks.size());
   for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {
-    SearchCounts& here = task_counts[task];
     std::vector<Meeting> blocks;
-    collect(search, first, tasks[task], block_level, blocks, here);
-    Buffer<SegmentPair> pairs;
+    TreeSearch::Scratch scratch;
+    collect(search, tasks[task], block_level, blocks, scratch.counts);
     for (Meeting& block : blocks) {
-      std::uint32_t skip_before = 0;
-      search.walk(block.node, 0, block.node.index, block.list, pairs, consumer, skip_before, here);
+      scratch.skip_before = 0;
+      search.walk(block.node, block.list, block.node.index, consumer, scratch);
       consumer.finish(block.node.index);
     }
-    here.blocks_searched = blocks.size();
+    scratch.counts.blocks_searched = blocks.size();
+    task_counts[task] = scratch.counts;
   });
   for (const SearchCounts& task : task_counts) counts += task;
   counts.blocks_skipped = first.nodes(std::min(block_level, first.levels() - 1)) - counts.blocks_searched;

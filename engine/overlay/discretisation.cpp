@@ -21,8 +21,8 @@ double bulge(const CurveView& curve, std::size_t number) {
 }
 
 // Running sums of the bulges of one curve at its contacts, like the shoelace sums in arc_sums.cpp.
-template <typename ContactAt>
-Buffer<DD> bulges_at_contacts(const CurveView& curve, std::size_t count, const ContactAt& contact, DD& total) {
+template <typename ContactAt, typename Take>
+DD bulges_at_contacts(const CurveView& curve, std::size_t count, const ContactAt& contact, const Take& take) {
   const std::size_t segments = curve.segments(), blocks = (segments + grain - 1) / grain;
   std::vector<DD> before(blocks + 1);
   for_each_block(segments, grain, [&](std::size_t begin, std::size_t end) {
@@ -31,9 +31,7 @@ Buffer<DD> bulges_at_contacts(const CurveView& curve, std::size_t count, const C
     before[begin / grain + 1] = sum.value();
   });
   for (std::size_t k = 0; k < blocks; ++k) before[k + 1] += before[k];
-  total = before[blocks];
 
-  Buffer<DD> sums(count);
   std::vector<std::size_t> first(blocks + 1, count);
   for (std::size_t k = count; k-- > 0;) first[contact(k).segment / grain] = k;
   for (std::size_t k = blocks; k-- > 0;) first[k] = std::min(first[k], first[k + 1]);
@@ -45,12 +43,12 @@ Buffer<DD> bulges_at_contacts(const CurveView& curve, std::size_t count, const C
     for (std::size_t number = block * grain; k < first[block + 1]; ++number) {
       const double here = bulge(curve, number);
       for (; k < first[block + 1] && contact(k).segment == number; ++k) {
-        sums[k] = sum.value() + DD{here * sagitta_fraction(contact(k).t), 0};
+        take(k, sum.value() + DD{here * sagitta_fraction(contact(k).t), 0});
       }
       sum.add({here, 0});
     }
   });
-  return sums;
+  return before[blocks];
 }
 
 struct Place {
@@ -64,26 +62,28 @@ Areas discretisation_error(const Overlay& result) {
   const NodeGraph& graph = result.nodes.graph();
   const CurveView &c1 = result.nodes.curve1(), &c2 = result.nodes.curve2();
   const std::size_t count = graph.contacts.size();
-  DD total1, total2;
-  Buffer<DD> sums1 = bulges_at_contacts(
+  ArcSums sums;
+  sums.gap.resize(count);
+  sums.total1 = bulges_at_contacts(
       c1, count,
       [&](std::size_t k) {
         return Place{graph.contacts[k].segment1, graph.contacts[k].t1.hi};
       },
-      total1);
-  Buffer<DD> sums2 = bulges_at_contacts(
+      [&](std::size_t k, DD sum) { sums.gap[k] = sum; });
+  sums.total2 = bulges_at_contacts(
       c2, count,
       [&](std::size_t k) {
         const Contact& contact = graph.contacts[graph.contacts2[k]];
         return Place{contact.segment2, contact.t2.hi};
       },
-      total2);
+      [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= sum; });
+  find_wraps(graph, sums);
 
   const auto lost = [](DD twice) { return std::fabs(0.5 * twice.hi); };
-  const DD gain1 = result.nodes.clockwise1() ? -total1 : total1, gain2 = result.nodes.clockwise2() ? -total2 : total2;
+  const DD gain1 = result.nodes.clockwise1() ? -sums.total1 : sums.total1,
+           gain2 = result.nodes.clockwise2() ? -sums.total2 : sums.total2;
   DD minus12, minus21, common;
   if (graph.size() > 0) {
-    const ArcSums sums = sums_between_nodes(graph, std::move(sums1), total1, std::move(sums2), total2);
     const Handedness hands{result.nodes.clockwise1(), result.nodes.clockwise2()};
     const FaceTotals totals = total_of_faces(graph, sums, hands);
     minus12 = totals.only1;

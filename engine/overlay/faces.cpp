@@ -63,14 +63,30 @@ bool at_last(Arm arm, int direction) {
   return false;
 }
 
-// The part of the boundary that runs along the shared arc of the node, if any.
-DD along_shared(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, Arm arrive, Arm leave) {
-  const int direction = graph.spans[node].direction;
-  if (direction == 0) return {};
-  const bool from = at_last(arrive, direction), to = at_last(leave, direction);
-  if (from == to) return {};
-  return to ? sums.via[node] : -sums.via[node];
+constexpr bool on_second(Arm arm) {
+  return arm == out2 || arm == in2;
 }
+
+// What a walk collects at a node: S1 - S2 where it comes along C1 and goes on along C2, S2 - S1 the other way round
+// (ends of a shared arc apart, its first vertex included).
+DD at_node(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, Arm arrive, Arm leave) {
+  const bool came2 = on_second(arrive), goes2 = on_second(leave);
+  const NodeSpan& span = graph.spans[node];
+  const bool from = at_last(arrive, span.direction), to = at_last(leave, span.direction);
+  DD sum;
+  if (goes2) sum += sums.gap[to ? span.last : span.first];
+  if (came2) sum -= sums.gap[from ? span.last : span.first];
+  if (node == sums.wraps_inside && from != to) sum += to ? sums.total1 : -sums.total1;
+  return sum;
+}
+
+// How often a set of walks passes the first vertex of each curve, forward less back.
+struct Turns {
+  int round1 = 0, round2 = 0;
+  [[nodiscard]] DD sum(const ArcSums& sums) const {
+    return DD{static_cast<double>(round1), 0} * sums.total1 + DD{static_cast<double>(round2), 0} * sums.total2;
+  }
+};
 
 }  // namespace
 
@@ -78,10 +94,74 @@ int sectors_at(std::uint8_t arm_order, Handedness hands, Membership wanted) {
   return std::popcount(arrivals(hands, wanted)[arm_order]);
 }
 
+namespace {
+
+// Walks all faces that have an arrival in `open`. Where all nodes are points, which is nearly always, what is collected
+// at a node is its gap or nothing.
+template <bool points_only>
+void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open, Faces& faces) {
+  const std::uint32_t count = graph.size();
+  const std::uint32_t *along2 = graph.along2().data(), *rank2 = graph.rank2.data();
+  const std::uint8_t* order = graph.order.data();
+  const DD* gap = sums.gap.data();
+  std::uint32_t* steps = faces.steps.data();
+  std::uint32_t step = 0;
+  for (std::uint32_t start = 0; start < count; ++start) {
+    while (open[start] != 0) {
+      std::uint32_t node = start;
+      auto arrive = static_cast<Arm>(__builtin_ctz(open[start]));
+      RunningSum twice_area;
+      Turns rounds;
+      do {
+        open[node] = static_cast<std::uint8_t>(open[node] & ~(1U << arrive));
+        const Arm leave = turns[order[node]][arrive].leave;
+        const bool goes2 = on_second(leave), came2 = on_second(arrive);
+        if constexpr (points_only) {
+          if (goes2 != came2) twice_area.add(goes2 ? gap[node] : -gap[node]);
+        } else {
+          twice_area.add(at_node(graph, sums, node, arrive, leave));
+        }
+        steps[step++] = pack({node, goes2});
+        switch (leave) {
+          case out1:
+            rounds.round1 += node == sums.wraps1;
+            node = node + 1 == count ? 0 : node + 1;
+            arrive = in1;
+            break;
+          case in1:
+            node = node == 0 ? count - 1 : node - 1;
+            rounds.round1 -= node == sums.wraps1;
+            arrive = out1;
+            break;
+          case out2: {
+            const std::uint32_t rank = rank2[node];
+            rounds.round2 += rank == sums.wraps2;
+            node = along2[rank + 1 == count ? 0 : rank + 1];
+            arrive = in2;
+            break;
+          }
+          case in2: {
+            const std::uint32_t rank = rank2[node] == 0 ? count - 1 : rank2[node] - 1;
+            rounds.round2 -= rank == sums.wraps2;
+            node = along2[rank];
+            arrive = out2;
+            break;
+          }
+        }
+      } while ((open[node] & 1U << arrive) != 0);
+      if (rounds.round1 != 0 || rounds.round2 != 0) twice_area.add(rounds.sum(sums));
+      const DD sum = twice_area.value();
+      faces.area.push_back(0.5 * (sum.hi + sum.lo));
+      faces.begin.push_back(step);
+    }
+  }
+}
+
+}  // namespace
+
 Faces walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands, Membership wanted) {
   const std::uint32_t count = graph.size();
   const std::array<std::uint8_t, 6> wanted_arrivals = arrivals(hands, wanted);
-  const Buffer<std::uint32_t>& along2 = graph.along2();
   Buffer<std::uint8_t> open(count);  // arrivals that no walk has used yet
   std::array<std::size_t, 6> nodes_of_order{};
   for (std::uint32_t node = 0; node < count; ++node) {
@@ -97,81 +177,92 @@ Faces walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands, 
   faces.area.reserve(corners / 2 + 1);
   faces.begin.reserve(corners / 2 + 2);
   faces.begin.push_back(0);
-  std::uint32_t step = 0;
-  const bool arcs_shared = !graph.spans.empty();
-  for (std::uint32_t start = 0; start < count; ++start) {
-    while (open[start] != 0) {
-      std::uint32_t node = start;
-      auto arrive = static_cast<Arm>(__builtin_ctz(open[start]));
-      RunningSum twice_area;
-      do {
-        open[node] = static_cast<std::uint8_t>(open[node] & ~(1U << arrive));
-        const Arm leave = turns[graph.order[node]][arrive].leave;
-        if (arcs_shared) twice_area.add(along_shared(graph, sums, node, arrive, leave));
-        faces.steps[step++] = pack({node, leave == out2 || leave == in2});
-        switch (leave) {
-          case out1:
-            twice_area.add(sums.arc1[node]);
-            node = node + 1 == count ? 0 : node + 1;
-            arrive = in1;
-            break;
-          case in1:
-            node = node == 0 ? count - 1 : node - 1;
-            twice_area.add(-sums.arc1[node]);
-            arrive = out1;
-            break;
-          case out2: {
-            const std::uint32_t rank = graph.rank2[node];
-            twice_area.add(sums.arc2[rank]);
-            node = along2[rank + 1 == count ? 0 : rank + 1];
-            arrive = in2;
-            break;
-          }
-          case in2: {
-            const std::uint32_t rank = graph.rank2[node] == 0 ? count - 1 : graph.rank2[node] - 1;
-            twice_area.add(-sums.arc2[rank]);
-            node = along2[rank];
-            arrive = out2;
-            break;
-          }
-        }
-      } while ((open[node] & 1U << arrive) != 0);
-      const DD sum = twice_area.value();
-      faces.area.push_back(0.5 * (sum.hi + sum.lo));
-      faces.begin.push_back(step);
-    }
+  if (graph.spans.empty()) {
+    walk_all<true>(graph, sums, open.data(), faces);
+  } else {
+    walk_all<false>(graph, sums, open.data(), faces);
   }
   return faces;
 }
 
+namespace {
+
+// Where all nodes are points, what the walks of a membership collect at one depends on its arm order only: so many
+// times the gap.
+int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
+  int times = 0;
+  for (unsigned bits = arrivals_wanted; bits != 0; bits &= bits - 1) {
+    const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
+    const Arm leave = turns[order][arrive].leave;
+    times += static_cast<int>(on_second(leave)) - static_cast<int>(on_second(arrive));
+  }
+  return times;
+}
+
+// Sums of the gaps over the nodes of each arm order.
+std::array<DD, 6> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
+  const std::size_t count = graph.size();
+  std::vector<std::array<DD, 6>> partial((count + grain - 1) / grain);
+  for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
+    std::array<RunningSum, 6> sum;
+    for (std::size_t node = begin; node < end; ++node) sum[graph.order[node]].add(sums.gap[node]);
+    for (std::size_t order = 0; order < 6; ++order) partial[begin / grain][order] = sum[order].value();
+  });
+  std::array<DD, 6> total{};
+  for (const auto& part : partial) {
+    for (std::size_t order = 0; order < 6; ++order) total[order] += part[order];
+  }
+  return total;
+}
+
+// The same with shared arcs, node by node, for one membership.
+DD collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const std::array<std::uint8_t, 6>& wanted) {
+  RunningSum sum;
+  for (std::uint32_t node = 0; node < graph.size(); ++node) {
+    for (unsigned bits = wanted[graph.order[node]]; bits != 0; bits &= bits - 1) {
+      const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
+      sum.add(at_node(graph, sums, node, arrive, turns[graph.order[node]][arrive].leave));
+    }
+  }
+  return sum.value();
+}
+
+}  // namespace
+
 FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands) {
   constexpr std::array<Membership, 3> memberships{{{true, false}, {false, true}, {true, true}}};
-  std::array<std::array<std::uint8_t, 6>, 3> wanted{};
-  for (std::size_t m = 0; m < 3; ++m) wanted[m] = arrivals(hands, memberships[m]);
   const std::uint32_t count = graph.size();
-  std::vector<std::array<DD, 3>> partial((count + grain - 1) / grain);
-  for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
-    std::array<RunningSum, 3> sum;
-    for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
-      const std::uint8_t order = graph.order[node];
-      const std::uint32_t rank = graph.rank2[node];
-      const DD onwards1 = sums.arc1[node], back1 = -sums.arc1[node == 0 ? count - 1 : node - 1];
-      const DD onwards2 = sums.arc2[rank], back2 = -sums.arc2[rank == 0 ? count - 1 : rank - 1];
-      const std::array<DD, 4> along{onwards1, onwards2, back1, back2};  // indexed by Arm
-      for (std::size_t m = 0; m < 3; ++m) {
-        for (unsigned bits = wanted[m][order]; bits != 0; bits &= bits - 1) {
-          const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
-          const Arm leave = turns[order][arrive].leave;
-          if (!graph.spans.empty()) sum[m].add(along_shared(graph, sums, node, arrive, leave));
-          sum[m].add(along[leave]);
-        }
-      }
-    }
-    for (std::size_t m = 0; m < 3; ++m) partial[begin / grain][m] = sum[m].value();
-  });
+  const bool points_only = graph.spans.empty();
+  const std::array<DD, 6> gaps = points_only ? gaps_by_order(graph, sums) : std::array<DD, 6>{};
   std::array<DD, 3> total{};
-  for (const auto& part : partial) {
-    for (std::size_t m = 0; m < 3; ++m) total[m] += part[m];
+  for (std::size_t m = 0; m < 3; ++m) {
+    const std::array<std::uint8_t, 6> wanted = arrivals(hands, memberships[m]);
+    if (points_only) {
+      for (std::size_t order = 0; order < 6; ++order) {
+        total[m] +=
+            DD{static_cast<double>(times_gap(static_cast<std::uint8_t>(order), wanted[order])), 0} * gaps[order];
+      }
+    } else {
+      total[m] = collected_at_nodes(graph, sums, wanted);
+    }
+    // Whole turns: a walk goes along the way past the first vertex if it leaves the node before by that way, and back
+    // if it leaves the node after.
+    const auto leaving = [&](std::uint32_t node, Arm by) {
+      int times = 0;
+      for (unsigned bits = wanted[graph.order[node]]; bits != 0; bits &= bits - 1) {
+        times += turns[graph.order[node]][static_cast<unsigned>(__builtin_ctz(bits))].leave == by;
+      }
+      return times;
+    };
+    const auto next = [&](std::uint32_t place) { return place + 1 == count ? 0 : place + 1; };
+    Turns rounds;
+    if (sums.wraps1 != ArcSums::nowhere) {
+      rounds.round1 = leaving(sums.wraps1, out1) - leaving(next(sums.wraps1), in1);
+    }
+    if (sums.wraps2 != ArcSums::nowhere) {
+      rounds.round2 = leaving(graph.along2()[sums.wraps2], out2) - leaving(graph.along2()[next(sums.wraps2)], in2);
+    }
+    total[m] += rounds.sum(sums);
   }
   return {total[0], total[1], total[2]};
 }

@@ -211,13 +211,16 @@ class OverlayBuilder {
     const auto outside =
         static_cast<std::size_t>(std::min_element(faces.area.begin(), faces.area.end()) - faces.area.begin());
     for (std::size_t k = 0; k < faces.size(); ++k) {
-      std::vector<std::uint32_t> steps = reversed(faces, k);
-      if (k == outside) {
-        add_piece(target, result_.areas.unite, std::move(steps));
-      } else {
+      if (k != outside) {
+        std::vector<std::uint32_t> steps(faces.begin[k + 1] - faces.begin[k]);
+        reverse_face(faces, k, steps.data());
         target.holes_.push_back({0, std::move(steps)});
       }
     }
+    target.areas_ = {result_.areas.unite};
+    target.steps_.resize(faces.begin[outside + 1] - faces.begin[outside]);
+    target.begin_ = {0, static_cast<std::uint32_t>(target.steps_.size())};
+    reverse_face(faces, outside, target.steps_.data());
   }
 
   static void add_piece(Pieces& target, double area, std::span<const std::uint32_t> steps) {
@@ -227,15 +230,12 @@ class OverlayBuilder {
   }
 
   // A face walked the other way round, so that the outside of it is on the left.
-  static std::vector<std::uint32_t> reversed(const Faces& faces, std::size_t face) {
+  static void reverse_face(const Faces& faces, std::size_t face, std::uint32_t* steps) {
     const std::uint32_t begin = faces.begin[face], end = faces.begin[face + 1];
-    std::vector<std::uint32_t> steps;
-    steps.reserve(end - begin);
     for (std::uint32_t k = end; k-- > begin;) {
       const Step arc_before = unpack(faces.steps[k == begin ? end - 1 : k - 1]);
-      steps.push_back(pack({unpack(faces.steps[k]).node, arc_before.curve}));
+      *steps++ = pack({unpack(faces.steps[k]).node, arc_before.curve});
     }
-    return steps;
   }
 
   // Equivalence classes of the crossings under sigma.

@@ -4,7 +4,6 @@
 // decides, never the machine, and whatever a piece produces is joined in the order of the pieces.
 #pragma once
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>

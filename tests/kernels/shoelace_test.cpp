@@ -12,7 +12,7 @@
 #include "tests/kernels/random_doubles.hpp"
 
 namespace lober {
-void shoelace_terms_avx2(const Point* points, Point origin, DD* terms);
+DD shoelace_prefixes_avx2(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
 }
 
 namespace lober::testing {
@@ -51,17 +51,36 @@ TEST(Shoelace, KeepsItsBound) {
     const Point origin = random.chance(0.3)   ? at
                          : random.chance(0.5) ? neighbour(random, at, 3)
                                               : Point{at.x + 1, at.y - 2};
-    std::array<DD, leaf_size> terms;
-    shoelace_terms(leaf.data(), origin, terms.data());
+    LeafPrefixes prefixes;
+    std::array<DD, leaf_size> extra;
+    for (DD& value : extra) value = two_product(with_exponent(random, -30, 30), random.uniform(0.5, 1));
+    const bool with_extra = random.chance(0.5);
+    const DD start = two_product(with_exponent(random, -30, 30), random.uniform(0.5, 1));
+    const DD end = shoelace_prefixes(leaf.data(), origin, start, with_extra ? extra.data() : nullptr, prefixes);
+    mpq_class sum = value_of(start), largest = abs(sum), worst(0);
+    const auto sum_error = [&](DD found, const mpq_class& exact) {
+      worst = std::max(worst, mpq_class(abs(value_of(found) - exact)));
+    };
     for (std::size_t i = 0; i < leaf_size; ++i) {
       const Vector a = between(origin, leaf[i]), b = between(origin, leaf[i + 1]);
       const Vector edge = between(leaf[i], leaf[i + 1]);
       const mpq_class exact = a.x * b.y - a.y * b.x;
       const mpq_class error = value_of(shoelace(leaf[i], leaf[i + 1], origin)) - exact;
       ASSERT_LE(error * error, bound * squared(a) * squared(b)) << "one segment, try " << k;
-      const mpq_class term_error = value_of(terms[i]) - exact;
+      const DD term{prefixes.term_high[LeafPrefixes::place(i)], prefixes.term_low[LeafPrefixes::place(i)]};
+      const mpq_class term_error = value_of(term) - exact;
       ASSERT_LE(term_error * term_error, bound * squared(a) * squared(edge)) << "of a leaf, try " << k;
+      sum_error(prefixes.before(i), sum);
+      // Sums are joined by quarters: parts of up to leaf_size terms count.
+      const mpq_class half = mpq_class(random.unit());
+      const DD t{half.get_d(), 0};
+      sum_error(prefixes.at(i, t), sum + value_of(t) * exact);
+      sum += exact;
+      if (with_extra) sum += value_of(extra[i]);
+      largest += abs(exact) + (with_extra ? mpq_class(abs(value_of(extra[i]))) : mpq_class(0));
     }
+    sum_error(end, sum);
+    ASSERT_LE(worst, 40 * power_of_two(-106) * largest) << "sums, try " << k;
   }
 }
 
@@ -70,10 +89,14 @@ TEST(Shoelace, BothCopiesGiveTheSameBits) {
   Random random(seed());
   for (int k = 0; k < 3000; ++k) {
     const Leaf leaf = random_leaf(random);
-    std::array<DD, leaf_size> plain, wide;
-    terms_of(leaf.data(), leaf[3], plain.data());
-    shoelace_terms_avx2(leaf.data(), leaf[3], wide.data());
-    ASSERT_EQ(std::memcmp(plain.data(), wide.data(), sizeof plain), 0) << "try " << k;
+    std::array<DD, leaf_size> extra;
+    for (DD& value : extra) value = {random.unit(), 0};
+    LeafPrefixes plain, wide;
+    const DD plain_end = prefixes_of(leaf.data(), leaf[3], {1, 0}, extra.data(), plain);
+    const DD wide_end = shoelace_prefixes_avx2(leaf.data(), leaf[3], {1, 0}, extra.data(), wide);
+    ASSERT_EQ(std::memcmp(&plain, &wide, sizeof plain), 0) << "try " << k;
+    ASSERT_EQ(plain_end.hi, wide_end.hi);
+    ASSERT_EQ(plain_end.lo, wide_end.lo);
   }
 }
 

@@ -1,0 +1,51 @@
+// Lists of tree nodes whose boxes meet given ones: the inner loops of a walk of two box trees against each other.
+//
+// Whether boxes meet is as good as random there, so nothing branches on it: every candidate is written to the end of
+// the list, which grows by one or by nothing.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/box.hpp"
+
+namespace lober {
+
+/// A node: level 0 are the leaves; node k of level l covers leaves [k << l, (k + 1) << l).
+struct TreeNode {
+  std::uint32_t level = 0;
+  std::uint32_t index = 0;
+  friend bool operator==(const TreeNode&, const TreeNode&) = default;
+};
+
+/// Boxes of all nodes of a binary tree: those of level l are boxes[begin[l]] onwards, size[l] of them. Three boxes
+/// behind the last must be readable.
+struct BoxPyramid {
+  const Box* boxes;
+  const std::uint32_t* begin;
+  const std::uint32_t* size;
+};
+
+/// Nodes are replaced by what lies this many levels below them, as far as there are levels.
+inline constexpr std::uint32_t levels_at_once = 2;
+inline constexpr std::size_t nodes_at_once = std::size_t{1} << levels_at_once;
+
+/// Sorts the `count` nodes of `list` by which of the boxes four[0 .. boxes - 1] they meet (some, none or all):
+/// those that meet box i go to met[i], in order, and met_count[i] says how many. Room for `count` + 1 is needed in
+/// each; four[boxes .. 3] must be readable.
+void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                const std::array<TreeNode*, nodes_at_once>& met, std::array<std::size_t, nodes_at_once>& met_count);
+
+/// How many nodes went where.
+struct Refined {
+  std::size_t kept = 0;
+  std::size_t split = 0;
+};
+
+/// The nodes of `list` that are leaves or no larger than `largest` (by extent) go to `kept`; of the others, those up to
+/// four nodes below them that meet `box` go to `split`. Room for `count` + 1 and 4 `count` + 1 is needed.
+Refined refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+               TreeNode* kept, TreeNode* split);
+
+}  // namespace lober
