@@ -51,6 +51,7 @@ MeasuredAreas measure_areas(const IndexedCurve& c1, const IndexedCurve& c2, cons
     InteriorOptions split = options;
     split.method = InteriorMethod::split;
     split.check_simple = false;
+    split.progress = {};
     measured.splitting = distance(measured.result.areas, interior_areas(c1, c2, split).areas);
   }
   return measured;

@@ -32,8 +32,8 @@ struct Winding {
   friend bool operator==(const Winding&, const Winding&) = default;
 };
 
-/// The winding number of a closed curve of any shape, self-intersecting or not, about a point. Exact for all finite
-/// coordinates. A ray to the right is followed through the box tree: a box that it misses is skipped, one that lies
+/// The winding number of a closed curve of any shape, self-intersecting or not, about a point, which must be finite.
+/// Exact. A ray to the right is followed through the box tree: a box that it misses is skipped, one that lies
 /// wholly to the right of the point counts by the heights of its two ends. About log N for a curve whose boxes overlap
 /// little.
 [[nodiscard]] Winding winding(const IndexedCurve& curve, Point point);
@@ -48,10 +48,10 @@ struct InteriorValue {
   bool on = false;  ///< exact
 };
 
-/// J by way of the box tree: a subtree whose box excludes the point contributes the angle between its two ends as seen
-/// from there, which is right because a box is convex. Angles near half a turn get their sign from an exact predicate,
-/// so J / 2 pi is the winding number up to the rounding of some 2 log N angles (each right to about 2^-51). About
-/// log N. DESIGN section 2.
+/// J by way of the box tree: an arc whose box excludes the point contributes the angle between its two ends as seen
+/// from there, which is right because a box is convex, and so do neighbouring ones on one side of the point together.
+/// Angles near half a turn get their sign from an exact predicate, so J / 2 pi is the winding number up to the rounding
+/// of these few angles (each right to about 2^-51). About log N. DESIGN section 2.
 [[nodiscard]] InteriorValue interior_function(const IndexedCurve& curve, Point point);
 
 /// The same for many points, in parallel; the same bits for any number of threads.

@@ -44,24 +44,32 @@ double angle(Point at, Point a, Point b, PredicateCounts& counts) {
   return std::copysign(std::atan2(std::fabs(sine), cosine), orient2d(at, a, b, counts));
 }
 
+// Half-planes beside the point.
+enum HalfPlanes : unsigned { right_of = 1, left_of = 2, above = 4, below = 8 };
+
+// Follows the curve once round. Neighbouring arcs that stay in one half-plane beside the point are taken for one, which
+// leaves a handful of angles.
 class AngleWalk {
  public:
   AngleWalk(const BoxTree& tree, Point point) : tree_(tree), point_(point) {}
 
   InteriorValue run() {
     visit(tree_.root());
+    end_arc();
     return value_;
   }
 
  private:
+  [[nodiscard]] unsigned half_planes(const Box& box) const {
+    return (box.min_x() > point_.x ? right_of : 0U) | (box.max_x() < point_.x ? left_of : 0U) |
+           (box.min_y() > point_.y ? above : 0U) | (box.max_y() < point_.y ? below : 0U);
+  }
+
   void visit(TreeNode node) {
-    const Box& box = tree_.box(node);
-    const bool excluded =
-        box.max_y() < point_.y || box.min_y() > point_.y || box.max_x() < point_.x || box.min_x() > point_.x;
-    if (excluded) {
+    if (const unsigned planes = half_planes(tree_.box(node)); planes != 0) {
       const std::size_t first = std::size_t{node.index} << node.level;
       const std::size_t end = std::min((std::size_t{node.index} + 1) << node.level, tree_.leaves());
-      value_.j += angle(point_, tree_.leaf_begin(first), tree_.leaf_begin(end), counts_);
+      follow(tree_.leaf_begin(first), tree_.leaf_begin(end), planes);
     } else if (node.level > 0) {
       const std::uint32_t end = std::min(2 * node.index + 2, tree_.nodes(node.level - 1));
       for (std::uint32_t child = 2 * node.index; child < end; ++child) visit({node.level - 1, child});
@@ -73,7 +81,9 @@ class AngleWalk {
   // A segment through the point contributes nothing: the principal value.
   void visit_leaf(const Point* p) {
     for (std::size_t i = 0; i < leaf_size; ++i) {
-      if (on_segment(p[i], p[i + 1], point_, counts_)) {
+      if (const unsigned planes = half_planes(Box::of(p[i], p[i + 1])); planes != 0) {
+        follow(p[i], p[i + 1], planes);
+      } else if (end_arc(); on_segment(p[i], p[i + 1], point_, counts_)) {
         value_.on = true;
       } else {
         value_.j += angle(point_, p[i], p[i + 1], counts_);
@@ -81,9 +91,26 @@ class AngleWalk {
     }
   }
 
+  // The curve goes on from `from` to `to` inside these half-planes.
+  void follow(Point from, Point to, unsigned planes) {
+    if ((planes_ & planes) == 0) {
+      end_arc();
+      from_ = from;
+      planes_ = planes;
+    }
+    planes_ &= planes;
+    to_ = to;
+  }
+  void end_arc() {
+    if (planes_ != 0) value_.j += angle(point_, from_, to_, counts_);
+    planes_ = 0;
+  }
+
   const BoxTree& tree_;
   Point point_;
   InteriorValue value_;
+  Point from_, to_;      // ends of the arc under way
+  unsigned planes_ = 0;  // half-planes that all of it lies in; 0 when there is none
   PredicateCounts counts_;
 };
 

@@ -19,6 +19,12 @@ class Collector {
     sums_[static_cast<std::size_t>(side)].add(term);
     ++terms_;
   }
+  void add(Side side, const std::array<DD, leaf_size>& terms) {
+    RunningSum sum = sums_[static_cast<std::size_t>(side)];
+    for (const DD& term : terms) sum.add(term);
+    sums_[static_cast<std::size_t>(side)] = sum;
+    terms_ += leaf_size;
+  }
   // A term is wrong by less than 2^-102 |a - o| |b - a|, each addition by less than 2^-106 of the largest partial sum.
   [[nodiscard]] SideSums result(double length, double extent) const {
     const auto sum = [&](Side side) { return sums_[static_cast<std::size_t>(side)].value(); };
@@ -69,12 +75,12 @@ SideSums sum_by_arcs(const BoxTree& tree, Point origin, double extent, const Con
     for (std::size_t leaf = first; leaf < last; ++leaf) {
       shoelace_terms(tree.leaf_points(leaf), origin, terms.data());
       length += length_of_leaf(tree, leaf);
+      if (next == count || contacts.segment(next) >= (leaf + 1) * leaf_size) {
+        collector.add(side, terms);
+        continue;
+      }
       for (std::size_t i = 0; i < leaf_size; ++i) {
         const std::size_t segment = leaf * leaf_size + i;
-        if (next == count || contacts.segment(next) != segment) {
-          collector.add(side, terms[i]);
-          continue;
-        }
         DD from;
         for (; next < count && contacts.segment(next) == segment; ++next) {
           const DD to = contacts[next].t;
@@ -82,7 +88,7 @@ SideSums sum_by_arcs(const BoxTree& tree, Point origin, double extent, const Con
           side = after[next];
           from = to;
         }
-        collector.add(side, (DD{1, 0} - from) * terms[i]);
+        collector.add(side, from.hi == 0 ? terms[i] : (DD{1, 0} - from) * terms[i]);
       }
     }
     blocks[first / leaves_per_block] = collector.result(length, extent);
