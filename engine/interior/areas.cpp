@@ -8,8 +8,8 @@
 #include "engine/interior/insert_points.hpp"
 #include "engine/interior/interior.hpp"
 #include "engine/interior/side_sums.hpp"
-#include "engine/parallel/parallel.hpp"
 #include "engine/stopwatch.hpp"
+#include "kernels/shoelace.hpp"
 
 namespace lober {
 namespace {
@@ -20,6 +20,19 @@ DD times(double power_of_two, DD value) {
 
 double not_negative(DD value) {
   return std::max(0.0, value.hi + value.lo);
+}
+
+// From the sums that the tree brings along: O(N / 1024).
+Orientation orientation_of(const BoxTree& tree) {
+  const Point origin = tree.leaf_begin(0);
+  DD twice_area;
+  for (std::size_t k = 0; k < tree.stretch_sums().size(); ++k) {
+    const std::size_t begin = k * leaf_size, end = std::min(begin + leaf_size, tree.leaves());
+    twice_area += tree.stretch_sums()[k] + shoelace(tree.leaf_begin(begin), tree.leaf_begin(end), origin);
+  }
+  return twice_area.hi > 0   ? Orientation::counter_clockwise
+         : twice_area.hi < 0 ? Orientation::clockwise
+                             : Orientation::degenerate;
 }
 
 // Sums of a curve that runs clockwise count backwards.
@@ -70,8 +83,8 @@ class InteriorBuilder {
     result_.timing.order = graph.order_seconds;
     result_.statistics.index = kind;
     result_.statistics.counts = graph.counts;
-    result_.orientation1 = orientation(c1_.view());
-    result_.orientation2 = orientation(c2_.view());
+    result_.orientation1 = orientation_of(c1_.tree());
+    result_.orientation2 = orientation_of(c2_.tree());
     result_.nodes = Crossings(std::move(graph), c1_.view(), c2_.view(), result_.orientation1, result_.orientation2);
   }
 
