@@ -1,10 +1,15 @@
 #include "cli/command_line.hpp"
 
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "engine/curve/output_file.hpp"
 #include "engine/error.hpp"
+#include "engine/parallel/parallel.hpp"
 
 namespace lober::cli {
 namespace {
@@ -57,6 +62,28 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
     // Opens a temporary file beside it, and removes that again.
     if (!is_special(output.path)) OutputFile probe(output.path);
   }
+}
+
+bool parse_arguments(CLI::App& app, const std::vector<std::string>& arguments) {
+  try {
+    std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
+    app.parse(std::move(last_first));
+    return true;
+  } catch (const CLI::CallForHelp&) {
+    print(app.help());
+    return false;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + " (see " + app.get_name() + " --help)");
+  }
+}
+
+void with_thread_limit(int threads, const std::function<void()>& function) {
+  // The arena sets how many threads work; the global limit lets there be more of them than the machine has cores.
+  std::optional<tbb::global_control> limit;
+  if (threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
+  with_threads(threads, function);
 }
 
 }  // namespace lober::cli

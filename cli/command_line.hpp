@@ -1,10 +1,15 @@
 // What the commands share: where to print, and which outputs are acceptable.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace lober::cli {
 
@@ -20,5 +25,11 @@ struct Output {
 /// Refuses, before any work is done, outputs that would overwrite each other or an input (UsageError) and
 /// outputs that cannot be written (DataError). `inputs` may carry a zone (FILE#ZONE).
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs);
+
+/// Parses the arguments of a command. Returns false when they asked for help, which is then printed; throws UsageError.
+[[nodiscard]] bool parse_arguments(CLI::App& app, const std::vector<std::string>& arguments);
+
+/// Runs the function with so many threads, also more than the machine has cores; 0: one for each.
+void with_thread_limit(int threads, const std::function<void()>& function);
 
 }  // namespace lober::cli

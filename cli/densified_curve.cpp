@@ -33,7 +33,7 @@ Point between(Point a, Point b, double t) {
 
 std::vector<LabelledPoint> densified_curve(const Crossings& nodes, int curve, Densification densification) {
   const CurveView& view = curve == 1 ? nodes.curve1() : nodes.curve2();
-  const std::vector<Side> labels = label_vertices(nodes, curve);
+  const Buffer<Side> labels = label_vertices(nodes, curve);
   const std::vector<SideChange> changes = side_changes(nodes, curve);
   std::vector<LabelledPoint> points;
   points.reserve(labels.size() + changes.size());

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/overlay/vertex_labels.hpp"
+#include "engine/interior/interior.hpp"
 
 namespace lober::cli {
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/interior_command.hpp"
 #include "cli/overlay_command.hpp"
 #include "cli/published_form.hpp"
 #include "engine/error.hpp"
@@ -20,8 +21,11 @@ constexpr const char* usage = R"(lober: exact crossings, lobes and areas of curv
 
 usage:
   lober overlay C1 C2 [options]          crossings, lobes and areas of two closed curves
-  lober overlay --help                   its options
-  lober <c1> <c2> <rslt> [-DENS p n]     the same with the command line and files of the published program
+  lober interior C1 C2 [options]         their areas by the interior function (Q1, Q2, Q3), an independent method
+  lober overlay --help                   the options of a command
+
+  lober <c1> <c2> <rslt> [-DENS p n]          overlay with the command line and files of the published program
+  lober -light <c1> <c2> <rslt> [-DENS p n]   interior with the same
   lober --version
 
 A curve is a file of points, or FILE#ZONE for one zone of it (by number from 0, or by title): Tecplot ASCII, columns
@@ -30,7 +34,7 @@ separated by commas or blanks, NPY, or raw float64, known by its content.
 exit status: 0 done, 1 the data cannot be used, 2 the command cannot be understood
 )";
 
-constexpr std::array later_commands{"interior", "densify", "tangle", "grow", "transport", "escape", "batch"};
+constexpr std::array later_commands{"densify", "tangle", "grow", "transport", "escape", "batch"};
 
 void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
@@ -41,6 +45,8 @@ void run(const std::vector<std::string>& arguments) {
     print("lober " LOBER_VERSION "\n");
   } else if (first == "overlay") {
     run_overlay({arguments.begin() + 1, arguments.end()});
+  } else if (first == "interior") {
+    run_interior({arguments.begin() + 1, arguments.end()});
   } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
     throw UsageError("the command " + first + " is not in this version");
   } else {

@@ -3,16 +3,14 @@
 #include "cli/overlay_command.hpp"
 
 #include <spdlog/spdlog.h>
-#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <optional>
 
 #include "cli/command_line.hpp"
 #include "cli/overlay_report.hpp"
 #include "cli/progress.hpp"
-#include "engine/parallel/parallel.hpp"
+#include "engine/interior/interior.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
@@ -23,6 +21,7 @@ struct Request {
   std::string lobes, crossings, json, svg;
   OverlayOptions options;
   int threads = 0;
+  bool verify = false;
   bool verbose = false;
 };
 
@@ -50,16 +49,10 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
   app.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
+  app.add_flag("--verify", request.verify,
+               "compute the areas by the interior method too, and report by how much the two differ");
   app.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
-  try {
-    std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
-    app.parse(std::move(last_first));
-  } catch (const CLI::CallForHelp&) {
-    print(app.help());
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + " (see lober overlay --help)");
-  }
+  if (!parse_arguments(app, arguments)) return std::nullopt;
   request.options.pieces = !areas_only;
   request.options.check_simple = !no_check;
   for (const IndexKind kind : {IndexKind::automatic, IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
@@ -123,11 +116,14 @@ OverlayReport compute(const Request& request, Progress& progress) {
     }
   }
   timing.measures = measure_watch.seconds();
-  for (const NamedArea& area : named_areas) {
-    if (std::isfinite(report.result.areas.*area.member)) continue;
-    spdlog::warn("warning: areas beyond the range of double, such as that of {}, are written as null", area.label);
-    break;
+  if (request.verify) {
+    progress.phase("verifying", 0.85, 0.9);
+    const Stopwatch verify_watch;
+    const InteriorAreas other = interior_areas(c1, c2, {.index = request.options.index, .check_simple = false});
+    report.consistency = distance(report.result.areas, other.areas);
+    timing.verify = verify_watch.seconds();
   }
+  warn_of_overflow(report.result.areas);
   return report;
 }
 
@@ -154,10 +150,9 @@ void run(const Request& request) {
   const ReportTiming& timing = report.timing;
   spdlog::info(
       "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, areas {:.4f}, "
-      "measures {:.4f}, "
-      "write {:.4f}, total {:.4f}",
+      "measures {:.4f}, verify {:.4f}, write {:.4f}, total {:.4f}",
       timing.read, timing.index, timing.check, timing.crossings, timing.order, timing.areas, timing.measures,
-      timing.write, watch.seconds());
+      timing.verify, timing.write, watch.seconds());
 }
 
 }  // namespace
@@ -166,13 +161,7 @@ void run_overlay(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
   if (!request) return;
   if (request->verbose) spdlog::set_level(spdlog::level::info);
-  // The arena sets how many threads work; the global limit lets there be more of them than the machine has
-  // cores.
-  std::optional<tbb::global_control> limit;
-  if (request->threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request->threads));
-  }
-  with_threads(request->threads, [&] { run(*request); });
+  with_thread_limit(request->threads, [&] { run(*request); });
 }
 
 }  // namespace lober::cli

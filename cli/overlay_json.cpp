@@ -4,8 +4,8 @@
 // formatted in parallel, one element a line, and never held in memory as a whole.
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "cli/json.hpp"
 #include "cli/overlay_report.hpp"
 #include "cli/text.hpp"
 #include "engine/curve/ordered_pipeline.hpp"
@@ -14,13 +14,6 @@
 
 namespace lober::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::string dumped(const Json& value) {
-  // A file name need not be UTF-8.
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 // As nlohmann writes them: numbers that are not finite as null, whole ones with ".0".
 struct JsonNumber {
@@ -75,36 +68,11 @@ void write_list(OutputFile& file, std::size_t size, const Format& format) {
   file.write(size == 0 ? "]" : "\n]");
 }
 
-Json as_json(const NamedCurve& input, double area, Orientation orientation) {
-  return {{"file", input.file},
-          {"zone", input.zone},
-          {"sha256", input.sha256},
-          {"points", input.curve.points.size()},
-          {"area", orientation == Orientation::clockwise ? -area : area},
-          {"orientation", name(orientation)}};
-}
-
-Json as_json(const Areas& areas) {
-  Json object;
-  for (const NamedArea& area : named_areas) object[area.key] = areas.*area.member;
+Json statistics_json(const OverlayStatistics& statistics) {
+  Json object{{"index", name(statistics.index)}, {"index_bytes", statistics.index_bytes}};
+  object.update(counts_json(statistics.counts));
+  object["simple_check"] = simple_check_json(statistics.simple_check, statistics.simple_check_pairs);
   return object;
-}
-
-Json as_json(const OverlayStatistics& statistics) {
-  const ContactCounts& counts = statistics.counts;
-  return {{"index", name(statistics.index)},
-          {"index_bytes", statistics.index_bytes},
-          {"boxes_tested", counts.search.boxes_tested},
-          {"pairs_tested", counts.search.pairs_proposed},
-          {"filter_failures", counts.predicates.filter_failures},
-          {"exact_calls", counts.predicates.exact_calls},
-          {"exact_parameters", counts.exact_parameters},
-          {"exact_orders", counts.exact_orders},
-          {"skipped", {{"blocks", counts.search.blocks_skipped}, {"shared_vertices", counts.shared_vertices}}},
-          {"simple_check",
-           {{"boxes_tested", statistics.simple_check.boxes_tested},
-            {"pairs_tested", statistics.simple_check_pairs},
-            {"skipped_blocks", statistics.simple_check.blocks_skipped}}}};
 }
 
 void format_node(std::string& text, const Node& node, std::size_t index, std::uint32_t class_number,
@@ -132,10 +100,7 @@ void format_node(std::string& text, const Node& node, std::size_t index, std::ui
 
 void write_crossings_member(OutputFile& file, const OverlayReport& report) {
   const Overlay& result = report.result;
-  Json head{{"count", result.nodes.crossings()},
-            {"contacts", result.nodes.touches()},
-            {"shared_arcs", result.nodes.shared_arcs()},
-            {"same_curve", result.nodes.same_curve()}};
+  Json head = meetings_json(result.nodes);
   if (report.options.pieces) head["classes"] = result.class_count;
   std::string text = dumped(head);
   text.back() = ',';  // the object goes on with the list
@@ -179,12 +144,16 @@ Json slivers_json(const OverlayReport& report) {
 }
 
 Json error_json(const OverlayReport& report) {
-  return {{"rounding", as_json(report.result.rounding)},
-          {"discretisation", as_json(report.discretisation)},
-          {"meaning",
-           {{"rounding", "bound on |area - exact area of the polygons as given|"},
-            {"discretisation",
-             "estimate of |area of the polygons - area between smooth curves through the same points|"}}}};
+  Json error{{"rounding", areas_json(report.result.rounding)}, {"discretisation", areas_json(report.discretisation)}};
+  Json meaning{
+      {"rounding", "bound on |area - exact area of the polygons as given|"},
+      {"discretisation", "estimate of |area of the polygons - area between smooth curves through the same points|"}};
+  if (report.consistency) {
+    error["consistency"] = areas_json(*report.consistency);
+    meaning["consistency"] = "|area by the overlay - area by the interior method|";
+  }
+  error["meaning"] = std::move(meaning);
+  return error;
 }
 
 }  // namespace
@@ -199,26 +168,30 @@ void write_overlay_json(const std::string& path, OverlayReport& report, const st
     file.write(line);
   };
   file.write("{");
-  member("program", {{"name", "lober"}, {"version", LOBER_VERSION}});
+  member("program", program_json());
   member("command", "overlay");
-  member("inputs", Json::array({as_json(report.inputs[0], result.areas.c1, result.orientation1),
-                                as_json(report.inputs[1], result.areas.c2, result.orientation2)}));
+  member("inputs", Json::array({input_json(report.inputs[0], result.areas.c1, result.orientation1),
+                                input_json(report.inputs[1], result.areas.c2, result.orientation2)}));
   member("options", {{"index", name(report.options.index)},
                      {"areas_only", !report.options.pieces},
-                     {"check_simple", report.options.check_simple}});
+                     {"check_simple", report.options.check_simple},
+                     {"verify", report.consistency.has_value()}});
   write_crossings_member(file, report);
-  member("areas", as_json(result.areas));
+  member("areas", areas_json(result.areas));
   if (report.options.pieces) {
     write_pieces_member(file, report);
     member("slivers", slivers_json(report));
   }
   member("error", error_json(report));
-  member("statistics", as_json(result.statistics));
+  member("statistics", statistics_json(result.statistics));
   ReportTiming& timing = report.timing;
   timing.write += watch.seconds();
-  const Json seconds{{"read", timing.read},           {"index", timing.index}, {"check", timing.check},
-                     {"crossings", timing.crossings}, {"order", timing.order}, {"areas", timing.areas},
-                     {"measures", timing.measures},   {"write", timing.write}, {"total", seconds_so_far()}};
+  Json seconds{{"read", timing.read},           {"index", timing.index}, {"check", timing.check},
+               {"crossings", timing.crossings}, {"order", timing.order}, {"areas", timing.areas},
+               {"measures", timing.measures}};
+  if (report.consistency) seconds["verify"] = timing.verify;
+  seconds["write"] = timing.write;
+  seconds["total"] = seconds_so_far();
   file.write("\"timing\": ");
   file.write(dumped(seconds));
   file.write("}\n");

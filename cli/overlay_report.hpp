@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/report.hpp"
 #include "engine/overlay/overlay.hpp"
 
 namespace lober::cli {
@@ -13,6 +16,7 @@ namespace lober::cli {
 struct ReportTiming {
   double read = 0, index = 0, check = 0, crossings = 0, order = 0, areas = 0;
   double measures = 0;  ///< centroids, slivers, discretisation
+  double verify = 0;    ///< the interior method
   double write = 0;
 };
 
@@ -21,6 +25,7 @@ struct OverlayReport {
   OverlayOptions options;
   Overlay result;
   Areas discretisation;
+  std::optional<Areas> consistency;  ///< |overlay - interior method|, when that was asked for
   // By Pairing. Empty for totals only, and for pairings that no output shows.
   std::array<std::vector<Point>, 4> centroids;
   std::array<Slivers, 4> slivers;
@@ -31,35 +36,6 @@ struct OverlayReport {
   }
   [[nodiscard]] const Slivers& slivers_of(Pairing pairing) const { return slivers[static_cast<std::size_t>(pairing)]; }
 };
-
-/// The areas under the names that the program uses, in its order.
-struct NamedArea {
-  const char* key;    ///< in the JSON
-  const char* label;  ///< in the table
-  double Areas::*member;
-};
-inline constexpr std::array<NamedArea, 7> named_areas{{
-    {"c1", "C1", &Areas::c1},
-    {"c2", "C2", &Areas::c2},
-    {"intersection", "C1 and C2", &Areas::intersection},
-    {"union", "C1 or C2", &Areas::unite},
-    {"c1_minus_c2", "C1 \\ C2", &Areas::c1_minus_c2},
-    {"c2_minus_c1", "C2 \\ C1", &Areas::c2_minus_c1},
-    {"symmetric_difference", "either, not both", &Areas::symmetric_difference},
-}};
-
-/// "counter_clockwise", "clockwise" or "degenerate".
-[[nodiscard]] inline const char* name(Orientation orientation) {
-  switch (orientation) {
-    case Orientation::clockwise:
-      return "clockwise";
-    case Orientation::degenerate:
-      return "degenerate";
-    case Orientation::counter_clockwise:
-      break;
-  }
-  return "counter_clockwise";
-}
 
 /// What kind of node this is: "crossing", "touch" or "shared_arc".
 [[nodiscard]] inline const char* kind_of(const Node& node) {

@@ -12,40 +12,14 @@ namespace {
 
 constexpr std::size_t shown = 10;  ///< lobes of either kind
 
-std::string spec_of(const NamedCurve& input) {
-  return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-void add_inputs(std::string& text, const OverlayReport& report) {
-  const std::array<std::string, 2> specs{spec_of(report.inputs[0]), spec_of(report.inputs[1])};
-  const std::size_t width = std::max(specs[0].size(), specs[1].size());
-  const std::array<Orientation, 2> orientations{report.result.orientation1, report.result.orientation2};
-  for (std::size_t k = 0; k < 2; ++k) {
-    text +=
-        fmt::format("C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, report.inputs[k].curve.points.size(),
-                    orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
-  }
-}
-
-void add_meetings(std::string& text, const Crossings& nodes) {
-  if (nodes.same_curve()) {
-    text += "\nthe two curves are one and the same\n";
-  } else {
-    text += fmt::format("\n{}, {}, {}\n", counted(nodes.crossings(), "crossing", "crossings"),
-                        counted(nodes.touches(), "touch", "touches"),
-                        counted(nodes.shared_arcs(), "shared arc", "shared arcs"));
-  }
-}
-
 void add_areas(std::string& text, const OverlayReport& report) {
-  text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}\n", "area of", "", "+- rounding", "discretisation");
+  text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}{}\n", "area of", "", "+- rounding", "discretisation",
+                      report.consistency ? "   consistency" : "");
   for (const NamedArea& area : named_areas) {
-    text += fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}\n", area.label, report.result.areas.*area.member,
+    text += fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}", area.label, report.result.areas.*area.member,
                         report.result.rounding.*area.member, report.discretisation.*area.member);
+    if (report.consistency) text += fmt::format(" {:>13.1e}", (*report.consistency).*area.member);
+    text += "\n";
   }
 }
 
@@ -95,9 +69,8 @@ void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing,
 }  // namespace
 
 std::string overlay_table(const OverlayReport& report) {
-  std::string text;
-  add_inputs(text, report);
-  add_meetings(text, report.result.nodes);
+  std::string text = inputs_text(report.inputs, {report.result.orientation1, report.result.orientation2});
+  text += "\n" + meetings_text(report.result.nodes) + "\n";
   add_areas(text, report);
   if (report.options.pieces) {
     add_pieces(text, report, Pairing::c1_minus_c2, "C1 \\ C2");

@@ -1,12 +1,15 @@
 #include "cli/published_form.hpp"
 
-#include <algorithm>
 #include <charconv>
+#include <functional>
+#include <optional>
 
 #include "cli/command_line.hpp"
 #include "cli/densified_curve.hpp"
+#include "cli/interior_report.hpp"
 #include "cli/progress.hpp"
 #include "cli/text.hpp"
+#include "engine/interior/interior.hpp"
 #include "engine/overlay/overlay.hpp"
 
 namespace lober::cli {
@@ -15,30 +18,45 @@ namespace {
 struct Request {
   std::array<std::string, 2> curves;
   std::string result;
-  Densification densification;
+  bool light = false;                          // the interior method
+  std::optional<Densification> densification;  // -DENS
 };
 
-int count_after_dens(const std::string& text) {
+std::optional<int> whole_number(const std::string& text) {
   constexpr int most = 1'000'000;
   int value = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || value < 0 || value > most) {
-    throw UsageError("-DENS takes two whole numbers from 0 to 1000000, not " + text);
-  }
+  if (error != std::errc{} || stop != end || value < 0 || value > most) return std::nullopt;
   return value;
+}
+
+// What follows -DENS: two whole numbers, or a single 0, as the paper also writes it. Moves `k` to the last one.
+Densification after_dens(const std::vector<std::string>& arguments, std::size_t& k) {
+  const auto number = [&](std::size_t place) {
+    return place < arguments.size() ? whole_number(arguments[place]) : std::nullopt;
+  };
+  const std::optional<int> passes = number(k + 1), points = number(k + 2);
+  if (passes && points) {
+    k += 2;
+    return {*passes, *points};
+  }
+  if (passes == 0) {
+    k += 1;
+    return {};
+  }
+  throw UsageError("-DENS takes two whole numbers from 0 to 1000000, <nPass> <nDens>");
 }
 
 Request parse(const std::vector<std::string>& arguments) {
   Request request;
   std::vector<std::string> files;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
-    if (arguments[k] == "-light") throw UsageError("the interior method (-light) is not in this version");
     if (arguments[k] == "-BIP") throw UsageError("tangles of open manifolds (-BIP) are not in this version");
-    if (arguments[k] == "-DENS") {
-      if (k + 2 >= arguments.size()) throw UsageError("-DENS takes two whole numbers, <nPass> <nDens>");
-      request.densification = {count_after_dens(arguments[k + 1]), count_after_dens(arguments[k + 2])};
-      k += 2;
+    if (arguments[k] == "-light") {
+      request.light = true;
+    } else if (arguments[k] == "-DENS") {
+      request.densification = after_dens(arguments, k);
     } else if (arguments[k].starts_with("-") && arguments[k] != "-") {
       throw UsageError("unknown option " + arguments[k] + " (see lober --help)");
     } else {
@@ -48,8 +66,9 @@ Request parse(const std::vector<std::string>& arguments) {
   constexpr std::size_t tangle_arguments = 8;
   if (files.size() >= tangle_arguments) throw UsageError("tangles of open manifolds are not in this version");
   if (files.size() < 3) {
-    throw UsageError("\"" + files[0] +
-                     "\" is no command, and lober <c1> <c2> <rslt> takes three files (see lober --help)");
+    const std::string form = request.light ? "lober -light <c1> <c2> <rslt>" : "lober <c1> <c2> <rslt>";
+    const std::string other = request.light || files.empty() ? "" : "\"" + files[0] + "\" is no command, and ";
+    throw UsageError(other + form + " takes three files (see lober --help)");
   }
   if (files.size() > 3) throw UsageError("too many arguments: " + files[3] + " (see lober --help)");
   request.curves = {files[0], files[1]};
@@ -57,12 +76,45 @@ Request parse(const std::vector<std::string>& arguments) {
   return request;
 }
 
-std::string result_line(const Overlay& result) {
+// What both methods give.
+struct Result {
+  Areas areas;
+  Areas error;
+  Crossings nodes;
+};
+
+std::string result_line(const Result& result) {
   const auto percent = [](double error, double area) { return area == 0 ? 0 : 100 * error / area; };
   std::string line;
-  append_all(line, result.areas.c1_minus_c2, "\t", percent(result.rounding.c1_minus_c2, result.areas.c1_minus_c2), "\t",
-             result.areas.c2_minus_c1, "\t", percent(result.rounding.c2_minus_c1, result.areas.c2_minus_c1), "\n");
+  append_all(line, result.areas.c1_minus_c2, "\t", percent(result.error.c1_minus_c2, result.areas.c1_minus_c2), "\t",
+             result.areas.c2_minus_c1, "\t", percent(result.error.c2_minus_c1, result.areas.c2_minus_c1), "\n");
   return line;
+}
+
+Result by_overlay(const IndexedCurve& c1, const IndexedCurve& c2, const std::function<bool(double)>& progress) {
+  OverlayOptions options;
+  options.pieces = false;
+  options.progress = progress;
+  Overlay found = overlay(c1, c2, options);
+  return {found.areas, found.rounding, std::move(found.nodes)};
+}
+
+// Segments are split where the curves meet unless -DENS asks for what the paper does instead.
+Result by_interior(const IndexedCurve& c1, const IndexedCurve& c2, const std::optional<Densification>& densification,
+                   const std::function<bool(double)>& progress) {
+  InteriorOptions options;
+  options.progress = progress;
+  if (densification) {
+    options.method = InteriorMethod::ends;
+    options.passes = densification->passes;
+    options.points = densification->points;
+  }
+  MeasuredAreas measured = measure_areas(c1, c2, options);
+  Result result{measured.result.areas, measured.result.rounding, std::move(measured.result.nodes)};
+  if (measured.splitting) {
+    for (const NamedArea& area : named_areas) result.error.*area.member += (*measured.splitting).*area.member;
+  }
+  return result;
 }
 
 void write_points(const std::string& path, const std::vector<LabelledPoint>& points, Side side) {
@@ -100,19 +152,19 @@ void run_published_form(const std::vector<std::string>& arguments) {
   progress.phase("reading", 0, 0.3);
   const std::array<NamedCurve, 2> inputs{read_curve(request.curves[0], true, {.hash = false}),
                                          read_curve(request.curves[1], true, {.hash = false})};
-  progress.phase("overlay", 0.3, 0.8);
-  OverlayOptions options;
-  options.pieces = false;
-  options.progress = [&](double fraction) { return progress.advance(fraction); };
-  Overlay result;
+  progress.phase(request.light ? "interior" : "overlay", 0.3, 0.8);
+  const auto advance = [&](double fraction) { return progress.advance(fraction); };
+  Result result;
   try {
-    result = overlay(inputs[0].curve, inputs[1].curve, options);
+    const IndexedCurve c1(inputs[0].curve), c2(inputs[1].curve);
+    result = request.light ? by_interior(c1, c2, request.densification, advance) : by_overlay(c1, c2, advance);
   } catch (const NotSimpleError& error) {
     throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
   }
   progress.phase("writing", 0.8, 1);
-  const std::array<std::vector<LabelledPoint>, 2> points{densified_curve(result.nodes, 1, request.densification),
-                                                         densified_curve(result.nodes, 2, request.densification)};
+  const Densification densification = request.densification.value_or(Densification{});
+  const std::array<std::vector<LabelledPoint>, 2> points{densified_curve(result.nodes, 1, densification),
+                                                         densified_curve(result.nodes, 2, densification)};
   for (const PointFile& file : point_files) {
     write_points(file.path, points[static_cast<std::size_t>(file.curve - 1)], file.side);
   }

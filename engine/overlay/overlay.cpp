@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 
+#include "engine/curve/scaled.hpp"
 #include "engine/overlay/arc_sums.hpp"
 #include "engine/overlay/faces.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -114,18 +113,9 @@ class OverlayBuilder {
 
   // Multiplies all areas by a power of two and lets the result speak of other points.
   static void rescale(Overlay& result, int exponent, CurveView c1, CurveView c2) {
-    for (Areas* areas : {&result.areas, &result.rounding}) {
-      for (double* area : {&areas->c1, &areas->c2, &areas->intersection, &areas->unite, &areas->c1_minus_c2,
-                           &areas->c2_minus_c1, &areas->symmetric_difference}) {
-        *area = std::ldexp(*area, exponent);
-      }
-    }
-    // What underflows is lost to rounding too.
-    Areas& rounding = result.rounding;
-    for (double* bound : {&rounding.c1, &rounding.c2, &rounding.intersection, &rounding.unite, &rounding.c1_minus_c2,
-                          &rounding.c2_minus_c1, &rounding.symmetric_difference}) {
-      *bound += std::numeric_limits<double>::denorm_min();
-    }
+    scale(result.areas, exponent);
+    scale(result.rounding, exponent);
+    allow_for_underflow(result.rounding);
     for (Pieces& pieces : result.pieces_) {
       for (double& area : pieces.areas_) area = std::ldexp(area, exponent);
     }
@@ -327,50 +317,26 @@ class OverlayBuilder {
   Overlay result_;
 };
 
-// Coordinates so large or small that products of four of them leave the range of double are brought into it by a power
-// of two first. Parameters and combinatorics do not change; areas are scaled back.
-class ScaledOverlay {
- public:
-  // The power of two by which coordinates have to be multiplied; 0 nearly always.
-  static int exponent(const Box& box) {
-    constexpr int comfortable = 400;
-    int size = 0;
-    for (const double lane : box.lane) size = std::max(size, std::abs(lane) == 0 ? 0 : std::ilogb(lane));
-    const int extent = box.extent() == 0 ? 0 : std::ilogb(box.extent());
-    return size > comfortable ? -size : extent < -comfortable ? -extent : 0;
-  }
+namespace {
 
-  static Overlay build(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent) {
-    const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
-    const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
-    try {
-      Overlay result = OverlayBuilder(scaled1, scaled2, options).build();
-      OverlayBuilder::rescale(result, -2 * exponent, c1.view(), c2.view());
-      return result;
-    } catch (const NotSimpleError& error) {
-      throw NotSimpleError(error.curve, error.segment1, error.segment2,
-                           {std::ldexp(error.at.x, -exponent), std::ldexp(error.at.y, -exponent)});
-    }
+Overlay overlay_scaled(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent) {
+  const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
+  const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
+  try {
+    Overlay result = OverlayBuilder(scaled1, scaled2, options).build();
+    OverlayBuilder::rescale(result, -2 * exponent, c1.view(), c2.view());
+    return result;
+  } catch (const NotSimpleError& error) {
+    throw NotSimpleError(error.curve, error.segment1, error.segment2,
+                         {std::ldexp(error.at.x, -exponent), std::ldexp(error.at.y, -exponent)});
   }
+}
 
- private:
-  static std::vector<Point> scaled(const CurveView& curve, int exponent) {
-    std::vector<Point> points;
-    points.reserve(curve.points.size());
-    for (const Point& p : curve.points) {
-      const Point q{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
-      if (!(Point{std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent)} == p)) {
-        throw DataError("coordinates range too widely: an area in double precision cannot span them");
-      }
-      points.push_back(q);
-    }
-    return points;
-  }
-};
+}  // namespace
 
 Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options) {
-  const int exponent = ScaledOverlay::exponent(unite(c1.tree().box(), c2.tree().box()));
-  if (exponent != 0) return ScaledOverlay::build(c1, c2, options, exponent);
+  const int exponent = comfortable_exponent(unite(c1.tree().box(), c2.tree().box()));
+  if (exponent != 0) return overlay_scaled(c1, c2, options, exponent);
   return OverlayBuilder(c1, c2, options).build();
 }
 

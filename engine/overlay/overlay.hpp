@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/areas.hpp"
 #include "engine/crossings/crossings.hpp"
 #include "engine/curve/curve.hpp"
 #include "engine/index/index.hpp"
@@ -28,14 +29,6 @@ enum class Pairing : std::uint8_t { c1_minus_c2, c2_minus_c1, intersection, unit
 inline constexpr std::array<Pairing, 4> all_pairings{Pairing::c1_minus_c2, Pairing::c2_minus_c1, Pairing::intersection,
                                                      Pairing::unite};
 [[nodiscard]] std::string_view name(Pairing pairing);  ///< as in the JSON: "c1_minus_c2", ..., "union"
-
-/// Areas in squared units of the coordinates, all >= 0.
-struct Areas {
-  double c1 = 0, c2 = 0;
-  double intersection = 0, unite = 0;
-  double c1_minus_c2 = 0, c2_minus_c1 = 0;
-  double symmetric_difference = 0;
-};
 
 /// One connected component. `crossings` are the indices of the nodes on its boundary in the order of a walk that keeps
 /// the piece on the left, outer boundary first. A node occurs as often as the walk passes it: twice for a piece that

@@ -35,6 +35,9 @@ class BadInput : public ProgramTest {
     expect_failure({"overlay", curve, "good", "--json", "out"}, 1, words);
     expect_failure({"overlay", "good", curve, "--lobes", "out"}, 1, words);
     expect_failure({"good", curve, "out"}, 1, words);
+    expect_failure({"interior", curve, "good", "--json", "out"}, 1, words);
+    expect_failure({"interior", "good", curve, "--no-densify", "--json", "out"}, 1, words);
+    expect_failure({"-light", curve, "good", "out"}, 1, words);
   }
 };
 
@@ -105,6 +108,8 @@ TEST_F(BadInput, OutputThatCannotBeWritten) {
     expect_failure({"overlay", "good", "other", another, "out", option, "nowhere/file"}, 1, "nowhere/file");
   }
   expect_failure({"good", "other", "nowhere/file"}, 1, "nowhere/file: cannot be written");
+  expect_failure({"-light", "good", "other", "nowhere/file"}, 1, "nowhere/file: cannot be written");
+  expect_failure({"interior", "good", "other", "--json", "nowhere/file"}, 1, "nowhere/file: cannot be written");
 }
 
 TEST_F(BadInput, CommandsThatCannotBeUnderstood) {
@@ -114,6 +119,12 @@ TEST_F(BadInput, CommandsThatCannotBeUnderstood) {
   expect_failure({"good", "good", "out", "more"}, 2, "more");
   expect_failure({"-x", "good", "good", "out"}, 2, "-x");
   expect_failure({"overlay"}, 2, "C1");
+  expect_failure({"interior"}, 2, "C1");
+  expect_failure({"interior", "good"}, 2, "C2");
+  expect_failure({"interior", "good", "good", "--lobes", "out"}, 2, "--lobes");
+  expect_failure({"-light"}, 2, "-light <c1> <c2> <rslt>");
+  expect_failure({"-light", "good", "good"}, 2, "-light <c1> <c2> <rslt>");
+  expect_failure({"-light", "good", "good", "out", "more"}, 2, "more");
   expect_failure({"overlay", "good"}, 2, "C2");
   expect_failure({"overlay", "good", "good", "good"}, 2, "good");
   expect_failure({"overlay", "good", "good", "--frobnicate"}, 2, "--frobnicate");
@@ -129,11 +140,19 @@ TEST_F(BadInput, OptionsThatMakeNoSense) {
   expect_failure({"good", "good", "out", "-DENS", "2"}, 2, "-DENS");
   expect_failure({"good", "good", "out", "-DENS", "2", "x"}, 2, "-DENS");
   expect_failure({"good", "good", "out", "-DENS", "-2", "3"}, 2, "-DENS");
+  expect_failure({"-light", "good", "good", "out", "-DENS"}, 2, "-DENS");
+  expect_failure({"-light", "good", "good", "out", "-DENS", "1"}, 2, "-DENS");
+  expect_failure({"-light", "good", "good", "out", "-DENS", "1", "1e3"}, 2, "-DENS");
+  expect_failure({"interior", "good", "good", "--densify", "3"}, 2, "--densify");
+  expect_failure({"interior", "good", "good", "--densify", "3", "-1"}, 2, "--densify");
+  expect_failure({"interior", "good", "good", "--densify", "3", "2000000"}, 2, "--densify");
+  expect_failure({"interior", "good", "good", "--threads", "0"}, 2, "--threads");
 }
 
 TEST_F(BadInput, OptionsThatContradictEachOther) {
   expect_failure({"overlay", "good", "good", "--areas-only", "--lobes", "out"}, 2, "--areas-only");
   expect_failure({"overlay", "good", "good", "--areas-only", "--svg", "out"}, 2, "--areas-only");
+  expect_failure({"interior", "good", "good", "--densify", "1", "2", "--no-densify"}, 2, "--no-densify");
   expect_failure({"overlay", "good", "good", "--json", "new", "--lobes", "./new"}, 2, "both write");
   expect_failure({"overlay", "good", "good", "--json", "-", "--lobes", "-"}, 2, "both write");
   expect_failure({"overlay", "out", "good", "--json", "out"}, 2, "overwrite the input");
@@ -142,7 +161,6 @@ TEST_F(BadInput, OptionsThatContradictEachOther) {
 }
 
 TEST_F(BadInput, PublishedFormsOfLaterVersions) {
-  expect_failure({"-light", "good", "good", "out"}, 2, "not in this version");
   expect_failure({"u", "s", "lobes", "manifolds", "pips", "1", "1", "5"}, 2, "not in this version");
   expect_failure({"u", "s", "lobes", "manifolds", "pips", "1", "1", "5", "b", "-BIP", "3"}, 2, "not in this version");
   expect_failure({"tangle", "u", "s"}, 2, "not in this version");
@@ -150,7 +168,7 @@ TEST_F(BadInput, PublishedFormsOfLaterVersions) {
 
 TEST_F(BadInput, HelpAndVersionAreNoErrors) {
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--help"}, {"-h"}, {"--version"}, {"overlay", "--help"}}) {
+       {std::vector<std::string>{"--help"}, {"-h"}, {"--version"}, {"overlay", "--help"}, {"interior", "--help"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");

@@ -156,6 +156,22 @@ TEST_F(OverlayJson, LeavesOutPiecesWhenTotalsAreAskedFor) {
   EXPECT_EQ(totals["options"]["areas_only"], true);
 }
 
+TEST_F(OverlayJson, VerifiesByTheInteriorMethodWhenAsked) {
+  const Json plain = overlay({"c1", "c2"}), verified = overlay({"c1", "c2", "--verify"});
+  EXPECT_FALSE(plain["error"].contains("consistency"));
+  EXPECT_FALSE(plain["timing"].contains("verify"));
+  EXPECT_EQ(plain["areas"], verified["areas"]);
+  EXPECT_TRUE(verified["timing"].contains("verify"));
+  const Json& consistency = verified["error"]["consistency"];
+  EXPECT_EQ(members(consistency), area_names);
+  for (const std::string& area : area_names) {
+    EXPECT_GE(consistency[area], 0.0);
+    EXPECT_LE(consistency[area], 1e-15 * verified["areas"][area].get<double>()) << area;
+  }
+  EXPECT_NE(run({"overlay", "c1", "c2", "--verify"}).out.find("consistency"), std::string::npos);
+  EXPECT_EQ(run({"overlay", "c1", "c2"}).out.find("consistency"), std::string::npos);
+}
+
 TEST_F(OverlayJson, HasTheSameBytesForAnyNumberOfThreads) {
   for (const char* index : {"auto", "tree", "grid", "kd"}) {
     std::set<std::string> seen;

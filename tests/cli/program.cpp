@@ -62,7 +62,15 @@ Outcome ProgramTest::run(const std::vector<std::string>& arguments) const {
 }
 
 nlohmann::json ProgramTest::overlay(std::vector<std::string> arguments) const {
-  arguments.insert(arguments.begin(), "overlay");
+  return json_of("overlay", std::move(arguments));
+}
+
+nlohmann::json ProgramTest::interior(std::vector<std::string> arguments) const {
+  return json_of("interior", std::move(arguments));
+}
+
+nlohmann::json ProgramTest::json_of(const std::string& command, std::vector<std::string> arguments) const {
+  arguments.insert(arguments.begin(), command);
   arguments.insert(arguments.end(), {"--json", "-"});
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.err;

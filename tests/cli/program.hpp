@@ -30,6 +30,8 @@ class ProgramTest : public testing::Test {
 
   /// Runs `lober overlay` with --json - and parses what it prints. Fails the test when the program does.
   [[nodiscard]] nlohmann::json overlay(std::vector<std::string> arguments) const;
+  /// The same for `lober interior`.
+  [[nodiscard]] nlohmann::json interior(std::vector<std::string> arguments) const;
 
   void write(std::string_view name, std::string_view content) const;
   void write_curve(std::string_view name, std::span<const Point> points) const;
@@ -38,6 +40,8 @@ class ProgramTest : public testing::Test {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:
+  [[nodiscard]] nlohmann::json json_of(const std::string& command, std::vector<std::string> arguments) const;
+
   std::filesystem::path folder_;
 };
 

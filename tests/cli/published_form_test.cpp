@@ -1,6 +1,8 @@
 // The command line and the files of the published program.
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "engine/curve/curve.hpp"
@@ -85,6 +87,68 @@ TEST_F(PublishedForm, AcceptsZeroPassesAndZeroPoints) {
   EXPECT_EQ(read("c12.dat"), plain);
   lober({"-DENS", "2", "0"});
   EXPECT_EQ(read("c12.dat"), plain);
+}
+
+// [C1 \ C2] and [C2 \ C1] with what is said to be their errors in percent.
+std::array<double, 4> numbers(const std::string& line) {
+  std::array<double, 4> values{};
+  std::istringstream stream(line);
+  for (double& value : values) EXPECT_TRUE(stream >> value) << line;
+  return values;
+}
+
+TEST_F(PublishedForm, LightWritesTheSameFiles) {
+  lober();
+  std::map<std::string, std::string> files;
+  const std::array names{"c12.dat", "c11.dat", "c10.dat", "c21.dat", "c22.dat", "c20.dat"};
+  for (const char* name : names) files[name] = read(name);
+  const std::array<double, 4> areas = numbers(read("result"));
+  lober({"-light"});
+  for (const char* name : names) EXPECT_EQ(read(name), files[name]) << name;
+  const std::array<double, 4> light = numbers(read("result"));
+  EXPECT_EQ(light[0], areas[0]);
+  EXPECT_EQ(light[2], areas[2]);
+  EXPECT_GT(light[1], 0);
+  EXPECT_LT(light[1], 1e-12);
+}
+
+TEST_F(PublishedForm, LightIsExactWhereThePublishedProgramIsNot) {
+  const auto light = [&](const std::vector<Point>& c1, const std::vector<Point>& c2) {
+    write_curve("c1.dat", c1);
+    write_curve("c2.dat", c2);
+    lober({"-light"});
+    const std::array<double, 4> values = numbers(read("result"));
+    return std::pair(values[0], values[2]);
+  };
+  using Pair = std::pair<double, double>;
+  EXPECT_EQ(light(box(0, 0, 1, 1), box(0, 0, 2, 1)), Pair(0, 1));
+  EXPECT_EQ(light(box(0, 0, 1, 1), box(0.5, 0, 1.5, 1)), Pair(0.5, 0.5));
+  EXPECT_EQ(light(box(0, 0, 1, 1), box(1, 0.25, 2, 0.75)), Pair(1, 0.5));
+  EXPECT_EQ(light(box(0, 2, 6, 4), box(2, 0, 4, 6)), Pair(8, 8));
+  EXPECT_EQ(light(box(0, 0, 2, 2), {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}), Pair(0, 0));
+}
+
+TEST_F(PublishedForm, LightWithDensApproximatesAndSaysHowWell) {
+  write_curve("c1.dat", flower(100, 3, 0.1, {0, 0}));
+  write_curve("c2.dat", flower(90, 5, 0.1, {0.3, 0.1}));
+  lober({"-light"});
+  const double exact = numbers(read("result"))[0];
+  double before = 1;
+  for (const std::vector<std::string>& dens : {std::vector<std::string>{"0"}, {"1", "10"}, {"3", "10"}, {"5", "100"}}) {
+    std::vector<std::string> options{"-light", "-DENS"};
+    options.insert(options.end(), dens.begin(), dens.end());
+    lober(options);
+    const std::array<double, 4> values = numbers(read("result"));
+    const double error = std::fabs(values[0] - exact);
+    EXPECT_LT(error, before);
+    EXPECT_NEAR(values[1], 100 * error / values[0], 1e-11);
+    before = error / 2;
+  }
+  EXPECT_LT(before, 1e-10);
+  lober({"-light", "-DENS", "0"});
+  const std::string single = read("result");
+  lober({"-light", "-DENS", "0", "10"});
+  EXPECT_EQ(read("result"), single);
 }
 
 }  // namespace

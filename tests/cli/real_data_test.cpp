@@ -1,6 +1,7 @@
 // Lobes of real manifolds against each other and against the boundary, with which they share arcs. The
 // reference values are exact rational areas of the polygons as given.
 
+#include <cmath>
 #include <map>
 
 #include "tests/cli/program.hpp"
@@ -34,8 +35,16 @@ class RealData : public ProgramTest {
   // The area of each lobe inside the boundary: a number, or all, or none (up to rounding of shared arcs).
   void check_boundary(double boundary_area, const std::map<int, double>& areas, const std::map<int, double>& inside) {
     for (int k = 1; k <= lobes(); ++k) {
-      const Json result = overlay({lobe(k), boundary()})["areas"];
+      const Json verified = overlay({lobe(k), boundary(), "--verify"});
+      const Json& result = verified["areas"];
       const std::string what = "lobe " + std::to_string(k);
+      // The interior method agrees, and is another run of its own.
+      const Json other = interior({lobe(k), boundary()})["areas"];
+      for (const auto& [name, difference] : verified["error"]["consistency"].items()) {
+        const double area = result[name];
+        EXPECT_LE(difference, 1e-15 * area + 1e-27 * result["c2"].get<double>()) << what << ' ' << name;
+        EXPECT_EQ(difference, std::fabs(area - other[name].get<double>())) << what << ' ' << name;
+      }
       expect_consistent(result, what);
       EXPECT_NEAR(result["c2"], boundary_area, 1e-15 * boundary_area) << what;
       const double area = areas.at(std::min(k, lobes() + 1 - k));

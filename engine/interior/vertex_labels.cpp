@@ -1,10 +1,11 @@
-#include "engine/overlay/vertex_labels.hpp"
+// Labels carried along a curve: they change at nodes only.
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
 
-#include "engine/index/index.hpp"
+#include "engine/interior/interior.hpp"
 
 namespace lober {
 namespace {
@@ -49,22 +50,27 @@ std::vector<SideChange> side_changes(const Crossings& nodes, int curve) {
   return changes;
 }
 
-std::vector<Side> label_vertices(const Crossings& nodes, int curve) {
+Buffer<Side> label_vertices(const Crossings& nodes, int curve) {
   const CurveView& own = curve == 1 ? nodes.curve1() : nodes.curve2();
   const CurveView& other = curve == 1 ? nodes.curve2() : nodes.curve1();
-  if (nodes.same_curve()) return std::vector<Side>(own.points.size(), Side::on);
+  const auto size = static_cast<std::uint32_t>(own.points.size());
+  Buffer<Side> labels(size);
+  const auto fill = [&](std::size_t begin, std::size_t end, Side side) {
+    if (begin < end) std::memset(labels.data() + begin, static_cast<int>(side), end - begin);
+  };
+  if (nodes.same_curve()) {
+    fill(0, size, Side::on);
+    return labels;
+  }
   const std::vector<SideChange> changes = side_changes(nodes, curve);
   if (changes.empty()) {
-    const bool inside = encloses(IndexedCurve(other), own.points[0]);
-    return std::vector<Side>(own.points.size(), inside ? Side::inside : Side::outside);
+    fill(0, size, side_of(IndexedCurve(other), own.points[0]));
+    return labels;
   }
-  std::vector<Side> labels(own.points.size(), changes.back().side);
-  const auto size = static_cast<std::uint32_t>(labels.size());
+  fill(0, changes.front().at.segment + std::size_t{1}, changes.back().side);
   for (std::size_t k = 0; k < changes.size(); ++k) {
-    const std::uint32_t end = k + 1 < changes.size() ? changes[k + 1].at.segment + 1 : size;
-    if (changes[k].at.segment + 1 < end) {
-      std::fill(labels.begin() + changes[k].at.segment + 1, labels.begin() + end, changes[k].side);
-    }
+    const std::size_t end = k + 1 < changes.size() ? changes[k + 1].at.segment + std::size_t{1} : size;
+    fill(changes[k].at.segment + std::size_t{1}, end, changes[k].side);
   }
   for (const SideChange& change : changes) {
     if (!change.at_vertex) continue;

@@ -1,5 +1,5 @@
 // Labels carried along the curve against a test of every vertex, on every family of pairs.
-#include "engine/overlay/vertex_labels.hpp"
+#include "engine/interior/interior.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,16 +27,19 @@ Side brute_force(Point point, const std::vector<Point>& curve) {
   return inside ? Side::inside : Side::outside;
 }
 
-std::vector<Side> brute_force(const std::vector<Point>& points, const std::vector<Point>& curve) {
-  std::vector<Side> labels;
+Buffer<Side> brute_force(const std::vector<Point>& points, const std::vector<Point>& curve) {
+  Buffer<Side> labels;
   for (const Point& point : points) labels.push_back(brute_force(point, curve));
   return labels;
 }
 
 void expect_labels(const std::vector<Point>& first, const std::vector<Point>& second, const std::string& what) {
   const Overlay result = overlay(CurveView{first}, CurveView{second});
-  EXPECT_EQ(label_vertices(result.nodes, 1), brute_force(first, second)) << what << ", curve 1";
-  EXPECT_EQ(label_vertices(result.nodes, 2), brute_force(second, first)) << what << ", curve 2";
+  const Buffer<Side> labels1 = label_vertices(result.nodes, 1), labels2 = label_vertices(result.nodes, 2);
+  EXPECT_EQ(labels1, brute_force(first, second)) << what << ", curve 1";
+  EXPECT_EQ(labels2, brute_force(second, first)) << what << ", curve 2";
+  EXPECT_EQ(labels1, label_points(IndexedCurve(CurveView{second}), first)) << what << ", curve 1 by queries";
+  EXPECT_EQ(labels2, label_points(IndexedCurve(CurveView{first}), second)) << what << ", curve 2 by queries";
 }
 
 class VertexLabels : public testing::TestWithParam<oracle::Family> {};

@@ -1,0 +1,67 @@
+#include "cli/report.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lober::cli {
+namespace {
+
+std::string spec_of(const NamedCurve& input) {
+  return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
+}
+
+}  // namespace
+
+Areas distance(const Areas& a, const Areas& b) {
+  Areas result;
+  for (const NamedArea& area : named_areas) result.*area.member = std::fabs(a.*area.member - b.*area.member);
+  return result;
+}
+
+void warn_of_overflow(const Areas& areas) {
+  for (const NamedArea& area : named_areas) {
+    if (std::isfinite(areas.*area.member)) continue;
+    spdlog::warn("warning: areas beyond the range of double, such as that of {}, are written as null", area.label);
+    break;
+  }
+}
+
+const char* name(Orientation orientation) {
+  switch (orientation) {
+    case Orientation::clockwise:
+      return "clockwise";
+    case Orientation::degenerate:
+      return "degenerate";
+    case Orientation::counter_clockwise:
+      break;
+  }
+  return "counter_clockwise";
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string meetings_text(const Crossings& nodes) {
+  if (nodes.same_curve()) return "the two curves are one and the same";
+  return fmt::format("{}, {}, {}", counted(nodes.crossings(), "crossing", "crossings"),
+                     counted(nodes.touches(), "touch", "touches"),
+                     counted(nodes.shared_arcs(), "shared arc", "shared arcs"));
+}
+
+std::string inputs_text(const std::array<NamedCurve, 2>& inputs, const std::array<Orientation, 2>& orientations) {
+  const std::array<std::string, 2> specs{spec_of(inputs[0]), spec_of(inputs[1])};
+  const std::size_t width = std::max(specs[0].size(), specs[1].size());
+  std::string text;
+  for (std::size_t k = 0; k < 2; ++k) {
+    text +=
+        fmt::format("C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, inputs[k].curve.points.size(),
+                    orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
+  }
+  return text;
+}
+
+}  // namespace lober::cli

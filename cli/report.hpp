@@ -1,0 +1,48 @@
+// What the reports of all commands on two closed curves have in common.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "engine/areas.hpp"
+#include "engine/crossings/crossings.hpp"
+#include "engine/curve/curve.hpp"
+
+namespace lober::cli {
+
+/// The areas under the names that the program uses, in its order.
+struct NamedArea {
+  const char* key;    ///< in the JSON
+  const char* label;  ///< in the table
+  double Areas::*member;
+};
+inline constexpr std::array<NamedArea, 7> named_areas{{
+    {"c1", "C1", &Areas::c1},
+    {"c2", "C2", &Areas::c2},
+    {"intersection", "C1 and C2", &Areas::intersection},
+    {"union", "C1 or C2", &Areas::unite},
+    {"c1_minus_c2", "C1 \\ C2", &Areas::c1_minus_c2},
+    {"c2_minus_c1", "C2 \\ C1", &Areas::c2_minus_c1},
+    {"symmetric_difference", "either, not both", &Areas::symmetric_difference},
+}};
+
+/// |a - b|, area by area.
+[[nodiscard]] Areas distance(const Areas& a, const Areas& b);
+
+/// Warns, once, when areas are beyond the range of double.
+void warn_of_overflow(const Areas& areas);
+
+/// "counter_clockwise", "clockwise" or "degenerate".
+[[nodiscard]] const char* name(Orientation orientation);
+
+/// "12 crossings, 1 touch, 0 shared arcs", or that the curves are one and the same.
+[[nodiscard]] std::string meetings_text(const Crossings& nodes);
+
+[[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
+
+/// Two aligned lines that say what was read.
+[[nodiscard]] std::string inputs_text(const std::array<NamedCurve, 2>& inputs,
+                                      const std::array<Orientation, 2>& orientations);
+
+}  // namespace lober::cli

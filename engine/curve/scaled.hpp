@@ -1,0 +1,26 @@
+// Coordinates so large or small that products of four of them leave the range of double are brought into it by a power
+// of two first. Parameters along segments and all combinatorics stay as they are; areas are scaled back.
+#pragma once
+
+#include <vector>
+
+#include "engine/areas.hpp"
+#include "engine/curve/curve.hpp"
+#include "kernels/box.hpp"
+
+namespace lober {
+
+/// The power of two by which the coordinates of a scene with this box have to be multiplied; 0 nearly always.
+[[nodiscard]] int comfortable_exponent(const Box& box);
+
+/// The vertices times 2^exponent. Throws DataError when that is not exact: then coordinates range too widely for areas
+/// in double. O(N).
+[[nodiscard]] std::vector<Point> scaled(const CurveView& curve, int exponent);
+
+/// Multiplies each area by 2^exponent.
+void scale(Areas& areas, int exponent);
+
+/// Adds to each bound what an area may have lost to underflow when it was scaled.
+void allow_for_underflow(Areas& bounds);
+
+}  // namespace lober
