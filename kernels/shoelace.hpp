@@ -25,15 +25,17 @@ struct alignas(64) LeafPrefixes {
   [[nodiscard]] static constexpr std::size_t place(std::size_t segment) {
     return segment % quarter * lanes + segment / quarter;
   }
+  [[nodiscard]] LOBER_INLINE DD term(std::size_t segment) const {
+    return {term_high[place(segment)], term_low[place(segment)]};
+  }
   [[nodiscard]] LOBER_INLINE DD before(std::size_t segment) const {
     return {before_high[place(segment)], before_low[place(segment)]};
   }
   /// The sum up to the point with parameter t of the segment.
   [[nodiscard]] LOBER_INLINE DD at(std::size_t segment, DD t) const {
-    const std::size_t k = place(segment);
-    const DD part = t * DD{term_high[k], term_low[k]};
-    const DD sum = two_sum(before_high[k], part.hi);
-    return fast_two_sum(sum.hi, sum.lo + (before_low[k] + part.lo));
+    const DD part = t * term(segment), start = before(segment);
+    const DD sum = two_sum(start.hi, part.hi);
+    return fast_two_sum(sum.hi, sum.lo + (start.lo + part.lo));
   }
 };
 

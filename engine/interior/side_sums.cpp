@@ -19,10 +19,8 @@ class Collector {
     sums_[static_cast<std::size_t>(side)].add(term);
     ++terms_;
   }
-  void add(Side side, const std::array<DD, leaf_size>& terms) {
-    RunningSum sum = sums_[static_cast<std::size_t>(side)];
-    for (const DD& term : terms) sum.add(term);
-    sums_[static_cast<std::size_t>(side)] = sum;
+  void add_leaf(Side side, DD sum) {
+    sums_[static_cast<std::size_t>(side)].add(sum);
     terms_ += leaf_size;
   }
   // A term is wrong by less than 2^-102 |a - o| |b - a|, each addition by less than 2^-106 of the largest partial sum.
@@ -69,26 +67,27 @@ SideSums sum_by_arcs(const BoxTree& tree, Point origin, double extent, const Con
   for_each_block(leaves, leaves_per_block, [&](std::size_t first, std::size_t last) {
     Collector collector;
     double length = 0;
-    std::array<DD, leaf_size> terms;
+    LeafPrefixes prefixes;
     std::size_t next = contacts.first_from(first * leaf_size);
     Side side = count == 0 ? whole : after[next == 0 ? count - 1 : next - 1];
     for (std::size_t leaf = first; leaf < last; ++leaf) {
-      shoelace_terms(tree.leaf_points(leaf), origin, terms.data());
+      const DD sum = shoelace_prefixes(tree.leaf_points(leaf), origin, {}, nullptr, prefixes);
       length += length_of_leaf(tree, leaf);
       if (next == count || contacts.segment(next) >= (leaf + 1) * leaf_size) {
-        collector.add(side, terms);
+        collector.add_leaf(side, sum);
         continue;
       }
       for (std::size_t i = 0; i < leaf_size; ++i) {
         const std::size_t segment = leaf * leaf_size + i;
+        const DD term = prefixes.term(i);
         DD from;
         for (; next < count && contacts.segment(next) == segment; ++next) {
           const DD to = contacts[next].t;
-          collector.add(side, (to - from) * terms[i]);
+          collector.add(side, (to - from) * term);
           side = after[next];
           from = to;
         }
-        collector.add(side, from.hi == 0 ? terms[i] : (DD{1, 0} - from) * terms[i]);
+        collector.add(side, from.hi == 0 ? term : (DD{1, 0} - from) * term);
       }
     }
     blocks[first / leaves_per_block] = collector.result(length, extent);

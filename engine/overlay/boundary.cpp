@@ -78,10 +78,10 @@ void append_points(const Overlay& result, const Stretch& stretch, std::vector<Po
 
 std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing, std::size_t piece) {
   const Pieces& pieces = result.pieces(pairing);
-  const auto [forward1, forward2] = directions(result, pairing);
+  const Directions forward = directions(result, pairing);
   const auto polygon = [&](std::span<const std::uint32_t> steps) {
     std::vector<Point> points;
-    for (const Stretch& stretch : stretches(result, steps, forward1, forward2)) append_points(result, stretch, points);
+    for (const Stretch& stretch : stretches(result, steps, forward.forward1, forward.forward2)) append_points(result, stretch, points);
     return points;
   };
   std::vector<std::vector<Point>> polygons{polygon(pieces.outer(piece))};

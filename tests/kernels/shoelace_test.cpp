@@ -67,8 +67,7 @@ TEST(Shoelace, KeepsItsBound) {
       const mpq_class exact = a.x * b.y - a.y * b.x;
       const mpq_class error = value_of(shoelace(leaf[i], leaf[i + 1], origin)) - exact;
       ASSERT_LE(error * error, bound * squared(a) * squared(b)) << "one segment, try " << k;
-      const DD term{prefixes.term_high[LeafPrefixes::place(i)], prefixes.term_low[LeafPrefixes::place(i)]};
-      const mpq_class term_error = value_of(term) - exact;
+      const mpq_class term_error = value_of(prefixes.term(i)) - exact;
       ASSERT_LE(term_error * term_error, bound * squared(a) * squared(edge)) << "of a leaf, try " << k;
       sum_error(prefixes.before(i), sum);
       // Sums are joined by quarters: parts of up to leaf_size terms count.
