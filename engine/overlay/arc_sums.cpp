@@ -2,75 +2,13 @@
 
 #include <algorithm>
 
+#include "engine/index/sums_along.hpp"
 #include "engine/parallel/parallel.hpp"
-#include "kernels/shoelace.hpp"
 
 namespace lober {
 namespace {
 
 constexpr std::size_t node_grain = std::size_t{1} << 13;
-
-// Running sums of one curve at each of its contacts. `contact(k)` gives (segment, parameter) of the k-th contact along
-// the curve.
-template <typename ContactAt>
-Buffer<DD> sums_at_contacts(const BoxTree& tree, Point origin, std::size_t count, const ContactAt& contact, DD& total) {
-  const Buffer<DD>& stretches = tree.stretch_sums();
-  const std::size_t leaves = tree.leaves();
-  Buffer<DD> before(stretches.size());
-  DD sum;
-  for (std::size_t k = 0; k < stretches.size(); ++k) {
-    before[k] = sum;
-    sum += stretches[k];
-    sum += shoelace(tree.leaf_begin(k * leaf_size), tree.leaf_begin(std::min((k + 1) * leaf_size, leaves)), origin);
-  }
-  total = sum;
-
-  Buffer<DD> sums(count);
-  if (count == 0) return sums;
-  for_each_block(stretches.size(), 4, [&](std::size_t first_stretch, std::size_t last_stretch) {
-    std::array<DD, leaf_size> terms;
-    // The first contact of the stretch, by bisection.
-    const auto first_at = [&](std::size_t begin_segment) {
-      std::size_t low = 0, high = count;
-      while (low < high) {
-        const std::size_t middle = low + (high - low) / 2;
-        if (contact(middle).segment < begin_segment)
-          low = middle + 1;
-        else
-          high = middle;
-      }
-      return low;
-    };
-    std::size_t k = first_at(first_stretch * leaf_size * leaf_size);
-    for (std::size_t stretch = first_stretch; stretch < last_stretch; ++stretch) {
-      RunningSum running;
-      running.add(before[stretch]);
-      const std::size_t leaf_end = std::min((stretch + 1) * leaf_size, leaves);
-      for (std::size_t leaf = stretch * leaf_size; leaf < leaf_end; ++leaf) {
-        if (k == count) return;
-        if (contact(k).segment >= leaf_end * leaf_size) break;  // nothing more in this stretch
-        if (contact(k).segment >= (leaf + 1) * leaf_size) {
-          running.add(tree.leaf_sums()[leaf]);
-          running.add(shoelace(tree.leaf_begin(leaf), tree.leaf_begin(leaf + 1), origin));
-          continue;
-        }
-        shoelace_terms(tree.leaf_points(leaf), origin, terms.data());
-        for (std::size_t i = 0; i < leaf_size; ++i) {
-          for (; k < count && contact(k).segment == leaf * leaf_size + i; ++k) {
-            sums[k] = running.value() + contact(k).t * terms[i];
-          }
-          running.add(terms[i]);
-        }
-      }
-    }
-  });
-  return sums;
-}
-
-struct Place {
-  std::uint32_t segment;
-  DD t;
-};
 
 // Turns sums at points into sums between them. Entering contact and leaving contact of node k, by number along the
 // curve.
@@ -146,28 +84,21 @@ ArcSums sums_between_nodes(const NodeGraph& graph, Buffer<DD> sums1, DD total1, 
 ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph& graph) {
   const std::size_t count = graph.contacts.size();
   const Point origin = c1.view().points[0];
-  Buffer<DD> sums1, sums2;
-  DD total1, total2;
+  SumsAlong first, second;
   run_together(
       count > node_grain,
       [&] {
-        sums1 = sums_at_contacts(
-            c1.tree(), origin, count,
-            [&](std::size_t k) {
-              return Place{graph.contacts[k].segment1, graph.contacts[k].t1};
-            },
-            total1);
+        first = sums_along(c1.tree(), origin, count, [&](std::size_t k) {
+          return PlaceAlong{graph.contacts[k].segment1, graph.contacts[k].t1};
+        });
       },
       [&] {
-        sums2 = sums_at_contacts(
-            c2.tree(), origin, count,
-            [&](std::size_t k) {
-              const Contact& contact = graph.contacts[graph.contacts2[k]];
-              return Place{contact.segment2, contact.t2};
-            },
-            total2);
+        second = sums_along(c2.tree(), origin, count, [&](std::size_t k) {
+          const Contact& contact = graph.contacts[graph.contacts2[k]];
+          return PlaceAlong{contact.segment2, contact.t2};
+        });
       });
-  return sums_between_nodes(graph, std::move(sums1), total1, std::move(sums2), total2);
+  return sums_between_nodes(graph, std::move(first.at), first.total, std::move(second.at), second.total);
 }
 
 }  // namespace lober

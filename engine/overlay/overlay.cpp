@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
+#include "engine/curve/scaling.hpp"
 #include "engine/overlay/arc_sums.hpp"
 #include "engine/overlay/faces.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -327,21 +327,11 @@ class OverlayBuilder {
   Overlay result_;
 };
 
-// Coordinates so large or small that products of four of them leave the range of double are brought into it by a power
-// of two first. Parameters and combinatorics do not change; areas are scaled back.
+// The overlay of curves that have to be scaled first (scaling.hpp).
 class ScaledOverlay {
  public:
-  // The power of two by which coordinates have to be multiplied; 0 nearly always.
-  static int exponent(const Box& box) {
-    constexpr int comfortable = 400;
-    int size = 0;
-    for (const double lane : box.lane) size = std::max(size, std::abs(lane) == 0 ? 0 : std::ilogb(lane));
-    const int extent = box.extent() == 0 ? 0 : std::ilogb(box.extent());
-    return size > comfortable ? -size : extent < -comfortable ? -extent : 0;
-  }
-
   static Overlay build(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent) {
-    const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
+    const std::vector<Point> first = scaled_points(c1.view(), exponent), second = scaled_points(c2.view(), exponent);
     const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
     try {
       Overlay result = OverlayBuilder(scaled1, scaled2, options).build();
@@ -352,24 +342,10 @@ class ScaledOverlay {
                            {std::ldexp(error.at.x, -exponent), std::ldexp(error.at.y, -exponent)});
     }
   }
-
- private:
-  static std::vector<Point> scaled(const CurveView& curve, int exponent) {
-    std::vector<Point> points;
-    points.reserve(curve.points.size());
-    for (const Point& p : curve.points) {
-      const Point q{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
-      if (!(Point{std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent)} == p)) {
-        throw DataError("coordinates range too widely: an area in double precision cannot span them");
-      }
-      points.push_back(q);
-    }
-    return points;
-  }
 };
 
 Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options) {
-  const int exponent = ScaledOverlay::exponent(unite(c1.tree().box(), c2.tree().box()));
+  const int exponent = scaling_exponent(unite(c1.tree().box(), c2.tree().box()));
   if (exponent != 0) return ScaledOverlay::build(c1, c2, options, exponent);
   return OverlayBuilder(c1, c2, options).build();
 }

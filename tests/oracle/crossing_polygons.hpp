@@ -1,0 +1,20 @@
+// Random pairs of closed polygons that cross, touch and overlap themselves and each other.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "tests/oracle/shapes.hpp"
+
+namespace lober::oracle {
+
+struct CrossingFamily {
+  std::string_view name;
+  PolygonPair (*make)(Random& random);
+};
+
+/// Every polygon has at least three distinct vertices, and few enough for an oracle of cubic cost.
+[[nodiscard]] const std::array<CrossingFamily, 15>& crossing_families();
+
+}  // namespace lober::oracle
