@@ -193,11 +193,14 @@ PolygonPair same(Random& random) {
 }
 PolygonPair shared_chains(Random& random) {
   const Polygon first = random.chance(0.5) ? lattice(random, 4, 8, 6) : scattered_doubles(random, 4, 7);
-  Polygon second(first.begin() + 1, first.end() - 1);
-  if (random.chance(0.5)) std::reverse(second.begin(), second.end());
-  for (int left = random.integer(1, 3); left > 0; --left) {
-    second.push_back({double(random.integer(0, 6)), double(random.integer(0, 6))});
-  }
+  const Polygon second = until_usable([&] {
+    Polygon polygon(first.begin() + 1, first.end() - 1);
+    if (random.chance(0.5)) std::reverse(polygon.begin(), polygon.end());
+    for (int left = random.integer(1, 3); left > 0; --left) {
+      polygon.push_back({double(random.integer(0, 6)), double(random.integer(0, 6))});
+    }
+    return polygon;
+  });
   return {first, second};
 }
 PolygonPair walks(Random& random) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <ostream>
 #include <string_view>
 
 #include "tests/oracle/shapes.hpp"
@@ -13,6 +13,11 @@ struct CrossingFamily {
   std::string_view name;
   PolygonPair (*make)(Random& random);
 };
+
+/// For the names of tests.
+inline std::ostream& operator<<(std::ostream& stream, const CrossingFamily& family) {
+  return stream << family.name;
+}
 
 /// Every polygon has at least three distinct vertices, and few enough for an oracle of cubic cost.
 [[nodiscard]] const std::array<CrossingFamily, 15>& crossing_families();
