@@ -4,93 +4,15 @@
 // formatted in parallel, one element a line, and never held in memory as a whole.
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "cli/json.hpp"
 #include "cli/overlay_report.hpp"
-#include "cli/text.hpp"
-#include "engine/curve/ordered_pipeline.hpp"
-#include "engine/curve/output_file.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string dumped(const Json& value) {
-  // A file name need not be UTF-8.
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-// As nlohmann writes them: numbers that are not finite as null, whole ones with ".0".
-struct JsonNumber {
-  double value;
-};
-void append(std::string& text, JsonNumber number) {
-  if (!std::isfinite(number.value)) {
-    text += "null";
-    return;
-  }
-  const std::size_t begin = text.size();
-  cli::append(text, number.value);
-  if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
-}
-
-template <typename... Values>
-void put(std::string& text, const Values&... values) {
-  const auto one = [&](const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
-      append(text, JsonNumber{value});
-    } else {
-      cli::append(text, value);
-    }
-  };
-  (one(values), ...);
-}
-
-// Writes "[" element, element ... "]", each element by `format(text, index)`.
-template <typename Format>
-void write_list(OutputFile& file, std::size_t size, const Format& format) {
-  constexpr std::size_t block = 2048;
-  struct Slot {
-    std::size_t begin = 0, end = 0;
-    std::string text;
-  };
-  file.write("[");
-  std::size_t next = 0;
-  ordered_pipeline<Slot>(
-      [&](Slot& slot) {
-        slot.begin = next;
-        slot.end = next = std::min(size, next + block);
-        return slot.begin < slot.end;
-      },
-      [&](Slot& slot) {
-        slot.text.clear();
-        for (std::size_t k = slot.begin; k < slot.end; ++k) {
-          slot.text += k == 0 ? "\n  " : ",\n  ";
-          format(slot.text, k);
-        }
-      },
-      [&](const Slot& slot) { file.write(slot.text); });
-  file.write(size == 0 ? "]" : "\n]");
-}
-
-Json as_json(const NamedCurve& input, double area, Orientation orientation) {
-  return {{"file", input.file},
-          {"zone", input.zone},
-          {"sha256", input.sha256},
-          {"points", input.curve.points.size()},
-          {"area", orientation == Orientation::clockwise ? -area : area},
-          {"orientation", name(orientation)}};
-}
-
-Json as_json(const Areas& areas) {
-  Json object;
-  for (const NamedArea& area : named_areas) object[area.key] = areas.*area.member;
-  return object;
-}
-
-Json as_json(const OverlayStatistics& statistics) {
+Json statistics_json(const OverlayStatistics& statistics) {
   const ContactCounts& counts = statistics.counts;
   return {{"index", name(statistics.index)},
           {"index_bytes", statistics.index_bytes},
@@ -213,7 +135,7 @@ void write_overlay_json(const std::string& path, OverlayReport& report, const st
     member("slivers", slivers_json(report));
   }
   member("error", error_json(report));
-  member("statistics", as_json(result.statistics));
+  member("statistics", statistics_json(result.statistics));
   ReportTiming& timing = report.timing;
   timing.write += watch.seconds();
   const Json seconds{{"read", timing.read},           {"index", timing.index}, {"check", timing.check},

@@ -2,34 +2,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <numeric>
-
 #include "cli/overlay_report.hpp"
+#include "cli/table.hpp"
 
 namespace lober::cli {
 namespace {
-
-constexpr std::size_t shown = 10;  ///< lobes of either kind
-
-std::string spec_of(const NamedCurve& input) {
-  return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-void add_inputs(std::string& text, const OverlayReport& report) {
-  const std::array<std::string, 2> specs{spec_of(report.inputs[0]), spec_of(report.inputs[1])};
-  const std::size_t width = std::max(specs[0].size(), specs[1].size());
-  const std::array<Orientation, 2> orientations{report.result.orientation1, report.result.orientation2};
-  for (std::size_t k = 0; k < 2; ++k) {
-    text +=
-        fmt::format("C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, report.inputs[k].curve.points.size(),
-                    orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
-  }
-}
 
 void add_meetings(std::string& text, const Crossings& nodes) {
   if (nodes.same_curve()) {
@@ -47,18 +24,6 @@ void add_areas(std::string& text, const OverlayReport& report) {
     text += fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}\n", area.label, report.result.areas.*area.member,
                         report.result.rounding.*area.member, report.discretisation.*area.member);
   }
-}
-
-// The numbers of the largest pieces, largest first.
-std::vector<std::uint32_t> largest(std::span<const double> areas) {
-  std::vector<std::uint32_t> order(areas.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const std::size_t count = std::min(shown, order.size());
-  std::partial_sort(
-      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-      [&](std::uint32_t x, std::uint32_t y) { return areas[x] != areas[y] ? areas[x] > areas[y] : x < y; });
-  order.resize(count);
-  return order;
 }
 
 // "0 1 2 3 4 5 6 7 ... (20)": the crossings of a piece, shortened.
@@ -96,7 +61,7 @@ void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing,
 
 std::string overlay_table(const OverlayReport& report) {
   std::string text;
-  add_inputs(text, report);
+  add_inputs(text, report.inputs, {report.result.orientation1, report.result.orientation2});
   add_meetings(text, report.result.nodes);
   add_areas(text, report);
   if (report.options.pieces) {

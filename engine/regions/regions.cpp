@@ -192,27 +192,38 @@ class RegionBuilder {
   Regions result_;
 };
 
-DD Regions::twice_area_where(const std::function<bool(int, int)>& wanted) const {
-  RunningSum sum;
-  for (std::size_t k = 0; k < table_.size(); ++k) {
-    if (wanted(table_[k].w1, table_[k].w2)) sum.add(twice_areas_[k]);
-  }
-  return sum.value();
+namespace {
+
+// The areas by what they are made of.
+struct Part {
+  double Areas::*area;
+  bool (*wanted)(bool in1, bool in2);
+};
+constexpr std::array<Part, 7> parts{{
+    {&Areas::c1, [](bool in1, bool) { return in1; }},
+    {&Areas::c2, [](bool, bool in2) { return in2; }},
+    {&Areas::intersection, [](bool in1, bool in2) { return in1 && in2; }},
+    {&Areas::unite, [](bool in1, bool in2) { return in1 || in2; }},
+    {&Areas::c1_minus_c2, [](bool in1, bool in2) { return in1 && !in2; }},
+    {&Areas::c2_minus_c1, [](bool in1, bool in2) { return !in1 && in2; }},
+    {&Areas::symmetric_difference, [](bool in1, bool in2) { return in1 != in2; }},
+}};
+
+bool takes(const Part& part, WindingRule rule, const WindingArea& entry) {
+  return part.wanted(inside(rule, entry.w1), inside(rule, entry.w2));
 }
 
+}  // namespace
+
 Areas Regions::areas(WindingRule rule) const {
-  const auto where = [&](const auto& wanted) {
-    return arrangement_->area(
-        twice_area_where([&](int w1, int w2) { return wanted(inside(rule, w1), inside(rule, w2)); }));
-  };
   Areas areas;
-  areas.c1 = where([](bool in1, bool) { return in1; });
-  areas.c2 = where([](bool, bool in2) { return in2; });
-  areas.intersection = where([](bool in1, bool in2) { return in1 && in2; });
-  areas.unite = where([](bool in1, bool in2) { return in1 || in2; });
-  areas.c1_minus_c2 = where([](bool in1, bool in2) { return in1 && !in2; });
-  areas.c2_minus_c1 = where([](bool in1, bool in2) { return !in1 && in2; });
-  areas.symmetric_difference = where([](bool in1, bool in2) { return in1 != in2; });
+  for (const Part& part : parts) {
+    RunningSum sum;
+    for (std::size_t k = 0; k < table_.size(); ++k) {
+      if (takes(part, rule, table_[k])) sum.add(twice_areas_[k]);
+    }
+    areas.*part.area = arrangement_->area(sum.value());
+  }
   return areas;
 }
 
@@ -222,10 +233,12 @@ double Regions::rounding(double area) const {
 }
 
 Areas Regions::rounding(WindingRule rule) const {
-  Areas bounds = areas(rule);
-  for (double Areas::*area : {&Areas::c1, &Areas::c2, &Areas::intersection, &Areas::unite, &Areas::c1_minus_c2,
-                              &Areas::c2_minus_c1, &Areas::symmetric_difference}) {
-    bounds.*area = rounding(bounds.*area);
+  const Areas computed = areas(rule);
+  Areas bounds;
+  for (const Part& part : parts) {
+    const bool some =
+        std::any_of(table_.begin(), table_.end(), [&](const WindingArea& entry) { return takes(part, rule, entry); });
+    bounds.*part.area = some ? rounding(computed.*part.area) : 0;  // the area of nothing is exact
   }
   return bounds;
 }

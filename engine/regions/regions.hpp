@@ -112,7 +112,6 @@ class Regions {
  private:
   friend class RegionBuilder;
   friend Regions regions(CurveView c1, std::optional<CurveView> c2, const RegionOptions& options);
-  [[nodiscard]] DD twice_area_where(const std::function<bool(int, int)>& wanted) const;
 
   std::shared_ptr<const Arrangement> arrangement_;
   std::vector<WindingArea> table_;

@@ -1,0 +1,50 @@
+// What the tables for people have in common.
+#pragma once
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/overlay_report.hpp"
+
+namespace lober::cli {
+
+inline constexpr std::size_t shown = 10;  ///< lobes of either kind
+
+inline std::string spec_of(const NamedCurve& input) {
+  return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
+}
+
+inline std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+inline void add_inputs(std::string& text, const std::array<NamedCurve, 2>& inputs,
+                       const std::array<Orientation, 2>& orientations) {
+  const std::array<std::string, 2> specs{spec_of(inputs[0]), spec_of(inputs[1])};
+  const std::size_t width = std::max(specs[0].size(), specs[1].size());
+  for (std::size_t k = 0; k < 2; ++k) {
+    text +=
+        fmt::format("C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, inputs[k].curve.points.size(),
+                    orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
+  }
+}
+
+/// The numbers of the largest pieces, largest first.
+inline std::vector<std::uint32_t> largest(std::span<const double> areas) {
+  std::vector<std::uint32_t> order(areas.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const std::size_t count = std::min(shown, order.size());
+  std::partial_sort(
+      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+      [&](std::uint32_t x, std::uint32_t y) { return areas[x] != areas[y] ? areas[x] > areas[y] : x < y; });
+  order.resize(count);
+  return order;
+}
+
+}  // namespace lober::cli
