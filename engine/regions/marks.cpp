@@ -29,7 +29,7 @@ class MarkMaker {
     sort_sites();
     take_marks();
     unite();
-    refine();
+    count_plain();
     for (int curve = 0; curve < strands_.curves(); ++curve) {
       const std::size_t site = 2 * incidences_.size() + tips_ + static_cast<std::size_t>(curve);
       result_.extreme[static_cast<std::size_t>(curve)] = mark_of_[site];
@@ -148,31 +148,13 @@ class MarkMaker {
     }
   }
 
-  // Where several incidences make one node, each of the strands through it has to be cut at the same point more
-  // exactly than double-double promises for shallow crossings of two.
-  void refine() {
-    Buffer<std::uint8_t> meetings(result_.nodes, 0);  // counted up to two
-    for (std::size_t k = 0; k < incidences_.size(); ++k) {
-      std::uint8_t& count = meetings[result_.list[mark_of_[2 * k]].node];
-      if (count < 2) ++count;
+  // How many nodes are there only because an extreme vertex is.
+  void count_plain() {
+    Buffer<std::uint8_t> plain(result_.nodes, 1);
+    for (std::size_t site = 0; site < 2 * incidences_.size() + tips_; ++site) {
+      plain[result_.list[mark_of_[site]].node] = 0;
     }
-    std::atomic<std::uint64_t> refined{0};
-    for_each_block(result_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      std::uint64_t here = 0;
-      for (std::size_t k = begin; k < end; ++k) {
-        Mark& mark = result_.list[k];
-        if (mark.kind != Mark::Kind::at_crossing || meetings[mark.node] < 2) continue;
-        const auto [a, b] = strands_.segment(mark.segment);
-        mark.t = exact_parameter(a, b, implicit_point(strands_, mark));
-        ++here;
-      }
-      refined += here;
-    });
-    result_.exact_parameters = refined;
-    for (std::size_t k = 0; k < tips_; ++k) {
-      meetings[result_.list[mark_of_[2 * incidences_.size() + k]].node] = 2;
-    }
-    result_.plain = static_cast<std::uint32_t>(std::count(meetings.begin(), meetings.end(), 0));
+    result_.plain = static_cast<std::uint32_t>(std::count(plain.begin(), plain.end(), 1));
   }
 
   const Strands& strands_;

@@ -13,6 +13,8 @@
 
 namespace lober {
 
+/// Every incidence places its point within 2^-91 of the scene (crossing_parameters.hpp), so where several make one mark
+/// the parameter of any of them will do.
 struct Mark {
   enum class Kind : std::uint8_t {
     at_start,     ///< the first end of the segment
@@ -33,7 +35,6 @@ struct Marks {
   std::uint32_t plain = 0;                 ///< of these, points where nothing meets and no spike has its tip
   std::array<std::uint32_t, 2> extreme{};  ///< the mark at the vertex of each curve that is greatest by x, then y
   std::uint64_t exact_orders = 0;          ///< pairs of marks compared in exact arithmetic
-  std::uint64_t exact_parameters = 0;      ///< parameters made exact, because several strands cross in one point
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(list.size()); }
   /// The marks before and after a mark along its curve, cyclically.

@@ -180,7 +180,7 @@ class RegionBuilder {
     counts.predicates = found.predicates;
     counts.predicates += scene.graph.predicates;
     counts.predicates += placing;
-    counts.exact_parameters = found.exact_parameters + scene.marks.exact_parameters;
+    counts.exact_parameters = found.exact_parameters;
     counts.exact_orders = scene.marks.exact_orders;
   }
 

@@ -121,12 +121,14 @@ Polygon wound(Random& random) {
   return polygon;
 }
 
-// Sides that pass through the origin, inside them.
+// Sides that pass through the origin, inside them; differences of their coordinates need not be doubles.
 Polygon pencil(Random& random) {
   Polygon polygon;
+  const bool fine = random.chance(0.5);
+  const int size = fine ? 1 << 26 : 40;
   for (int left = random.integer(2, 4); left > 0; --left) {
-    const Point p{double(random.integer(-40, 40)), double(random.integer(1, 40))};
-    const double scale = random.integer(1, 3);
+    const Point p{double(random.integer(-size, size)), double(random.integer(1, size))};
+    const double scale = fine ? std::ldexp(random.integer(1, 1 << 20), -random.integer(18, 40)) : random.integer(1, 3);
     polygon.push_back(p);
     polygon.push_back({-scale * p.x, -scale * p.y});
   }
@@ -212,7 +214,7 @@ PolygonPair apart(Random& random) {
   const double reach = std::max(scale, 1.0) * 2;
   const bool whole = random.chance(0.7);
   const auto shift = [&] { return whole ? std::round(random.uniform(-reach, reach)) : random.uniform(-reach, reach); };
-  return {first, moved(second, {scale, scale}, {shift(), shift()})};
+  return {first, moved(second, {scale, scale}, {shift(), random.chance(0.5) ? 0 : shift()})};
 }
 PolygonPair pencils(Random& random) {
   return {until_usable([&] { return pencil(random); }), until_usable([&] { return pencil(random); })};
@@ -229,6 +231,21 @@ PolygonPair extremes(Random& random) {
   const double scale = std::exp2(random.chance(0.5) ? random.integer(-505, -400) : random.integer(400, 505));
   return {moved(pair.first, {scale, scale}, {0, 0}), moved(pair.second, {scale, scale}, {0, 0})};
 }
+// Coordinates of all sizes in one polygon; differences and areas underflow.
+PolygonPair log_scales(Random& random) {
+  const double least = std::exp2(-random.integer(20, 800));
+  const auto coordinate = [&] {
+    if (random.chance(0.2)) return 0.0;
+    const double size = random.log_uniform(least, 1);
+    return random.chance(0.5) ? size : -size;
+  };
+  const auto polygon = [&] {
+    Polygon points(static_cast<std::size_t>(random.integer(3, 5)));
+    for (Point& p : points) p = {coordinate(), coordinate()};
+    return points;
+  };
+  return {until_usable(polygon), until_usable(polygon)};
+}
 PolygonPair mixed(Random& random) {
   Polygon first = any_crossing(random);
   const Polygon more = any_crossing(random);
@@ -238,8 +255,8 @@ PolygonPair mixed(Random& random) {
 
 }  // namespace
 
-const std::array<CrossingFamily, 15>& crossing_families() {
-  static constexpr std::array<CrossingFamily, 15> families{{{"lattices", lattices},
+const std::array<CrossingFamily, 16>& crossing_families() {
+  static constexpr std::array<CrossingFamily, 16> families{{{"lattices", lattices},
                                                             {"doubles", doubles},
                                                             {"figure_eights", figure_eights},
                                                             {"stars", stars},
@@ -253,6 +270,7 @@ const std::array<CrossingFamily, 15>& crossing_families() {
                                                             {"pencils", pencils},
                                                             {"ulps", ulps},
                                                             {"extremes", extremes},
+                                                            {"log_scales", log_scales},
                                                             {"mixed", mixed}}};
   return families;
 }

@@ -20,6 +20,6 @@ inline std::ostream& operator<<(std::ostream& stream, const CrossingFamily& fami
 }
 
 /// Every polygon has at least three distinct vertices, and few enough for an oracle of cubic cost.
-[[nodiscard]] const std::array<CrossingFamily, 15>& crossing_families();
+[[nodiscard]] const std::array<CrossingFamily, 16>& crossing_families();
 
 }  // namespace lober::oracle

@@ -131,6 +131,7 @@ TEST(KnownRegions, CircleWoundTwiceWithASmallerLoop) {
 TEST(KnownRegions, SpikesHaveNoArea) {
   const Polygon spiked{{0, 0}, {4, 0}, {4, 4}, {9, 9}, {4, 4}, {0, 4}, {-3, 4}, {0, 4}, {2, 2}, {0, 4}};
   EXPECT_EQ(table(of(spiked)), (std::vector<Entry>{{1, 0, 16}}));
+  EXPECT_EQ(of(spiked).counts().nodes, 5U) << "three roots of spikes, of which two are one, and three tips";
   EXPECT_EQ(of(spiked).pieces(WindingRule::nonzero, Pairing::unite).size(), 1U);
   EXPECT_EQ(table(of({{0, 0}, {4, 0}, {2, 0}})), std::vector<Entry>{}) << "all of it a spike";
 }
@@ -155,6 +156,14 @@ TEST(KnownRegions, CurvesThatDoNotMeetAreFoundInsideEachOther) {
   EXPECT_EQ(table(of(small, eight)), (std::vector<Entry>{{0, -1, 2}, {0, 1, 1.875}, {1, 1, 0.125}}));
   EXPECT_EQ(table(of(eight, moved(small, 9, 0))), (std::vector<Entry>{{-1, 0, 2}, {0, 1, 0.125}, {1, 0, 2}}));
   EXPECT_EQ(table(of(eight, moved(small, -9, 0))), (std::vector<Entry>{{-1, 0, 2}, {0, 1, 0.125}, {1, 0, 2}}));
+}
+
+TEST(KnownRegions, ARayThroughANodeFindsTheRightFace) {
+  // Seen from the greatest vertex of the small square, the first thing to the right is where the eight crosses itself.
+  const Polygon eight{{-2, -1}, {2, 1}, {2, -1}, {-2, 1}};
+  const Polygon small{{-1, 0}, {-1.25, 0.25}, {-1.5, 0}, {-1.25, -0.25}};
+  EXPECT_EQ(table(of(eight, small)), (std::vector<Entry>{{-1, 0, 2}, {1, 0, 1.875}, {1, 1, 0.125}}));
+  EXPECT_EQ(table(of(reversed(eight), small)), (std::vector<Entry>{{-1, 0, 1.875}, {-1, 1, 0.125}, {1, 0, 2}}));
 }
 
 TEST(KnownRegions, HolesThatTouchAreCountedApart) {

@@ -41,7 +41,7 @@ TEST(LargeRegions, AreThoseOfTheCurvesBeforeTheyWereSubdivided) {
   std::mutex mutex;
   std::size_t wrong = 0, tried = 0;
   for (const CrossingFamily& family : crossing_families()) {
-    const std::vector<std::string_view> on_lattices{"lattices", "spikes", "repeats", "walks", "pencils"};
+    const std::vector<std::string_view> on_lattices{"lattices", "spikes", "repeats", "walks"};
     if (std::find(on_lattices.begin(), on_lattices.end(), family.name) == on_lattices.end()) continue;
     for_each_block(60, 1, [&](std::size_t seed, std::size_t) {
       Random random(seed + 77);
@@ -72,7 +72,7 @@ TEST(LargeRegions, AreThoseOfTheCurvesBeforeTheyWereSubdivided) {
       if (!same && ++wrong <= 3) ADD_FAILURE() << family.name << ", seed " << seed + 77;
     });
   }
-  EXPECT_EQ(tried, 300U);
+  EXPECT_EQ(tried, 240U);
   EXPECT_EQ(wrong, 0U);
 }
 

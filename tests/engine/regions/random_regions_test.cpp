@@ -148,10 +148,9 @@ class Examination {
     }
   }
 
-  // Pieces of different numbers of holes are far apart.
-  [[nodiscard]] static Rational distance(const RegionPiece& piece, const SlabPiece& other) {
-    const Rational difference = abs(Rational(piece.area) - other.area);
-    return other.holes == static_cast<int>(piece.holes) ? difference : difference + other.area;
+  // How far two pieces are from being the same: by holes first.
+  [[nodiscard]] static std::pair<bool, Rational> distance(const RegionPiece& piece, const SlabPiece& other) {
+    return {other.holes != static_cast<int>(piece.holes), abs(Rational(piece.area) - other.area)};
   }
 
   [[nodiscard]] bool right_piece(double area, const Rational& exact) const {
