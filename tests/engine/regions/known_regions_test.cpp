@@ -73,7 +73,8 @@ TEST(KnownRegions, FigureEightHasALobeOfEitherSign) {
 }
 
 TEST(KnownRegions, PentagramWindsTwiceAboutItsPentagon) {
-  const Regions result = of(star_polygon(5, 2));
+  const Polygon pentagram = star_polygon(5, 2);
+  const Regions result = of(pentagram);
   const double pentagon_radius = (3 - std::sqrt(5.0)) / 2;  // circumradius, 1 for the tips
   const double pentagon = 2.5 * pentagon_radius * pentagon_radius * std::sin(2 * std::numbers::pi / 5);
   const double signed_area = 2.5 * std::sin(4 * std::numbers::pi / 5);
