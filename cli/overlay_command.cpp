@@ -10,6 +10,7 @@
 #include "cli/command_line.hpp"
 #include "cli/overlay_report.hpp"
 #include "cli/progress.hpp"
+#include "cli/regions_report.hpp"
 #include "engine/interior/interior.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -20,6 +21,7 @@ struct Request {
   std::array<std::string, 2> curves;
   std::string lobes, crossings, json, svg;
   OverlayOptions options;
+  std::optional<WindingRule> rule;
   int threads = 0;
   bool verify = false;
   bool verbose = false;
@@ -29,8 +31,8 @@ struct Request {
 std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   bool areas_only = false, no_check = false;
-  std::string index = "auto";
-  CLI::App app("Crossings, lobes and areas of two simple closed curves.", "lober overlay");
+  std::string index = "auto", rule;
+  CLI::App app("Crossings, lobes and areas of two closed curves, simple ones unless --rule is given.", "lober overlay");
   app.add_option("C1", request.curves[0], "the first curve: FILE, or FILE#ZONE for one zone (from 0, or by title)")
       ->required();
   app.add_option("C2", request.curves[1], "the second curve")->required();
@@ -39,7 +41,9 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   CLI::Option* lobes =
       app.add_option("--lobes", request.lobes, "write the pieces of C1 \\ C2 and C2 \\ C1 as Tecplot zones")
           ->type_name("FILE");
-  app.add_option("--crossings", request.crossings, "write the crossings as comma-separated columns")->type_name("FILE");
+  CLI::Option* crossings =
+      app.add_option("--crossings", request.crossings, "write the crossings as comma-separated columns")
+          ->type_name("FILE");
   CLI::Option* svg = app.add_option("--svg", request.svg, "draw the curves and the lobes")->type_name("FILE");
   app.add_flag("--areas-only", areas_only, "totals only, no pieces: faster")->excludes(lobes)->excludes(svg);
   app.add_option("--index", index, "auto (default), tree, grid or kd; the results are the same bits")
@@ -48,15 +52,29 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
-  app.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
-  app.add_flag("--verify", request.verify,
-               "compute the areas by the interior method too, and report by how much the two differ");
+  CLI::Option* unchecked =
+      app.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
+  CLI::Option* verify =
+      app.add_flag("--verify", request.verify,
+                   "compute the areas by the interior method too, and report by how much the two differ");
+  app.add_option("--rule", rule,
+                 "the curves may cross themselves; inside is where they wind nonzero, evenodd, positive or negative "
+                 "times (counter-clockwise counts +1)")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"nonzero", "evenodd", "positive", "negative"}))
+      ->excludes(crossings)
+      ->excludes(svg)
+      ->excludes(unchecked)
+      ->excludes(verify);
   app.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
   if (!parse_arguments(app, arguments)) return std::nullopt;
   request.options.pieces = !areas_only;
   request.options.check_simple = !no_check;
   for (const IndexKind kind : {IndexKind::automatic, IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
     if (name(kind) == index) request.options.index = kind;
+  }
+  for (const WindingRule any : all_winding_rules) {
+    if (name(any) == rule) request.rule = any;
   }
   return request;
 }
@@ -72,16 +90,35 @@ std::vector<Output> outputs_of(const Request& request) {
   return outputs;
 }
 
+std::array<NamedCurve, 2> read_inputs(const Request& request, Progress& progress) {
+  progress.phase("reading", 0, 0.25);
+  std::array<NamedCurve, 2> inputs;
+  for (std::size_t k = 0; k < 2; ++k) {
+    inputs[k] = read_curve(request.curves[k], true);
+    progress.advance(0.5 * static_cast<double>(k + 1));
+  }
+  return inputs;
+}
+
+void warn_of_overflow(const Areas& areas) {
+  for (const NamedArea& area : named_areas) {
+    if (std::isfinite(areas.*area.member)) continue;
+    spdlog::warn("warning: areas beyond the range of double, such as that of {}, are written as null", area.label);
+    break;
+  }
+}
+
+// Standard output holds one thing only.
+bool takes_standard_output(const std::vector<Output>& outputs) {
+  return std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
+}
+
 OverlayReport compute(const Request& request, Progress& progress) {
   OverlayReport report;
   report.options = request.options;
   ReportTiming& timing = report.timing;
-  progress.phase("reading", 0, 0.25);
   const Stopwatch read_watch;
-  for (std::size_t k = 0; k < 2; ++k) {
-    report.inputs[k] = read_curve(request.curves[k], true);
-    progress.advance(0.5 * static_cast<double>(k + 1));
-  }
+  report.inputs = read_inputs(request, progress);
   timing.read = read_watch.seconds();
 
   progress.phase("overlay", 0.25, 0.8);
@@ -93,7 +130,8 @@ OverlayReport compute(const Request& request, Progress& progress) {
   try {
     report.result = overlay(c1, c2, options);
   } catch (const NotSimpleError& error) {
-    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
+    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what() +
+                    " (--rule takes such curves)");
   }
   const OverlayTiming& engine = report.result.timing;
   timing.check = engine.check;
@@ -143,10 +181,7 @@ void run(const Request& request) {
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) write_overlay_json(request.json, report, [&] { return watch.seconds(); });
   }
-  // Standard output holds one thing only.
-  const bool taken =
-      std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
-  if (!taken) print(overlay_table(report));
+  if (!takes_standard_output(outputs)) print(overlay_table(report));
   const ReportTiming& timing = report.timing;
   spdlog::info(
       "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, areas {:.4f}, "
@@ -155,13 +190,61 @@ void run(const Request& request) {
       timing.verify, timing.write, watch.seconds());
 }
 
+RegionsReport compute_by_rule(const Request& request, Progress& progress) {
+  RegionsReport report;
+  report.rule = *request.rule;
+  report.index = request.options.index;
+  report.areas_only = !request.options.pieces;
+  const Stopwatch read_watch;
+  report.inputs = read_inputs(request, progress);
+  report.read_seconds = read_watch.seconds();
+  progress.phase("regions", 0.25, 0.8);
+  RegionOptions options;
+  options.index = report.index;
+  options.progress = [&](double fraction) { return progress.advance(fraction); };
+  report.result = regions(CurveView(report.inputs[0].curve), CurveView(report.inputs[1].curve), options);
+  progress.phase("pieces", 0.8, 0.9);
+  const Stopwatch pieces_watch;
+  if (!report.areas_only) {
+    for (const Pairing pairing : all_pairings) {
+      report.pieces[static_cast<std::size_t>(pairing)] = report.result.pieces(report.rule, pairing);
+    }
+  }
+  report.pieces_seconds = pieces_watch.seconds();
+  warn_of_overflow(report.result.areas(report.rule));
+  return report;
+}
+
+void run_by_rule(const Request& request) {
+  const Stopwatch watch;
+  const std::vector<Output> outputs = outputs_of(request);
+  check_outputs(outputs, request.curves);
+  RegionsReport report;
+  {
+    Progress progress;
+    report = compute_by_rule(request, progress);
+    progress.phase("writing", 0.9, 1);
+    const Stopwatch write_watch;
+    if (!request.lobes.empty()) write_region_lobes(request.lobes, report);
+    report.write_seconds = write_watch.seconds();
+    if (!request.json.empty()) write_regions_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (!takes_standard_output(outputs)) print(regions_table(report));
+  const RegionTiming& timing = report.result.timing();
+  spdlog::info(
+      "seconds: read {:.4f}, index {:.4f}, search {:.4f}, nodes {:.4f}, graph {:.4f}, faces {:.4f}, pieces {:.4f}, "
+      "write {:.4f}, total {:.4f}",
+      report.read_seconds, timing.index, timing.search, timing.nodes, timing.graph, timing.faces, report.pieces_seconds,
+      report.write_seconds, watch.seconds());
+}
+
 }  // namespace
 
 void run_overlay(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
   if (!request) return;
   if (request->verbose) spdlog::set_level(spdlog::level::info);
-  with_thread_limit(request->threads, [&] { run(*request); });
+  with_thread_limit(request->threads, [&] { request->rule ? run_by_rule(*request) : run(*request); });
 }
 
 }  // namespace lober::cli

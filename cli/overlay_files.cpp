@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/overlay_report.hpp"
+#include "cli/regions_report.hpp"
 #include "cli/text.hpp"
 #include "engine/curve/ordered_pipeline.hpp"
 #include "engine/curve/output_file.hpp"
@@ -42,12 +42,12 @@ void format_crossing(std::string& text, const OverlayReport& report, std::size_t
   }
 }
 
-// The zones of one piece.
-std::vector<Zone> zones_of(const OverlayReport& report, Pairing pairing, std::size_t piece) {
+// The zones of one piece: its outer polygon, then its holes.
+std::vector<Zone> zones_of(Pairing pairing, std::size_t piece, double area, std::vector<std::vector<Point>> polygons) {
   std::string title(name(pairing));
-  append_all(title, " ", piece, " area=", report.result.pieces(pairing).areas()[piece]);
+  append_all(title, " ", piece, " area=", area);
   std::vector<Zone> zones;
-  for (std::vector<Point>& polygon : outline(report.result, pairing, piece)) {
+  for (std::vector<Point>& polygon : polygons) {
     zones.push_back({title, std::move(polygon)});
     title = name(pairing);
     append_all(title, " ", piece, " hole ", zones.size());
@@ -55,18 +55,37 @@ std::vector<Zone> zones_of(const OverlayReport& report, Pairing pairing, std::si
   return zones;
 }
 
+// Writes `count(pairing)` pieces of C1 \ C2 and C2 \ C1, each by `zones(pairing, piece)`.
+template <typename Count, typename Zones>
+void write_pieces(const std::string& path, const Count& count, const Zones& zones) {
+  std::vector<Zone> all;
+  for (const Pairing pairing : {Pairing::c1_minus_c2, Pairing::c2_minus_c1}) {
+    std::vector<std::vector<Zone>> by_piece(count(pairing));
+    for_each_block(by_piece.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) by_piece[k] = zones(pairing, k);
+    });
+    for (std::vector<Zone>& piece : by_piece) std::move(piece.begin(), piece.end(), std::back_inserter(all));
+  }
+  write_tecplot(path, all);
+}
+
 }  // namespace
 
 void write_lobes(const std::string& path, const OverlayReport& report) {
-  std::vector<Zone> zones;
-  for (const Pairing pairing : {Pairing::c1_minus_c2, Pairing::c2_minus_c1}) {
-    std::vector<std::vector<Zone>> by_piece(report.result.pieces(pairing).size());
-    for_each_block(by_piece.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) by_piece[k] = zones_of(report, pairing, k);
-    });
-    for (std::vector<Zone>& piece : by_piece) std::move(piece.begin(), piece.end(), std::back_inserter(zones));
-  }
-  write_tecplot(path, zones);
+  write_pieces(
+      path, [&](Pairing pairing) { return report.result.pieces(pairing).size(); },
+      [&](Pairing pairing, std::size_t k) {
+        return zones_of(pairing, k, report.result.pieces(pairing).areas()[k], outline(report.result, pairing, k));
+      });
+}
+
+void write_region_lobes(const std::string& path, const RegionsReport& report) {
+  write_pieces(
+      path, [&](Pairing pairing) { return report.pieces_of(pairing).size(); },
+      [&](Pairing pairing, std::size_t k) {
+        const RegionPieces& pieces = report.pieces_of(pairing);
+        return zones_of(pairing, k, pieces.areas()[k], pieces.outline(k));
+      });
 }
 
 void write_crossings(const std::string& path, const OverlayReport& report) {

@@ -1,72 +1,14 @@
 // The JSON object of `lober overlay`. Its members are a contract; more may be added, none renamed.
-//
-// Short members go through nlohmann::ordered_json. The lists, which can have millions of elements, are
-// formatted in parallel, one element a line, and never held in memory as a whole.
 
 #include <algorithm>
 
 #include "cli/json.hpp"
+#include "cli/json_list.hpp"
 #include "cli/overlay_report.hpp"
-#include "cli/text.hpp"
-#include "engine/curve/ordered_pipeline.hpp"
-#include "engine/curve/output_file.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
 namespace {
-
-// As nlohmann writes them: numbers that are not finite as null, whole ones with ".0".
-struct JsonNumber {
-  double value;
-};
-void append(std::string& text, JsonNumber number) {
-  if (!std::isfinite(number.value)) {
-    text += "null";
-    return;
-  }
-  const std::size_t begin = text.size();
-  cli::append(text, number.value);
-  if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
-}
-
-template <typename... Values>
-void put(std::string& text, const Values&... values) {
-  const auto one = [&](const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
-      append(text, JsonNumber{value});
-    } else {
-      cli::append(text, value);
-    }
-  };
-  (one(values), ...);
-}
-
-// Writes "[" element, element ... "]", each element by `format(text, index)`.
-template <typename Format>
-void write_list(OutputFile& file, std::size_t size, const Format& format) {
-  constexpr std::size_t block = 2048;
-  struct Slot {
-    std::size_t begin = 0, end = 0;
-    std::string text;
-  };
-  file.write("[");
-  std::size_t next = 0;
-  ordered_pipeline<Slot>(
-      [&](Slot& slot) {
-        slot.begin = next;
-        slot.end = next = std::min(size, next + block);
-        return slot.begin < slot.end;
-      },
-      [&](Slot& slot) {
-        slot.text.clear();
-        for (std::size_t k = slot.begin; k < slot.end; ++k) {
-          slot.text += k == 0 ? "\n  " : ",\n  ";
-          format(slot.text, k);
-        }
-      },
-      [&](const Slot& slot) { file.write(slot.text); });
-  file.write(size == 0 ? "]" : "\n]");
-}
 
 Json statistics_json(const OverlayStatistics& statistics) {
   Json object{{"index", name(statistics.index)}, {"index_bytes", statistics.index_bytes}};

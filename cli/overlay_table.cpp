@@ -2,15 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <numeric>
-
 #include "cli/overlay_report.hpp"
 
 namespace lober::cli {
 namespace {
-
-constexpr std::size_t shown = 10;  ///< lobes of either kind
 
 void add_areas(std::string& text, const OverlayReport& report) {
   text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}{}\n", "area of", "", "+- rounding", "discretisation",
@@ -21,18 +16,6 @@ void add_areas(std::string& text, const OverlayReport& report) {
     if (report.consistency) text += fmt::format(" {:>13.1e}", (*report.consistency).*area.member);
     text += "\n";
   }
-}
-
-// The numbers of the largest pieces, largest first.
-std::vector<std::uint32_t> largest(std::span<const double> areas) {
-  std::vector<std::uint32_t> order(areas.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const std::size_t count = std::min(shown, order.size());
-  std::partial_sort(
-      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-      [&](std::uint32_t x, std::uint32_t y) { return areas[x] != areas[y] ? areas[x] > areas[y] : x < y; });
-  order.resize(count);
-  return order;
 }
 
 // "0 1 2 3 4 5 6 7 ... (20)": the crossings of a piece, shortened.

@@ -3,7 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/areas.hpp"
 #include "engine/crossings/crossings.hpp"
@@ -44,5 +47,10 @@ void warn_of_overflow(const Areas& areas);
 /// Two aligned lines that say what was read.
 [[nodiscard]] std::string inputs_text(const std::array<NamedCurve, 2>& inputs,
                                       const std::array<Orientation, 2>& orientations);
+
+/// As many pieces of one kind are shown in a table.
+inline constexpr std::size_t shown = 10;
+/// The numbers of the largest pieces, largest first, at most `shown`.
+[[nodiscard]] std::vector<std::uint32_t> largest(std::span<const double> areas);
 
 }  // namespace lober::cli

@@ -34,24 +34,24 @@ Ratio parameter_ratio(Point a, Point b, const ImplicitPoint& p) {
 
 }  // namespace
 
-int orient2d_beyond_filter(Point a, Point b, Point c, PredicateCounts& counts) {
+int cross_sign_beyond_filter(Point a, Point b, Point c, Point d, PredicateCounts& counts) {
   ++counts.filter_failures;
-  const auto ax = two_diff(a.x, c.x), ay = two_diff(a.y, c.y), bx = two_diff(b.x, c.x), by = two_diff(b.y, c.y);
-  if (ax.lo == 0 && ay.lo == 0 && bx.lo == 0 && by.lo == 0) {
-    const auto left = two_product(ax.hi, by.hi), right = two_product(ay.hi, bx.hi);
+  const auto ux = two_diff(b.x, a.x), uy = two_diff(b.y, a.y), vx = two_diff(d.x, c.x), vy = two_diff(d.y, c.y);
+  if (ux.lo == 0 && uy.lo == 0 && vx.lo == 0 && vy.lo == 0) {
+    const auto left = two_product(ux.hi, vy.hi), right = two_product(uy.hi, vx.hi);
     // The products are exact if nothing over- or underflowed: a zero product of zero factors, or one of safe size.
     const auto safe = [](double product, double u, double v) {
       const double size = std::fabs(product);
       return u == 0 || v == 0 ||
              (size > 0x1p-900 && size < 0x1p900 && std::fabs(u) < 0x1p900 && std::fabs(v) < 0x1p900);
     };
-    if (safe(left.hi, ax.hi, by.hi) && safe(right.hi, ay.hi, bx.hi)) {
+    if (safe(left.hi, ux.hi, vy.hi) && safe(right.hi, uy.hi, vx.hi)) {
       if (left.hi != right.hi) return left.hi > right.hi ? 1 : -1;
       return (left.lo > right.lo) - (left.lo < right.lo);
     }
   }
   ++counts.exact_calls;
-  return exact_cross(c, a, c, b).sign();
+  return exact_cross(a, b, c, d).sign();
 }
 
 bool on_segment(Point a, Point b, Point p, PredicateCounts& counts) {

@@ -29,7 +29,20 @@ inline constexpr double orient2d_error = (3.0 + 32 * 0x1p-53) * 0x1p-53;
 /// Below this the products may have lost bits to underflow (at most 2^-1074 each).
 inline constexpr double orient2d_floor = 0x1p-1000;
 
-int orient2d_beyond_filter(Point a, Point b, Point c, PredicateCounts& counts);
+int cross_sign_beyond_filter(Point a, Point b, Point c, Point d, PredicateCounts& counts);
+
+/// The sign of the determinant |b - a, d - c|: +1 when turning from the direction a -> b to the direction c -> d takes
+/// less than half a turn counter-clockwise, -1 clockwise, 0 when they are parallel (or one has no length). Exact for
+/// all finite points; the filter is that of orient2d, with the same number of roundings.
+inline int cross_sign(Point a, Point b, Point c, Point d, PredicateCounts& counts) {
+  const double left = (b.x - a.x) * (d.y - c.y);
+  const double right = (b.y - a.y) * (d.x - c.x);
+  const double determinant = left - right;
+  const double bound = orient2d_error * (std::fabs(left) + std::fabs(right)) + orient2d_floor;
+  if (determinant > bound) return 1;
+  if (-determinant > bound) return -1;
+  return cross_sign_beyond_filter(a, b, c, d, counts);
+}
 
 /// The side of the directed line a -> b on which c lies: +1 left, -1 right, 0 on the line (or a == b).
 ///   orient2d(a, b, c) == orient2d(b, c, a) == -orient2d(b, a, c) for all finite a, b, c.
@@ -41,7 +54,7 @@ inline int orient2d(Point a, Point b, Point c, PredicateCounts& counts) {
   const double bound = orient2d_error * (std::fabs(left) + std::fabs(right)) + orient2d_floor;
   if (determinant > bound) return 1;
   if (-determinant > bound) return -1;
-  return orient2d_beyond_filter(a, b, c, counts);
+  return cross_sign_beyond_filter(c, a, c, b, counts);
 }
 
 /// Whether p lies on the closed segment a b. Exact.

@@ -2,74 +2,10 @@
 
 #include <algorithm>
 
+#include "engine/index/sums_along.hpp"
 #include "engine/parallel/parallel.hpp"
-#include "kernels/shoelace.hpp"
 
 namespace lober {
-namespace {
-
-// Leaves with contacts lie anywhere in memory; those of some contacts further on are asked for in time.
-constexpr std::size_t ahead = 6;
-void fetch(const Point* leaf) {
-  constexpr std::size_t points_per_line = 64 / sizeof(Point);
-  for (std::size_t k = 0; k < leaf_size; k += points_per_line) __builtin_prefetch(leaf + k);
-}
-
-// Running sums of one curve at each of its contacts. `contact(k)` gives (segment, parameter) of the k-th contact along
-// the curve; take(k, sum) is called once for each, in parallel.
-template <typename ContactAt, typename Take>
-DD sum_at_contacts(const BoxTree& tree, Point origin, std::size_t count, const ContactAt& contact, const Take& take) {
-  const Buffer<DD>& stretches = tree.stretch_sums();
-  Buffer<DD> before(stretches.size());
-  DD total;
-  for (std::size_t k = 0; k < stretches.size(); ++k) {
-    before[k] = total;
-    total += stretches[k];
-    total += shoelace(*tree.stretch_points(k), *tree.stretch_points(k + 1), origin);
-  }
-  if (count == 0) return total;
-
-  // The first contact of a stretch, by bisection.
-  const auto first_from = [&](std::size_t stretch) {
-    std::size_t low = 0, high = count;
-    while (low < high) {
-      const std::size_t middle = low + (high - low) / 2;
-      if (contact(middle).segment < stretch * leaf_size * leaf_size)
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    return low;
-  };
-  for_each_block(stretches.size(), 4, [&](std::size_t first_stretch, std::size_t last_stretch) {
-    LeafPrefixes leaves, segments;
-    std::size_t k = first_from(first_stretch);
-    for (std::size_t stretch = first_stretch; stretch < last_stretch && k < count; ++stretch) {
-      std::size_t segment = contact(k).segment;
-      if (segment / leaf_size / leaf_size != stretch) continue;
-      shoelace_prefixes(tree.stretch_points(stretch), origin, before[stretch], tree.leaf_sums() + stretch * leaf_size,
-                        leaves);
-      while (segment / leaf_size / leaf_size == stretch) {
-        const std::size_t leaf = segment / leaf_size;
-        if (k + ahead < count) fetch(tree.leaf_points(contact(k + ahead).segment / leaf_size));
-        shoelace_prefixes(tree.leaf_points(leaf), origin, leaves.before(leaf % leaf_size), nullptr, segments);
-        do {
-          take(k, segments.at(segment % leaf_size, contact(k).t));
-          if (++k == count) return;
-          segment = contact(k).segment;
-        } while (segment / leaf_size == leaf);
-      }
-    }
-  });
-  return total;
-}
-
-struct Place {
-  std::uint32_t segment;
-  DD t;
-};
-
-}  // namespace
 
 void find_wraps(const NodeGraph& graph, ArcSums& sums) {
   const std::uint32_t nodes = graph.size();
@@ -99,19 +35,21 @@ ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph
   const Point origin = c1.view().points[0];
   ArcSums sums;
   sums.gap.resize(count);
-  sums.total1 = sum_at_contacts(
-      c1.tree(), origin, count,
-      [&](std::size_t k) {
-        return Place{graph.contacts[k].segment1, graph.contacts[k].t1};
-      },
-      [&](std::size_t k, DD sum) { sums.gap[k] = sum; });
-  sums.total2 = sum_at_contacts(
-      c2.tree(), origin, count,
-      [&](std::size_t k) {
-        const Contact& contact = graph.contacts[graph.contacts2[k]];
-        return Place{contact.segment2, contact.t2};
-      },
-      [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= sum; });
+  sums.total1 = sum_along(
+                    c1.tree(), origin, count,
+                    [&](std::size_t k) {
+                      return PlaceAlong{graph.contacts[k].segment1, graph.contacts[k].t1};
+                    },
+                    [&](std::size_t k, DD sum) { sums.gap[k] = sum; })
+                    .total;
+  sums.total2 = sum_along(
+                    c2.tree(), origin, count,
+                    [&](std::size_t k) {
+                      const Contact& contact = graph.contacts[graph.contacts2[k]];
+                      return PlaceAlong{contact.segment2, contact.t2};
+                    },
+                    [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= sum; })
+                    .total;
   find_wraps(graph, sums);
   return sums;
 }

@@ -126,6 +126,27 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Orient2d, ::testing::ValuesIn(kinds), [](const a
   return name;
 });
 
+TEST(CrossSign, EqualsTheExactSign) {
+  Random random(seed());
+  PredicateCounts counts;
+  int parallel = 0;
+  for (const Kind& kind : kinds) {
+    for (int k = 0; k < kind.tries / 10; ++k) {
+      const auto [a, b, c] = kind.make(random);
+      const auto [d, e, f] = kind.make(random);
+      // Directions of four points, of nearly one line, and of one and the same segment.
+      for (const auto& [p, q] : {std::pair{c, d}, {b, c}, {a, b}, {c, b}, {d, e}}) {
+        const int expected = exact_cross_sign(a, b, p, q);
+        if (expected == 0) ++parallel;
+        ASSERT_EQ(cross_sign(a, b, p, q, counts), expected) << kind.name << ", try " << k;
+        ASSERT_EQ(cross_sign(p, q, a, b, counts), -expected) << kind.name << ", try " << k;
+      }
+    }
+  }
+  EXPECT_GT(parallel, 100000);
+  EXPECT_GT(counts.exact_calls, 1000U);
+}
+
 TEST(Orient2dStages, EachIsReachedAndCounted) {
   PredicateCounts counts;
   orient2d({0, 0}, {1, 0}, {0, 1}, counts);

@@ -63,18 +63,25 @@ inline mpz_class integer_of(double value, int exponent) {
   return result >> static_cast<mp_bitcnt_t>(-shift);  // only zeros go
 }
 
-/// The sign of |b - a, c - a| in integers.
-inline int exact_orientation(Point a, Point b, Point c) {
+/// Sign of |b - a, d - c| in integers.
+inline int exact_cross_sign(Point a, Point b, Point c, Point d) {
   int exponent = 1024;
-  for (const double value : {a.x, a.y, b.x, b.y, c.x, c.y}) {
+  for (const double value : {a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y}) {
     int binary = 0;
     std::frexp(value, &binary);
     if (value != 0) exponent = std::min(exponent, std::max(binary - 53, -1074));
   }
-  const mpz_class cx = integer_of(c.x, exponent), cy = integer_of(c.y, exponent);
-  const mpz_class left = (integer_of(a.x, exponent) - cx) * (integer_of(b.y, exponent) - cy);
-  const mpz_class right = (integer_of(a.y, exponent) - cy) * (integer_of(b.x, exponent) - cx);
+  const auto difference = [&](double to, double from) -> mpz_class {
+    return integer_of(to, exponent) - integer_of(from, exponent);
+  };
+  const mpz_class left = difference(b.x, a.x) * difference(d.y, c.y);
+  const mpz_class right = difference(b.y, a.y) * difference(d.x, c.x);
   return sgn(mpz_class(left - right));
+}
+
+/// The sign of |b - a, c - a| in integers.
+inline int exact_orientation(Point a, Point b, Point c) {
+  return exact_cross_sign(c, a, c, b);
 }
 
 /// 2^exponent.
