@@ -68,13 +68,13 @@ std::uint32_t half_edge_right_of(Point point, const Strands& strands, const Mark
   if (!hit) return no_half_edge;
   // The mark before the hit on the same segment, if any; else the last one before the segment.
   const std::uint32_t segment = strands.first_of(number) + hit->segment;
-  const auto [a, b] = strands.segment(segment);
+  const Segment ends = strands.segment(segment);
   const auto begin = marks.list.begin() + marks.begin[static_cast<std::size_t>(number)];
   const auto last = marks.list.begin() + marks.begin[static_cast<std::size_t>(number) + 1];
   const ImplicitPoint place = on_segment_of(*hit, point, end);
   const auto after = std::partition_point(begin, last, [&](const Mark& mark) {
     if (mark.segment != segment) return mark.segment < segment;
-    const int order = compare_along(a, b, implicit_point(strands, mark), place);
+    const int order = compare_along(ends.a, ends.b, implicit_point(strands, mark), place);
     return order != 0 ? order < 0 : hit->upward;  // the hit is a little above its place
   });
   const auto next = static_cast<std::uint32_t>(after - marks.list.begin());
