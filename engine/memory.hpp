@@ -6,6 +6,7 @@
 #include <tbb/scalable_allocator.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -29,7 +30,11 @@ class BulkAllocator {
     if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
     const std::size_t alignment = count * sizeof(T) >= huge_page ? huge_page : 64;
     const std::size_t bytes = count * sizeof(T);
+#ifdef __SANITIZE_THREAD__
+    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+#else
     void* memory = scalable_aligned_malloc(bytes, alignment);
+#endif
     if (memory == nullptr) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
     if (alignment == huge_page) madvise(memory, bytes, MADV_HUGEPAGE);  // advice only: failure costs speed, no more
@@ -37,7 +42,11 @@ class BulkAllocator {
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) {
+#ifdef __SANITIZE_THREAD__  // which must see when memory changes hands
+    std::free(memory);
+#else
     scalable_aligned_free(memory);
+#endif
   }
 
   /// Leaves plain values uninitialised.

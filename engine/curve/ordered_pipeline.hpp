@@ -21,31 +21,32 @@ void ordered_pipeline(const Next& next, const Work& work, const Deliver& deliver
   // Enough to keep every thread busy while one block is late.
   const std::size_t in_flight = 3 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   std::vector<Slot> slots(in_flight);
+#ifdef __SANITIZE_THREAD__
+  for (bool more = true; more;) {  // the same round by round (plain_threads.hpp)
+    std::size_t taken = 0;
+    while (taken < in_flight && (more = next(slots[taken]))) ++taken;
+    for_each_block(taken, 1, [&](std::size_t k, std::size_t) { work(slots[k]); });
+    for (std::size_t k = 0; k < taken; ++k) deliver(slots[k]);
+  }
+#else
   // Slot k is free when block number k + in_flight starts: no more than `in_flight` blocks are under way, and
   // they end in order.
   std::size_t blocks = 0;
-  TaskOrder order;
-  order.before();
   tbb::parallel_pipeline(
       in_flight,
       tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) -> Slot* {
         Slot* slot = &slots[blocks % in_flight];
-        order.task([&] {
-          if (next(*slot)) {
-            ++blocks;
-          } else {
-            control.stop();
-            slot = nullptr;
-          }
-        });
-        return slot;
+        if (next(*slot)) {
+          ++blocks;
+          return slot;
+        }
+        control.stop();
+        return nullptr;
       }) & tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel, [&](Slot* slot) {
-        order.task([&] { work(*slot); });
+        work(*slot);
         return slot;
-      }) & tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, [&](Slot* slot) {
-        order.task([&] { deliver(*slot); });
-      }));
-  order.after();
+      }) & tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, [&](Slot* slot) { deliver(*slot); }));
+#endif
 }
 
 }  // namespace lober

@@ -8,40 +8,17 @@
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
-#include <atomic>
 #include <cstddef>
 #include <utility>
 
-namespace lober {
-
 #ifdef __SANITIZE_THREAD__
-/// oneTBB as Debian ships it is not instrumented, so ThreadSanitizer cannot see that a task starts after it was spawned
-/// and ends before it is waited for. This tells it, and nothing more: any other order between tasks has to be real.
-class TaskOrder {
- public:
-  void before() { edge_.fetch_add(1, std::memory_order_release); }
-  void after() { (void)edge_.load(std::memory_order_acquire); }
-  template <typename Function>
-  void task(Function&& function) {
-    after();
-    function();
-    before();
-  }
+#include <array>
+#include <functional>
 
- private:
-  std::atomic<unsigned> edge_{0};
-};
-#else
-class TaskOrder {
- public:
-  void before() {}
-  void after() {}
-  template <typename Function>
-  void task(Function&& function) {
-    function();
-  }
-};
+#include "engine/parallel/plain_threads.hpp"
 #endif
+
+namespace lober {
 
 /// Calls body(begin, end) for [0, size) cut into pieces of exactly `grain` (the last one may be shorter), in
 /// parallel when there is more than one.
@@ -52,23 +29,27 @@ void for_each_block(std::size_t size, std::size_t grain, const Body& body) {
     if (size != 0) body(std::size_t{0}, size);
     return;
   }
-  TaskOrder order;
-  order.before();
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  const auto piece = [&](std::size_t block) {
     const std::size_t begin = block * grain;
-    order.task([&] { body(begin, begin + grain < size ? begin + grain : size); });
-  });
-  order.after();
+    body(begin, begin + grain < size ? begin + grain : size);
+  };
+#ifdef __SANITIZE_THREAD__
+  on_plain_threads(blocks, piece);
+#else
+  tbb::parallel_for(std::size_t{0}, blocks, piece);
+#endif
 }
 
 /// Runs the functions side by side when `worthwhile`, one after the other when not.
 template <typename... Functions>
 void run_together(bool worthwhile, Functions&&... functions) {
   if (worthwhile) {
-    TaskOrder order;
-    order.before();
-    tbb::parallel_invoke([&] { order.task(functions); }...);
-    order.after();
+#ifdef __SANITIZE_THREAD__
+    const std::array<std::function<void()>, sizeof...(functions)> tasks{std::ref(functions)...};
+    on_plain_threads(tasks.size(), [&](std::size_t k) { tasks[k](); });
+#else
+    tbb::parallel_invoke(functions...);
+#endif
   } else {
     (functions(), ...);
   }

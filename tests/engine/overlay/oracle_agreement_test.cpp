@@ -1,7 +1,6 @@
 // The oracles against each other, without the engine: brute force in rationals, CGAL, and the sum over
 // trapezoids. Only what three independent ways agree on is fit to judge the engine.
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "engine/parallel/parallel.hpp"
 #include "tests/oracle/cgal_overlay.hpp"
 #include "tests/oracle/exact_overlay.hpp"
 #include "tests/oracle/families.hpp"
@@ -78,7 +78,7 @@ class OracleAgreement : public testing::TestWithParam<Family> {};
 TEST_P(OracleAgreement, ThreeWaysGiveTheSame) {
   std::mutex mutex;
   std::size_t written = 0;
-  tbb::parallel_for(std::uint64_t{0}, pairs_per_family(), [&](std::uint64_t seed) {
+  for_each_block(pairs_per_family(), 1, [&](std::size_t seed, std::size_t) {
     const CurvePair pair = make_curve_pair(GetParam(), seed);
     std::ostringstream difference;
     try {

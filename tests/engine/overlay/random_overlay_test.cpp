@@ -5,7 +5,6 @@
 // LOBER_SEED          the first seed (default 0)
 // LOBER_FAILURES      folder for pairs that fail, with the smallest pair that still does (see pair_file.hpp)
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,6 +15,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/parallel/parallel.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"
@@ -92,7 +92,8 @@ TEST_P(RandomOverlay, AgreesWithTheExactOne) {
   const std::uint64_t wanted = from_environment("LOBER_RANDOM_PAIRS", 100000);
   const std::uint64_t count = (wanted + families().size() - 1) / families().size();
   Tally tally;
-  tbb::parallel_for(first, first + count, [&](std::uint64_t seed) {
+  for_each_block(count, 1, [&](std::size_t k, std::size_t) {
+    const std::uint64_t seed = first + k;
     const CurvePair pair = make_curve_pair(GetParam(), seed);
     tally.add(pair);
     if (seed % 2 == 0) {
