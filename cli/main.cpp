@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/densify_command.hpp"
 #include "cli/overlay_command.hpp"
 #include "cli/published_form.hpp"
 #include "engine/error.hpp"
@@ -20,7 +21,8 @@ constexpr const char* usage = R"(lober: exact crossings, lobes and areas of curv
 
 usage:
   lober overlay C1 C2 [options]          crossings, lobes and areas of two closed curves
-  lober overlay --help                   its options
+  lober densify CURVE [AGAINST] -o FILE  more points where the curve is coarse or meets another one, or fewer
+  lober overlay --help                   its options; each command has its own
   lober <c1> <c2> <rslt> [-DENS p n]     the same with the command line and files of the published program
   lober --version
 
@@ -30,7 +32,7 @@ separated by commas or blanks, NPY, or raw float64, known by its content.
 exit status: 0 done, 1 the data cannot be used, 2 the command cannot be understood
 )";
 
-constexpr std::array later_commands{"interior", "densify", "tangle", "grow", "transport", "escape", "batch"};
+constexpr std::array later_commands{"interior", "tangle", "grow", "transport", "escape", "batch"};
 
 void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
@@ -41,6 +43,8 @@ void run(const std::vector<std::string>& arguments) {
     print("lober " LOBER_VERSION "\n");
   } else if (first == "overlay") {
     run_overlay({arguments.begin() + 1, arguments.end()});
+  } else if (first == "densify") {
+    run_densify({arguments.begin() + 1, arguments.end()});
   } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
     throw UsageError("the command " + first + " is not in this version");
   } else {
