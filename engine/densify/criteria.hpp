@@ -25,15 +25,18 @@ class Judge {
   /// `extent`: the largest coordinate, which says what length is nothing.
   Judge(const Interpolant& interpolant, const Criteria& criteria, double extent);
 
-  /// From the polyline given alone; for linear interpolation the final answer. O(1).
+  /// From bounds of the segment's own piece and the angles of the polyline given. Final where no angle counts (with one
+  /// part a cubic is its chord) and for linear interpolation. O(1).
   [[nodiscard]] Need estimate(std::size_t segment) const;
+  [[nodiscard]] bool estimate_is_final() const { return !angles_ || interpolant_.kind() == Interpolation::linear; }
 
-  /// By looking at the points that come from `parts` of this segment and of its neighbours. Never less than
-  /// parts[segment]. O(parts[segment]).
+  /// By looking at the points that come from `parts` of this segment and of its neighbours; at those next to its ends
+  /// only, where bounds speak for the others. Never less than parts[segment]. O(parts[segment]).
   [[nodiscard]] Need judge(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
 
  private:
   [[nodiscard]] Need grown(std::uint32_t parts, double growth, double chord) const;
+  [[nodiscard]] double parts_by_bounds(const CubicPiece& piece, double chord) const;
   [[nodiscard]] double growth_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
   [[nodiscard]] Point vertex(std::size_t k) const { return curve_.points[k == curve_.points.size() ? 0 : k]; }
   [[nodiscard]] Point before(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
@@ -48,8 +51,13 @@ class Judge {
   bool angles_;
 };
 
-/// By how many times the longest of angle and distance x angle is broken at a vertex a -> b -> c for the segment whose
-/// length is `mine`; 1 or less when both hold. The angle concerns a segment that has half the length of its neighbour.
+/// How many times as many parts a segment of length `mine` needs because of the angle at one of its ends, beyond which
+/// lies a segment of length `other`; 1 or less when the criteria hold. The angle concerns the longer of the two
+/// segments, and the other too if it has half that length. Counts on angles that are shared among parts: d alpha falls
+/// by the square.
+[[nodiscard]] double excess_of_angle(const Criteria& criteria, double angle, double mine, double other);
+
+/// The same at the vertex b between a and c; asks for the angle only if a cheap bound does not do.
 [[nodiscard]] double excess_at_vertex(const Criteria& criteria, Point a, Point b, Point c, double mine, double other);
 
 }  // namespace lober

@@ -39,23 +39,21 @@ class Rounds {
         next_(segments),
         state_(segments) {}
 
-  void run(bool exact_estimate, bool closed, std::uint32_t most_rounds) {
+  void run(bool closed, std::uint32_t most_rounds) {
     for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
       std::fill(parts_.begin() + static_cast<std::ptrdiff_t>(first), parts_.begin() + static_cast<std::ptrdiff_t>(last),
                 1U);
     });
-    bool more = round([&](std::size_t k) { return judge_.estimate(k); }, [](State) { return true; });
-    if (exact_estimate) return;
-    // An estimate that asks for nothing is no proof either.
-    wake_all();
-    while (true) {
-      if (!fits_) return;
-      if (rounds_ >= most_rounds) return give_up(FlawCause::most_rounds);
-      more = round([&](std::size_t k) { return judge_.judge(k, parts_); },
-                   [](State state) { return state == State::waiting; });
-      if (!more) return;
+    round([&](std::size_t k) { return judge_.estimate(k); }, [](State) { return true; });
+    if (judge_.estimate_is_final() || !fits_) return;
+    std::fill(state_.begin(), state_.end(), State::waiting);
+    while (rounds_ < most_rounds) {
+      const bool changed = round([&](std::size_t k) { return judge_.judge(k, parts_); },
+                                 [](State state) { return state == State::waiting; });
+      if (!changed || !fits_) return;
       wake_neighbours(closed);
     }
+    give_up();
   }
 
   [[nodiscard]] const Buffer<std::uint32_t>& parts() const { return parts_; }
@@ -114,13 +112,7 @@ class Rounds {
     });
   }
 
-  void wake_all() {
-    if (!fits_) return;
-    std::fill(state_.begin(), state_.end(), State::waiting);
-  }
-
   void wake_neighbours(bool closed) {
-    if (!fits_) return;
     const std::size_t size = parts_.size();
     const auto changed = [&](std::size_t k) { return parts_[k] != next_[k]; };
     for_each_block(size, densify_grain, [&](std::size_t first, std::size_t last) {
@@ -132,8 +124,8 @@ class Rounds {
     });
   }
 
-  void give_up(FlawCause cause) {
-    unmet_cause_ = cause;
+  // No round is left: what still waits is judged for the last time.
+  void give_up() {
     for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         if (state_[k] != State::waiting) continue;
@@ -181,7 +173,7 @@ DensifiedCurve densify(CurveView curve, const Criteria& criteria, const DensifyO
   const Interpolant interpolant(distinct.view(), options.interpolation);
   const Judge judge(interpolant, criteria, largest_coordinate(distinct.view().points));
   Rounds rounds(judge, distinct.view().segments(), distinct.view().points.size(), options.most_points);
-  rounds.run(linear, curve.closed, options.most_rounds);
+  rounds.run(curve.closed, options.most_rounds);
   DensifiedCurve result;
   Buffer<std::uint64_t> begin;
   result.points = subdivided(interpolant, rounds.parts(), begin);

@@ -83,11 +83,15 @@ Buffer<Kept> thinned(const Buffer<Kept>& kept, std::size_t parity, const ThinOpt
     const double removed = std::max(kept[k - 1].removed, kept[k].removed) + distance_to_segment(kept[k].point, a, b);
     return removed <= options.tolerance && distance(a, b) <= options.longest ? removed : stays;
   };
+  Buffer<double> bounds(size + 1);
+  for_each_block(size + 1, densify_grain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) bounds[k] = bound(k);
+  });
   return gathered<Kept>(
-      size, [&](std::size_t k) { return bound(k) == Criteria::off; },
+      size, [&](std::size_t k) { return bounds[k] == Criteria::off; },
       [&](std::size_t k) {
         Kept vertex = kept[k];
-        if (const double removed = bound(k + 1); removed < Criteria::off) vertex.removed = removed;
+        if (bounds[k + 1] < Criteria::off) vertex.removed = bounds[k + 1];
         return vertex;
       });
 }
