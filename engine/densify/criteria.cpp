@@ -48,16 +48,27 @@ void require_sensible(const Criteria& criteria) {
   }
 }
 
-double excess_of_angle(const Criteria& criteria, double angle, double mine, double other) {
-  const double by_angle = 2 * mine >= other ? angle / criteria.angle : 0;
-  return std::max(by_angle, std::sqrt(mine * angle / criteria.distance_angle));
+bool angle_surely_holds(const Criteria& criteria, Point a, Point b, Point c, double mine) {
+  if (!counts_angles(criteria)) return true;
+  const double bound = turning_angle_bound(a, b, c);
+  return bound <= criteria.angle && mine * bound <= criteria.distance_angle;
 }
 
-double excess_at_vertex(const Criteria& criteria, Point a, Point b, Point c, double mine, double other) {
-  if (!counts_angles(criteria)) return 0;
-  const double bound = turning_angle_bound(a, b, c);
-  if (bound <= criteria.angle && mine * bound <= criteria.distance_angle) return 0;
-  return excess_of_angle(criteria, turning_angle(a, b, c), mine, other);
+VertexNeed need_at_vertex(const Criteria& criteria, double angle, double corner, double mine, double other) {
+  VertexNeed need;
+  corner = std::min(corner, angle);
+  if (angle > criteria.angle && 2 * mine >= other) {
+    if (corner >= criteria.angle) {
+      need.corner = true;
+    } else {
+      need.growth = (angle - corner) / (criteria.angle - corner);
+    }
+  }
+  // Parts g times as short leave d alpha = mine / g (corner + (angle - corner) / g).
+  const double linear = mine * corner / criteria.distance_angle;
+  const double square = mine * (angle - corner) / criteria.distance_angle;
+  need.growth = std::max(need.growth, (linear + std::sqrt(linear * linear + 4 * square)) / 2);
+  return need;
 }
 
 Judge::Judge(const Interpolant& interpolant, const Criteria& criteria, double extent)
@@ -67,12 +78,12 @@ Judge::Judge(const Interpolant& interpolant, const Criteria& criteria, double ex
       floor_(std::max(criteria.shortest, 0x1p-50 * extent)),
       angles_(counts_angles(criteria)) {}
 
-Need Judge::grown(std::uint32_t parts, double growth, double chord) const {
-  if (!(growth > 1)) return {parts, false};
-  const double wanted = std::min(std::max(whole(parts * growth), parts + 1.0), many_parts);
-  if (wanted * floor_ <= chord) return {static_cast<std::uint32_t>(wanted), false};
+Need Judge::grown(std::uint32_t parts, VertexNeed need, double chord) const {
+  if (!(need.growth > 1)) return {parts, false, need.corner};
+  const double wanted = std::min(std::max(whole(parts * need.growth), parts + 1.0), many_parts);
+  if (wanted * floor_ <= chord) return {static_cast<std::uint32_t>(wanted), false, need.corner};
   const double most = std::clamp(std::floor(chord / floor_), 1.0, many_parts);
-  return {std::max(parts, static_cast<std::uint32_t>(std::min(wanted, most))), true};
+  return {std::max(parts, static_cast<std::uint32_t>(std::min(wanted, most))), true, need.corner};
 }
 
 // With so many parts the criteria hold for all of them and at the vertices between them. One part is the chord,
@@ -93,16 +104,16 @@ double Judge::parts_by_bounds(const CubicPiece& piece, double chord) const {
 Need Judge::estimate(std::size_t k) const {
   const Point a = vertex(k), b = vertex(k + 1);
   const double chord = distance(a, b);
-  double growth = parts_by_bounds(interpolant_.piece(k), chord);
-  if (!(growth < Criteria::off)) growth = 0;  // nothing is known but the angles at the ends
+  VertexNeed need{parts_by_bounds(interpolant_.piece(k), chord), false};
+  if (!(need.growth < Criteria::off)) need.growth = 0;  // nothing is known but the angles at the ends
   if (angles_) {
     // The parts of a chord keep the angles at its ends, those of a cubic share them. A bound that is near the angle
     // does.
     const auto at_vertex = [&](Point before, Point here, Point after, double other) {
       const double bound = turning_angle_bound(before, here, after);
       const double angle = bound < 0.5 ? bound : turning_angle(before, here, after);
-      const double excess = excess_of_angle(criteria_, angle, chord, other);
-      growth = std::max(growth, interpolant_.kind() == Interpolation::linear ? excess * excess : excess);
+      const double corner = interpolant_.kind() == Interpolation::linear ? angle : 0;
+      need += need_at_vertex(criteria_, angle, corner, chord, other);
     };
     if (has_before(k)) {
       const Point before_a = vertex(k == 0 ? curve_.points.size() - 1 : k - 1);
@@ -113,7 +124,17 @@ Need Judge::estimate(std::size_t k) const {
       at_vertex(a, b, after_b, distance(b, after_b));
     }
   }
-  return grown(1, growth, chord);
+  return grown(1, need, chord);
+}
+
+// The angle between the tangents with which the pieces before and after a vertex meet there.
+double Judge::corner_at(std::size_t vertex) const {
+  const std::size_t after = vertex == curve_.segments() ? 0 : vertex;
+  const CubicPiece in = interpolant_.piece(after == 0 ? curve_.segments() - 1 : after - 1);
+  const CubicPiece out = interpolant_.piece(after);
+  const Point arriving{in.chord.x - in.u.x - in.v.x, in.chord.y - in.u.y - in.v.y};
+  const Point both{arriving.x + out.chord.x + out.u.x, arriving.y + out.chord.y + out.u.y};
+  return turning_angle({0, 0}, arriving, both);
 }
 
 Point Judge::before(std::size_t segment, const Buffer<std::uint32_t>& parts) const {
@@ -128,44 +149,47 @@ Point Judge::after(std::size_t segment, const Buffer<std::uint32_t>& parts) cons
   return count == 1 ? vertex(next + 1) : interpolant_.piece(next).at(1.0 / count);
 }
 
-double Judge::growth_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts) const {
+VertexNeed Judge::need_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts) const {
   const std::uint32_t count = parts[segment];
   const CubicPiece piece = interpolant_.piece(segment);
   const double step = 1.0 / count;
   const Point end = vertex(segment + 1);
   const auto point = [&](std::uint32_t k) { return k == 0 ? piece.a : k == count ? end : piece.at(k * step); };
-  double growth = 0;
+  VertexNeed need;
+  const auto at_end = [&](std::size_t number, Point a, Point b, Point c, double mine, double other) {
+    if (angle_surely_holds(criteria_, a, b, c, mine)) return;
+    need += need_at_vertex(criteria_, turning_angle(a, b, c), corner_at(number), mine, other);
+  };
   const Point second = point(1), last_but_one = point(count - 1);
   if (has_before(segment)) {
     const Point previous = before(segment, parts);
-    const double length = distance(piece.a, second);
-    growth =
-        std::max(growth, excess_at_vertex(criteria_, previous, piece.a, second, length, distance(previous, piece.a)));
+    at_end(segment, previous, piece.a, second, distance(piece.a, second), distance(previous, piece.a));
   }
   if (has_after(segment)) {
     const Point next = after(segment, parts);
-    const double length = distance(last_but_one, end);
-    growth = std::max(growth, excess_at_vertex(criteria_, last_but_one, end, next, length, distance(end, next)));
+    at_end(segment + 1, last_but_one, end, next, distance(last_but_one, end), distance(end, next));
   }
-  if (count >= parts_by_bounds(piece, distance(piece.a, end))) return growth;
+  if (count >= parts_by_bounds(piece, distance(piece.a, end))) return need;
   Point a = piece.a, b = second;
   double length = distance(a, b);
-  growth = std::max(growth, length / criteria_.longest);
+  need.growth = std::max(need.growth, length / criteria_.longest);
   for (std::uint32_t k = 2; k <= count; ++k) {
     const Point c = point(k);
-    const double next_length = distance(b, c);
-    growth = std::max(growth, next_length / criteria_.longest);
-    growth = std::max(growth, excess_at_vertex(criteria_, a, b, c, std::max(length, next_length), 0));
+    const double next_length = distance(b, c), longer = std::max(length, next_length);
+    need.growth = std::max(need.growth, next_length / criteria_.longest);
+    if (!angle_surely_holds(criteria_, a, b, c, longer)) {
+      need += need_at_vertex(criteria_, turning_angle(a, b, c), 0, longer, 0);
+    }
     a = b;
     b = c;
     length = next_length;
   }
-  return growth;
+  return need;
 }
 
 Need Judge::judge(std::size_t segment, const Buffer<std::uint32_t>& parts) const {
   const double chord = distance(vertex(segment), vertex(segment + 1));
-  return grown(parts[segment], growth_by_points(segment, parts), chord);
+  return grown(parts[segment], need_by_points(segment, parts), chord);
 }
 
 }  // namespace lober

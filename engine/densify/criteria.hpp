@@ -1,6 +1,7 @@
 // How many parts the criteria ask for (private to densify/).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -13,10 +14,32 @@ namespace lober {
 /// without `shortest`.
 void require_sensible(const Criteria& criteria);
 
+/// What one vertex asks of a segment that ends there.
+struct VertexNeed {
+  double growth = 0;  ///< how many times as many parts; 1 or less when the criteria hold
+  bool corner = false;
+  VertexNeed& operator+=(const VertexNeed& other) {
+    growth = std::max(growth, other.growth);
+    corner = corner || other.corner;
+    return *this;
+  }
+};
+
+/// A cheap test that the angle criteria hold at vertex b between a and c, for a segment of length `mine`; false says
+/// nothing.
+[[nodiscard]] bool angle_surely_holds(const Criteria& criteria, Point a, Point b, Point c, double mine);
+
+/// The need of a segment of length `mine` that meets one of length `other` at this angle, of which `corner` remains
+/// however fine the parts are, while the rest falls with their length. The angle alone concerns the longer of the two
+/// segments, and the other too if it has half that length.
+[[nodiscard]] VertexNeed need_at_vertex(const Criteria& criteria, double angle, double corner, double mine,
+                                        double other);
+
 /// What a segment needs.
 struct Need {
   std::uint32_t parts = 1;
   bool too_short = false;  ///< more parts would be shorter than Criteria::shortest
+  bool corner = false;     ///< at one of its ends is a corner, which no number of parts makes as flat as asked for
 };
 
 /// Judges the segments of an interpolated curve.
@@ -35,9 +58,10 @@ class Judge {
   [[nodiscard]] Need judge(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
 
  private:
-  [[nodiscard]] Need grown(std::uint32_t parts, double growth, double chord) const;
+  [[nodiscard]] Need grown(std::uint32_t parts, VertexNeed need, double chord) const;
   [[nodiscard]] double parts_by_bounds(const CubicPiece& piece, double chord) const;
-  [[nodiscard]] double growth_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
+  [[nodiscard]] VertexNeed need_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
+  [[nodiscard]] double corner_at(std::size_t vertex) const;
   [[nodiscard]] Point vertex(std::size_t k) const { return curve_.points[k == curve_.points.size() ? 0 : k]; }
   [[nodiscard]] Point before(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
   [[nodiscard]] Point after(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
@@ -50,14 +74,5 @@ class Judge {
   double floor_;
   bool angles_;
 };
-
-/// How many times as many parts a segment of length `mine` needs because of the angle at one of its ends, beyond which
-/// lies a segment of length `other`; 1 or less when the criteria hold. The angle concerns the longer of the two
-/// segments, and the other too if it has half that length. Counts on angles that are shared among parts: d alpha falls
-/// by the square.
-[[nodiscard]] double excess_of_angle(const Criteria& criteria, double angle, double mine, double other);
-
-/// The same at the vertex b between a and c; asks for the angle only if a cheap bound does not do.
-[[nodiscard]] double excess_at_vertex(const Criteria& criteria, Point a, Point b, Point c, double mine, double other);
 
 }  // namespace lober

@@ -26,7 +26,11 @@ double largest_coordinate(std::span<const Point> points) {
 }
 
 // What is known about a segment. `waiting`: it or a neighbour changed since it was judged.
-enum class State : std::uint8_t { met, waiting, too_short, unmet };
+enum class State : std::uint8_t { met, waiting, too_short, corner, unmet };
+
+State state_of(const Need& need) {
+  return need.corner ? State::corner : need.too_short ? State::too_short : State::met;
+}
 
 // The number of parts of every segment, brought up round by round.
 class Rounds {
@@ -60,11 +64,15 @@ class Rounds {
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
 
   [[nodiscard]] std::vector<Flaw> flaws(const Buffer<std::uint64_t>& begin) const {
+    const auto cause = [&](std::size_t k) {
+      return state_[k] == State::corner      ? FlawCause::corner
+             : state_[k] == State::too_short ? FlawCause::shortest
+                                             : unmet_cause_;
+    };
     const Buffer<Flaw> found = gathered<Flaw>(
-        parts_.size(), [&](std::size_t k) { return state_[k] == State::too_short || state_[k] == State::unmet; },
+        parts_.size(), [&](std::size_t k) { return state_[k] != State::met; },
         [&](std::size_t k) {
-          return Flaw{static_cast<std::uint32_t>(begin[k]), parts_[k],
-                      state_[k] == State::too_short ? FlawCause::shortest : unmet_cause_};
+          return Flaw{static_cast<std::uint32_t>(begin[k]), parts_[k], cause(k)};
         });
     return {found.begin(), found.end()};
   }
@@ -79,7 +87,7 @@ class Rounds {
         if (!concerned(state_[k])) continue;
         const Need need = need_of(k);
         next_[k] = need.parts;
-        state_[k] = need.too_short ? State::too_short : State::met;
+        state_[k] = state_of(need);
       }
     });
     trim();
@@ -130,7 +138,7 @@ class Rounds {
       for (std::size_t k = first; k < last; ++k) {
         if (state_[k] != State::waiting) continue;
         const Need need = judge_.judge(k, parts_);
-        state_[k] = need.too_short ? State::too_short : need.parts > parts_[k] ? State::unmet : State::met;
+        state_[k] = need.parts > parts_[k] ? State::unmet : state_of(need);
       }
     });
   }
@@ -157,6 +165,8 @@ std::string_view name(FlawCause cause) {
       return "spacing";
     case FlawCause::not_finite:
       return "not_finite";
+    case FlawCause::corner:
+      return "corner";
     case FlawCause::shortest:
       break;
   }

@@ -24,7 +24,8 @@ namespace lober {
 
 enum class Interpolation : std::uint8_t {
   linear,     ///< on the chords: the curve stays the same set of points, to rounding
-  dritschel,  ///< Dritschel's local cubic (1988), kernels/interpolation.hpp: order 3 to 4, looks at four vertices
+  dritschel,  ///< Dritschel's local cubic (1988), kernels/interpolation.hpp: order 3 to 4, looks at four vertices; its
+              ///< tangents at a vertex agree to third order only, which leaves corners on coarse curves
   spline,     ///< the cubic spline over chord length: periodic, or not-a-knot at the ends of an open curve: order 4
 };
 [[nodiscard]] std::string_view name(Interpolation interpolation);  ///< as on the command line
@@ -50,6 +51,7 @@ struct Criteria {
 /// Why a criterion could not be met.
 enum class FlawCause : std::uint8_t {
   shortest,     ///< parts would be shorter than `shortest`
+  corner,       ///< the tangents of the interpolation meet at a larger angle than `angle`, so no refinement helps
   most_points,  ///< the result would have too many points
   most_rounds,  ///< still not met after the last round
   spacing,      ///< neighbouring parameters are too close (densify_sampled)

@@ -72,13 +72,18 @@ class Sampling {
     const double length = distance(a, b);
     if (length > options_.criteria.longest) return true;
     const std::size_t size = points_.size();
+    const Criteria& criteria = options_.criteria;
+    const auto breaks_at = [&](Point before, Point here, Point after, double other) {
+      if (angle_surely_holds(criteria, before, here, after, length)) return false;
+      return need_at_vertex(criteria, turning_angle(before, here, after), 0, length, other).growth > 1;
+    };
     if (closed() || k > 0) {
       const Point before = point(k + size - 1);
-      if (excess_at_vertex(options_.criteria, before, a, b, length, distance(before, a)) > 1) return true;
+      if (breaks_at(before, a, b, distance(before, a))) return true;
     }
     if (closed() || k + 2 < size) {
-      const Point after = point(k + 2 < size ? k + 2 : k + 2 - size);
-      if (excess_at_vertex(options_.criteria, a, b, after, length, distance(b, after)) > 1) return true;
+      const Point after = point(k + 2);
+      if (breaks_at(a, b, after, distance(b, after))) return true;
     }
     return false;
   }
