@@ -3,27 +3,10 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/densify/densify.hpp"
+
 namespace lober::cli {
 namespace {
-
-// Parameters to insert into (low, high), in order. `held` are those of the intersections in [low, high).
-void insert(double low, double high, std::span<const SideChange> held, Densification densification,
-            std::vector<double>& parameters) {
-  const double step = (high - low) / (densification.points + 1);
-  constexpr double finest = 0x1p-52;  // beyond, neighbours would be the same point
-  if (densification.passes == 0 || densification.points == 0 || held.empty() || step < finest) return;
-  double from = low;
-  for (int k = 1; k <= densification.points + 1; ++k) {
-    const bool last = k > densification.points;
-    const double to = last ? high : low + k * step;
-    std::size_t here = 0;
-    while (here < held.size() && (last || held[here].at.t < to)) ++here;
-    insert(from, to, held.first(here), {densification.passes - 1, densification.points}, parameters);
-    held = held.subspan(here);
-    if (!last) parameters.push_back(to);
-    from = to;
-  }
-}
 
 Point between(Point a, Point b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
@@ -37,7 +20,7 @@ std::vector<LabelledPoint> densified_curve(const Crossings& nodes, int curve, De
   const std::vector<SideChange> changes = side_changes(nodes, curve);
   std::vector<LabelledPoint> points;
   points.reserve(labels.size() + changes.size());
-  std::vector<double> inserted;
+  std::vector<double> meetings, inserted;
   std::size_t next = 0;
   for (std::size_t vertex = 0; vertex < labels.size(); ++vertex) {
     points.push_back({view.points[vertex], labels[vertex]});
@@ -45,8 +28,10 @@ std::vector<LabelledPoint> densified_curve(const Crossings& nodes, int curve, De
     while (next < changes.size() && changes[next].at.segment == vertex) ++next;
     if (first == next) continue;
     const std::span<const SideChange> here = std::span(changes).subspan(first, next - first);
+    meetings.clear();
+    for (const SideChange& change : here) meetings.push_back(change.at.t);
     inserted.clear();
-    insert(0, 1, here, densification, inserted);
+    parameters_near(meetings, densification.passes, densification.points, inserted);
     Side side = changes[first == 0 ? changes.size() - 1 : first - 1].side;
     const Point a = view.points[vertex], b = view.points[vertex + 1 == labels.size() ? 0 : vertex + 1];
     std::size_t place = 0;

@@ -10,8 +10,8 @@ namespace lober {
 void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                      const std::array<TreeNode*, nodes_at_once>& met,
                      std::array<std::size_t, nodes_at_once>& met_count);
-Refined refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                    TreeNode* kept, TreeNode* split);
+SplitCounts refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                        TreeNode* kept, TreeNode* split);
 
 void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                 const std::array<TreeNode*, nodes_at_once>& met, std::array<std::size_t, nodes_at_once>& met_count) {
@@ -22,8 +22,8 @@ void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const Tr
   }
 }
 
-Refined refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-               TreeNode* kept, TreeNode* split) {
+SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                   TreeNode* kept, TreeNode* split) {
   return has_avx2() ? refine_avx2(box, largest, pyramid, list, count, kept, split)
                     : refine_nodes(box, largest, pyramid, list, count, kept, split);
 }

@@ -38,14 +38,14 @@ void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const Tr
                 const std::array<TreeNode*, nodes_at_once>& met, std::array<std::size_t, nodes_at_once>& met_count);
 
 /// How many nodes went where.
-struct Refined {
+struct SplitCounts {
   std::size_t kept = 0;
   std::size_t split = 0;
 };
 
 /// The nodes of `list` that are leaves or no larger than `largest` (by extent) go to `kept`; of the others, those up to
 /// four nodes below them that meet `box` go to `split`. Room for `count` + 1 and 4 `count` + 1 is needed.
-Refined refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-               TreeNode* kept, TreeNode* split);
+SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                   TreeNode* kept, TreeNode* split);
 
 }  // namespace lober

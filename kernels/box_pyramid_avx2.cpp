@@ -11,8 +11,8 @@ void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, con
   distribute_nodes(four, boxes, pyramid, list, count, met, met_count);
 }
 
-Refined refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                    TreeNode* kept, TreeNode* split) {
+SplitCounts refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                        TreeNode* kept, TreeNode* split) {
   return refine_nodes(box, largest, pyramid, list, count, kept, split);
 }
 

@@ -27,7 +27,7 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo 'Scenes, what is measured and what the rivals are asked for: `bench/scenes`, `bench/harness`, `bench/rivals`.'
   echo
   cat "$tables"
-  for suite in kernels reading interior; do
+  for suite in kernels reading interior densify; do
     [ -x "build/bin/bench_$suite" ] || continue
     echo "### ${suite^}"
     echo

@@ -267,6 +267,17 @@ class ContactFinder final : public PairConsumer {
 
 }  // namespace
 
+Point place_of(const Contact& contact, const CurveView& c1, const CurveView& c2) {
+  if (contact.vertex1) return c1.points[contact.segment1];
+  if (contact.vertex2) return c2.points[contact.segment2];
+  const auto [a, b] = c1.segment(contact.segment1);
+  const auto along = [&](double from, double to) {
+    const DD value = DD{from, 0} + contact.t1 * two_diff(to, from);
+    return value.hi;
+  };
+  return {along(a.x, b.x), along(a.y, b.y)};
+}
+
 Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind) {
   const double scale = unite(c1.tree().box(), c2.tree().box()).extent();
   const Stopwatch watch;

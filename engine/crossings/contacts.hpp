@@ -30,6 +30,9 @@ struct Contact {
   bool vertex2;
 };
 
+/// The contact rounded to double: exact at a vertex, else right to about an ulp.
+[[nodiscard]] Point place_of(const Contact& contact, const CurveView& c1, const CurveView& c2);
+
 struct ContactCounts {
   SearchCounts search;
   PredicateCounts predicates;

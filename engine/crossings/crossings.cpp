@@ -1,7 +1,5 @@
 #include "engine/crossings/crossings.hpp"
 
-#include "kernels/double_double.hpp"
-
 namespace lober {
 
 Crossings::Crossings(NodeGraph graph, CurveView c1, CurveView c2, Orientation orientation1, Orientation orientation2)
@@ -27,14 +25,7 @@ int Crossings::rho(std::size_t node) const {
 }
 
 Point Crossings::place(const Contact& contact) const {
-  if (contact.vertex1) return c1_.points[contact.segment1];
-  if (contact.vertex2) return c2_.points[contact.segment2];
-  const auto [a, b] = c1_.segment(contact.segment1);
-  const auto along = [&](double from, double to) {
-    const DD value = DD{from, 0} + contact.t1 * two_diff(to, from);
-    return value.hi;
-  };
-  return {along(a.x, b.x), along(a.y, b.y)};
+  return place_of(contact, c1_, c2_);
 }
 
 Node Crossings::operator[](std::size_t number) const {

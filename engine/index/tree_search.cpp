@@ -123,7 +123,7 @@ class TreeSearch {
     while (waiting_count > 0) {
       make_room(list, kept + waiting_count + 1);
       make_room(split, nodes_at_once * waiting_count + 1);
-      const Refined refined =
+      const SplitCounts refined =
           refine(box, largest, second_.pyramid(), waiting.data(), waiting_count, &list[kept], split.data());
       counts.boxes_tested += nodes_at_once * (waiting_count - refined.kept);
       kept += refined.kept;

@@ -14,8 +14,8 @@ namespace lober {
 void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                      const std::array<TreeNode*, nodes_at_once>& met,
                      std::array<std::size_t, nodes_at_once>& met_count);
-Refined refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                    TreeNode* kept, TreeNode* split);
+SplitCounts refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                        TreeNode* kept, TreeNode* split);
 
 namespace testing {
 namespace {
@@ -93,7 +93,7 @@ void check_refine(Refine run) {
     const Box box = Pyramid::random_box(random);
     const double largest = random.chance(0.3) ? -1 : random.integer(0, 20);
     std::vector<TreeNode> kept(list.size() + 1), split(4 * list.size() + 1), expected_kept, expected_split;
-    const Refined refined = run(box, largest, pyramid.view(), list.data(), list.size(), kept.data(), split.data());
+    const SplitCounts refined = run(box, largest, pyramid.view(), list.data(), list.size(), kept.data(), split.data());
     for (const TreeNode& node : list) {
       const auto box_at = [&](TreeNode at) { return pyramid.boxes[pyramid.begin[at.level] + at.index]; };
       if (node.level == 0 || box_at(node).extent() <= largest) {

@@ -1,0 +1,151 @@
+#include "cli/densify_report.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/text.hpp"
+#include "engine/curve/output_file.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dumped(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Criteria that are off are infinite, which JSON cannot say.
+Json number(double value) {
+  return value < Criteria::off ? Json(value) : Json(nullptr);
+}
+
+Json options_json(const DensifySteps& steps) {
+  Json options{{"interpolation", name(steps.interpolation)}, {"max_points", steps.most_points}};
+  if (steps.thin) {
+    options["remove"] = {{"tolerance", steps.thin->tolerance}, {"longest", number(steps.thin->longest)}};
+  }
+  if (steps.criteria) {
+    options["criteria"] = {{"tau", number(steps.criteria->longest)},
+                           {"alpha", number(steps.criteria->angle)},
+                           {"distance_angle", number(steps.criteria->distance_angle)},
+                           {"delta", steps.criteria->shortest}};
+  }
+  if (steps.passes > 0) options["near"] = {{"passes", steps.passes}, {"points", steps.points}};
+  options["crossings"] = steps.crossings;
+  return options;
+}
+
+Json flaw_counts_json(const DensifyReport& report) {
+  Json counts = Json::object();
+  for (std::size_t k = 0; k < report.flaw_counts.size(); ++k) {
+    if (report.flaw_counts[k] != 0) {
+      counts[std::string(name(static_cast<FlawCause>(k)))] = report.flaw_counts[k];
+    }
+  }
+  return counts;
+}
+
+void write_flaws(OutputFile& file, const DensifyReport& report) {
+  std::string text;
+  append_all(text, "\"flaws\": {\"counts\":", dumped(flaw_counts_json(report)), ",\"list\":[");
+  for (std::size_t k = 0; k < report.flaws.size(); ++k) {
+    const Flaw& flaw = report.flaws[k];
+    append_all(text, k == 0 ? "\n  " : ",\n  ", "{\"segment\":", flaw.first, ",\"count\":", flaw.count, ",\"cause\":\"",
+               name(flaw.cause), "\"}");
+    if (text.size() > (std::size_t{1} << 20)) {
+      file.write(text);
+      text.clear();
+    }
+  }
+  file.write(text + "]},\n");
+}
+
+}  // namespace
+
+PointFormat format_of(const std::string& path) {
+  if (path == "-") return PointFormat::text;
+  const std::string ending = std::filesystem::path(path).extension().string();
+  constexpr std::array<std::pair<const char*, PointFormat>, 5> endings{{{".npy", PointFormat::npy},
+                                                                        {".csv", PointFormat::csv},
+                                                                        {".txt", PointFormat::text},
+                                                                        {".dat", PointFormat::tecplot},
+                                                                        {".raw", PointFormat::raw}}};
+  for (const auto& [known, format] : endings) {
+    if (ending == known) return format;
+  }
+  throw UsageError(path + ": the ending has to say the format: .npy, .csv, .txt, .dat (Tecplot) or .raw");
+}
+
+void write_points(const std::string& path, const Buffer<Point>& points) {
+  switch (format_of(path)) {
+    case PointFormat::npy:
+      return write_npy(path, points);
+    case PointFormat::csv:
+      return write_text(path, points, ',');
+    case PointFormat::text:
+      return write_text(path, points);
+    case PointFormat::raw:
+      return write_raw(path, points);
+    case PointFormat::tecplot:
+      break;
+  }
+  const Zone zone{"", {points.begin(), points.end()}, 1};
+  write_tecplot(path, {&zone, 1});
+}
+
+std::string densify_summary(const DensifyReport& report) {
+  std::string text = fmt::format("{:<20} {:>12} points\n", "given", report.inputs[0].curve.points.size());
+  for (const DensifyReport::Step& step : report.done) {
+    text += fmt::format("{:<20} {:>12} points  {} {}\n", step.name, step.points, step.rounds,
+                        step.rounds == 1 ? "round" : "rounds");
+  }
+  for (std::size_t k = 0; k < report.flaw_counts.size(); ++k) {
+    if (report.flaw_counts[k] == 0) continue;
+    text += fmt::format("criteria not met     {:>12} places  ({})\n", report.flaw_counts[k],
+                        name(static_cast<FlawCause>(k)));
+  }
+  return text;
+}
+
+void write_densify_json(const std::string& path, const DensifyReport& report,
+                        const std::function<double()>& seconds_so_far) {
+  OutputFile file(path);
+  const auto member = [&](const char* key, const Json& value) {
+    std::string line;
+    append_all(line, "\"", key, "\": ", dumped(value), ",\n");
+    file.write(line);
+  };
+  Json inputs = Json::array();
+  for (const NamedCurve& input : report.inputs) {
+    inputs.push_back({{"file", input.file},
+                      {"zone", input.zone},
+                      {"sha256", input.sha256},
+                      {"points", input.curve.points.size()},
+                      {"closed", input.curve.closed}});
+  }
+  Json steps = Json::array();
+  for (const DensifyReport::Step& step : report.done) {
+    steps.push_back({{"step", step.name}, {"points", step.points}, {"rounds", step.rounds}});
+  }
+  file.write("{");
+  member("program", {{"name", "lober"}, {"version", LOBER_VERSION}});
+  member("command", "densify");
+  member("inputs", inputs);
+  member("options", options_json(report.steps));
+  member("steps", steps);
+  member("result", {{"points", report.result.points.size()}, {"closed", report.result.closed}});
+  write_flaws(file, report);
+  file.write("\"timing\": ");
+  file.write(dumped({{"read", report.timing.read},
+                     {"densify", report.timing.densify},
+                     {"write", report.timing.write},
+                     {"total", seconds_so_far()}}));
+  file.write("}\n");
+  file.commit();
+}
+
+}  // namespace lober::cli
