@@ -73,11 +73,13 @@ class Demands {
     const double square = chord.length * chord.length;
     const double u = dot(away, chord.along) / square;
     double value = cross(chord.along, away) / square / (u * (u - 1));
+    largest_ = std::max(largest_, std::fabs(value));
     for (std::size_t k = 0; k < count_; ++k) value = (value - divided_[k]) / (u - at_[k]);
     at_[count_] = u;
     divided_[count_++] = value;
   }
   [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] double largest() const { return largest_; }
   // Coefficients of the polynomial through the first `count`.
   [[nodiscard]] std::array<double, 4> polynomial(std::size_t count) const {
     std::array<double, 4> g{};
@@ -90,6 +92,7 @@ class Demands {
 
  private:
   std::array<double, 4> at_{}, divided_{};
+  double largest_ = 0;
   std::size_t count_ = 0;
 };
 
@@ -131,15 +134,19 @@ SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p) {
     if (last >= 4 + away) demands.add(p[3], p[4 + away], chord);
   }
   const std::size_t count = demands.count();
-  if (count == 0) return segment;
-  const std::array<double, 4> g = demands.polynomial(count), less = demands.polynomial(count > 2 ? 2 : count - 1);
   const double square = chord.length * chord.length;
+  if (count == 0) {  // what a curve along which all of the turns at its ends takes place would enclose; corners apart
+    const auto turn = [&](std::size_t k) { return shape.corner(k) ? 0 : std::fabs(shape.sine[k]); };
+    segment.error = square * (turn(3) + turn(4)) / 6;
+    return segment;
+  }
+  const std::array<double, 4> g = demands.polynomial(count), less = demands.polynomial(count > 2 ? 2 : count - 1);
   segment.error = square * (std::fabs(bulge_of(g) - bulge_of(less)) + 0x1p-50);
   const double at_one = g[0] + g[1] + g[2] + g[3];
   const bool wavers = shape.changes_of_sign(first, last) > 1 || shape.changes_of_sign(0, 7) > 2;
   if (wavers || !(std::fabs(g[0]) < 1 && std::fabs(at_one) < 1)) {
     segment.kind = SmoothSegment::Kind::noisy;
-    segment.error += square * std::fabs(bulge_of(g));
+    segment.error += square * demands.largest() / 3;
     return segment;
   }
   segment.kind = SmoothSegment::Kind::smooth;

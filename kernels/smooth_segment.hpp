@@ -38,8 +38,9 @@ struct SmoothSegment {
 /// longer or shorter, or that leads away by more than 70 degrees. With none left the segment stays straight. It is
 /// noisy if turns in use change sign twice, or f is steeper than 45 degrees at an end.
 ///
-/// `error` is the change when g loses its farther vertices, and rounding: the error of a formula of order h^5. Plain
-/// double; 200 operations.
+/// `error` is the change when g loses its farther vertices, and rounding: the error of a formula of order h^5. Where
+/// the segment stays straight it is the size of the bulge that was rejected, or that its turns let expect, none at
+/// corners. Plain double; 200 operations.
 [[nodiscard]] SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p);
 
 }  // namespace lober

@@ -28,11 +28,25 @@ class SmoothCurve {
       return straight;
     }
     std::array<Point, 8> window;
-    for (std::int64_t j = 0; j < 8; ++j) window[static_cast<std::size_t>(j)] = vertex(k - 3 + j);
+    window[3] = vertex(k);
+    window[4] = vertex(k + 1);
+    for (std::int64_t j = 2, at = k; j >= 0; --j) window[static_cast<std::size_t>(j)] = next_distinct(at, -1);
+    for (std::int64_t j = 5, at = k + 1; j < 8; ++j) window[static_cast<std::size_t>(j)] = next_distinct(at, 1);
     return fit_smooth_segment(window);
   }
 
  private:
+  // Moves on from a vertex to the next one at another place: repeated vertices carry no segment.
+  [[nodiscard]] Point next_distinct(std::int64_t& at, int direction) const {
+    const Point from = vertex(at);
+    Point to;
+    do {
+      at += direction;
+      to = vertex(at);
+    } while (to == from);
+    return to;
+  }
+
   CurveView view_;
   std::int64_t size_;
 };

@@ -281,6 +281,30 @@ TEST(Smooth, SharedArcsAreNoLobes) {
   EXPECT_NEAR(apart.areas.c1_minus_c2, pi, 1e-9);
 }
 
+TEST(Smooth, RepeatedVerticesDoNotMatter) {
+  const Points c1 = sample(wavy(0.1, 5), 500), c2 = sample(ellipse(0, 0, 1, 1), 500);
+  Points repeated;
+  for (std::size_t k = 0; k < c1.size(); ++k) repeated.insert(repeated.end(), 1 + k % 3, c1[k]);
+  expect_near(smooth_of(repeated, c2).areas, smooth_of(c1, c2).areas, 1e-15);
+}
+
+TEST(Smooth, BunchedVerticesHaveAnErrorBar) {
+  // Pairs of vertices a hundred times closer than the pairs are: no stencil fits.
+  const auto bunched = [](double x) {
+    Points points;
+    for (int k = 0; k < 400; ++k) {
+      for (const double t : {2 * pi * k / 400, 2 * pi * (k + 0.01) / 400})
+        points.push_back({x + std::cos(t), std::sin(t)});
+    }
+    return points;
+  };
+  const SmoothAreas smooth = smooth_of(bunched(0), bunched(0.7));
+  EXPECT_GT(smooth.fallback_segments, 0U);
+  for (const auto member : members) {
+    EXPECT_LE(std::fabs(smooth.areas.*member - lens(0.7).*member), smooth.error.*member);
+  }
+}
+
 TEST(Smooth, CurvesThatDoNotMeet) {
   const Points outer = sample(ellipse(0, 0, 2, 2), 400), inner = sample(ellipse(0.1, 0, 1, 1), 400),
                aside = sample(ellipse(5, 0, 1, 1), 400);
