@@ -24,6 +24,7 @@ struct Request {
   std::optional<WindingRule> rule;
   int threads = 0;
   bool verify = false;
+  bool smooth = false;
   bool verbose = false;
 };
 
@@ -57,6 +58,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   CLI::Option* verify =
       app.add_flag("--verify", request.verify,
                    "compute the areas by the interior method too, and report by how much the two differ");
+  CLI::Option* smooth = app.add_flag("--smooth", request.smooth,
+                                     "the areas between smooth curves through the points too, with error bars");
   app.add_option("--rule", rule,
                  "the curves may cross themselves; inside is where they wind nonzero, evenodd, positive or negative "
                  "times (counter-clockwise counts +1)")
@@ -65,7 +68,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       ->excludes(crossings)
       ->excludes(svg)
       ->excludes(unchecked)
-      ->excludes(verify);
+      ->excludes(verify)
+      ->excludes(smooth);
   app.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
   if (!parse_arguments(app, arguments)) return std::nullopt;
   request.options.pieces = !areas_only;
@@ -161,6 +165,11 @@ OverlayReport compute(const Request& request, Progress& progress) {
     report.consistency = distance(report.result.areas, other.areas);
     timing.verify = verify_watch.seconds();
   }
+  if (request.smooth) {
+    const Stopwatch smooth_watch;
+    report.smooth = smooth_areas(report.result);
+    timing.smooth = smooth_watch.seconds();
+  }
   warn_of_overflow(report.result.areas);
   return report;
 }
@@ -185,9 +194,9 @@ void run(const Request& request) {
   const ReportTiming& timing = report.timing;
   spdlog::info(
       "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, areas {:.4f}, "
-      "measures {:.4f}, verify {:.4f}, write {:.4f}, total {:.4f}",
+      "measures {:.4f}, verify {:.4f}, smooth {:.4f}, write {:.4f}, total {:.4f}",
       timing.read, timing.index, timing.check, timing.crossings, timing.order, timing.areas, timing.measures,
-      timing.verify, timing.write, watch.seconds());
+      timing.verify, timing.smooth, timing.write, watch.seconds());
 }
 
 RegionsReport compute_by_rule(const Request& request, Progress& progress) {

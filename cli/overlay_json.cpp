@@ -117,9 +117,17 @@ void write_overlay_json(const std::string& path, OverlayReport& report, const st
   member("options", {{"index", name(report.options.index)},
                      {"areas_only", !report.options.pieces},
                      {"check_simple", report.options.check_simple},
-                     {"verify", report.consistency.has_value()}});
+                     {"verify", report.consistency.has_value()},
+                     {"smooth", report.smooth.has_value()}});
   write_crossings_member(file, report);
   member("areas", areas_json(result.areas));
+  if (report.smooth) {
+    const SmoothAreas& smooth = *report.smooth;
+    member("smooth", {{"areas", areas_json(smooth.areas)},
+                      {"error", areas_json(smooth.error)},
+                      {"fallback_segments", smooth.fallback_segments},
+                      {"fallback_crossings", smooth.fallback_crossings}});
+  }
   if (report.options.pieces) {
     write_pieces_member(file, report);
     member("slivers", slivers_json(report));
@@ -132,6 +140,7 @@ void write_overlay_json(const std::string& path, OverlayReport& report, const st
                {"crossings", timing.crossings}, {"order", timing.order}, {"areas", timing.areas},
                {"measures", timing.measures}};
   if (report.consistency) seconds["verify"] = timing.verify;
+  if (report.smooth) seconds["smooth"] = timing.smooth;
   seconds["write"] = timing.write;
   seconds["total"] = seconds_so_far();
   file.write("\"timing\": ");

@@ -9,6 +9,7 @@
 
 #include "cli/report.hpp"
 #include "engine/overlay/overlay.hpp"
+#include "engine/smooth/smooth.hpp"
 
 namespace lober::cli {
 
@@ -17,6 +18,7 @@ struct ReportTiming {
   double read = 0, index = 0, check = 0, crossings = 0, order = 0, areas = 0;
   double measures = 0;  ///< centroids, slivers, discretisation
   double verify = 0;    ///< the interior method
+  double smooth = 0;    ///< smooth areas
   double write = 0;
 };
 
@@ -26,6 +28,7 @@ struct OverlayReport {
   Overlay result;
   Areas discretisation;
   std::optional<Areas> consistency;  ///< |overlay - interior method|, when that was asked for
+  std::optional<SmoothAreas> smooth;
   // By Pairing. Empty for totals only, and for pairings that no output shows.
   std::array<std::vector<Point>, 4> centroids;
   std::array<Slivers, 4> slivers;

@@ -8,13 +8,20 @@ namespace lober::cli {
 namespace {
 
 void add_areas(std::string& text, const OverlayReport& report) {
-  text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}{}\n", "area of", "", "+- rounding", "discretisation",
-                      report.consistency ? "   consistency" : "");
+  const std::optional<SmoothAreas>& smooth = report.smooth;
+  text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}{}{}\n", "area of", smooth ? "polygons" : "", "+- rounding",
+                      "discretisation", report.consistency ? "   consistency" : "",
+                      smooth ? fmt::format(" {:>23}  {:>9}", "smooth", "+-") : "");
   for (const NamedArea& area : named_areas) {
     text += fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}", area.label, report.result.areas.*area.member,
                         report.result.rounding.*area.member, report.discretisation.*area.member);
     if (report.consistency) text += fmt::format(" {:>13.1e}", (*report.consistency).*area.member);
+    if (smooth) text += fmt::format(" {:>23.16g}  {:>9.1e}", smooth->areas.*area.member, smooth->error.*area.member);
     text += "\n";
+  }
+  if (smooth && smooth->fallback_segments + smooth->fallback_crossings > 0) {
+    text += fmt::format("not smooth: {}, {}\n", counted(smooth->fallback_segments, "segment", "segments"),
+                        counted(smooth->fallback_crossings, "crossing", "crossings"));
   }
 }
 

@@ -27,6 +27,11 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo 'Scenes, what is measured and what the rivals are asked for: `bench/scenes`, `bench/harness`, `bench/rivals`.'
   echo
   cat "$tables"
+  echo '## Run time against error'
+  echo
+  echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, at so many points a curve.'
+  echo
+  build/bin/bench_accuracy --svg docs/accuracy.svg
   for suite in kernels reading interior densify; do
     [ -x "build/bin/bench_$suite" ] || continue
     echo "### ${suite^}"

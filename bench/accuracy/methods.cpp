@@ -6,6 +6,7 @@
 #include "bench/accuracy/accuracy.hpp"
 #include "engine/interior/interior.hpp"
 #include "engine/overlay/overlay.hpp"
+#include "engine/smooth/smooth.hpp"
 #include "kernels/box.hpp"
 
 namespace lober::bench {
@@ -39,7 +40,7 @@ double by_monte_carlo(const Scene& scene) {
   return box.width() * box.height() * static_cast<double>(hits) / static_cast<double>(points.size());
 }
 
-const std::array<AccuracyMethod, 7> methods{{
+const std::array<AccuracyMethod, 8> methods{{
     {"Monte Carlo", "#999999", by_monte_carlo},
     {"interior, no densifying", "#d62728", densified(0, 0)},
     {"interior, -DENS 1 10", "#ff7f0e", densified(1, 10)},
@@ -47,6 +48,11 @@ const std::array<AccuracyMethod, 7> methods{{
     {"interior, -DENS 5 100", "#2ca02c", densified(5, 100)},
     {"interior, exact split", "#17becf", [](const Scene& scene) { return by_interior(scene, {}); }},
     {"overlay, polygon", "#1f77b4", by_overlay},
+    {"overlay, smooth", "#9467bd",
+     [](const Scene& scene) {
+       const OverlayOptions options{.pieces = false, .progress = {}};
+       return smooth_areas(overlay(CurveView{scene.first}, CurveView{scene.second}, options)).areas.c1_minus_c2;
+     }},
 }};
 
 }  // namespace

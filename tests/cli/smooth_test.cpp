@@ -1,0 +1,52 @@
+// `lober overlay --smooth`.
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+class OverlaySmooth : public ProgramTest {
+ protected:
+  void SetUp() override {
+    write_curve("c1", flower(1000, 5, 0.0, {0, 0}));
+    write_curve("c2", flower(1000, 5, 0.0, {0.7, 0}));
+  }
+};
+
+TEST_F(OverlaySmooth, StandsBesideThePolygons) {
+  const Json result = overlay({"c1", "c2", "--smooth"}), plain = overlay({"c1", "c2"});
+  EXPECT_FALSE(plain.contains("smooth"));
+  EXPECT_EQ(result["areas"], plain["areas"]);
+  const Json& smooth = result["smooth"];
+  EXPECT_EQ(smooth["fallback_segments"], 0);
+  EXPECT_EQ(smooth["fallback_crossings"], 0);
+  EXPECT_NEAR(smooth["areas"]["c1"].get<double>(), std::numbers::pi, 1e-12);
+  EXPECT_LT(smooth["error"]["c1"].get<double>(), 1e-8);
+  EXPECT_GT(std::abs(result["areas"]["c1"].get<double>() - std::numbers::pi), 1e-6);
+  EXPECT_TRUE(smooth["areas"].contains("symmetric_difference"));
+}
+
+TEST_F(OverlaySmooth, HasAColumnInTheTable) {
+  const Outcome outcome = run({"overlay", "c1", "c2", "--smooth", "--areas-only"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.out.find("smooth"), std::string::npos);
+  EXPECT_EQ(run({"overlay", "c1", "c2"}).out.find("smooth"), std::string::npos);
+}
+
+TEST_F(OverlaySmooth, TellsHowManySegmentsStayStraight) {
+  write_curve("box", box(0, 0, 3, 2));
+  EXPECT_EQ(overlay({"c1", "box", "--smooth"})["smooth"]["fallback_segments"], 4);
+  EXPECT_NE(run({"overlay", "c1", "box", "--smooth"}).out.find("not smooth: 4 segments"), std::string::npos);
+}
+
+TEST_F(OverlaySmooth, IsNotForRules) {
+  EXPECT_EQ(run({"overlay", "c1", "c2", "--smooth", "--rule", "nonzero"}).status, 2);
+}
+
+}  // namespace
+}  // namespace lober::cli

@@ -1,0 +1,106 @@
+#include "kernels/smooth_segment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lober {
+namespace {
+
+using Window = std::array<Point, 8>;
+using Kind = SmoothSegment::Kind;
+
+Window circle(double h) {
+  Window p;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const double t = h * (static_cast<double>(k) - 3.5) + 1;
+    p[k] = {std::cos(t), std::sin(t)};
+  }
+  return p;
+}
+
+TEST(SmoothSegment, ReproducesGraphsOfDegreeFive) {
+  // y = x (x - 1) (g0 + g1 x + g2 x^2 + g3 x^3) through uneven x, turned and moved.
+  const std::array<double, 4> g{0.1, -0.03, 0.02, -0.005};
+  const std::array<double, 8> x{-2.9, -2.1, -0.8, 0, 1, 1.7, 2.4, 3.6};
+  const double turn = 0.7;
+  const auto placed = [&](double u, double v) {
+    return Point{3 + 2 * (u * std::cos(turn) - v * std::sin(turn)), 4 + 2 * (u * std::sin(turn) + v * std::cos(turn))};
+  };
+  const auto y = [&](double u) { return u * (u - 1) * (g[0] + u * (g[1] + u * (g[2] + u * g[3]))); };
+  Window p;
+  for (std::size_t k = 0; k < 8; ++k) p[k] = placed(x[k], y(x[k]));
+  const SmoothSegment segment = fit_smooth_segment(p);
+  ASSERT_EQ(segment.kind, Kind::smooth);
+  for (const double u : {0.0, 0.2, 0.5, 0.9, 1.0, 1.1}) {
+    const Point expected = placed(u, y(u)), at = segment.at(u);
+    EXPECT_NEAR(p[3].x + at.x, expected.x, 1e-14);
+    EXPECT_NEAR(p[3].y + at.y, expected.y, 1e-14);
+    const Point ahead = segment.at(u + 1e-6), behind = segment.at(u - 1e-6), velocity = segment.velocity(u);
+    EXPECT_NEAR(velocity.x, (ahead.x - behind.x) / 2e-6, 1e-8);
+    EXPECT_NEAR(velocity.y, (ahead.y - behind.y) / 2e-6, 1e-8);
+    double loop = 0;  // a fan of triangles about the first end
+    constexpr int steps = 20000;
+    for (int k = 0; k < steps; ++k) {
+      const Point a = segment.at(u * k / steps), b = segment.at(u * (k + 1) / steps);
+      loop += a.x * b.y - a.y * b.x;
+    }
+    EXPECT_NEAR(segment.bulge(u), loop, 1e-9);
+  }
+}
+
+TEST(SmoothSegment, BulgeOfACircleIsRightToOrderSeven) {
+  double previous = 0;
+  for (double h = 0.4; h > 0.04; h /= 2) {
+    const SmoothSegment segment = fit_smooth_segment(circle(h));
+    const double error = std::fabs(segment.bulge(1) - (h - std::sin(h)));
+    EXPECT_LT(error, segment.error);
+    if (previous > 0) {
+      EXPECT_LT(error, previous / 110);
+    }
+    previous = error;
+  }
+}
+
+TEST(SmoothSegment, DoesNotLookBeyondCorners) {
+  Window p = circle(0.1);
+  const double full = fit_smooth_segment(p).bulge(1);
+  for (std::size_t k = 5; k < 8; ++k) p[k] = {p[4].x + 0.1 * static_cast<double>(k - 4), p[4].y};  // corner at p[4]
+  const SmoothSegment left = fit_smooth_segment(p);
+  EXPECT_EQ(left.kind, Kind::smooth);
+  EXPECT_NEAR(left.bulge(1), full, 0.02 * full);
+  EXPECT_GT(left.error, std::fabs(left.bulge(1) - full));
+  for (std::size_t k = 0; k < 3; ++k) p[k] = {p[3].x - 0.1 * static_cast<double>(3 - k), p[3].y};  // and at p[3]
+  EXPECT_EQ(fit_smooth_segment(p).kind, Kind::straight);
+  EXPECT_EQ(fit_smooth_segment(p).bulge(1), 0);
+}
+
+TEST(SmoothSegment, TakesAZigzagForNoise) {
+  Window p;
+  for (std::size_t k = 0; k < 8; ++k) p[k] = {static_cast<double>(k), k % 2 == 0 ? 0 : 0.05};
+  const SmoothSegment segment = fit_smooth_segment(p);
+  EXPECT_EQ(segment.kind, Kind::noisy);
+  EXPECT_EQ(segment.bulge(1), 0);
+  EXPECT_GT(segment.error, 0.01);
+}
+
+TEST(SmoothSegment, RunsTheSameWayBack) {
+  Window p = circle(0.2);
+  p[1].x += 0.01;
+  const double there = fit_smooth_segment(p).bulge(1);
+  std::reverse(p.begin(), p.end());
+  EXPECT_NEAR(fit_smooth_segment(p).bulge(1), -there, 1e-16);
+}
+
+TEST(SmoothSegment, HasNoneWithoutLength) {
+  Window p = circle(0.2);
+  p[4] = p[3];
+  const SmoothSegment segment = fit_smooth_segment(p);
+  EXPECT_EQ(segment.kind, Kind::straight);
+  EXPECT_EQ(segment.bulge(1), 0);
+  EXPECT_EQ(segment.error, 0);
+}
+
+}  // namespace
+}  // namespace lober
