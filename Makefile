@@ -26,7 +26,8 @@ bench: bench-deps
 	cmake --build --preset bench
 	@scripts/bench.sh
 
-# A million random pairs with new seeds, ten times what the tests run: about a quarter of an hour on two cores.
+# A million random pairs with new seeds, ten times what the tests run, and the coverage of the error bars: about a quarter
+# of an hour on two cores.
 stress: deps
 	cmake --preset release
 	cmake --build --preset release

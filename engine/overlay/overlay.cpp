@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/curve/scaled.hpp"
 #include "engine/overlay/arc_sums.hpp"
@@ -104,7 +105,6 @@ class OverlayBuilder {
     } else {
       overlay_apart();
     }
-    bound_rounding();
     result_.timing.areas = area_watch.seconds();
     result_.timing.total = watch.seconds();
     report(1);
@@ -135,15 +135,24 @@ class OverlayBuilder {
   [[nodiscard]] Handedness hands() const { return {result_.nodes.clockwise1(), result_.nodes.clockwise2()}; }
   Pieces& pieces(Pairing pairing) { return result_.pieces_[static_cast<std::size_t>(pairing)]; }
 
-  void set_areas(DD minus12, DD minus21, DD common) {
-    Areas& areas = result_.areas;
-    areas.c1 = half(absolute(sums_.total1));
-    areas.c2 = half(absolute(sums_.total2));
-    areas.c1_minus_c2 = half(minus12);
-    areas.c2_minus_c1 = half(minus21);
-    areas.intersection = half(common);
-    areas.symmetric_difference = half(minus12 + minus21);
-    areas.unite = half(minus12 + minus21 + common);
+  // Twice the areas of A1 \ A2, A2 \ A1 and A1 n A2; none for a region that is empty, the only one whose area is known
+  // without error. A thin region may well have a computed area of 0, and then has a bound.
+  using TwiceArea = std::optional<DD>;
+  void set_areas(const TwiceArea& minus12, const TwiceArea& minus21, const TwiceArea& common) {
+    const double extent = unite(c1_.tree().box(), c2_.tree().box()).extent();
+    const double lost = double_double_bound(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
+    const auto set = [&](double Areas::*area, DD twice, bool some = true) {
+      result_.areas.*area = half(twice);
+      result_.rounding.*area = some ? result_.areas.*area * 0x1p-53 + lost : 0;
+    };
+    const DD in1 = minus12.value_or(DD{}), in2 = minus21.value_or(DD{}), in_both = common.value_or(DD{});
+    set(&Areas::c1, absolute(sums_.total1));
+    set(&Areas::c2, absolute(sums_.total2));
+    set(&Areas::c1_minus_c2, in1, minus12.has_value());
+    set(&Areas::c2_minus_c1, in2, minus21.has_value());
+    set(&Areas::intersection, in_both, common.has_value());
+    set(&Areas::symmetric_difference, in1 + in2, minus12.has_value() || minus21.has_value());
+    set(&Areas::unite, in1 + in2 + in_both);
   }
 
   // ------------------------------------------------------------------------------ curves that meet
@@ -152,7 +161,13 @@ class OverlayBuilder {
     const NodeGraph& graph = result_.nodes.graph();
     const bool large = graph.size() > 4096;
     const FaceTotals totals = total_of_faces(graph, sums_, hands());
-    set_areas(totals.only1, totals.only2, totals.both);
+    // The arrangement is connected: every face has a corner at some node.
+    const auto unless_empty = [&](Membership wanted, DD twice) {
+      const bool some = std::any_of(graph.order.begin(), graph.order.end(),
+                                    [&](std::uint8_t order) { return sectors_at(order, hands(), wanted) > 0; });
+      return some ? TwiceArea(twice) : std::nullopt;
+    };
+    set_areas(unless_empty(only1, totals.only1), unless_empty(only2, totals.only2), unless_empty(both, totals.both));
     if (!options_.pieces) return;
     run_together(
         large, [&] { take_faces(only1, Pairing::c1_minus_c2); }, [&] { take_faces(only2, Pairing::c2_minus_c1); },
@@ -269,21 +284,21 @@ class OverlayBuilder {
     const DD area1 = absolute(sums_.total1), area2 = absolute(sums_.total2);
     constexpr std::uint32_t whole1 = Pieces::whole1, whole2 = Pieces::whole2;
     if (result_.nodes.same_curve()) {
-      set_areas({}, {}, area1);
+      set_areas(std::nullopt, std::nullopt, area1);
       add_whole(Pairing::intersection, result_.areas.c1, whole1);
       add_whole(Pairing::unite, result_.areas.c1, whole1);
     } else if (encloses(c1_, c2_.view().points[0])) {
-      set_areas(area1 - area2, {}, area2);
+      set_areas(area1 - area2, std::nullopt, area2);
       add_whole(Pairing::c1_minus_c2, result_.areas.c1_minus_c2, whole1, whole2);
       add_whole(Pairing::intersection, result_.areas.c2, whole2);
       add_whole(Pairing::unite, result_.areas.c1, whole1);
     } else if (encloses(c2_, c1_.view().points[0])) {
-      set_areas({}, area2 - area1, area1);
+      set_areas(std::nullopt, area2 - area1, area1);
       add_whole(Pairing::c2_minus_c1, result_.areas.c2_minus_c1, whole2, whole1);
       add_whole(Pairing::intersection, result_.areas.c1, whole1);
       add_whole(Pairing::unite, result_.areas.c2, whole2);
     } else {
-      set_areas(area1, area2, {});
+      set_areas(area1, area2, std::nullopt);
       add_whole(Pairing::c1_minus_c2, result_.areas.c1, whole1);
       add_whole(Pairing::c2_minus_c1, result_.areas.c2, whole2);
       add_whole(Pairing::unite, result_.areas.c1, whole1);
@@ -296,18 +311,6 @@ class OverlayBuilder {
     Pieces& target = pieces(pairing);
     add_piece(target, area, std::array{curve});
     if (hole != 0) target.holes_.push_back({static_cast<std::uint32_t>(target.size() - 1), {hole}});
-  }
-
-  // ------------------------------------------------------------------------------
-
-  void bound_rounding() {
-    const double extent = unite(c1_.tree().box(), c2_.tree().box()).extent();
-    const double lost = double_double_bound(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
-    const Areas& areas = result_.areas;
-    const auto bound = [&](double area) { return area == 0 ? 0 : area * 0x1p-53 + lost; };
-    result_.rounding = {
-        bound(areas.c1),          bound(areas.c2),          bound(areas.intersection),        bound(areas.unite),
-        bound(areas.c1_minus_c2), bound(areas.c2_minus_c1), bound(areas.symmetric_difference)};
   }
 
   const IndexedCurve& c1_;

@@ -110,7 +110,7 @@ struct Overlay {
   std::vector<std::uint32_t> classes;
   std::size_t class_count = 0;
   static constexpr std::uint32_t no_class = 0xffffffff;
-  Areas rounding;  ///< bounds on |computed - exact area of the polygons|
+  Areas rounding;  ///< bounds on |computed - exact area of the polygons|; 0 for what is empty
   OverlayStatistics statistics;
   OverlayTiming timing;
   Orientation orientation1 = Orientation::counter_clockwise;  ///< of the input

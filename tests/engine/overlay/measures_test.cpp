@@ -55,6 +55,25 @@ TEST(Discretisation, TakesCornersForCorners) {
   EXPECT_EQ(estimate.intersection, 0);
 }
 
+TEST(Rounding, BoundsWhatIsTooThinForItsComputedArea) {
+  // Found by stress: the curves meet in a sliver of area 1.8642843967860107e-35, computed as 0.
+  const std::vector<Point> first{{0x1.4ce478f231b8p-7, 0x1.999999999999ap-3},
+                                 {-0x1.4391a276c00bp-4, 0x1.999999999999ap-2},
+                                 {-0x1.f0815bb8977bfp-2, 0x1.f5b9dc73fe1c8p-3}},
+      second{{0x1.cffb81fe8dbfbp-3, 0x1.6666666666668p-1},
+             {0x1.489873f5b3a99p-1, 0x1.6edb96b49d336p-1},
+             {-0x1.4391a276c00afp-4, 0x1.9999999999999p-2}};
+  const Overlay thin = overlay(CurveView{first}, CurveView{second});
+  EXPECT_EQ(thin.pieces(Pairing::intersection).size(), 1U);
+  EXPECT_GE(thin.rounding.intersection, std::fabs(thin.areas.intersection - 1.8642843967860107e-35));
+  // What is empty is exact: squares side by side, inside each other, the same.
+  const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, beside{{1, 0}, {2, 0}, {2, 1}, {1, 1}},
+      within{{0.25, 0.25}, {0.5, 0.25}, {0.5, 0.5}};
+  EXPECT_EQ(overlay(CurveView{square}, CurveView{beside}).rounding.intersection, 0);
+  EXPECT_EQ(overlay(CurveView{square}, CurveView{within}).rounding.c2_minus_c1, 0);
+  EXPECT_EQ(overlay(CurveView{square}, CurveView{square}).rounding.symmetric_difference, 0);
+}
+
 TEST(Centroids, OfPiecesWithAndWithoutHoles) {
   const std::vector<Point> outer{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, inner{{1, 4}, {3, 4}, {3, 6}, {1, 6}};
   const Overlay nested = overlay(CurveView{outer}, CurveView{inner});

@@ -10,12 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <string>
 #include <utility>
 
 #include "engine/parallel/parallel.hpp"
+#include "tests/environment.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"
@@ -23,11 +23,6 @@
 
 namespace lober::oracle {
 namespace {
-
-std::uint64_t from_environment(const char* variable, std::uint64_t otherwise) {
-  const char* text = std::getenv(variable);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 // The same pair with the curves exchanged, one backwards and one from its middle vertex on.
 CurvePair rearranged(const CurvePair& pair) {
