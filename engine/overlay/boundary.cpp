@@ -81,7 +81,8 @@ std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing, 
   const Directions forward = directions(result, pairing);
   const auto polygon = [&](std::span<const std::uint32_t> steps) {
     std::vector<Point> points;
-    for (const Stretch& stretch : stretches(result, steps, forward.forward1, forward.forward2)) append_points(result, stretch, points);
+    for (const Stretch& stretch : stretches(result, steps, forward.forward1, forward.forward2))
+      append_points(result, stretch, points);
     return points;
   };
   std::vector<std::vector<Point>> polygons{polygon(pieces.outer(piece))};
