@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <random>
 
-#include "engine/crossings/contacts.hpp"
 #include "engine/densify/densify.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/predicates.hpp"
