@@ -44,7 +44,7 @@ struct Criteria {
   double shortest = 0;
 };
 
-/// Hobson's criteria with common values, relative to E, the longer side of the curve's box: alpha <= 0.3,
+/// Hobson's criteria with a choice of values of ours, relative to E, the longer side of the curve's box: alpha <= 0.3,
 /// d alpha <= 1e-3 E, delta = 1e-6 E. Throws DataError as `validate` does. O(N).
 [[nodiscard]] Criteria hobson_criteria(CurveView curve);
 
