@@ -92,12 +92,12 @@ struct Images {
 
 struct TangleOptions {
   IndexKind index = IndexKind::automatic;
-  std::optional<std::size_t> bip;  ///< number of the pip; default floor(n / 2)
-  std::optional<Point> bip_near;   ///< or the pip nearest to this point
-  std::uint32_t period = 0;        ///< pips from one to its image; 0: infer it
-  bool check_simple = true;        ///< refuse manifolds that cross themselves
+  std::optional<std::size_t> bip{};  ///< number of the pip; default floor(n / 2)
+  std::optional<Point> bip_near{};   ///< or the pip nearest to this point
+  std::uint32_t period = 0;          ///< pips from one to its image; 0: infer it
+  bool check_simple = true;          ///< refuse manifolds that cross themselves
   /// Called between phases with the fraction done, from the calling thread; return false to cancel.
-  std::function<bool(double)> progress;
+  std::function<bool(double)> progress{};
 };
 
 /// Seconds of wall time of each phase.
