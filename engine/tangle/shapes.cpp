@@ -57,7 +57,8 @@ std::vector<LobeShape> lobe_shapes(const Tangle& tangle) {
   };
   for_each_block(shapes.size(), 1, [&](std::size_t k, std::size_t) {
     const Pip &first = tangle.pips[k], &last = tangle.pips[k + 1];
-    const Point begin = at_scale(first.at, curves.exponent), end = at_scale(last.at, curves.exponent);
+    const Point begin = at_scale(tangle.nodes[first.node].begin, curves.exponent);
+    const Point end = at_scale(tangle.nodes[last.node].begin, curves.exponent);
     Measures measures;
     measures.add_arc(u, first.u, begin, last.u, end, begin);
     measures.add_arc(s, last.s, end, first.s, begin, begin);
