@@ -16,6 +16,14 @@ Ways ways(const CurveView& curve, std::uint32_t number, bool at_vertex) {
   return {curve.points[next_distinct(curve, number, 1)], curve.points[next_distinct(curve, number, -1)]};
 }
 
+// Whether two arms lead the same way, or one of them does not exist.
+bool no_angle(Point at, Point x, Point y, PredicateCounts& counts) {
+  const auto sign = [](double value) { return (value > 0) - (value < 0); };
+  if (x == at || y == at) return true;
+  return sign(x.x - at.x) == sign(y.x - at.x) && sign(x.y - at.y) == sign(y.y - at.y) &&
+         orient2d(at, x, y, counts) == 0;
+}
+
 std::uint8_t number_of(const std::array<Arm, 4>& arms) {
   return static_cast<std::uint8_t>(std::find(arm_orders.begin(), arm_orders.end(), arms) - arm_orders.begin());
 }
@@ -26,6 +34,7 @@ std::uint32_t next_distinct(const CurveView& curve, std::uint32_t vertex, int di
   const auto size = static_cast<std::uint32_t>(curve.points.size());
   std::uint32_t next = vertex;
   do {
+    if (!curve.closed && next == (direction > 0 ? size - 1 : 0)) return vertex;
     next = direction > 0 ? (next + 1 == size ? 0 : next + 1) : (next == 0 ? size - 1 : next - 1);
   } while (curve.points[next] == curve.points[vertex] && next != vertex);
   return next;
@@ -55,6 +64,11 @@ std::uint8_t arm_order_at_point(const Contact& contact, const CurveView& c1, con
                                 PredicateCounts& counts) {
   if (contact.proper) return contact.rho > 0 ? rightward_to_left : leftward_to_right;
   const Arms arms = arms_of(contact, c1, c2);
+  for (const Arm own : {out1, in1}) {
+    for (const Arm other : {out2, in2}) {
+      if (no_angle(arms.at, arms.target[own], arms.target[other], counts)) return first_touch;
+    }
+  }
   std::array<Arm, 4> order{out1, out2, in1, in2};
   std::sort(order.begin() + 1, order.end(), [&](Arm x, Arm y) {
     return x != y && turns_first(arms.at, arms.target[out1], arms.target[x], arms.target[y], counts);
@@ -66,6 +80,10 @@ std::uint8_t arm_order_at_arc(const Contact& first, const Contact& last, int dir
                               const CurveView& c2, PredicateCounts& counts) {
   const Arm at_first = direction > 0 ? in2 : out2, at_last = direction > 0 ? out2 : in2;
   const Arms begin = arms_of(first, c1, c2), end = arms_of(last, c1, c2);
+  if (no_angle(begin.at, begin.target[in1], begin.target[at_first], counts) ||
+      no_angle(end.at, end.target[out1], end.target[at_last], counts)) {
+    return first_touch;
+  }
   const bool first_left = turns_first(begin.at, begin.target[out1], begin.target[at_first], begin.target[in1], counts);
   const bool last_left = turns_first(end.at, end.target[out1], end.target[at_last], end.target[in1], counts);
   if (first_left && last_left) return number_of({out1, at_last, at_first, in1});

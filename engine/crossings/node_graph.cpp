@@ -48,17 +48,25 @@ class Joiner {
  private:
   [[nodiscard]] std::int8_t direction_to_next(std::uint32_t k) const {
     const Contact& here = contacts_[k];
-    if (here.run != 0) return here.run;
+    if (here.run != 0 && c1_.closed && c2_.closed) return here.run;
     const auto count = static_cast<std::uint32_t>(contacts_.size());
+    if (k + 1 == count && !c1_.closed) return 0;
     const std::uint32_t next = k + 1 == count ? 0 : k + 1;
     if (next == k) return 0;
     const Contact& there = contacts_[next];
+    // A run that an open curve ends has no contact at its end, so the next one is another.
+    if (here.run != 0) {
+      const std::uint32_t from = here.run > 0 ? rank2_[k] : rank2_[next], to = here.run > 0 ? rank2_[next] : rank2_[k];
+      const bool neighbours = from + 1 == to || (c2_.closed && from + 1 == count && to == 0);
+      return neighbours && there.vertex1 && there.vertex2 ? here.run : std::int8_t{0};
+    }
     const Spot from1{here.segment1, here.vertex1}, to1{there.segment1, there.vertex1};
     if ((next == 0 && from1.segment == to1.segment) || !straight_forward(c1_, from1, to1)) return 0;
     const Spot from2{here.segment2, here.vertex2}, to2{there.segment2, there.vertex2};
     const std::uint32_t rank = rank2_[k], next_rank = rank2_[next];
     const auto follows = [&](std::uint32_t x, std::uint32_t y, Spot from, Spot to) {
       const bool wraps = x + 1 == count;
+      if (wraps && !c2_.closed) return false;
       if (y != (wraps ? 0 : x + 1) || (wraps && from.segment == to.segment)) return false;
       return straight_forward(c2_, from, to);
     };

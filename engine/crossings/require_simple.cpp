@@ -82,6 +82,7 @@ class SelfChecker final : public PairConsumer {
     std::uint32_t vertex = number + 1 == size ? 0 : number + 1;
     while (vertex != next) {
       const std::uint32_t after = vertex + 1 == size ? 0 : vertex + 1;
+      if (after == 0 && !curve_.closed) return false;
       if (!(curve_.points[after] == curve_.points[vertex])) return false;
       vertex = after;
     }

@@ -1,0 +1,24 @@
+// What a tangle keeps of its curves (private to tangle/).
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "engine/curve/scaled.hpp"
+#include "engine/index/index.hpp"
+#include "engine/tangle/tangle.hpp"
+
+namespace lober {
+
+/// Both curves indexed, at a scale where products stay in range (curve/scaled.hpp).
+struct TangleCurves {
+  int exponent = 0;  // coordinates were multiplied by 2^exponent
+  std::vector<Point> scaled_u, scaled_s;
+  IndexedCurve u, s;
+  bool smooth = false;
+
+  [[nodiscard]] double area(DD twice) const { return std::ldexp(twice.hi + twice.lo, -1 - 2 * exponent); }
+  [[nodiscard]] Point origin() const { return u.view().points[0]; }
+};
+
+}  // namespace lober

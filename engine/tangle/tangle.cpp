@@ -1,0 +1,146 @@
+#include "engine/tangle/tangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/smooth/smooth_gaps.hpp"
+#include "engine/stopwatch.hpp"
+#include "engine/tangle/boundary.hpp"
+#include "engine/tangle/gaps.hpp"
+#include "engine/tangle/images.hpp"
+#include "engine/tangle/lobe_topology.hpp"
+#include "engine/tangle/pips.hpp"
+
+namespace lober {
+namespace {
+
+std::shared_ptr<const TangleCurves> index_curves(CurveView u, CurveView s, bool smooth) {
+  require_enough_vertices(u, "U");
+  require_enough_vertices(s, "S");
+  IndexedCurve first(u), second(s);
+  if (!first.tree().sums_finite()) validate(u, "U");
+  if (!second.tree().sums_finite()) validate(s, "S");
+  const int exponent = comfortable_exponent(unite(first.tree().box(), second.tree().box()));
+  if (exponent == 0) {
+    return std::make_shared<TangleCurves>(TangleCurves{0, {}, {}, std::move(first), std::move(second), smooth});
+  }
+  std::vector<Point> scaled_u = scaled(u, exponent), scaled_s = scaled(s, exponent);
+  IndexedCurve indexed_u(CurveView{scaled_u, false}), indexed_s(CurveView{scaled_s, false});
+  return std::make_shared<TangleCurves>(TangleCurves{exponent, std::move(scaled_u), std::move(scaled_s),
+                                                     std::move(indexed_u), std::move(indexed_s), smooth});
+}
+
+// Moves the pips, and the areas of the lobes with them, to where the smooth curves have them.
+void smooth_lobes(Tangle& tangle) {
+  const TangleCurves& curves = *tangle.curves;
+  std::vector<std::uint32_t> nodes;
+  for (const Pip& pip : tangle.pips) nodes.push_back(pip.node);
+  const SmoothGaps smooth = smooth_gaps(curves.u.view(), curves.s.view(), tangle.nodes.graph(), nodes);
+  tangle.fallback_segments = smooth.fallback_segments;
+  tangle.fallback_pips = smooth.fallback_crossings;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Point at = smooth.at[k].at;
+    tangle.pips[k].at = {std::ldexp(at.x, -curves.exponent), std::ldexp(at.y, -curves.exponent)};
+    tangle.pips[k].gap += smooth.at[k].twice;
+  }
+  for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
+    const SmoothGap &first = smooth.at[k], &last = smooth.at[k + 1];
+    const double error = last.error1 - first.error1 + (first.error2 - last.error2) + first.doubt + last.doubt;
+    tangle.lobes[k].area = curves.area(tangle.pips[k + 1].gap - tangle.pips[k].gap);
+    tangle.lobes[k].smooth_error = curves.area({error, 0}) + tangle.rounding(tangle.lobes[k].area);
+  }
+}
+
+// How many pips there would be if one of the curves, or both, were given from the other end.
+void remark_direction(Tangle& tangle) {
+  const NodeGraph& graph = tangle.nodes.graph();
+  const std::uint32_t count = graph.size();
+  const auto pips_if = [&](bool turn_u, bool turn_s) {
+    std::size_t pips = 0;
+    std::uint32_t nearest = count;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t node = turn_u ? count - 1 - k : k;
+      const std::uint32_t rank = turn_s ? count - 1 - graph.rank2[node] : graph.rank2[node];
+      if (graph.order[node] >= first_touch || rank >= nearest) continue;
+      nearest = rank;
+      ++pips;
+    }
+    return pips;
+  };
+  const auto remark = [&](const char* which, std::size_t pips) {
+    if (pips < 5 || pips < 3 * tangle.pips.size()) return;
+    tangle.remarks.push_back(std::string(which) + " given inward? The other way round there would be " +
+                             std::to_string(pips) + " pips instead of " + std::to_string(tangle.pips.size()));
+  };
+  remark("is U", pips_if(true, false));
+  remark("is S", pips_if(false, true));
+  remark("are U and S", pips_if(true, true));
+}
+
+}  // namespace
+
+double Tangle::rounding(double area) const {
+  const Box box = unite(curves->u.tree().box(), curves->s.tree().box());
+  const double extent = std::ldexp(box.extent(), -curves->exponent);
+  const double additions = static_cast<double>(u().segments() + s().segments()) / 1024 + 4096;
+  return std::fabs(area) * 0x1p-53 +
+         extent * extent * (static_cast<double>(nodes.size()) * 0x1p-91 + additions * 0x1p-104);
+}
+
+Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
+  u.closed = s.closed = false;
+  const auto report = [&](double fraction) {
+    if (options.progress && !options.progress(fraction)) throw Cancelled();
+  };
+  const Stopwatch watch;
+  Tangle result;
+  report(0);
+  result.curves = index_curves(u, s, options.smooth);
+  const TangleCurves& curves = *result.curves;
+  result.timing.index = watch.seconds();
+  if (options.check_simple) {
+    for (const SimpleCheck& check : {require_simple(curves.u, 1), require_simple(curves.s, 2)}) {
+      result.simple_check.search += check.search;
+      result.simple_check.pairs += check.pairs;
+    }
+  }
+  result.timing.check = watch.seconds() - result.timing.index;
+  report(0.3);
+  result.index = options.index == IndexKind::automatic ? choose_index(curves.u, curves.s) : options.index;
+  NodeGraph graph = build_node_graph(curves.u, curves.s, result.index);
+  result.timing.crossings = graph.search_seconds;
+  result.timing.order = graph.order_seconds;
+  report(0.8);
+
+  const Stopwatch area_watch;
+  result.nodes = Crossings(std::move(graph), u, s, Orientation::counter_clockwise, Orientation::counter_clockwise);
+  const std::vector<std::uint32_t> pips = find_pips(result.nodes);
+  const Buffer<DD> gaps = polygon_gaps_at(curves, result.nodes.graph(), pips);
+  for (std::size_t k = 0; k < pips.size(); ++k) {
+    const Node node = result.nodes[pips[k]];
+    result.pips.push_back({pips[k], node.begin, node.begin1, node.begin2, node.rho, gaps[k]});
+  }
+  for (std::size_t k = 0; k + 1 < pips.size(); ++k) {
+    result.lobes.emplace_back();
+    result.lobes.back().area = result.lobes.back().polygon_area = curves.area(gaps[k + 1] - gaps[k]);
+  }
+  if (options.smooth && !pips.empty()) smooth_lobes(result);
+  remark_direction(result);
+  result.timing.pips = area_watch.seconds();
+  if (pips.empty()) {
+    if (options.bip || options.bip_near) throw UsageError("a bip is given, but the manifolds do not cross");
+    result.remarks.emplace_back("the manifolds do not cross: no pip, no lobe, no boundary");
+  } else {
+    if (pips.size() == 1) result.remarks.emplace_back("one pip only: a boundary, but no lobe");
+    result.boundary = Boundary{.bip = choose_bip(result.pips, options)};
+    if (result.nodes.touches() + result.nodes.shared_arcs() > 0) mark_pinched_lobes(result);
+    bound_lobes(result);
+  }
+  result.images = find_images(result, options.period);
+  result.timing.areas = area_watch.seconds() - result.timing.pips;
+  result.timing.total = watch.seconds();
+  report(1);
+  return result;
+}
+
+}  // namespace lober
