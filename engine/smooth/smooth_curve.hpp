@@ -1,4 +1,4 @@
-// A closed curve made of smooth segments (private to smooth/).
+// A curve made of smooth segments (private to smooth/).
 #pragma once
 
 #include <array>
@@ -9,15 +9,17 @@
 
 namespace lober {
 
-/// Numbers of vertices and segments wrap.
+/// Numbers of vertices and segments of a closed curve wrap. An open one goes on beyond its ends in straight segments so
+/// long that no fit makes use of them.
 class SmoothCurve {
  public:
   explicit SmoothCurve(CurveView view) : view_(view), size_(static_cast<std::int64_t>(view.points.size())) {}
 
-  [[nodiscard]] std::size_t segments() const { return view_.points.size(); }
+  [[nodiscard]] std::size_t segments() const { return view_.segments(); }
   [[nodiscard]] Point vertex(std::int64_t k) const {
-    if (k < 0 || k >= size_) k = (k % size_ + size_) % size_;
-    return view_.points[static_cast<std::size_t>(k)];
+    if (k >= 0 && k < size_) return view_.points[static_cast<std::size_t>(k)];
+    if (!view_.closed) return beyond(k);
+    return view_.points[static_cast<std::size_t>((k % size_ + size_) % size_)];
   }
   /// Curves of fewer vertices than a segment looks at stay polygons.
   [[nodiscard]] SmoothSegment segment(std::int64_t k) const {
@@ -36,6 +38,16 @@ class SmoothCurve {
   }
 
  private:
+  [[nodiscard]] Point beyond(std::int64_t k) const {
+    constexpr double much_longer = 1024;
+    const std::int64_t end = k < 0 ? 0 : size_ - 1, inward = k < 0 ? 1 : -1;
+    std::int64_t other = end;
+    while (vertex(other) == vertex(end)) other += inward;
+    const Point from = vertex(other), to = vertex(end);
+    const double times = much_longer * static_cast<double>(k < 0 ? -k : k - end);
+    return {to.x + times * (to.x - from.x), to.y + times * (to.y - from.y)};
+  }
+
   // Moves on from a vertex to the next one at another place: repeated vertices carry no segment.
   [[nodiscard]] Point next_distinct(std::int64_t& at, int direction) const {
     const Point from = vertex(at);

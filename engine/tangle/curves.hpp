@@ -15,6 +15,7 @@ struct TangleCurves {
   int exponent = 0;  // coordinates were multiplied by 2^exponent
   std::vector<Point> scaled_u, scaled_s;
   IndexedCurve u, s;
+  bool smooth = false;
 
   [[nodiscard]] double area(DD twice) const { return std::ldexp(twice.hi + twice.lo, -1 - 2 * exponent); }
   [[nodiscard]] Point origin() const { return u.view().points[0]; }

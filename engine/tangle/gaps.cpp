@@ -2,10 +2,11 @@
 
 #include "engine/index/sums_along.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "engine/smooth/smooth_gaps.hpp"
 
 namespace lober {
 
-Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
+Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
   const std::size_t count = nodes.size();
   Buffer<DD> along_u(count), along_s(count);
   if (count == 0) return along_u;
@@ -42,6 +43,14 @@ Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span
     for (std::size_t k = begin; k < end; ++k) along_u[k] -= along_s[k];
   });
   return along_u;
+}
+
+Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
+  Buffer<DD> gaps = polygon_gaps_at(curves, graph, nodes);
+  if (!curves.smooth || nodes.empty()) return gaps;
+  const SmoothGaps smooth = smooth_gaps(curves.u.view(), curves.s.view(), graph, nodes);
+  for (std::size_t k = 0; k < nodes.size(); ++k) gaps[k] += smooth.at[k].twice;
+  return gaps;
 }
 
 }  // namespace lober

@@ -12,6 +12,11 @@ void append_between(const CurveView& curve, Position from, Position to, std::vec
   points.insert(points.end(), first, last);
 }
 
+// Where the polygons have it.
+Point place_of_pip(const Tangle& tangle, std::size_t pip) {
+  return tangle.nodes[tangle.pips.at(pip).node].begin;
+}
+
 void append(std::vector<Point>& points, Point point) {
   if (points.empty() || !(points.back() == point)) points.push_back(point);
 }
@@ -20,11 +25,12 @@ void append(std::vector<Point>& points, Point point) {
 
 std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe) {
   const Pip &first = tangle.pips[lobe], &last = tangle.pips[lobe + 1];
-  std::vector<Point> points{first.at};
+  const Point begin = place_of_pip(tangle, lobe);
+  std::vector<Point> points{begin};
   append_between(tangle.u(), first.u, last.u, points);
-  append(points, last.at);
+  append(points, place_of_pip(tangle, lobe + 1));
   append_between(tangle.s(), last.s, first.s, points);  // S runs from the later pip to the earlier one
-  while (points.size() > 1 && points.back() == first.at) points.pop_back();
+  while (points.size() > 1 && points.back() == begin) points.pop_back();
   return points;
 }
 
@@ -33,7 +39,7 @@ std::vector<Point> boundary_outline(const Tangle& tangle) {
   const auto u = tangle.u().points.first(bip.u.segment + 1);
   const auto s = tangle.s().points.first(bip.s.segment + 1);
   std::vector<Point> points(u.begin(), u.end());
-  append(points, bip.at);
+  append(points, place_of_pip(tangle, tangle.boundary->bip));
   for (std::size_t k = s.size(); k-- > 0;) append(points, s[k]);
   return points;
 }

@@ -3,26 +3,26 @@
 #include <cmath>
 
 #include "engine/parallel/parallel.hpp"
-#include "engine/tangle/tangle.hpp"
+#include "engine/tangle/curves.hpp"
 #include "kernels/sagitta.hpp"
-#include "kernels/shoelace.hpp"
 
 namespace lober {
 namespace {
 
+// Plain doubles: with the first pip for origin and edges instead of far corners in every product, a lobe of length l
+// and width w loses about l / w ulps.
 struct Measures {
-  DD twice_area, moment_x, moment_y;  // about the first pip
+  double twice_area = 0, moment_x = 0, moment_y = 0;  // about the first pip
   double length = 0;
   double bulge = 0;
 
   void add_segment(Point a, Point b, Point origin) {
-    const DD ax = two_diff(a.x, origin.x), ay = two_diff(a.y, origin.y);
-    const DD bx = two_diff(b.x, origin.x), by = two_diff(b.y, origin.y);
-    const DD term = cross(ax, ay, bx, by);
+    const double ax = a.x - origin.x, ay = a.y - origin.y, dx = b.x - a.x, dy = b.y - a.y;
+    const double term = ax * dy - ay * dx;
     twice_area += term;
-    moment_x += term * (ax + bx);
-    moment_y += term * (ay + by);
-    length += std::hypot(b.x - a.x, b.y - a.y);
+    moment_x += term * (2 * ax + dx);
+    moment_y += term * (2 * ay + dy);
+    length += std::sqrt(dx * dx + dy * dy);
   }
 
   // The arc of a curve between two places with these points.
@@ -50,20 +50,26 @@ struct Measures {
 
 std::vector<LobeShape> lobe_shapes(const Tangle& tangle) {
   std::vector<LobeShape> shapes(tangle.lobes.size());
+  const TangleCurves& curves = *tangle.curves;  // at a scale where squares stay in range
+  const CurveView &u = curves.u.view(), &s = curves.s.view();
+  const auto at_scale = [&](Point p, int exponent) {
+    return exponent == 0 ? p : Point{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+  };
   for_each_block(shapes.size(), 1, [&](std::size_t k, std::size_t) {
     const Pip &first = tangle.pips[k], &last = tangle.pips[k + 1];
-    const Point origin = first.at;
+    const Point begin = at_scale(tangle.nodes[first.node].begin, curves.exponent);
+    const Point end = at_scale(tangle.nodes[last.node].begin, curves.exponent);
     Measures measures;
-    measures.add_arc(tangle.u(), first.u, first.at, last.u, last.at, origin);
-    measures.add_arc(tangle.s(), last.s, last.at, first.s, first.at, origin);
+    measures.add_arc(u, first.u, begin, last.u, end, begin);
+    measures.add_arc(s, last.s, end, first.s, begin, begin);
     LobeShape& shape = shapes[k];
-    const DD below = DD{3, 0} * measures.twice_area;
-    shape.centroid = below.hi == 0
-                         ? origin
-                         : Point{origin.x + (measures.moment_x / below).hi, origin.y + (measures.moment_y / below).hi};
-    shape.perimeter = measures.length;
-    shape.width = measures.length > 0 ? 2 * std::fabs(tangle.lobes[k].area) / measures.length : 0;
-    shape.discretisation = measures.bulge / 2;
+    const double below = 3 * measures.twice_area;
+    const Point centroid =
+        below == 0 ? begin : Point{begin.x + measures.moment_x / below, begin.y + measures.moment_y / below};
+    shape.centroid = at_scale(centroid, -curves.exponent);
+    shape.perimeter = std::ldexp(measures.length, -curves.exponent);
+    shape.width = shape.perimeter > 0 ? 2 * std::fabs(tangle.lobes[k].area) / shape.perimeter : 0;
+    shape.discretisation = curves.area({measures.bulge, 0});
   });
   return shapes;
 }

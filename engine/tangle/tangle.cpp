@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/smooth/smooth_gaps.hpp"
 #include "engine/stopwatch.hpp"
 #include "engine/tangle/boundary.hpp"
 #include "engine/tangle/gaps.hpp"
@@ -13,7 +14,7 @@
 namespace lober {
 namespace {
 
-std::shared_ptr<const TangleCurves> index_curves(CurveView u, CurveView s) {
+std::shared_ptr<const TangleCurves> index_curves(CurveView u, CurveView s, bool smooth) {
   require_enough_vertices(u, "U");
   require_enough_vertices(s, "S");
   IndexedCurve first(u), second(s);
@@ -21,12 +22,33 @@ std::shared_ptr<const TangleCurves> index_curves(CurveView u, CurveView s) {
   if (!second.tree().sums_finite()) validate(s, "S");
   const int exponent = comfortable_exponent(unite(first.tree().box(), second.tree().box()));
   if (exponent == 0) {
-    return std::make_shared<TangleCurves>(TangleCurves{0, {}, {}, std::move(first), std::move(second)});
+    return std::make_shared<TangleCurves>(TangleCurves{0, {}, {}, std::move(first), std::move(second), smooth});
   }
   std::vector<Point> scaled_u = scaled(u, exponent), scaled_s = scaled(s, exponent);
   IndexedCurve indexed_u(CurveView{scaled_u, false}), indexed_s(CurveView{scaled_s, false});
-  return std::make_shared<TangleCurves>(
-      TangleCurves{exponent, std::move(scaled_u), std::move(scaled_s), std::move(indexed_u), std::move(indexed_s)});
+  return std::make_shared<TangleCurves>(TangleCurves{exponent, std::move(scaled_u), std::move(scaled_s),
+                                                     std::move(indexed_u), std::move(indexed_s), smooth});
+}
+
+// Moves the pips, and the areas of the lobes with them, to where the smooth curves have them.
+void smooth_lobes(Tangle& tangle) {
+  const TangleCurves& curves = *tangle.curves;
+  std::vector<std::uint32_t> nodes;
+  for (const Pip& pip : tangle.pips) nodes.push_back(pip.node);
+  const SmoothGaps smooth = smooth_gaps(curves.u.view(), curves.s.view(), tangle.nodes.graph(), nodes);
+  tangle.fallback_segments = smooth.fallback_segments;
+  tangle.fallback_pips = smooth.fallback_crossings;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Point at = smooth.at[k].at;
+    tangle.pips[k].at = {std::ldexp(at.x, -curves.exponent), std::ldexp(at.y, -curves.exponent)};
+    tangle.pips[k].gap += smooth.at[k].twice;
+  }
+  for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
+    const SmoothGap &first = smooth.at[k], &last = smooth.at[k + 1];
+    const double error = last.error1 - first.error1 + (first.error2 - last.error2) + first.doubt + last.doubt;
+    tangle.lobes[k].area = curves.area(tangle.pips[k + 1].gap - tangle.pips[k].gap);
+    tangle.lobes[k].smooth_error = curves.area({error, 0}) + tangle.rounding(tangle.lobes[k].area);
+  }
 }
 
 // How many pips there would be if one of the curves, or both, were given from the other end.
@@ -73,7 +95,7 @@ Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
   const Stopwatch watch;
   Tangle result;
   report(0);
-  result.curves = index_curves(u, s);
+  result.curves = index_curves(u, s, options.smooth);
   const TangleCurves& curves = *result.curves;
   result.timing.index = watch.seconds();
   if (options.check_simple) {
@@ -93,14 +115,16 @@ Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
   const Stopwatch area_watch;
   result.nodes = Crossings(std::move(graph), u, s, Orientation::counter_clockwise, Orientation::counter_clockwise);
   const std::vector<std::uint32_t> pips = find_pips(result.nodes);
-  const Buffer<DD> gaps = gaps_at(curves, result.nodes.graph(), pips);
+  const Buffer<DD> gaps = polygon_gaps_at(curves, result.nodes.graph(), pips);
   for (std::size_t k = 0; k < pips.size(); ++k) {
     const Node node = result.nodes[pips[k]];
     result.pips.push_back({pips[k], node.begin, node.begin1, node.begin2, node.rho, gaps[k]});
   }
   for (std::size_t k = 0; k + 1 < pips.size(); ++k) {
-    result.lobes.push_back({.area = curves.area(gaps[k + 1] - gaps[k])});
+    result.lobes.emplace_back();
+    result.lobes.back().area = result.lobes.back().polygon_area = curves.area(gaps[k + 1] - gaps[k]);
   }
+  if (options.smooth && !pips.empty()) smooth_lobes(result);
   remark_direction(result);
   result.timing.pips = area_watch.seconds();
   if (pips.empty()) {

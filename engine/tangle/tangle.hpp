@@ -39,15 +39,19 @@ namespace lober {
 /// A primary intersection. rho as in DESIGN: +1 if S passes from the right of U to its left.
 struct Pip {
   std::uint32_t node;  ///< its number in Tangle::nodes
-  Point at;            ///< rounded to double
+  Point at;            ///< rounded to double; with TangleOptions::smooth where the smooth curves cross
   Position u, s;
-  int rho;
+  int rho = 0;
   DD gap;  ///< D, see above; about U's first vertex
 };
 
 /// Lobe k, between pips k and k + 1. It is on the left of U_k when its area is positive.
 struct Lobe {
-  double area = 0;  ///< signed
+  double area = 0;          ///< signed
+  double polygon_area = 0;  ///< the same of the polygon; differs with TangleOptions::smooth only
+  /// With TangleOptions::smooth, an estimate of |area - area between the smooth curves|, on the safe side; else zero
+  /// (see lobe_shapes).
+  double smooth_error = 0;
   /// Area of its part inside and outside the boundary; they add up to |area| to rounding. NaN without a boundary.
   double inside = 0, outside = 0;
   /// Whether U_k and S_k meet nowhere but at the pips. They cannot cross there; where they touch or share an arc the
@@ -92,12 +96,15 @@ struct Images {
 
 struct TangleOptions {
   IndexKind index = IndexKind::automatic;
-  std::optional<std::size_t> bip;  ///< number of the pip; default floor(n / 2)
-  std::optional<Point> bip_near;   ///< or the pip nearest to this point
-  std::uint32_t period = 0;        ///< pips from one to its image; 0: infer it
-  bool check_simple = true;        ///< refuse manifolds that cross themselves
+  std::optional<std::size_t> bip{};  ///< number of the pip; default floor(n / 2)
+  std::optional<Point> bip_near{};   ///< or the pip nearest to this point
+  std::uint32_t period = 0;          ///< pips from one to its image; 0: infer it
+  bool check_simple = true;          ///< refuse manifolds that cross themselves
+  /// Areas, of lobes, boundary and overlaps, and pips are those of smooth curves through the points, with errors of
+  /// order h^6 (engine/smooth/smooth.hpp). Which crossings there are the polygons decide.
+  bool smooth = false;
   /// Called between phases with the fraction done, from the calling thread; return false to cancel.
-  std::function<bool(double)> progress;
+  std::function<bool(double)> progress{};
 };
 
 /// Seconds of wall time of each phase.
@@ -116,6 +123,7 @@ struct Tangle {
   std::vector<std::string> remarks;  ///< what is unusual about the input, one sentence each
   IndexKind index = IndexKind::tree;
   SimpleCheck simple_check;
+  std::uint64_t fallback_segments = 0, fallback_pips = 0;  ///< with `smooth`: that stay as the polygons have them
   TangleTiming timing;
 
   std::shared_ptr<const TangleCurves> curves;
@@ -153,7 +161,7 @@ struct LobeOverlap {
 [[nodiscard]] std::vector<LobeOverlap> overlaps(const Tangle& tangle);
 
 /// The boundary of a lobe as a closed polygon: pip k, along U to pip k + 1, back along S. Where S_k and U_k touch it
-/// touches itself. O(its vertices).
+/// touches itself. Always the polygons'. O(its vertices).
 [[nodiscard]] std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe);
 /// The boundary from p- along U to the bip and along S to p+: an open polyline; its chord closes it.
 [[nodiscard]] std::vector<Point> boundary_outline(const Tangle& tangle);
