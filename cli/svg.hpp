@@ -39,8 +39,8 @@ class View {
   double height_ = picture_width, plot_width_ = picture_width;
 };
 
-/// Draws lines into the `d` of a path, leaving out points without which no line moves by more than `tolerance` pixels,
-/// and all that comes after so many points.
+/// Draws lines into the `d` of a path, leaving out points without which no line moves by more than `tolerance` pixels
+/// sideways (thinned.hpp), and all that comes after so many points.
 class PathWriter {
  public:
   PathWriter(const View& view, double tolerance, std::size_t most_points)
