@@ -142,6 +142,18 @@ TEST_F(TangleProgram, GetsTheHenonMapRight) {
   EXPECT_NEAR(result["overlaps"][0]["area"], both["areas"]["intersection"].get<double>(), 1e-14);
 }
 
+// The example is rounded to eight decimals, which is what is left of the error.
+TEST_F(TangleProgram, GetsItBetterBySmoothCurves) {
+  const Json result = tangle({demo, "--smooth"}), plain = tangle({demo});
+  for (std::size_t k = 0; k < 10; ++k) {
+    const Json& lobe = result["lobes"][k];
+    EXPECT_NEAR(std::fabs(lobe["area"].get<double>()), 0.36598843872559149, 1e-7);
+    EXPECT_EQ(lobe["polygon_area"], plain["lobes"][k]["area"]);
+  }
+  EXPECT_EQ(result["options"]["smooth"], true);
+  EXPECT_LT(result["error"]["discretisation"]["lobe"], plain["error"]["discretisation"]["lobe"]);
+}
+
 TEST_F(TangleProgram, WritesFilesThatItCanRead) {
   const Outcome outcome =
       run({"tangle", demo, "--lobes", "lobes.dat", "--boundary", "boundary.dat", "--pips", "pips.dat"});
