@@ -77,7 +77,7 @@ Json boundary_json(const Tangle& result) {
   return {{"area", result.boundary->area},
           {"points", boundary_outline(result).size()},
           {"orientation", result.boundary->orientation > 0 ? "counter_clockwise" : "clockwise"},
-          {"chord_meets_manifolds", result.boundary->chord_meets_manifolds}};
+          {"crosses_itself", result.boundary->crosses_itself}};
 }
 
 Json images_json(const Images& images) {
@@ -110,7 +110,8 @@ Json error_json(const TangleReport& report) {
   const bool boundary = report.result.boundary.has_value(), paired = images.period != 0;
   return {
       {"rounding", {{"lobe", errors.lobe_rounding}, {"boundary", boundary ? Json(errors.boundary_rounding) : Json()}}},
-      {"discretisation", {{"lobe", errors.lobe_discretisation}}},
+      {"discretisation",
+       {{"lobe", errors.lobe_discretisation}, {"boundary", boundary ? Json(errors.boundary_discretisation) : Json()}}},
       {"consistency",
        {{"inside_plus_outside", errors.split},
         {"area_change", paired && images.compared > 0 ? Json(images.area_change) : Json()},

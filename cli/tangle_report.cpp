@@ -52,7 +52,11 @@ TangleErrors errors_of(const TangleReport& report) {
     errors.lobe_discretisation = std::max(errors.lobe_discretisation, discretisation(report, k));
     errors.split = std::max(errors.split, std::fabs(std::fabs(lobe.area) - lobe.inside - lobe.outside));
   }
-  if (result.boundary) errors.boundary_rounding = result.rounding(result.boundary->area);
+  if (result.boundary) {
+    errors.boundary_rounding = result.rounding(result.boundary->area);
+    errors.boundary_discretisation =
+        report.options.smooth ? result.boundary->smooth_error : boundary_discretisation(result);
+  }
   return errors;
 }
 

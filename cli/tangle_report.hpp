@@ -46,7 +46,7 @@ struct TangleReport {
 
 /// Error bars of the report as a whole: the worst lobe, and the boundary.
 struct TangleErrors {
-  double lobe_rounding = 0, boundary_rounding = 0;
+  double lobe_rounding = 0, boundary_rounding = 0, boundary_discretisation = 0;
   double lobe_discretisation = 0;
   double split = 0;  ///< largest | |area| - inside - outside |
 };

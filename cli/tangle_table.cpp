@@ -30,7 +30,7 @@ void add_boundary(std::string& text, const TangleReport& report) {
   const Point bip = result.pips[boundary.bip].at;
   text += fmt::format("boundary   area {:.16g} +- {:.1e} rounding, bip {} at ({:.8g}, {:.8g})\n", boundary.area,
                       result.rounding(boundary.area), boundary.bip, bip.x, bip.y);
-  if (boundary.chord_meets_manifolds) {
+  if (boundary.crosses_itself) {
     text += "           the chord that closes it meets the manifolds: inside is where it winds\n";
   }
 }

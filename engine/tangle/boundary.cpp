@@ -11,17 +11,50 @@
 namespace lober {
 namespace {
 
-// Whether the chord from p+ to p- meets the curve, up to its segment `last`, but where the curve begins.
-bool chord_meets(const IndexedCurve& chord, const IndexedCurve& curve, std::uint32_t last) {
+// Where the chord from p+ to p- meets a manifold, but where the manifold begins.
+std::vector<Position> chord_meetings(const IndexedCurve& chord, const IndexedCurve& curve) {
   const Point start = curve.view().points[0];
-  const auto at_start = [&](const Contact& contact) {
+  std::vector<Position> meetings;
+  for (const Contact& contact : find_contacts(chord, curve, IndexKind::tree).list) {
     const auto points = curve.view().points.first(contact.segment2 + 1);
-    return contact.vertex1 && contact.vertex2 &&
-           std::all_of(points.begin(), points.end(), [&](Point p) { return p == start; });
+    const bool at_start = contact.vertex1 && contact.vertex2 &&
+                          std::all_of(points.begin(), points.end(), [&](Point p) { return p == start; });
+    if (!at_start) meetings.push_back({contact.segment2, contact.t2.hi});
+  }
+  return meetings;
+}
+
+// What the chord cuts.
+struct ChordCuts {
+  bool boundary = false;
+  std::vector<bool> lobes;
+};
+ChordCuts cuts_of_chord(const Tangle& tangle) {
+  ChordCuts cuts{false, std::vector<bool>(tangle.lobes.size())};
+  const TangleCurves& curves = *tangle.curves;
+  const std::array<Point, 2> ends{curves.s.view().points[0], curves.u.view().points[0]};
+  if (ends[0] == ends[1]) return cuts;
+  const IndexedCurve chord({ends, false});
+  // Parameters are rounded: what lies that near to a pip counts for both sides.
+  constexpr double doubt = 1e-12;
+  const auto not_after = [](Position x, Position y) {
+    return x.segment != y.segment ? x.segment < y.segment : x.t <= y.t + doubt;
   };
-  const Contacts contacts = find_contacts(chord, curve, IndexKind::tree);
-  return std::any_of(contacts.list.begin(), contacts.list.end(),
-                     [&](const Contact& contact) { return contact.segment2 <= last && !at_start(contact); });
+  const Pip& bip = tangle.pips[tangle.boundary->bip];
+  const auto mark = [&](const std::vector<Position>& meetings, Position Pip::*on) {
+    for (const Position at : meetings) {
+      cuts.boundary = cuts.boundary || not_after(at, bip.*on);
+      for (std::size_t k = 0; k < cuts.lobes.size(); ++k) {
+        const Position x = tangle.pips[k].*on, y = tangle.pips[k + 1].*on;
+        const bool between =
+            on == &Pip::u ? not_after(x, at) && not_after(at, y) : not_after(y, at) && not_after(at, x);
+        if (between) cuts.lobes[k] = true;
+      }
+    }
+  };
+  mark(chord_meetings(chord, curves.u), &Pip::u);
+  mark(chord_meetings(chord, curves.s), &Pip::s);
+  return cuts;
 }
 
 double nonzero_area(const std::vector<Point>& polygon) {
@@ -80,14 +113,17 @@ void bound_lobes(Tangle& tangle) {
   const std::size_t bip = boundary.bip;
   const DD twice_area = tangle.pips[bip].gap;  // p- is the origin, so the chord adds nothing
   boundary.orientation = twice_area.hi < 0 ? -1 : 1;
-  const std::array<Point, 2> ends{curves.s.view().points[0], curves.u.view().points[0]};
-  if (!(ends[0] == ends[1])) {
-    const IndexedCurve chord({ends, false});
-    boundary.chord_meets_manifolds = chord_meets(chord, curves.u, tangle.pips.back().u.segment) ||
-                                     chord_meets(chord, curves.s, tangle.pips.front().s.segment);
+  const ChordCuts chord = cuts_of_chord(tangle);
+  boundary.crosses_itself = chord.boundary;
+  std::vector<Point> outline;  // made when it is needed
+  const auto polygon = [&]() -> const std::vector<Point>& {
+    if (outline.empty()) outline = boundary_outline(tangle);
+    return outline;
+  };
+  boundary.area = boundary.crosses_itself ? nonzero_area(polygon()) : std::fabs(curves.area(twice_area));
+  if (curves.smooth) {
+    boundary.smooth_error = curves.area({tangle.pips[bip].gap_error, 0}) + tangle.rounding(boundary.area);
   }
-  const std::vector<Point> outline = boundary.chord_meets_manifolds ? boundary_outline(tangle) : std::vector<Point>{};
-  boundary.area = boundary.chord_meets_manifolds ? nonzero_area(outline) : std::fabs(curves.area(twice_area));
 
   const BoundaryCrossings crossings = crossings_with_lobes(tangle);
   const Buffer<DD> gaps = gaps_at(curves, tangle.nodes.graph(), crossings.nodes);
@@ -102,9 +138,10 @@ void bound_lobes(Tangle& tangle) {
   for (std::size_t m = 0; m < tangle.lobes.size(); ++m) {
     Lobe& lobe = tangle.lobes[m];
     const double area = std::fabs(lobe.area);
-    if (boundary.chord_meets_manifolds || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
-      const std::vector<Point> polygon = lobe_outline(tangle, m);
-      lobe.inside = std::min(area, common_area(polygon, outline.empty() ? boundary_outline(tangle) : outline));
+    if (boundary.crosses_itself || chord.lobes[m] || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
+      const double common = common_area(lobe_outline(tangle, m), polygon());
+      const bool speck = common <= tangle.rounding(area);  // corners of outlines are rounded
+      lobe.inside = speck ? 0 : std::min(area, common);
       lobe.outside = area - lobe.inside;
       continue;
     }

@@ -15,7 +15,8 @@ namespace lober {
 /// cross U[p-, q_b]. With o_m, o_B the orientations, it lies inside along the shared arc if o_m = -o_B (m >= b) or
 /// o_m = o_B (m < b); then
 ///   2 inside = [inside along the shared arc] 2 |area| -+ o_m o_B sum of rho D over those crossings.
-/// This holds if neither p- nor p+ lies in the lobe and the chord meets no manifold. Otherwise polygons are overlaid.
+/// This holds if neither p- nor p+ lies in the lobe and the chord meets neither the lobe nor the rest of the boundary.
+/// Otherwise polygons are overlaid.
 void bound_lobes(Tangle& tangle);
 
 }  // namespace lober

@@ -26,7 +26,10 @@ std::uint32_t infer_period(const std::vector<Lobe>& lobes, double mean, std::str
     reason = "fewer than three lobes, so no lobe is seen together with its image";
     return 0;
   }
-  for (std::size_t period = 2; period < lobes.size(); period += 2) {
+  // A long period has to be seen more than once: areas that differ as they like are alike now and then.
+  constexpr std::size_t short_period = 4, most = 64;
+  for (std::size_t period = 2; period < std::min(lobes.size(), most); period += 2) {
+    if (period > short_period && 2 * period > lobes.size()) break;
     if (largest_change(lobes, period) <= repeat_tolerance * mean) return static_cast<std::uint32_t>(period);
   }
   reason = "the signed areas of the lobes do not repeat";

@@ -33,6 +33,9 @@ struct Measures {
       a = curve.points[k];
     }
     add_segment(a, last, origin);
+    add_bulges(curve, from, to);
+  }
+  void add_bulges(const CurveView& curve, Position from, Position to) {
     for (std::size_t k = from.segment; k <= to.segment; ++k) bulge += std::fabs(bulge_of(curve, k, from, to));
   }
 
@@ -72,6 +75,15 @@ std::vector<LobeShape> lobe_shapes(const Tangle& tangle) {
     shape.discretisation = curves.area({measures.bulge, 0});
   });
   return shapes;
+}
+
+double boundary_discretisation(const Tangle& tangle) {
+  const Pip& bip = tangle.pips.at(tangle.boundary->bip);
+  const TangleCurves& curves = *tangle.curves;
+  Measures measures;
+  measures.add_bulges(curves.u.view(), {}, bip.u);
+  measures.add_bulges(curves.s.view(), {}, bip.s);
+  return curves.area({measures.bulge, 0});
 }
 
 }  // namespace lober

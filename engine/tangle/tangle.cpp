@@ -42,6 +42,7 @@ void smooth_lobes(Tangle& tangle) {
     const Point at = smooth.at[k].at;
     tangle.pips[k].at = {std::ldexp(at.x, -curves.exponent), std::ldexp(at.y, -curves.exponent)};
     tangle.pips[k].gap += smooth.at[k].twice;
+    tangle.pips[k].gap_error = smooth.at[k].error1 + smooth.at[k].error2 + smooth.at[k].doubt;
   }
   for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
     const SmoothGap &first = smooth.at[k], &last = smooth.at[k + 1];
@@ -129,7 +130,11 @@ Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
   result.timing.pips = area_watch.seconds();
   if (pips.empty()) {
     if (options.bip || options.bip_near) throw UsageError("a bip is given, but the manifolds do not cross");
-    result.remarks.emplace_back("the manifolds do not cross: no pip, no lobe, no boundary");
+    const auto first = u.points, second = s.points;
+    result.remarks.emplace_back(std::equal(first.begin(), first.end(), second.begin(), second.end()) ||
+                                        std::equal(first.begin(), first.end(), second.rbegin(), second.rend())
+                                    ? "U and S are one and the same curve: no pip, no lobe, no boundary"
+                                    : "the manifolds do not cross: no pip, no lobe, no boundary");
   } else {
     if (pips.size() == 1) result.remarks.emplace_back("one pip only: a boundary, but no lobe");
     result.boundary = Boundary{.bip = choose_bip(result.pips, options)};

@@ -43,6 +43,8 @@ struct Pip {
   Position u, s;
   int rho = 0;
   DD gap;  ///< D, see above; about U's first vertex
+  /// With TangleOptions::smooth, estimate of the error of D.
+  double gap_error = 0;
 };
 
 /// Lobe k, between pips k and k + 1. It is on the left of U_k when its area is positive.
@@ -63,10 +65,11 @@ struct Lobe {
 /// B(q): U from p- to the bip and S on to p+, closed by the chord from p+ to p- (of no length when homoclinic and both
 /// curves begin at the same point).
 struct Boundary {
-  std::size_t bip = 0;                 ///< number of the pip
-  double area = 0;                     ///< of what it encloses
-  int orientation = 1;                 ///< +1: U[p-, q] runs counter-clockwise round it
-  bool chord_meets_manifolds = false;  ///< then it may cross itself and lobes; areas are those of nonzero winding
+  std::size_t bip = 0;          ///< number of the pip
+  double area = 0;              ///< of what it encloses
+  double smooth_error = 0;      ///< with TangleOptions::smooth, as Lobe::smooth_error
+  int orientation = 1;          ///< +1: U[p-, q] runs counter-clockwise round it
+  bool crosses_itself = false;  ///< the chord meets the rest of it; areas are then those of nonzero winding number
 };
 
 /// What lobe k is to the map: lobe k of L_from,to(n) lies in region `from` and is in region `to` n iterates later (n <=
@@ -178,5 +181,7 @@ struct LobeShape {
 };
 /// One pass over the arcs of all lobes, parallel.
 [[nodiscard]] std::vector<LobeShape> lobe_shapes(const Tangle& tangle);
+/// The same estimate for the area of the boundary: its chord is straight. O(its vertices).
+[[nodiscard]] double boundary_discretisation(const Tangle& tangle);
 
 }  // namespace lober

@@ -43,7 +43,7 @@ TEST_F(TangleJson, HasTheMembersOfTheContract) {
                 lobe["rounding"].get<double>());
   }
   EXPECT_EQ(members(result["bip"]), (Names{"index", "x", "y"}));
-  EXPECT_EQ(members(result["boundary"]), (Names{"area", "points", "orientation", "chord_meets_manifolds"}));
+  EXPECT_EQ(members(result["boundary"]), (Names{"area", "points", "orientation", "crosses_itself"}));
   EXPECT_EQ(members(result["turnstile"]), (Names{"lobes", "area12", "area21", "reason"}));
   EXPECT_EQ(members(result["overlaps"][0]), (Names{"i", "j", "area"}));
   EXPECT_EQ(members(result["error"]), (Names{"rounding", "discretisation", "consistency", "meaning"}));

@@ -150,7 +150,7 @@ TEST(KnownTangle, BothBeginAtTheSameFixedPoint) {
   EXPECT_EQ(found.nodes.touches(), 1U);  // the fixed point itself
   EXPECT_EQ(places(found), (std::vector<Point>{{4.5, 0}, {5.5, 0}, {6.5, 0}}));
   EXPECT_EQ(found.boundary->bip, 1U);
-  EXPECT_FALSE(found.boundary->chord_meets_manifolds);
+  EXPECT_FALSE(found.boundary->crosses_itself);
   EXPECT_EQ(found.boundary->area, signed_area({boundary_outline(found), true}) * found.boundary->orientation);
   for (const Lobe& lobe : found.lobes) EXPECT_EQ(lobe.inside + lobe.outside, 0.5);
   EXPECT_EQ(found.lobes[0].inside, 0);  // above U, below the axis

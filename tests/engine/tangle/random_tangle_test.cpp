@@ -89,7 +89,7 @@ void check(const ManifoldPair& pair, Tally& tally) {
   const double close = 1e-12;
   const std::vector<Point> boundary = boundary_outline(found);
   EXPECT_NEAR(found.boundary->area, area_of(boundary), close);
-  tally.chords += found.boundary->chord_meets_manifolds;
+  tally.chords += found.boundary->crosses_itself;
   std::vector<std::vector<Point>> outlines;
   for (std::size_t k = 0; k < found.lobes.size(); ++k) {
     const Lobe& lobe = found.lobes[k];
