@@ -13,10 +13,10 @@ namespace lober {
 
 /// Memory for a large array, aligned to a cache line at least. Throws std::bad_alloc. Thread-safe.
 ///
-/// Blocks of 2 MiB and more that are freed wait for the next large array, at most 512 MiB of them, and never more than
-/// brings the total to what was in use at the same time before: the peak is that of a program that keeps nothing. The
-/// system may take their pages back whenever it is short of memory (MADV_FREE). Under AddressSanitizer and
-/// ThreadSanitizer nothing is kept and all memory comes from the instrumented allocator.
+/// Blocks of 2 MiB and more that are freed wait for the next large array that needs two thirds of them at least: at
+/// most 512 MiB, and never more than brings the total of blocks to the most that was in use at one time. The system may
+/// take their pages back whenever it is short of memory (MADV_FREE). Under AddressSanitizer and ThreadSanitizer nothing
+/// is kept and all memory comes from the instrumented allocator.
 [[nodiscard]] void* allocate_bulk(std::size_t bytes);
 void free_bulk(void* memory, std::size_t bytes) noexcept;
 
