@@ -1,22 +1,28 @@
 // Arrays for millions of elements. They are not filled with zeros first, lie on huge pages where the system offers
-// them, and their memory is kept for the next ones (oneTBB's allocator): at these sizes the first touch of a fresh 4
-// KiB page costs as much as the work done on it.
+// them, and their memory is kept for the next ones: at these sizes the first touch of a fresh page costs as much as
+// the work done on it.
 #pragma once
 
-#include <tbb/scalable_allocator.h>
-
 #include <cstddef>
-#include <cstdlib>
 #include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace lober {
+
+/// Memory for a large array, aligned to a cache line at least. Throws std::bad_alloc. Thread-safe.
+///
+/// Blocks of 2 MiB and more that are freed wait for the next large array that needs two thirds of them at least: at
+/// most 512 MiB, and never more than brings the total of blocks to the most that was in use at one time. The system may
+/// take their pages back whenever it is short of memory (MADV_FREE). Under AddressSanitizer and ThreadSanitizer nothing
+/// is kept and all memory comes from the instrumented allocator.
+[[nodiscard]] void* allocate_bulk(std::size_t bytes);
+void free_bulk(void* memory, std::size_t bytes) noexcept;
+
+/// Gives all memory that only waits for the next array back to the system: for a program that is done with large
+/// curves and goes on.
+void release_bulk_memory() noexcept;
 
 template <typename T>
 class BulkAllocator {
@@ -28,26 +34,9 @@ class BulkAllocator {
 
   T* allocate(std::size_t count) {
     if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
-    const std::size_t alignment = count * sizeof(T) >= huge_page ? huge_page : 64;
-    const std::size_t bytes = count * sizeof(T);
-#ifdef __SANITIZE_THREAD__
-    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-#else
-    void* memory = scalable_aligned_malloc(bytes, alignment);
-#endif
-    if (memory == nullptr) throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-    if (alignment == huge_page) madvise(memory, bytes, MADV_HUGEPAGE);  // advice only: failure costs speed, no more
-#endif
-    return static_cast<T*>(memory);
+    return static_cast<T*>(allocate_bulk(count * sizeof(T)));
   }
-  void deallocate(T* memory, std::size_t) {
-#ifdef __SANITIZE_THREAD__  // which must see when memory changes hands
-    std::free(memory);
-#else
-    scalable_aligned_free(memory);
-#endif
-  }
+  void deallocate(T* memory, std::size_t count) { free_bulk(memory, count * sizeof(T)); }
 
   /// Leaves plain values uninitialised.
   template <typename U, typename... Arguments>
@@ -58,12 +47,7 @@ class BulkAllocator {
       ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
     }
   }
-  friend bool operator==(const BulkAllocator&, const BulkAllocator&) {
-    return true;
-  }
-
- private:
-  static constexpr std::size_t huge_page = std::size_t{2} << 20;
+  friend bool operator==(const BulkAllocator&, const BulkAllocator&) { return true; }
 };
 
 template <typename T>
