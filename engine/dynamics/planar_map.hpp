@@ -2,6 +2,7 @@
 // time-periodic flows and Poincare maps on a section all look like this.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "kernels/point.hpp"
@@ -30,6 +31,14 @@ class PlanarMap {
 
   /// The image of one point as `iterate` gives it (to the tolerance of an integration), and the derivative there.
   virtual Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const = 0;
+
+  /// The action L of the step from `from` to its image `to`, in units of area: dL = y' dx' - y dx along the graph of
+  /// the map (MacKay, Meiss & Percival 1984), so that differences of sums of L along orbits are areas. Nothing when the
+  /// map preserves no area or its action is not known. Of maps with a generating function this is L(x, x'); of flows
+  /// the integral of y dx - H dt, with y' dx' for the gap between `to` and the computed image. Either way the sum over
+  /// an orbit is stationary: if its points are off by d, it is off by O(d^2). Rounding: that of long double for
+  /// generating functions, the tolerance for flows.
+  [[nodiscard]] virtual std::optional<long double> action(Point /*from*/, Point /*to*/) const { return std::nullopt; }
 };
 
 }  // namespace lober
