@@ -24,10 +24,10 @@ namespace lober {
   return angle > 0 ? 2 * angle / (ab + bc) : 0.0;
 }
 
-/// The largest distance between a segment of this length and the smooth curve over it: kappa h^2 / 8, the sagitta, for
-/// curvatures kappa at its ends. Never more than half the length for a corner cut off as `turning` does.
+/// The largest distance between a segment of this length and the smooth curve over it: kappa h^2 / 8, the sagitta, with
+/// kappa the larger of the curvatures at its ends. Never more than half the length, because `turning` is cut off.
 [[nodiscard]] inline double sagitta(double length, double curvature_before, double curvature_after) {
-  return (curvature_before + curvature_after) * length * length / 16;
+  return std::max(curvature_before, curvature_after) * length * length / 8;
 }
 
 }  // namespace lober

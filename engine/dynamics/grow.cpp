@@ -68,7 +68,7 @@ class Growth {
     trace_options_.least_spacing = ulps_apart * std::max(rounding, local_.reach * 1e-16);
     trace_options_.box = options_.box;
     if (!(options_.box.width() >= 0)) {
-      const double reach = 1000 * extent.extent();
+      const double reach = 100 * extent.extent();
       trace_options_.box = Box::of({local_.saddle.x - reach, local_.saddle.y - reach},
                                    {local_.saddle.x + reach, local_.saddle.y + reach});
     }
@@ -177,6 +177,7 @@ class Growth {
   void cut_at_length(std::size_t begin) {
     for (std::size_t k = std::max<std::size_t>(begin, 1); k < result_.points.size(); ++k) {
       const Point a = result_.points[k - 1], b = result_.points[k];
+      if (!meet(Box::of(a, b), trace_options_.box)) continue;
       result_.length += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
       if (result_.length >= options_.length) {
         result_.points.resize(k + 1);

@@ -60,11 +60,13 @@ struct GrowthProgress {
 struct GrowthOptions {
   double tolerance = 0;    ///< e: how far the curve may lie from its polygon; has to be given
   int iterates = -1;       ///< ends at F^iterates of the end of the local manifold
-  double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length
-  double longest = 0;      ///< no segment longer; 0: a twentieth of the extent of the local manifold
+  double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length, not
+                                                            ///< counting what is outside the box
+  double longest = 0;      ///< no segment longer; 0: a fiftieth of the extent of the local manifold
   std::size_t most_points = 100'000'000;
   std::size_t most_memory = std::numeric_limits<std::size_t>::max();  ///< bytes, roughly; 120 are needed a point
-  /// Only what lies in it has to meet the tolerance. Default: the square around the saddle of 2000 extents.
+  /// Only what lies in it has to meet the tolerance. Default: the square around the saddle of 200 extents of
+  /// the local manifold.
   Box box;
   std::function<bool(const GrowthProgress&)> progress;  ///< false stops; called from the calling thread
 };

@@ -16,6 +16,8 @@ constexpr double reserve = 1.07;
 // The guide has to be no coarser than so many parts of a segment, and to turn by no more than so much (radians).
 constexpr double coarsest_guide = 5;
 constexpr double sharpest_guide = 0.7;
+// Neighbouring segments differ in length per parameter by no more than this factor.
+constexpr double most_uneven = 4;
 // No segment is cut into more parts at once: estimates that ask for more know too little.
 constexpr double most_parts = 16;
 // Where the map fails on one side, the edge is sought to this fraction of the range of the parameter.
@@ -64,7 +66,8 @@ class Tracer {
     std::size_t number;
     double length;
     double curvature_before, curvature_after;
-    double need;  // parts, a real number; at most most_parts
+    double need;     // parts, a real number; at most most_parts
+    bool uneven;     // the curve is run through at a very different speed next to it: a fold may hide there
   };
 
   [[nodiscard]] std::size_t segments() const { return samples_.points.size() - 1; }
@@ -91,6 +94,14 @@ class Tracer {
     return vertex_curvature(samples_.points[k - 1], samples_.points[k], samples_.points[k + 1], before, after);
   }
 
+  // Whether one of the two segments is that much shorter than the other for its parameters, and that not below what
+  // the tolerance makes invisible.
+  [[nodiscard]] bool speeds_differ(std::size_t i, double length_i, std::size_t j, double length_j) const {
+    if (std::max(length_i, length_j) < 4 * options_.tolerance) return false;
+    const double a = length_i * gap(j), b = length_j * gap(i);
+    return a > most_uneven * b || b > most_uneven * a;
+  }
+
   // Calls body(segment) for begin <= k < end in order. At a corner and at the ends curvature is taken from the other
   // end of the segment.
   template <typename Body>
@@ -103,12 +114,14 @@ class Tracer {
     for (std::size_t k = begin; k < end; ++k) {
       const double next = k + 1 < last ? length(k + 1) : 0;
       const double kappa_next = k + 1 < last && !is_kept(k + 1) ? curvature(k + 1, here, next) : unknown;
-      Segment segment{k, here, kappa, kappa_next, 1};
+      Segment segment{k, here, kappa, kappa_next, 1, false};
       if (kappa < 0) segment.curvature_before = std::max(kappa_next, 0.0);
       if (kappa_next < 0) segment.curvature_after = std::max(kappa, 0.0);
       const double bulge = sagitta(here, segment.curvature_before, segment.curvature_after);
       segment.need = std::max(std::sqrt(bulge / options_.tolerance), here / options_.longest);
       if (!(segment.need < most_parts)) segment.need = most_parts;
+      segment.uneven = (kappa >= 0 && speeds_differ(k - 1, before, k, here)) ||
+                       (kappa_next >= 0 && speeds_differ(k, here, k + 1, next));
       body(segment);
       before = here;
       here = next;
@@ -134,7 +147,8 @@ class Tracer {
     if (settled_[segment.number] != 0) return 1;
     const Kind what = kind(segment.number);
     if (what == Kind::edge) return 2;
-    return what == Kind::ordinary && segment.need > 1 ? allowed(segment, segment.need) : 1;
+    if (what != Kind::ordinary) return 1;
+    return segment.need > 1 ? allowed(segment, segment.need) : segment.uneven ? allowed(segment, 2) : 1;
   }
 
   // Images of parameters that are not known yet, chunk by chunk.
