@@ -13,7 +13,7 @@
 namespace lober {
 namespace {
 
-constexpr std::size_t batch = 512;
+constexpr std::size_t batch = 64;
 
 TraceOptions options_for_tracing(const ImageOptions& given, const Samples& guide) {
   TraceOptions options;

@@ -13,6 +13,8 @@ namespace {
 
 // Points are placed this much denser than the estimate asks for, so that few segments turn out too coarse.
 constexpr double reserve = 1.07;
+// And by so much, as a fraction, more or less densely, where that lets a point of the guide stay.
+constexpr double most_stretching = 0.04;
 // The guide has to be no coarser than so many parts of a segment, and to turn by no more than so much (radians).
 constexpr double coarsest_guide = 5;
 constexpr double sharpest_guide = 0.7;
@@ -257,21 +259,22 @@ class Tracer {
       });
     });
     end_by_length(need);
-    const Buffer<double> place = places(need);
+    std::vector<std::uint32_t> known;
+    const Buffer<double> place = places(need, known);
     const auto size = static_cast<std::size_t>(place.back()) + 1;
     Samples even{Buffer<double>(size), Buffer<Point>(size)};
     for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) place_in(k, need, place, even.parameters);
     });
-    even.parameters.back() = samples_.parameters.back();
-    std::vector<std::uint32_t> stay(kept_.size());
-    for (std::size_t j = 0; j < kept_.size(); ++j) {
-      stay[j] = static_cast<std::uint32_t>(place[kept_[j]]);
-      even.points[stay[j]] = samples_.points[kept_[j]];
+    for (std::uint32_t& k : kept_) k = static_cast<std::uint32_t>(place[k]);
+    for (std::uint32_t& k : known) {
+      const auto number = static_cast<std::uint32_t>(place[k]);
+      even.points[number] = samples_.points[k];
+      even.parameters[number] = samples_.parameters[k];
+      k = number;
     }
-    evaluate_between(stay, even);
+    evaluate_between(known, even);
     samples_ = std::move(even);
-    kept_ = std::move(stay);
   }
 
   // Cuts what lies beyond the length asked for. Chords are shorter than the curve, so enough remains.
@@ -298,19 +301,28 @@ class Tracer {
     need.resize(segments());
   }
 
-  // Where each point of the guide comes to lie among the numbers of the new points: kept ones on whole numbers.
-  [[nodiscard]] Buffer<double> places(const Buffer<double>& need) const {
+  // Where each point of the guide comes to lie among the numbers of the new points: kept ones on whole numbers, and
+  // others too where that takes little stretching, so that their images need not be computed again. `known` receives
+  // the numbers of both.
+  [[nodiscard]] Buffer<double> places(const Buffer<double>& need, std::vector<std::uint32_t>& known) const {
     Buffer<double> place(samples_.points.size());
     double begin = 0;
-    for (std::size_t j = 0; j + 1 < kept_.size(); ++j) {
-      double sum = 0;
-      for (std::size_t k = kept_[j]; k < kept_[j + 1]; ++k) {
-        place[k] = sum;
-        sum += need[k];
-      }
-      const double parts = std::max(1.0, std::ceil(sum)), scale = sum > 0 ? parts / sum : 0;
-      for (std::size_t k = kept_[j]; k < kept_[j + 1]; ++k) place[k] = begin + std::min(place[k] * scale, parts);
+    known.assign(1, 0);
+    std::size_t first = 0;  // the last known one
+    double sum = 0;
+    for (std::size_t k = 0, j = 1; k + 1 < place.size(); ++k) {
+      place[k] = sum;
+      sum += need[k];
+      const bool stays = k + 1 == kept_[j];
+      if (stays) ++j;
+      const double parts = std::max(1.0, stays ? std::ceil(sum) : std::round(sum));
+      if (!stays && !(std::fabs(parts - sum) <= most_stretching * sum)) continue;
+      const double scale = sum > 0 ? parts / sum : 0;
+      for (std::size_t i = first; i <= k; ++i) place[i] = begin + std::min(place[i] * scale, parts);
       begin += parts;
+      first = k + 1;
+      sum = 0;
+      known.push_back(static_cast<std::uint32_t>(first));
     }
     place.back() = begin;
     return place;
@@ -335,25 +347,18 @@ class Tracer {
     }
   }
 
-  // Images of all points but those that stayed.
-  void evaluate_between(const std::vector<std::uint32_t>& stay, Samples& even) const {
-    const std::size_t count = even.points.size() - stay.size();
-    // The j-th point that stayed has stay[j] - j new ones before it.
-    const auto number = [&](std::size_t fresh) {
-      std::size_t low = 0, high = stay.size();
-      while (low < high) {
-        const std::size_t middle = (low + high) / 2;
-        if (stay[middle] - middle <= fresh) {
-          low = middle + 1;
-        } else {
-          high = middle;
-        }
+  // Images of all points but those that are known.
+  void evaluate_between(const std::vector<std::uint32_t>& known, Samples& even) const {
+    Buffer<std::uint32_t> fresh(even.points.size() - known.size());
+    for_each_block(known.size() - 1, densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t j = first; j < last; ++j) {
+        // Before the j-th known one are known[j] - j others.
+        for (std::uint32_t k = known[j] + 1; k < known[j + 1]; ++k) fresh[k - j - 1] = k;
       }
-      return fresh + low;
-    };
+    });
     evaluate(
-        count, [&](std::size_t k) { return even.parameters[number(k)]; },
-        [&](std::size_t k, Point point) { even.points[number(k)] = point; });
+        fresh.size(), [&](std::size_t k) { return even.parameters[fresh[k]]; },
+        [&](std::size_t k, Point point) { even.points[fresh[k]] = point; });
   }
 
   void collect_flaws() {

@@ -33,7 +33,7 @@ struct TraceOptions {
   std::size_t most_points = 0;
   double most_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
   std::uint32_t most_rounds = 40;
-  std::size_t batch = 512;
+  std::size_t batch = 64;
   std::function<void(std::size_t)> evaluated;  ///< told about so many more evaluations; may throw to cancel
 };
 
