@@ -28,6 +28,14 @@ struct SystemInfo {
   std::vector<Parameter> parameters;
 };
 
+/// A pair of manifolds: U from one saddle, S from another or the same one, each on the branch that leaves its saddle in
+/// the given direction.
+struct Connection {
+  Point from, u_direction;
+  Point to, s_direction;
+  std::optional<Point> bip{};  ///< near a pip that is a good one to bound a region with
+};
+
 /// A system with its parameters chosen.
 struct System {
   SystemInfo info;
@@ -35,6 +43,7 @@ struct System {
   Box window;
   /// Shift of the plane after which the map repeats itself, (0, 0) when there is none: (2 pi, 0) for a lifted angle.
   Point lattice;
+  std::optional<Connection> connection;  ///< whose tangle is of interest
   std::shared_ptr<const Flow> flow;      ///< null when the system is a map
   std::optional<Section> section;        ///< of the map, when it is a return map
   std::shared_ptr<const PlanarMap> map;  ///< null for a flow whose map is not defined by its canonical section

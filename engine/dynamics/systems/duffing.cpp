@@ -44,6 +44,7 @@ SystemEntry duffing_entry() {
             require_positive(info, "omega", values[1]);
             System system;
             system.window = window(-2, -1.5, 2, 1.5);
+            system.connection = Connection{{0, 0}, {1, 1}, {0, 0}, {1, -1}};
             system.flow = std::make_shared<FlowOf<Duffing>>(Duffing{values[0], values[1], values[2]});
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;

@@ -32,6 +32,13 @@ SystemEntry henon_map_entry() {
             System system;
             const double reach = 2 + std::sqrt(std::abs(1 + values[0]));
             system.window = window(-reach, -reach, reach, reach);
+            // The pip on the axis of the reversor that follows from x_1 = x_-1, by interpolation in k.
+            const double saddle = 1 + std::sqrt(1 + values[0]);
+            system.connection = Connection{{saddle, saddle},
+                                           {-1, -1},
+                                           {saddle, saddle},
+                                           {-1, -1},
+                                           Point{-1.154 - 0.757 * values[0], 0.666 + 0.518 * values[0]}};
             system.map = std::make_shared<FormulaMap<HenonMap>>(HenonMap{values[0]});
             return system;
           }};

@@ -45,6 +45,7 @@ SystemEntry pendulum_entry() {
             System system;
             system.window = window(-4, -2.5, 4, 2.5);
             system.lattice = {2 * std::numbers::pi, 0};
+            system.connection = Connection{{-std::numbers::pi, 0}, {1, 1}, {std::numbers::pi, 0}, {-1, 1}};
             system.flow = std::make_shared<FlowOf<Pendulum>>(Pendulum{values[0], values[1], values[2]});
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;

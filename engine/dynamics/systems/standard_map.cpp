@@ -44,6 +44,12 @@ SystemEntry standard_map_entry() {
             System system;
             system.window = window(-1, -3.2, 5.5, 3.2);
             system.lattice = {2 * std::numbers::pi, 0};
+            // The upper separatrix; its pip on the axis x = pi.
+            system.connection = Connection{{0, 0},
+                                           {1, 1},
+                                           {2 * std::numbers::pi, 0},
+                                           {-1, 1},
+                                           Point{std::numbers::pi, 1.7 * std::sqrt(std::abs(values[0]))}};
             system.map = std::make_shared<FormulaMap<StandardMap>>(StandardMap{values[0]});
             return system;
           }};

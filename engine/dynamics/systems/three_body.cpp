@@ -51,6 +51,8 @@ SystemEntry three_body_entry() {
             if (!(values[0] >= 0 && values[0] <= 0.5)) throw UsageError("system pcr3bp: mu must be in [0, 0.5]");
             System system;
             system.window = window(-3, -0.5, -1.05, 0.5);
+            // The inner branch; its pip on the axis of the reversor.
+            system.connection = Connection{{-2.03, 0}, {1, 0.29}, {-2.03, 0}, {1, -0.29}, Point{-1.15, 0}};
             system.flow = std::make_shared<FlowOf<ThreeBody>>(ThreeBody{values[0]});
             system.section = Section{.coordinate = 1,
                                      .value = 0,

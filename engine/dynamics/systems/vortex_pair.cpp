@@ -145,6 +145,8 @@ SystemEntry entry(const char* name, const char* summary) {
             if (std::abs(values[1]) > 8) throw UsageError("system " + info.name + ": |eps| must be at most 8");
             System system;
             system.window = window(-2.5, -0.1, 2.5, 2.5);
+            // The upper boundary of the fluid that travels with the pair.
+            system.connection = Connection{{1.5, 0}, {0, 1}, {-1.5, 0}, {0, 1}, Point{0, 2.05}};
             system.flow = std::make_shared<FlowOf<Field>>(Field(values[0], values[1]));
             system.map = system.flow->stroboscopic_map(values[2], options);
             return system;
