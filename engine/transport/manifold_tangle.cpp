@@ -16,6 +16,32 @@ Branch branch_towards(const LocalManifold& local, Point direction) {
   return local.tangent.x * direction.x + local.tangent.y * direction.y < 0 ? Branch::minus : Branch::plus;
 }
 
+// Where manifolds have to be as fine as asked: the saddles, their local manifolds, and eight times as far. What goes
+// farther is on its way out and followed coarsely.
+Box scene(const LocalManifold& u, const LocalManifold& s) {
+  constexpr double times = 8;
+  Box box;
+  for (const LocalManifold* local : {&u, &s}) {
+    for (const double end : {-local->reach, local->reach}) box = unite(box, Box::of(local->saddle, local->at(end)));
+  }
+  const double margin = times * box.extent();
+  return Box::of({box.min_x() - margin, box.min_y() - margin}, {box.max_x() + margin, box.max_y() + margin});
+}
+
+// Orbits that escape leave any scale behind in a few steps. Beyond many times the size of the box distances from its
+// middle are made logarithmic: a homeomorphism of the plane, so that nothing crosses that did not.
+void draw_in(Buffer<Point>& points, const Box& box) {
+  constexpr double times = 64;
+  const Point middle{(box.min_x() + box.max_x()) / 2, (box.min_y() + box.max_y()) / 2};
+  const double radius = times * box.extent();
+  for (Point& point : points) {
+    const double dx = point.x - middle.x, dy = point.y - middle.y, r = std::hypot(dx, dy);
+    if (r <= radius) continue;
+    const double factor = (1 + std::log(r / radius)) * (radius / r);
+    point = {middle.x + factor * dx, middle.y + factor * dy};
+  }
+}
+
 // One manifold, and how far it has been grown.
 struct Growing {
   LocalManifold local;
@@ -32,6 +58,7 @@ class TangleGrower {
     s_.local = local_manifold(map, connection.to, Side::stable);
     u_.branch = branch_towards(u_.local, connection.u_direction);
     s_.branch = branch_towards(s_.local, connection.s_direction);
+    box_ = scene(u_.local, s_.local);
   }
 
   std::unique_ptr<ManifoldTangle> build() {
@@ -70,8 +97,10 @@ class TangleGrower {
     growth.tolerance = options_.tolerance;
     growth.iterates = iterates;
     growth.most_points = options_.most_points;
+    growth.box = box_;
     manifold.grown = grow(map_, manifold.local, manifold.branch, growth);
     manifold.iterates = iterates;
+    draw_in(manifold.grown.points, box_);
     if (manifold.grown.stop == GrowthStop::points) {
       throw DataError(std::string(name) + " needs more than " + std::to_string(options_.most_points) +
                       " points; it was followed to a length of " + std::to_string(manifold.grown.length));
@@ -149,7 +178,15 @@ class TangleGrower {
     options.bip = bip_;
     options.period = period_;
     options.smooth = options_.smooth;
-    result->tangle = tangle(result->u, result->s, options);
+    try {
+      result->tangle = tangle(result->u, result->s, options);
+    } catch (const NotSimpleError& error) {
+      if (meet(Box::of(error.at, error.at), box_)) throw;
+      options.check_simple = false;
+      result->tangle = tangle(result->u, result->s, options);
+      result->tangle.remarks.push_back("far outside, where manifolds are followed coarsely, " +
+                                       std::string(error.what()));
+    }
     for (std::size_t k = bip_ - std::min<std::size_t>(period_, bip_); k <= bip_; ++k) {
       const Pip& pip = result->tangle.pips[k];
       result->orbits.push_back(connecting_orbit(map_, result->local_u, result->local_s,
@@ -168,6 +205,7 @@ class TangleGrower {
   const ManifoldTangleOptions& options_;
   std::optional<Point> near_;
   Growing u_, s_;
+  Box box_;
   Tangle found_;
   std::size_t bip_ = 0;
   std::uint32_t period_ = 0;

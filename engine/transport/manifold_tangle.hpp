@@ -28,7 +28,10 @@ struct ManifoldTangleOptions {
   std::function<bool(const std::string&)> progress{};
 };
 
-/// The two manifolds, their tangle with the period of the map known, and the orbits of the pips of one period.
+/// The two manifolds, their tangle with the period of the map known, and the orbits of the pips of one period. Beyond
+/// eight times the size of the scene (saddles and local manifolds) manifolds are followed coarsely, beyond 500 times
+/// distances are logarithmic: areas of lobes that reach there mean nothing, what they have in common with others near
+/// by does.
 struct ManifoldTangle {
   LocalManifold local_u, local_s;
   GrownManifold u, s;
