@@ -1,4 +1,4 @@
-// Few new elements into a long array, in one pass (private to densify/).
+// Few new elements into a long array, in one pass (private to densify/ and dynamics/).
 #pragma once
 
 #include <algorithm>

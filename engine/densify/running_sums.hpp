@@ -1,4 +1,4 @@
-// Count, sum up, write: how every pass of this folder places what it writes (private to densify/).
+// Count, sum up, write: how every pass of this folder places what it writes (private to densify/ and dynamics/).
 #pragma once
 
 #include <cstddef>

@@ -35,11 +35,15 @@ std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe) {
 }
 
 std::vector<Point> boundary_outline(const Tangle& tangle) {
-  const Pip& bip = tangle.pips.at(tangle.boundary->bip);
+  return boundary_outline(tangle, tangle.boundary->bip);
+}
+
+std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t number) {
+  const Pip& bip = tangle.pips.at(number);
   const auto u = tangle.u().points.first(bip.u.segment + 1);
   const auto s = tangle.s().points.first(bip.s.segment + 1);
   std::vector<Point> points(u.begin(), u.end());
-  append(points, place_of_pip(tangle, tangle.boundary->bip));
+  append(points, place_of_pip(tangle, number));
   for (std::size_t k = s.size(); k-- > 0;) append(points, s[k]);
   return points;
 }

@@ -168,6 +168,8 @@ struct LobeOverlap {
 [[nodiscard]] std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe);
 /// The boundary from p- along U to the bip and along S to p+: an open polyline; its chord closes it.
 [[nodiscard]] std::vector<Point> boundary_outline(const Tangle& tangle);
+/// The same for another pip.
+[[nodiscard]] std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t bip);
 /// The simple polygons of which a lobe consists, as areas; one unless the lobe is not simple.
 [[nodiscard]] std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe);
 

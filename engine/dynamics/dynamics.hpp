@@ -1,0 +1,11 @@
+// Dynamics: systems by name, maps and flows, their planar maps.
+//
+//   planar_map.hpp     PlanarMap, what everything else works with
+//   flow.hpp           Flow: trajectories, sections, stroboscopic and return maps
+//   system.hpp         make_system, list_systems: the built-in systems and those of users
+//   lober_system.h     the C interface by which users add systems
+#pragma once
+
+#include "engine/dynamics/flow.hpp"
+#include "engine/dynamics/planar_map.hpp"
+#include "engine/dynamics/system.hpp"

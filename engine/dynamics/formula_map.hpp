@@ -1,0 +1,86 @@
+// Planar maps that are given by formulas.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "engine/dynamics/planar_map.hpp"
+
+namespace lober {
+
+inline constexpr Point lost_point{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+inline bool is_finite(Point point) {
+  return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+inline Matrix2 operator*(const Matrix2& a, const Matrix2& b) {
+  return {a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx, a.yx * b.xy + a.yy * b.yy};
+}
+
+inline double determinant(const Matrix2& a) {
+  return a.xx * a.yy - a.xy * a.yx;
+}
+
+inline Matrix2 inverse(const Matrix2& a) {
+  const double d = determinant(a);
+  return {a.yy / d, -a.xy / d, -a.yx / d, a.xx / d};
+}
+
+template <typename F>
+concept HasAction = requires(const F& formula, Point point) {
+  { formula.action(point, point) } -> std::same_as<long double>;
+};
+
+/// Makes a PlanarMap of a value type with
+///   Point forward(Point) const, Point backward(Point) const, Matrix2 derivative(Point) const (of forward),
+/// and, where it has one, long double action(Point, Point) const. The calls are inlined into the loop over the points.
+template <typename Formula>
+class FormulaMap final : public PlanarMap {
+ public:
+  explicit FormulaMap(Formula formula) : formula_(std::move(formula)) {}
+
+  void iterate(std::span<Point> points, int iterates) const override {
+    // A few points at a time, so that the steps of different points overlap in the processor.
+    constexpr std::size_t together = 256;
+    for (std::size_t begin = 0; begin < points.size(); begin += together) {
+      const std::span<Point> some = points.subspan(begin, std::min(together, points.size() - begin));
+      for (int k = 0; k < iterates; ++k) {
+        for (Point& point : some) point = formula_.forward(point);
+      }
+      for (int k = 0; k > iterates; --k) {
+        for (Point& point : some) point = formula_.backward(point);
+      }
+      for (Point& point : some) {
+        if (!is_finite(point)) point = lost_point;
+      }
+    }
+  }
+
+  Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
+    derivative = {};
+    for (int k = 0; k < iterates; ++k) {
+      derivative = formula_.derivative(point) * derivative;
+      point = formula_.forward(point);
+    }
+    for (int k = 0; k > iterates; --k) {
+      point = formula_.backward(point);
+      derivative = inverse(formula_.derivative(point)) * derivative;
+    }
+    return is_finite(point) ? point : lost_point;
+  }
+
+  [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {
+    if constexpr (HasAction<Formula>) return formula_.action(from, to);
+    return std::nullopt;
+  }
+
+ private:
+  Formula formula_;
+};
+
+}  // namespace lober

@@ -1,0 +1,14 @@
+// Systems from shared libraries (lober_system.h).
+#pragma once
+
+#include <string>
+
+#include "engine/dynamics/systems/entries.hpp"
+
+namespace lober {
+
+/// Loads the library and checks what it describes; it stays loaded as long as the entry or a system made of it lives.
+/// Throws DataError with the path and the reason.
+SystemEntry load_system(const std::string& path);
+
+}  // namespace lober

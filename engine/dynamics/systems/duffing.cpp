@@ -1,0 +1,54 @@
+// The forced Duffing oscillator.
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/dynamics/flow_of.hpp"
+#include "engine/dynamics/systems/entries.hpp"
+
+namespace lober {
+
+namespace {
+
+/// x' = y, y' = x - x^3 - delta y + eps cos(omega t).
+struct Duffing {
+  static constexpr int dimension = 2;
+  double eps, omega, delta;
+
+  [[nodiscard]] double period() const { return 2 * std::numbers::pi / omega; }
+  [[nodiscard]] std::span<const ConjugatePair> pairs() const {
+    static constexpr std::array<ConjugatePair, 1> pair{{{0, 1, 1}}};
+    return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);
+  }
+  template <typename T>
+  void velocity(const T* x, T* dxdt, double t) const {
+    dxdt[0] = x[1];
+    dxdt[1] = x[0] - x[0] * x[0] * x[0] - delta * x[1] + eps * std::cos(omega * t);
+  }
+  double hamiltonian(const double* x, double t) const {
+    const double square = x[0] * x[0];
+    return 0.5 * x[1] * x[1] - 0.5 * square + 0.25 * square * square - eps * x[0] * std::cos(omega * t);
+  }
+};
+
+}  // namespace
+
+SystemEntry duffing_entry() {
+  const SystemInfo info{"duffing",
+                        "Duffing oscillator x'' = x - x^3 - delta x' + eps cos(omega t); period map in (x, x')",
+                        {{"eps", 0.1, "amplitude of the force"},
+                         {"omega", 1, "frequency of the force"},
+                         {"delta", 0, "damping; 0 for a Hamiltonian system"},
+                         {"phase", 0, "of the section, as a fraction of the period"}}};
+  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
+            require_positive(info, "omega", values[1]);
+            System system;
+            system.window = window(-2, -1.5, 2, 1.5);
+            system.connection = Connection{{0, 0}, {1, 1}, {0, 0}, {1, -1}};
+            system.flow = std::make_shared<FlowOf<Duffing>>(Duffing{values[0], values[1], values[2]});
+            system.map = system.flow->stroboscopic_map(values[3], options);
+            return system;
+          }};
+}
+
+}  // namespace lober

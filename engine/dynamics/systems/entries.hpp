@@ -1,0 +1,38 @@
+// The built-in systems, one function each, listed in registry.cpp.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "engine/dynamics/system.hpp"
+
+namespace lober {
+
+/// A system and how it is made from values in the order of info.parameters. `make` fills all but System::info.
+struct SystemEntry {
+  SystemInfo info;
+  std::function<System(std::span<const double> values, const IntegrationOptions& options)> make;
+};
+
+SystemEntry standard_map_entry();
+SystemEntry henon_map_entry();
+SystemEntry vortex_pair_entry();
+SystemEntry first_order_vortex_pair_entry();
+SystemEntry duffing_entry();
+SystemEntry pendulum_entry();
+SystemEntry double_gyre_entry();
+SystemEntry capsize_entry();
+SystemEntry three_body_entry();
+
+/// Throws UsageError unless `value` > 0.
+void require_positive(const SystemInfo& info, std::string_view name, double value);
+
+/// The system of an entry with values by name.
+System make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options);
+
+/// A box by its corners.
+inline Box window(double min_x, double min_y, double max_x, double max_y) {
+  return Box::of({min_x, min_y}, {max_x, max_y});
+}
+
+}  // namespace lober

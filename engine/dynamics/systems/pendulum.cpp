@@ -1,0 +1,55 @@
+// The forced pendulum.
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/dynamics/flow_of.hpp"
+#include "engine/dynamics/systems/entries.hpp"
+
+namespace lober {
+
+namespace {
+
+/// x' = y, y' = -sin x - delta y + eps cos(omega t); the angle x is lifted.
+struct Pendulum {
+  static constexpr int dimension = 2;
+  double eps, omega, delta;
+
+  [[nodiscard]] double period() const { return 2 * std::numbers::pi / omega; }
+  [[nodiscard]] std::span<const ConjugatePair> pairs() const {
+    static constexpr std::array<ConjugatePair, 1> pair{{{0, 1, 1}}};
+    return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);
+  }
+  template <typename T>
+  void velocity(const T* x, T* dxdt, double t) const {
+    using std::sin;
+    dxdt[0] = x[1];
+    dxdt[1] = eps * std::cos(omega * t) - sin(x[0]) - delta * x[1];
+  }
+  double hamiltonian(const double* x, double t) const {
+    return 0.5 * x[1] * x[1] - std::cos(x[0]) - eps * x[0] * std::cos(omega * t);
+  }
+};
+
+}  // namespace
+
+SystemEntry pendulum_entry() {
+  const SystemInfo info{"pendulum",
+                        "Forced pendulum x'' = -sin x - delta x' + eps cos(omega t), x lifted; period map in (x, x')",
+                        {{"eps", 0.1, "amplitude of the torque"},
+                         {"omega", 1, "frequency of the torque"},
+                         {"delta", 0, "damping; 0 for a Hamiltonian system"},
+                         {"phase", 0, "of the section, as a fraction of the period"}}};
+  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
+            require_positive(info, "omega", values[1]);
+            System system;
+            system.window = window(-4, -2.5, 4, 2.5);
+            system.lattice = {2 * std::numbers::pi, 0};
+            system.connection = Connection{{-std::numbers::pi, 0}, {1, 1}, {std::numbers::pi, 0}, {-1, 1}};
+            system.flow = std::make_shared<FlowOf<Pendulum>>(Pendulum{values[0], values[1], values[2]});
+            system.map = system.flow->stroboscopic_map(values[3], options);
+            return system;
+          }};
+}
+
+}  // namespace lober

@@ -1,0 +1,213 @@
+// Lobes by geometry and by action, and transport, against reference values of 110-digit arithmetic (maps) and of
+// quadruple precision (flows).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/error.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/transport/transport.hpp"
+
+namespace lober {
+namespace {
+
+struct LobeCase {
+  const char* system;
+  ParameterValues parameters;
+  Point bip;     // q_A
+  double area;   // of either turnstile lobe
+  bool outside;  // whether the lobe (q_B, q_A) lies outside
+};
+
+std::unique_ptr<ManifoldTangle> grown(const System& system, double tolerance, int before = 1, int after = 0) {
+  ManifoldTangleOptions options;
+  options.tolerance = tolerance;
+  options.before = before;
+  options.after = after;
+  return grow_tangle(*system.map, *system.connection, options);
+}
+
+void check_lobes(const LobeCase& known, double tolerance, double pip_error, double action_error, double area_error) {
+  SCOPED_TRACE(known.system);
+  const System system = make_system(known.system, known.parameters);
+  const auto found = grown(system, tolerance);
+  ASSERT_EQ(found->period(), 2U);
+  ASSERT_EQ(found->areas_by_action.size(), 2U);
+  const Point bip = found->orbits.back().at;
+  EXPECT_NEAR(bip.x, known.bip.x, pip_error);
+  EXPECT_NEAR(bip.y, known.bip.y, pip_error);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Lobe& lobe = found->tangle.lobes[found->bip - 2 + k];
+    EXPECT_NEAR(std::fabs(found->areas_by_action[k]), known.area, action_error * known.area);
+    EXPECT_NEAR(std::fabs(lobe.area), known.area, area_error * known.area);
+    EXPECT_EQ(lobe.area > 0, found->areas_by_action[k] > 0);
+    EXPECT_LE(std::fabs(std::fabs(lobe.area) - known.area), lobe.smooth_error + 1e-14);
+  }
+  EXPECT_EQ(found->tangle.lobes[found->bip - 1].inside == 0, known.outside);
+}
+
+TEST(TangleOfMap, LobesOfMapsToFourteenDigits) {
+  const double pi = std::numbers::pi;
+  for (const LobeCase& known : {
+           LobeCase{"standard",
+                    {{"K", 1.2}},
+                    {pi, 1.9173532103668022394821859758},
+                    0.05805630576704177816917301265938610107,
+                    false},
+           LobeCase{"standard",
+                    {{"K", 2.0}},
+                    {pi, 2.2357374763308007437101795070},
+                    0.39492059602290671294237539733539969903,
+                    false},
+           LobeCase{"henon",
+                    {{"k", 0.0}},
+                    {-1.1544826836094798202011411312, 0.66641513337707142},
+                    0.3659884387255914880128925502543729421,
+                    true},
+           LobeCase{"henon",
+                    {{"k", 0.5}},
+                    {-1.5330999704679823237532195910, 0.92519775972446413},
+                    1.0364943412491413807970964288427805111,
+                    true},
+       }) {
+    check_lobes(known, 1e-7, 1e-11, 1e-14, 1e-12);
+  }
+}
+
+TEST(TangleOfMap, LobesOfTheVortexPair) {
+  for (const LobeCase& known : {
+           LobeCase{"ovp", {{"gamma", 0.5}, {"eps", 0.1}}, {0, 2.068482945180626534}, 0.254106277099506951, true},
+           LobeCase{"ovp", {{"gamma", 1.81}, {"eps", 0.1}}, {0, 1.953524655049622202}, 0.257704126619159931, false},
+           LobeCase{"ovp1", {{"gamma", 0.5}, {"eps", 0.1}}, {0, 2.064627690528027250}, 0.205511682983426906, true},
+           LobeCase{"ovp1", {{"gamma", 1.81}, {"eps", 0.1}}, {0, 1.954296351204017731}, 0.295871016205730941, false},
+       }) {
+    check_lobes(known, 1e-5, 1e-11, 1e-10, 1e-7);
+  }
+}
+
+// Signed area of the lobe from q_B to q_A over gamma; it changes sign near 1.474.
+TEST(TangleOfMap, FluxOfTheVortexPairChangesSign) {
+  struct Known {
+    double gamma, area;
+  };
+  for (const Known known : {Known{0.3, 0.0738884728346927534}, Known{0.8, 0.359265073341903353},
+                            Known{1.2, 0.195951329914052724}, Known{2.0, -0.397237323975881752}}) {
+    const System system = make_system("ovp", {{"gamma", known.gamma}, {"eps", 0.1}});
+    const auto found = grown(system, 1e-4);
+    ASSERT_EQ(found->areas_by_action.size(), 2U) << known.gamma;
+    EXPECT_NEAR(-found->areas_by_action[1], known.area, 1e-10) << known.gamma;
+  }
+}
+
+TEST(TangleOfMap, FourPipsAPeriod) {
+  const auto found = grown(make_system("ovp", {{"gamma", 1.5}, {"eps", 0.1}}), 1e-4);
+  ASSERT_EQ(found->period(), 4U);
+  const std::array<double, 4> areas{0.03598126829734, 0.01604741113880, 0.01604741113880, 0.03598126829734};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(std::fabs(found->areas_by_action[k]), areas[k], 1e-10);
+  // The outer lobes of this one overlap each other.
+  const auto multilobe = grown(make_system("pcr3bp"), 1e-5);
+  ASSERT_EQ(multilobe->period(), 4U);
+  EXPECT_NEAR(multilobe->local_u.multiplier, 31.552237923806206, 1e-7);
+  EXPECT_NEAR(multilobe->orbits.back().at.x, -1.149486253215600261, 1e-11);
+  const std::array<double, 4> four{0.002399089699298644, -0.000873578659653445, 0.000873578659653445,
+                                   -0.002399089699298644};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(multilobe->areas_by_action[k], four[k], 1e-11);
+}
+
+struct TransportRow {
+  int n;
+  double flux, total;
+};
+
+void check_transport(const Transport& found, std::span<const TransportRow> rows, double error) {
+  for (const TransportRow& row : rows) {
+    const TransportStep& step = found.steps.at(static_cast<std::size_t>(row.n - 1));
+    EXPECT_EQ(step.n, row.n);
+    EXPECT_NEAR(step.flux, row.flux, error) << row.n;
+    EXPECT_NEAR(step.total, row.total, error * row.n) << row.n;
+    EXPECT_LE(std::fabs(step.total - row.total), step.discretisation + 1e-13) << row.n;
+    EXPECT_FALSE(step.consistency > step.discretisation + step.boundary_error) << row.n;
+    EXPECT_LT(step.consistency, 1e-6) << row.n;
+  }
+}
+
+TEST(Transport, HenonMap) {
+  const System system = make_system("henon", {{"k", 0.5}});
+  TransportOptions options;
+  options.iterates = 8;
+  options.tolerance = 1e-7;
+  const Transport found = transport(*system.map, *system.connection, options);
+  const double lobe = 1.0364943412491413807970964288427805111;
+  EXPECT_NEAR(found.region, 9.5886920061239648399055, 1e-10);
+  EXPECT_NEAR(found.area12, lobe, 1e-12);
+  EXPECT_NEAR(found.action12, lobe, 1e-14);
+  EXPECT_NEAR(found.action21, lobe, 1e-14);
+  const std::array<TransportRow, 8> rows{{{1, lobe, lobe},
+                                          {2, lobe, 2 * lobe},
+                                          {3, lobe, 3 * lobe},
+                                          {4, 0.9589873456950768456773, 4.068470369442500988069},
+                                          {5, 0.5826983180488817331855, 4.651168687491382721254},
+                                          {6, 0.4718224531769735411984, 5.122991140668356262452},
+                                          {7, 0.4449562082011656619228, 5.567947348869521924375},
+                                          {8, 0.3472857694532554597, 5.915233118322777583846}}};
+  check_transport(found, rows, 2e-13);
+}
+
+TEST(Transport, VortexPair) {
+  const System system = make_system("ovp", {{"gamma", 0.5}, {"eps", 0.1}});
+  TransportOptions options;
+  options.iterates = 5;
+  options.tolerance = 1e-5;
+  const Transport found = transport(*system.map, *system.connection, options);
+  EXPECT_NEAR(found.region, 4.5732702376385334, 2e-8);
+  const std::array<TransportRow, 5> rows{{{1, 0.254106277099507, 0.254106277099507},
+                                          {2, 0.254106277099507, 0.508212554199014},
+                                          {3, 0.238144168406064, 0.746356722605078},
+                                          {4, 0.152565256038327, 0.898921978643405},
+                                          {5, 0.146829811695738, 1.045751790339143}}};
+  check_transport(found, rows, 1e-8);
+}
+
+TEST(Transport, SameBitsForAnyNumberOfThreads) {
+  const System system = make_system("standard", {{"K", 2.0}});
+  TransportOptions options;
+  options.iterates = 4;
+  const auto run = [&](int threads) {
+    return with_threads(threads, [&] { return transport(*system.map, *system.connection, options); });
+  };
+  const Transport one = run(1);
+  for (const int threads : {2, 7}) {
+    const Transport other = run(threads);
+    for (std::size_t k = 0; k < one.steps.size(); ++k) {
+      EXPECT_EQ(one.steps[k].flux, other.steps[k].flux);
+      EXPECT_EQ(one.steps[k].by_boundaries, other.steps[k].by_boundaries);
+    }
+    EXPECT_EQ(one.action12, other.action12);
+  }
+}
+
+TEST(TangleOfMap, SaysWhatIsMissing) {
+  const System system = make_system("standard", {{"K", 1.2}});
+  Connection wrong = *system.connection;
+  wrong.from = {3.14159, 0};  // an elliptic point
+  EXPECT_THROW((void)grow_tangle(*system.map, wrong), DataError);
+  // Manifolds of the same saddle that lead away from each other: into the next cell and never back.
+  ManifoldTangleOptions few;
+  few.most_iterates = 2;
+  few.before = few.after = 6;
+  EXPECT_THROW((void)grow_tangle(*system.map, *system.connection, few), DataError);
+  ManifoldTangleOptions small;
+  small.before = small.after = 8;
+  small.most_points = 5000;
+  EXPECT_THROW((void)grow_tangle(*system.map, *system.connection, small), DataError);
+  EXPECT_THROW((void)grow_tangle(*system.map, *system.connection, {.before = 0}), UsageError);
+  TransportOptions none;
+  none.iterates = 0;
+  EXPECT_THROW((void)transport(*system.map, *system.connection, none), UsageError);
+}
+
+}  // namespace
+}  // namespace lober
