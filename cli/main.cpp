@@ -13,6 +13,8 @@
 #include "cli/interior_command.hpp"
 #include "cli/overlay_command.hpp"
 #include "cli/published_form.hpp"
+#include "cli/published_tangle.hpp"
+#include "cli/tangle_command.hpp"
 #include "engine/error.hpp"
 
 namespace lober::cli {
@@ -24,10 +26,14 @@ usage:
   lober overlay C1 C2 [options]          crossings, lobes and areas of two closed curves
   lober interior C1 C2 [options]         their areas by the interior function (Q1, Q2, Q3), an independent method
   lober densify CURVE [AGAINST] -o FILE  more points where the curve is coarse or meets another one, or fewer
+  lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds
   lober overlay --help                   the options of a command
 
   lober <c1> <c2> <rslt> [-DENS p n]          overlay with the command line and files of the published program
   lober -light <c1> <c2> <rslt> [-DENS p n]   interior with the same
+  lober <u> <s> <lobefile> <manifile> <pipsfile> <uskip> <sskip> <nzones> [<lobebfile> [<lobeseq>]] [-BIP k]
+                                              tangle with the same: zones uskip, uskip + 1, ... of <u>, nzones
+                                              of them, each with the zone of <s> that follows sskip likewise
   lober --version
 
 A curve is a file of points, or FILE#ZONE for one zone of it (by number from 0, or by title): Tecplot ASCII, columns
@@ -36,7 +42,7 @@ separated by commas or blanks, NPY, or raw float64, known by its content.
 exit status: 0 done, 1 the data cannot be used, 2 the command cannot be understood
 )";
 
-constexpr std::array later_commands{"tangle", "grow", "transport", "escape", "batch"};
+constexpr std::array later_commands{"grow", "transport", "escape", "batch"};
 
 void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
@@ -51,8 +57,12 @@ void run(const std::vector<std::string>& arguments) {
     run_interior({arguments.begin() + 1, arguments.end()});
   } else if (first == "densify") {
     run_densify({arguments.begin() + 1, arguments.end()});
+  } else if (first == "tangle") {
+    run_tangle({arguments.begin() + 1, arguments.end()});
   } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
     throw UsageError("the command " + first + " is not in this version");
+  } else if (is_published_tangle(arguments)) {
+    run_published_tangle(arguments);
   } else {
     run_published_form(arguments);
   }

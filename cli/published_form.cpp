@@ -52,7 +52,6 @@ Request parse(const std::vector<std::string>& arguments) {
   Request request;
   std::vector<std::string> files;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
-    if (arguments[k] == "-BIP") throw UsageError("tangles of open manifolds (-BIP) are not in this version");
     if (arguments[k] == "-light") {
       request.light = true;
     } else if (arguments[k] == "-DENS") {
@@ -63,8 +62,6 @@ Request parse(const std::vector<std::string>& arguments) {
       files.push_back(arguments[k]);
     }
   }
-  constexpr std::size_t tangle_arguments = 8;
-  if (files.size() >= tangle_arguments) throw UsageError("tangles of open manifolds are not in this version");
   if (files.size() < 3) {
     const std::string form = request.light ? "lober -light <c1> <c2> <rslt>" : "lober <c1> <c2> <rslt>";
     const std::string other = request.light || files.empty() ? "" : "\"" + files[0] + "\" is no command, and ";

@@ -8,13 +8,10 @@
 #include <numeric>
 
 namespace lober::cli {
-namespace {
 
 std::string spec_of(const NamedCurve& input) {
   return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
 }
-
-}  // namespace
 
 Areas distance(const Areas& a, const Areas& b) {
   Areas result;

@@ -44,6 +44,9 @@ void warn_of_overflow(const Areas& areas);
 
 [[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
 
+/// How the user would name it: FILE, or FILE#ZONE where there are several.
+[[nodiscard]] std::string spec_of(const NamedCurve& input);
+
 /// Two aligned lines that say what was read.
 [[nodiscard]] std::string inputs_text(const std::array<NamedCurve, 2>& inputs,
                                       const std::array<Orientation, 2>& orientations);

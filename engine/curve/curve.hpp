@@ -122,7 +122,10 @@ void drop_closing_vertex(std::vector<Point>& points);
 ///
 /// Raw float64 bears no mark: coordinates whose bytes all happen to be printable characters would be read as
 /// text. Numbers of few digits never are, their low bytes being zero.
-void write_tecplot(const std::string& path, std::span<const Zone> zones);
+///
+/// A single zone without a title needs no ZONE line in a Tecplot file.
+enum class ZoneLines : std::uint8_t { where_needed, always };
+void write_tecplot(const std::string& path, std::span<const Zone> zones, ZoneLines lines = ZoneLines::where_needed);
 void write_text(const std::string& path, std::span<const Point> points, char separator = ' ');
 void write_npy(const std::string& path, std::span<const Point> points);
 void write_raw(const std::string& path, std::span<const Point> points);

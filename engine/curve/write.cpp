@@ -73,13 +73,13 @@ void write_text(const std::string& path, std::span<const Point> points, char sep
   file.commit();
 }
 
-void write_tecplot(const std::string& path, std::span<const Zone> zones) {
+void write_tecplot(const std::string& path, std::span<const Zone> zones, ZoneLines lines) {
   for (const Zone& zone : zones) require_finite(path, zone.points);
   OutputFile file(path);
   file.write("VARIABLES=\"x\"\"y\"\n");
   for (const Zone& zone : zones) {
     // One curve without a title needs no ZONE line; the published program writes such files.
-    if (zones.size() > 1 || !zone.title.empty()) {
+    if (lines == ZoneLines::always || zones.size() > 1 || !zone.title.empty()) {
       const std::string title = zone.title.empty() ? "" : "T=" + tecplot_title(zone.title) + " ";
       file.write("ZONE " + title + "I=" + std::to_string(zone.points.size()) + "\n");
     }

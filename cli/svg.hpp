@@ -1,0 +1,90 @@
+// What the pictures have in common: a view of the plane, paths thinned to what can be seen, a legend.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernels/box.hpp"
+#include "kernels/point.hpp"
+
+namespace lober::cli {
+
+struct Pixel {
+  double x, y;
+};
+
+inline constexpr double picture_width = 960;  ///< of the plot, in pixels
+inline constexpr double picture_margin = 24;
+inline constexpr int subpixels = 20;  ///< coordinates in paths are whole numbers of these, so that paths are short
+[[nodiscard]] int subpixel(double pixels);
+
+/// The smallest box that holds these points and those of `box`.
+[[nodiscard]] Box include(const Box& box, std::span<const Point> points);
+
+/// From a window of the plane, y up, to pixels, y down. Both axes have one scale, unless the window is much longer than
+/// wide.
+class View {
+ public:
+  explicit View(const Box& window);
+  [[nodiscard]] Pixel operator()(Point point) const;
+  [[nodiscard]] double height() const { return height_; }  ///< of the plot
+  [[nodiscard]] double left() const;                       ///< where the plot begins
+  [[nodiscard]] double width() const { return plot_width_; }
+
+ private:
+  Point low_, half_;
+  double height_ = picture_width, plot_width_ = picture_width;
+};
+
+/// Draws lines into the `d` of a path, leaving out points without which no line moves by more than `tolerance` pixels.
+class PathWriter {
+ public:
+  PathWriter(const View& view, double tolerance) : view_(view), tolerance_(tolerance) {}
+
+  void add_polygon(std::span<const Point> polygon);  ///< nothing if it is less than three points
+  void add_line(std::span<const Point> line);        ///< only the parts that lie in the picture
+
+  [[nodiscard]] std::size_t points() const { return points_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  void draw(const std::vector<Pixel>& line, bool closed);
+
+  const View& view_;
+  double tolerance_;
+  std::size_t points_ = 0;
+  std::string path_;
+};
+
+/// The path that `draw(writer)` makes, with a tolerance at which it has at most so many points if 8 pixels are enough.
+template <typename Draw>
+[[nodiscard]] std::string path_of(const View& view, std::size_t most_points, const Draw& draw) {
+  for (double tolerance = 0.1;; tolerance *= 2) {
+    PathWriter writer(view, tolerance);
+    draw(writer);
+    if (writer.points() <= most_points || tolerance > 8) return writer.path();
+  }
+}
+
+/// Opens the picture of a plot with so many lines of legend; then come elements in subpixels.
+void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines);
+void add_filled(std::string& svg, std::string_view colour, std::string_view rule, const std::string& path);
+void add_stroked(std::string& svg, std::string_view colour, double pixels, const std::string& path);
+void add_dot(std::string& svg, Pixel at, double radius);
+
+/// Ends the plot; then come the entries of the legend.
+void begin_legend(std::string& svg);
+[[nodiscard]] std::string line_swatch(std::string_view colour, double pixels);
+[[nodiscard]] std::string filled_swatch(std::string_view colour);
+/// `column` 0 or 1; `line` from 0.
+void add_legend_entry(std::string& svg, const View& view, int column, int line, std::string_view swatch,
+                      std::string_view text);
+void end_picture(std::string& svg);
+
+/// A number with six digits.
+[[nodiscard]] std::string rounded(double value);
+
+}  // namespace lober::cli

@@ -1,0 +1,202 @@
+// `lober tangle U S`: reads the manifolds, calls the engine, and hands what it found to those who show it.
+
+#include "cli/tangle_command.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <optional>
+
+#include "cli/command_line.hpp"
+#include "cli/progress.hpp"
+#include "cli/tangle_report.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  std::array<std::string, 2> curves;
+  std::array<bool, 2> reverse{};
+  std::string lobes, boundary, pips, graph, json, svg;
+  TangleOptions options;
+  int threads = 0;
+  bool overlaps = false;
+  bool verbose = false;
+};
+
+template <typename Number>
+std::optional<Number> number(std::string_view text) {
+  Number value{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// K, the number of a pip, or X,Y, a place near it.
+void set_bip(const std::string& text, TangleOptions& options) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) {
+    options.bip = number<std::uint32_t>(text);
+    if (options.bip) return;
+  } else {
+    const std::string_view view(text);
+    const auto x = number<double>(view.substr(0, comma)), y = number<double>(view.substr(comma + 1));
+    if (x && y && std::isfinite(*x) && std::isfinite(*y)) {
+      options.bip_near = Point{*x, *y};
+      return;
+    }
+  }
+  throw UsageError("--bip takes the number of a pip (from 0) or a place X,Y near it, not \"" + text + "\"");
+}
+
+// Nothing when the arguments asked for help, which is printed.
+std::optional<Request> parse(const std::vector<std::string>& arguments) {
+  Request request;
+  bool no_check = false;
+  std::string index = "auto", bip, reverse;
+  CLI::App app(
+      "Tangle of an unstable manifold U and a stable manifold S, open curves ordered outward from their fixed points: "
+      "primary intersections (pips), lobes, boundary, turnstile.",
+      "lober tangle");
+  app.add_option("U", request.curves[0], "the unstable manifold: FILE, or FILE#ZONE for one zone (from 0, or by title)")
+      ->required();
+  app.add_option("S", request.curves[1], "the stable manifold; without it, U is a file of two zones, U and S");
+  app.add_option("--bip", bip,
+                 "the pip on the boundary, by number from 0 or by a place near it (default: the middle one)")
+      ->type_name("K|X,Y");
+  app.add_option("--period", request.options.period,
+                 "how many pips from one to its image under the map (default: inferred from the areas of the lobes)")
+      ->type_name("P")
+      ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--lobes", request.lobes, "write the lobes as Tecplot zones, closed")->type_name("FILE");
+  app.add_option("--boundary", request.boundary, "write the boundary as an open polyline")->type_name("FILE");
+  app.add_option("--pips", request.pips, "write the pips")->type_name("FILE");
+  app.add_flag("--overlaps", request.overlaps, "the area that each two lobes have in common too");
+  app.add_option("--graph", request.graph,
+                 "write every crossing with its place on both manifolds, for topological tools (JSON)")
+      ->type_name("FILE");
+  app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
+      ->type_name("FILE");
+  app.add_option("--svg", request.svg, "draw manifolds, pips, lobes and boundary")->type_name("FILE");
+  app.add_option("--reverse", reverse, "u, s or both: the file runs inward, toward the fixed point; turn it round")
+      ->type_name("WHICH")
+      ->check(CLI::IsMember({"u", "s", "both"}));
+  app.add_option("--index", index, "auto (default), tree, grid or kd; the results are the same bits")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"auto", "tree", "grid", "kd"}));
+  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  app.add_flag("--no-simple-check", no_check,
+               "do not check that the manifolds are simple, when you know what that means");
+  app.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
+  if (!parse_arguments(app, arguments)) return std::nullopt;
+  if (!bip.empty()) set_bip(bip, request.options);
+  request.reverse = {reverse == "u" || reverse == "both", reverse == "s" || reverse == "both"};
+  request.options.check_simple = !no_check;
+  for (const IndexKind kind : {IndexKind::automatic, IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
+    if (name(kind) == index) request.options.index = kind;
+  }
+  return request;
+}
+
+std::vector<Output> outputs_of(const Request& request) {
+  std::vector<Output> outputs;
+  for (const auto& [option, path] : {std::pair{"--json", request.json},
+                                     {"--graph", request.graph},
+                                     {"--lobes", request.lobes},
+                                     {"--boundary", request.boundary},
+                                     {"--pips", request.pips},
+                                     {"--svg", request.svg}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  return outputs;
+}
+
+void read_inputs(const Request& request, Progress& progress, TangleReport& report) {
+  progress.phase("reading", 0, 0.3);
+  std::array<std::string, 2> specs = request.curves;
+  const bool one_file = specs[1].empty();
+  if (one_file) specs = {specs[0] + "#0", specs[0] + "#1"};
+  for (std::size_t k = 0; k < 2; ++k) {
+    report.inputs[k] = read_manifold(specs[k], request.reverse[k]);
+    if (one_file && report.inputs[k].zones != 2) {
+      throw DataError(request.curves[0] + ": has " + counted(report.inputs[k].zones, "zone", "zones") +
+                      "; alone it has to have two, U and S");
+    }
+    progress.advance(0.5 * static_cast<double>(k + 1));
+  }
+  report.reversed = request.reverse;
+}
+
+TangleReport compute(const Request& request, Progress& progress) {
+  TangleReport report;
+  report.options = request.options;
+  const Stopwatch read_watch;
+  read_inputs(request, progress, report);
+  report.timing.read = read_watch.seconds();
+
+  progress.phase("tangle", 0.3, 0.8);
+  TangleOptions options = request.options;
+  options.progress = [&](double fraction) { return progress.advance(fraction); };
+  report.result = tangle_of(report.inputs[0], report.inputs[1], options);
+  progress.phase("measuring lobes", 0.8, 0.9);
+  const Stopwatch measure_watch;
+  report.shapes = lobe_shapes(report.result);
+  report.timing.measures = measure_watch.seconds();
+  if (request.overlaps) {
+    const Stopwatch overlap_watch;
+    report.overlaps = overlaps(report.result);
+    report.timing.overlaps = overlap_watch.seconds();
+  }
+  return report;
+}
+
+void write_files(const Request& request, TangleReport& report) {
+  const Stopwatch watch;
+  if (!request.lobes.empty()) write_tangle_lobes(request.lobes, report);
+  if (!request.boundary.empty()) write_tangle_boundary(request.boundary, report);
+  if (!request.pips.empty()) write_tangle_pips(request.pips, report);
+  if (!request.graph.empty()) write_tangle_graph(request.graph, report);
+  if (!request.svg.empty()) write_tangle_picture(request.svg, report);
+  report.timing.write = watch.seconds();
+}
+
+void run(const Request& request) {
+  const Stopwatch watch;
+  const std::vector<Output> outputs = outputs_of(request);
+  std::vector<std::string> inputs{request.curves[0]};
+  if (!request.curves[1].empty()) inputs.push_back(request.curves[1]);
+  check_outputs(outputs, inputs);
+  TangleReport report;
+  {
+    Progress progress;
+    report = compute(request, progress);
+    progress.phase("writing", 0.9, 1);
+    write_files(request, report);
+    if (!request.json.empty()) write_tangle_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  // Standard output holds one thing only.
+  if (std::none_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; })) {
+    print(tangle_table(report));
+  }
+  const TangleTiming& timing = report.result.timing;
+  spdlog::info(
+      "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, pips {:.4f}, areas {:.4f}, "
+      "measures {:.4f}, overlaps {:.4f}, write {:.4f}, total {:.4f}",
+      report.timing.read, timing.index, timing.check, timing.crossings, timing.order, timing.pips, timing.areas,
+      report.timing.measures, report.timing.overlaps, report.timing.write, watch.seconds());
+}
+
+}  // namespace
+
+void run_tangle(const std::vector<std::string>& arguments) {
+  const std::optional<Request> request = parse(arguments);
+  if (!request) return;
+  if (request->verbose) spdlog::set_level(spdlog::level::info);
+  with_thread_limit(request->threads, [&] { run(*request); });
+}
+
+}  // namespace lober::cli

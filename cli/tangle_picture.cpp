@@ -1,0 +1,107 @@
+// The picture of a tangle: manifolds, pips, lobes in two colours, boundary. The window fits lobes and boundary.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/svg.hpp"
+#include "cli/tangle_report.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr std::size_t most_points = 24'000;  // of a path: five paths stay well below a megabyte
+constexpr double dot_spacing = 5;            // pixels between pips that get a dot
+
+constexpr const char* u_colour = "#b3261e";
+constexpr const char* s_colour = "#1f5fa8";
+constexpr const char* boundary_colour = "#e3b94a";
+constexpr const char* left_colour = "#c8701e";   // lobes on the left of their arcs
+constexpr const char* right_colour = "#3f8f6b";  // and on their right
+
+Box window_of(const Tangle& tangle) {
+  if (!tangle.boundary) return include(include({}, tangle.u().points), tangle.s().points);
+  Box box = include({}, boundary_outline(tangle));
+  for (std::size_t k = 0; k < tangle.lobes.size(); ++k) box = include(box, lobe_outline(tangle, k));
+  return box;
+}
+
+// All lobes of one orientation run the same way round, so overlaps stay filled by the nonzero rule.
+std::string lobes_path(const View& view, const Tangle& tangle, int orientation) {
+  return path_of(view, most_points, [&](PathWriter& writer) {
+    for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
+      if (tangle.lobes[k].orientation() == orientation) writer.add_polygon(lobe_outline(tangle, k));
+    }
+  });
+}
+
+std::string line_path(const View& view, std::span<const Point> points) {
+  return path_of(view, most_points, [&](PathWriter& writer) { writer.add_line(points); });
+}
+
+// Pips gather at the fixed points: those that would hide each other are left out.
+void add_pips(std::string& svg, const View& view, const Tangle& tangle) {
+  svg += "<g fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"" + std::to_string(subpixels) + "\">\n";
+  Pixel last{-dot_spacing, -dot_spacing};
+  for (const Pip& pip : tangle.pips) {
+    const Pixel at = view(pip.at);
+    if (std::hypot(at.x - last.x, at.y - last.y) < dot_spacing) continue;
+    add_dot(svg, at, 3);
+    last = at;
+  }
+  svg += "</g>\n<g fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"" + std::to_string(2 * subpixels) + "\">\n";
+  if (tangle.boundary) add_dot(svg, view(tangle.pips[tangle.boundary->bip].at), 5);
+  svg += "</g>\n";
+}
+
+// "L12: 4 lobes, mean area 0.39", or without the direction where there is no telling.
+std::string lobes_text(const Tangle& tangle, int orientation) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const Lobe& lobe : tangle.lobes) {
+    if (lobe.orientation() != orientation) continue;
+    sum += std::fabs(lobe.area);
+    ++count;
+  }
+  std::string text = orientation > 0 ? "left of U: " : "right of U: ";
+  if (tangle.images.period != 0) {
+    text = orientation == tangle.boundary->orientation ? "L12, leaving: " : "L21, entering: ";
+  }
+  text += counted(count, "lobe", "lobes");
+  if (count > 0) text += ", mean area " + rounded(sum / static_cast<double>(count));
+  return text;
+}
+
+void add_legend(std::string& svg, const View& view, const Tangle& tangle) {
+  add_legend_entry(svg, view, 0, 0, line_swatch(u_colour, 2), "U, unstable manifold");
+  add_legend_entry(svg, view, 0, 1, line_swatch(s_colour, 2), "S, stable manifold");
+  add_legend_entry(svg, view, 1, 0, filled_swatch(left_colour), lobes_text(tangle, 1));
+  add_legend_entry(svg, view, 1, 1, filled_swatch(right_colour), lobes_text(tangle, -1));
+  if (!tangle.boundary) return;
+  add_legend_entry(svg, view, 0, 2, line_swatch(boundary_colour, 6),
+                   "boundary, area " + rounded(tangle.boundary->area));
+  add_legend_entry(svg, view, 1, 2, R"(<circle cx="13" r="5" fill="#ffffff" stroke="#222222" stroke-width="2"/>)",
+                   "bip, pip " + std::to_string(tangle.boundary->bip) + " of " + std::to_string(tangle.pips.size()));
+}
+
+}  // namespace
+
+void write_tangle_picture(const std::string& path, const TangleReport& report) {
+  const Tangle& tangle = report.result;
+  const View view(window_of(tangle));
+  std::string svg;
+  begin_picture(svg, view, "Tangle of two manifolds", 3);
+  if (tangle.boundary) {
+    add_stroked(svg, boundary_colour, 6, line_path(view, boundary_outline(tangle)));
+  }
+  add_filled(svg, left_colour, "nonzero", lobes_path(view, tangle, 1));
+  add_filled(svg, right_colour, "nonzero", lobes_path(view, tangle, -1));
+  add_stroked(svg, s_colour, 1.2, line_path(view, tangle.s().points));
+  add_stroked(svg, u_colour, 1.2, line_path(view, tangle.u().points));
+  add_pips(svg, view, tangle);
+  begin_legend(svg);
+  add_legend(svg, view, tangle);
+  end_picture(svg);
+  write_file(path, svg);
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,50 @@
+#include "cli/tangle_report.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lober::cli {
+
+NamedCurve read_manifold(const std::string& spec, bool reverse) {
+  NamedCurve input = read_curve(spec, false);
+  if (reverse) std::reverse(input.curve.points.begin(), input.curve.points.end());
+  return input;
+}
+
+Tangle tangle_of(const NamedCurve& u, const NamedCurve& s, const TangleOptions& options) {
+  try {
+    Tangle result = tangle(u.curve, s.curve, options);
+    for (const std::string& remark : result.remarks) spdlog::warn("warning: {}", remark);
+    return result;
+  } catch (const NotSimpleError& error) {
+    const bool first = error.curve == 1;
+    throw DataError(fmt::format(
+        "{}: {} crosses or touches itself: segments {} and {} meet at ({}, {}) (--no-simple-check takes such curves)",
+        spec_of(first ? u : s), first ? "U" : "S", error.segment1, error.segment2, error.at.x, error.at.y));
+  }
+}
+
+std::vector<Point> pips_of(const Tangle& tangle) {
+  std::vector<Point> points;
+  points.reserve(tangle.pips.size());
+  for (const Pip& pip : tangle.pips) points.push_back(pip.at);
+  return points;
+}
+
+TangleErrors errors_of(const TangleReport& report) {
+  const Tangle& result = report.result;
+  TangleErrors errors;
+  for (std::size_t k = 0; k < result.lobes.size(); ++k) {
+    const Lobe& lobe = result.lobes[k];
+    errors.lobe_rounding = std::max(errors.lobe_rounding, result.rounding(lobe.area));
+    errors.lobe_discretisation = std::max(errors.lobe_discretisation, report.shapes[k].discretisation);
+    errors.split = std::max(errors.split, std::fabs(std::fabs(lobe.area) - lobe.inside - lobe.outside));
+  }
+  if (result.boundary) errors.boundary_rounding = result.rounding(result.boundary->area);
+  return errors;
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,16 @@
+// Lines with fewer points that look the same.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cli/svg.hpp"
+
+namespace lober::cli {
+
+/// Some of the points of a line, first and last among them, such that no point lies further than `tolerance` from the
+/// line through those that are left. O(N), in one pass: from each point kept goes the cone of directions in which the
+/// line through all later points may go on.
+[[nodiscard]] std::vector<Pixel> thinned(std::span<const Pixel> line, double tolerance);
+
+}  // namespace lober::cli
