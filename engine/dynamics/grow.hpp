@@ -46,7 +46,14 @@ struct GrowthFlaw {
   friend bool operator==(const GrowthFlaw&, const GrowthFlaw&) = default;
 };
 
-enum class GrowthStop : std::uint8_t { iterates, length, points, failed, cancelled };
+enum class GrowthStop : std::uint8_t {
+  iterates,   ///< done
+  length,     ///< done
+  points,     ///< most_points or most_memory reached
+  ended,      ///< two generations added less than the tolerance: the branch ends in another fixed point
+  failed,     ///< no point of the last generation has an image in the box
+  cancelled,  ///< by `progress`
+};
 [[nodiscard]] std::string_view name(GrowthStop stop);
 
 struct GrowthProgress {
@@ -67,8 +74,8 @@ struct GrowthOptions {
   std::size_t most_memory = std::numeric_limits<std::size_t>::max();  ///< bytes, roughly; 120 are needed a point
   /// Only what lies in it has to meet the tolerance. Default: the square around the saddle of 200 extents of
   /// the local manifold.
-  Box box;
-  std::function<bool(const GrowthProgress&)> progress;  ///< false stops; called from the calling thread
+  Box box = {};
+  std::function<bool(const GrowthProgress&)> progress = {};  ///< false stops; called from the calling thread
 };
 
 struct GrownManifold {
@@ -95,8 +102,8 @@ struct ImageOptions {
   double tolerance = 0;
   double longest = std::numeric_limits<double>::infinity();
   std::size_t most_points = 100'000'000;
-  Box box;  ///< default: the plane
-  std::function<bool(const GrowthProgress&)> progress;
+  Box box = {};  ///< default: the plane
+  std::function<bool(const GrowthProgress&)> progress = {};
 };
 
 struct CurveImage {
