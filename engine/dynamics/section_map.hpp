@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/dynamics/crossing.hpp"
-#include "engine/dynamics/formula_map.hpp"
+#include "engine/dynamics/plane.hpp"
 #include "engine/dynamics/right_hand_sides.hpp"
 #include "engine/error.hpp"
 

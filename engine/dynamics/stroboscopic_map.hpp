@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "engine/dynamics/formula_map.hpp"
 #include "engine/dynamics/integrator.hpp"
+#include "engine/dynamics/plane.hpp"
 #include "engine/dynamics/right_hand_sides.hpp"
 
 namespace lober {
