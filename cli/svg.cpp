@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cli/coverage.hpp"
 #include "cli/text.hpp"
 #include "cli/thinned.hpp"
 
@@ -90,20 +91,30 @@ Pixel View::operator()(Point p) const {
 }
 
 void PathWriter::add_polygon(std::span<const Point> polygon) {
+  if (full_) return;
   std::vector<Pixel> line;
   line.reserve(polygon.size());
   for (const Point& point : polygon) line.push_back(view_(point));
-  draw(line, true);
+  const std::vector<Pixel> drawn = thinned(line, tolerance_);
+  if (drawn.size() >= 3) draw(drawn, true);
 }
 
 void PathWriter::add_line(std::span<const Point> line) {
   const Frame frame{0, picture_width + 2 * picture_margin, 0, view_.height() + 2 * picture_margin};
+  Coverage coverage(frame.right, frame.bottom, std::max(0.5, tolerance_));
   std::vector<Pixel> part;
   const auto finish = [&] {
-    draw(part, false);
+    const std::vector<Pixel> kept = thinned(part, tolerance_);
     part.clear();
+    std::size_t first = 0;
+    for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
+      if (coverage.mark(kept[k], kept[k + 1])) continue;
+      draw(std::span(kept).subspan(first, k + 1 - first), false);
+      first = k + 1;
+    }
+    draw(std::span(kept).subspan(first), false);
   };
-  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < line.size() && !full_; ++k) {
     Pixel a = view_(line[k]), b = view_(line[k + 1]);
     const Pixel end = b;
     if (!clip(a, b, frame)) {
@@ -117,14 +128,15 @@ void PathWriter::add_line(std::span<const Point> line) {
   finish();
 }
 
-void PathWriter::draw(const std::vector<Pixel>& line, bool closed) {
-  const std::vector<Pixel> drawn = thinned(line, tolerance_);
-  if (drawn.size() < (closed ? 3U : 2U)) return;  // nothing to be seen at this scale
-  points_ += drawn.size();
-  int x = subpixel(drawn[0].x), y = subpixel(drawn[0].y);
+void PathWriter::draw(std::span<const Pixel> line, bool closed) {
+  if (full_ || line.size() < 2) return;
+  full_ = line.size() > room_;
+  if (full_) return;
+  room_ -= line.size();
+  int x = subpixel(line[0].x), y = subpixel(line[0].y);
   append_all(path_, "M", x, " ", y, "l");
-  for (std::size_t k = 1; k < drawn.size(); ++k) {
-    const int next_x = subpixel(drawn[k].x), next_y = subpixel(drawn[k].y);
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const int next_x = subpixel(line[k].x), next_y = subpixel(line[k].y);
     const int step_x = next_x - x, step_y = next_y - y;
     append_all(path_, k > 1 && step_x >= 0 ? " " : "", step_x, step_y >= 0 ? " " : "", step_y);
     x = next_x;

@@ -39,33 +39,38 @@ class View {
   double height_ = picture_width, plot_width_ = picture_width;
 };
 
-/// Draws lines into the `d` of a path, leaving out points without which no line moves by more than `tolerance` pixels.
+/// Draws lines into the `d` of a path, leaving out points without which no line moves by more than `tolerance` pixels
+/// sideways (thinned.hpp), and all that comes after so many points.
 class PathWriter {
  public:
-  PathWriter(const View& view, double tolerance) : view_(view), tolerance_(tolerance) {}
+  PathWriter(const View& view, double tolerance, std::size_t most_points)
+      : view_(view), tolerance_(tolerance), room_(most_points) {}
 
   void add_polygon(std::span<const Point> polygon);  ///< nothing if it is less than three points
-  void add_line(std::span<const Point> line);        ///< only the parts that lie in the picture
+  /// Only the parts that lie in the picture and not on top of what is drawn of the line before.
+  void add_line(std::span<const Point> line);
 
-  [[nodiscard]] std::size_t points() const { return points_; }
+  [[nodiscard]] bool full() const { return full_; }  ///< something was left out for want of room
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
-  void draw(const std::vector<Pixel>& line, bool closed);
+  void draw(std::span<const Pixel> line, bool closed);
 
   const View& view_;
   double tolerance_;
-  std::size_t points_ = 0;
+  std::size_t room_;
+  bool full_ = false;
   std::string path_;
 };
 
-/// The path that `draw(writer)` makes, with a tolerance at which it has at most so many points if 8 pixels are enough.
+/// The path that `draw(writer)` makes, with a tolerance at which so many points are enough; where 8 pixels do not do,
+/// what comes last is left out.
 template <typename Draw>
 [[nodiscard]] std::string path_of(const View& view, std::size_t most_points, const Draw& draw) {
   for (double tolerance = 0.1;; tolerance *= 2) {
-    PathWriter writer(view, tolerance);
+    PathWriter writer(view, tolerance, most_points);
     draw(writer);
-    if (writer.points() <= most_points || tolerance > 8) return writer.path();
+    if (!writer.full() || tolerance > 8) return writer.path();
   }
 }
 

@@ -74,6 +74,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   app.add_option("--boundary", request.boundary, "write the boundary as an open polyline")->type_name("FILE");
   app.add_option("--pips", request.pips, "write the pips")->type_name("FILE");
   app.add_flag("--overlaps", request.overlaps, "the area that each two lobes have in common too");
+  app.add_flag("--smooth", request.options.smooth,
+               "pips and areas of smooth curves through the points, with error bars, instead of the polygons'");
   app.add_option("--graph", request.graph,
                  "write every crossing with its place on both manifolds, for topological tools (JSON)")
       ->type_name("FILE");

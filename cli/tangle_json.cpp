@@ -26,6 +26,7 @@ Json options_json(const TangleReport& report) {
           {"bip", std::move(bip)},
           {"period", options.period == 0 ? Json() : Json(options.period)},
           {"overlaps", report.overlaps.has_value()},
+          {"smooth", options.smooth},
           {"check_simple", options.check_simple}};
 }
 
@@ -54,7 +55,8 @@ void format_lobe(std::string& text, const TangleReport& report, std::size_t k) {
       ",\"perimeter\":", shape.perimeter, ",\"simple\":", lobe.simple ? "true" : "false",
       ",\"label\":", label_json(report.result.images.labels[k]), ",\"width\":", shape.width, ",\"centroid\":[",
       shape.centroid.x, ",", shape.centroid.y, "],\"rounding\":", report.result.rounding(lobe.area),
-      ",\"discretisation\":", shape.discretisation);
+      ",\"discretisation\":", discretisation(report, k));
+  if (report.options.smooth) put(text, ",\"polygon_area\":", lobe.polygon_area);
   if (!lobe.simple) {
     put(text, ",\"pieces\":[");
     const std::vector<double> pieces = lobe_pieces(report.result, k);
@@ -115,8 +117,10 @@ Json error_json(const TangleReport& report) {
         {"turnstile_sum", paired ? Json(images.turnstile_sum) : Json()}}},
       {"meaning",
        {{"rounding", "bound on |area - exact area of the polygons as given|; of the worst lobe"},
-        {"discretisation",
-         "estimate of |area of the polygon - area between smooth curves through the same points|; of the worst lobe"},
+        {"discretisation", report.options.smooth
+                               ? "estimate of |area - area between the smooth curves|; of the worst lobe"
+                               : "estimate of |area of the polygon - area between smooth curves through the same "
+                                 "points|; of the worst lobe"},
         {"inside_plus_outside", "largest | |area| - inside - outside | of a lobe"},
         {"area_change",
          "largest difference in signed area of a lobe and its image, relative to the mean lobe; 0 if the map "
@@ -125,8 +129,13 @@ Json error_json(const TangleReport& report) {
          "largest sum of signed areas from a pip to its image, relative to the mean lobe; likewise"}}}};
 }
 
-Json statistics_json(const Tangle& result) {
+Json statistics_json(const TangleReport& report) {
+  const Tangle& result = report.result;
   Json object{{"index", name(result.index)}};
+  if (report.options.smooth) {
+    object["fallback_segments"] = result.fallback_segments;
+    object["fallback_pips"] = result.fallback_pips;
+  }
   object.update(counts_json(result.nodes.graph().counts));
   object["simple_check"] = simple_check_json(result.simple_check.search, result.simple_check.pairs);
   return object;
@@ -168,7 +177,7 @@ void write_tangle_json(const std::string& path, TangleReport& report, const std:
   }
   member("remarks", result.remarks);
   member("error", error_json(report));
-  member("statistics", statistics_json(result));
+  member("statistics", statistics_json(report));
   TangleReportTiming& own = report.timing;
   const TangleTiming& timing = result.timing;
   own.write += watch.seconds();

@@ -9,8 +9,9 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t most_points = 24'000;  // of a path: five paths stay well below a megabyte
-constexpr double dot_spacing = 5;            // pixels between pips that get a dot
+constexpr std::size_t most_points = 14'000;  // of a path: five paths stay below a megabyte
+constexpr std::size_t most_dots = 500;
+constexpr double dot_spacing = 5;  // pixels between pips that get a dot
 
 constexpr const char* u_colour = "#b3261e";
 constexpr const char* s_colour = "#1f5fa8";
@@ -25,12 +26,18 @@ Box window_of(const Tangle& tangle) {
   return box;
 }
 
-// All lobes of one orientation run the same way round, so overlaps stay filled by the nonzero rule.
+// All lobes of one orientation run the same way round, so overlaps stay filled by the nonzero rule. The largest come
+// first: if there are too many, the smallest are left out.
 std::string lobes_path(const View& view, const Tangle& tangle, int orientation) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t k = 0; k < tangle.lobes.size(); ++k) {
+    if (tangle.lobes[k].orientation() == orientation) order.push_back(k);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::fabs(tangle.lobes[a].area) > std::fabs(tangle.lobes[b].area);
+  });
   return path_of(view, most_points, [&](PathWriter& writer) {
-    for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
-      if (tangle.lobes[k].orientation() == orientation) writer.add_polygon(lobe_outline(tangle, k));
-    }
+    for (std::size_t k = 0; k < order.size() && !writer.full(); ++k) writer.add_polygon(lobe_outline(tangle, order[k]));
   });
 }
 
@@ -40,16 +47,20 @@ std::string line_path(const View& view, std::span<const Point> points) {
 
 // Pips gather at the fixed points: those that would hide each other are left out.
 void add_pips(std::string& svg, const View& view, const Tangle& tangle) {
-  svg += "<g fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"" + std::to_string(subpixels) + "\">\n";
-  Pixel last{-dot_spacing, -dot_spacing};
+  std::vector<Pixel> dots;
   for (const Pip& pip : tangle.pips) {
     const Pixel at = view(pip.at);
-    if (std::hypot(at.x - last.x, at.y - last.y) < dot_spacing) continue;
-    add_dot(svg, at, 3);
-    last = at;
+    if (dots.empty() || std::hypot(at.x - dots.back().x, at.y - dots.back().y) >= dot_spacing) dots.push_back(at);
   }
-  svg += "</g>\n<g fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"" + std::to_string(2 * subpixels) + "\">\n";
-  if (tangle.boundary) add_dot(svg, view(tangle.pips[tangle.boundary->bip].at), 5);
+  const std::string pixel = std::to_string(subpixels), two_pixels = std::to_string(2 * subpixels);
+  if (dots.size() <= most_dots) {
+    svg += "<g fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"" + pixel + "\">\n";
+    for (const Pixel& dot : dots) add_dot(svg, dot, 3);
+    svg += "</g>\n";
+  }
+  if (!tangle.boundary) return;
+  svg += "<g fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"" + two_pixels + "\">\n";
+  add_dot(svg, view(tangle.pips[tangle.boundary->bip].at), 5);
   svg += "</g>\n";
 }
 

@@ -34,13 +34,17 @@ std::vector<Point> pips_of(const Tangle& tangle) {
   return points;
 }
 
+double discretisation(const TangleReport& report, std::size_t lobe) {
+  return report.options.smooth ? report.result.lobes[lobe].smooth_error : report.shapes[lobe].discretisation;
+}
+
 TangleErrors errors_of(const TangleReport& report) {
   const Tangle& result = report.result;
   TangleErrors errors;
   for (std::size_t k = 0; k < result.lobes.size(); ++k) {
     const Lobe& lobe = result.lobes[k];
     errors.lobe_rounding = std::max(errors.lobe_rounding, result.rounding(lobe.area));
-    errors.lobe_discretisation = std::max(errors.lobe_discretisation, report.shapes[k].discretisation);
+    errors.lobe_discretisation = std::max(errors.lobe_discretisation, discretisation(report, k));
     errors.split = std::max(errors.split, std::fabs(std::fabs(lobe.area) - lobe.inside - lobe.outside));
   }
   if (result.boundary) errors.boundary_rounding = result.rounding(result.boundary->area);

@@ -40,6 +40,10 @@ struct TangleReport {
 /// The places of the pips, outward along U.
 [[nodiscard]] std::vector<Point> pips_of(const Tangle& tangle);
 
+/// What the area of a lobe loses against the smooth curves through the points: estimated from the polygon, or, when
+/// areas are those of smooth curves, by how far these can be trusted.
+[[nodiscard]] double discretisation(const TangleReport& report, std::size_t lobe);
+
 /// Error bars of the report as a whole: the worst lobe, and the boundary.
 struct TangleErrors {
   double lobe_rounding = 0, boundary_rounding = 0;

@@ -73,8 +73,9 @@ void add_lobes(std::string& text, const TangleReport& report) {
   }
   if (first + most < count) text += fmt::format("{:>6}  {} more\n", "...", count - first - most);
   const TangleErrors errors = errors_of(report);
-  text += fmt::format("        +- {:.1e} rounding, {:.1e} discretisation at most\n", errors.lobe_rounding,
-                      errors.lobe_discretisation);
+  text +=
+      fmt::format("        +- {:.1e} rounding, {:.1e} {} at most\n", errors.lobe_rounding, errors.lobe_discretisation,
+                  report.options.smooth ? "against the smooth curves" : "discretisation");
 }
 
 void add_overlaps(std::string& text, const TangleReport& report) {

@@ -15,8 +15,8 @@ class Cone {
   bool take(Pixel point, double tolerance) {
     const double x = point.x - apex_.x, y = point.y - apex_.y, distance = std::hypot(x, y);
     if (distance + tolerance < reach_) return false;  // it has turned back
-    if (distance <= tolerance) return true;
-    const double half_width = std::asin(tolerance / distance);
+    if (reach_ == 0 && distance <= tolerance) return true;
+    const double half_width = std::asin(std::min(1.0, tolerance / distance));
     if (reach_ == 0) {
       axis_ = {x, y};
       low_ = -half_width;

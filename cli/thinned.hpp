@@ -8,9 +8,9 @@
 
 namespace lober::cli {
 
-/// Some of the points of a line, first and last among them, such that no point lies further than `tolerance` from the
-/// line through those that are left. O(N), in one pass: from each point kept goes the cone of directions in which the
-/// line through all later points may go on.
+/// Some of the points of a line, first and last among them, such that the others lie no further than sqrt(2) times
+/// `tolerance` from the line through those (sideways no further than `tolerance`). O(N), in one pass: from each point
+/// kept goes the cone of directions in which the line past all later points may go on.
 [[nodiscard]] std::vector<Pixel> thinned(std::span<const Pixel> line, double tolerance);
 
 }  // namespace lober::cli

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Overlays the resonance region of the standard map and its image after four iterates (see
-# examples/make_demo_curves.cpp), prints the lobes and draws them.
+# Takes apart the tangle of the Henon map (examples/make_demo_manifolds.cpp), prints its lobes and draws them. Overlays the
+# resonance region of the standard map and its image after four iterates (examples/make_demo_curves.cpp) too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mkdir -p out
-build/bin/lober overlay examples/resonance.dat examples/resonance_image.dat --svg out/demo.svg
+build/bin/lober tangle examples/manifolds.dat --overlaps --svg out/tangle.svg
+build/bin/lober overlay examples/resonance.dat examples/resonance_image.dat --svg out/demo.svg >out/demo.txt
 echo
-echo "The picture of the two curves and their lobes is in out/demo.svg"
+echo "Pictures: out/tangle.svg, and out/demo.svg of the overlay of a region and its image (areas in out/demo.txt)"

@@ -16,13 +16,6 @@ std::set<std::string> members(const Json& object) {
   return names;
 }
 
-// Removes the last member, which is `timing`.
-std::string without_timing(const std::string& text) {
-  const std::size_t begin = text.rfind("\"timing\"");
-  EXPECT_NE(begin, std::string::npos);
-  return text.substr(0, begin);
-}
-
 class OverlayJson : public ProgramTest {
  protected:
   void SetUp() override {

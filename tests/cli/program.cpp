@@ -69,6 +69,10 @@ nlohmann::json ProgramTest::interior(std::vector<std::string> arguments) const {
   return json_of("interior", std::move(arguments));
 }
 
+nlohmann::json ProgramTest::tangle(std::vector<std::string> arguments) const {
+  return json_of("tangle", std::move(arguments));
+}
+
 nlohmann::json ProgramTest::json_of(const std::string& command, std::vector<std::string> arguments) const {
   arguments.insert(arguments.begin(), command);
   arguments.insert(arguments.end(), {"--json", "-"});
@@ -94,6 +98,12 @@ std::string ProgramTest::read(std::string_view name) const {
 
 std::vector<Point> box(double left, double low, double right, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};
+}
+
+std::string without_timing(const std::string& json) {
+  const std::size_t begin = json.rfind("\"timing\"");
+  EXPECT_NE(begin, std::string::npos);
+  return json.substr(0, begin);
 }
 
 std::vector<Point> flower(std::size_t points, int petals, double depth, Point centre) {

@@ -30,8 +30,9 @@ class ProgramTest : public testing::Test {
 
   /// Runs `lober overlay` with --json - and parses what it prints. Fails the test when the program does.
   [[nodiscard]] nlohmann::json overlay(std::vector<std::string> arguments) const;
-  /// The same for `lober interior`.
+  /// The same for `lober interior` and `lober tangle`.
   [[nodiscard]] nlohmann::json interior(std::vector<std::string> arguments) const;
+  [[nodiscard]] nlohmann::json tangle(std::vector<std::string> arguments) const;
 
   void write(std::string_view name, std::string_view content) const;
   void write_curve(std::string_view name, std::span<const Point> points) const;
@@ -46,6 +47,9 @@ class ProgramTest : public testing::Test {
 };
 
 [[nodiscard]] std::vector<Point> box(double left, double low, double right, double high);
+
+/// What the JSON holds before its last member, `timing`.
+[[nodiscard]] std::string without_timing(const std::string& json);
 
 /// A wavy circle about `centre`.
 [[nodiscard]] std::vector<Point> flower(std::size_t points, int petals, double depth, Point centre);

@@ -1,0 +1,267 @@
+// `lober tangle` on manifolds with known answers, its files, and what is unusual.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/curve/curve.hpp"
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string demo = LOBER_SOURCE_DIR "/examples/manifolds.dat";
+
+// S zigzags back along U: pips at x = 2, 4, 6, 7.5, lobes that are triangles.
+const std::vector<Point> straight{{0, 0}, {10, 0}};
+const std::vector<Point> zigzag{{9, 3}, {7, -1}, {5, 1}, {3, -1}, {1.9, 0.1}};
+
+class TangleProgram : public ProgramTest {
+ protected:
+  void SetUp() override {
+    write_curve("u", straight);
+    write_curve("s", zigzag);
+  }
+  // A failure with one line on standard error.
+  void expect_failure(const std::vector<std::string>& arguments, int status, const std::string& words) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  }
+  // What it prints as JSON when it warns.
+  [[nodiscard]] Json warned(std::vector<std::string> arguments, const std::string& words) const {
+    arguments.insert(arguments.begin(), "tangle");
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("warning: "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    const Json result = Json::parse(outcome.out);
+    EXPECT_NE(result["remarks"].dump().find(words), std::string::npos);
+    return result;
+  }
+  static std::vector<double> column(const Json& list, const char* name) {
+    std::vector<double> values;
+    for (const Json& element : list) values.push_back(element[name]);
+    return values;
+  }
+};
+
+using Numbers = std::vector<double>;
+
+TEST_F(TangleProgram, FindsPipsLobesAndBoundary) {
+  const Json result = tangle({"u", "s"});
+  EXPECT_EQ(result["crossings"]["count"], 4);
+  EXPECT_EQ(column(result["pips"], "x"), (Numbers{2, 4, 6, 7.5}));
+  EXPECT_EQ(column(result["pips"], "y"), (Numbers{0, 0, 0, 0}));
+  EXPECT_EQ(column(result["lobes"], "area"), (Numbers{-1, 1, -0.75}));
+  EXPECT_EQ(column(result["lobes"], "inside"), (Numbers{0, 1, 0.75}));
+  EXPECT_EQ(column(result["lobes"], "outside"), (Numbers{1, 0, 0}));
+  EXPECT_DOUBLE_EQ(result["lobes"][0]["perimeter"], 2 + 2 * std::sqrt(2.0));
+  EXPECT_EQ(result["bip"], (Json{{"index", 2}, {"x", 6.0}, {"y", 0.0}}));
+  EXPECT_EQ(result["boundary"]["area"], 12.0);
+  EXPECT_EQ(result["boundary"]["points"], 4);
+  EXPECT_EQ(result["pips"][3]["s"], (Json{{"segment", 0}, {"t", 0.75}}));
+  EXPECT_EQ(result["pips"][3]["rho"], -result["pips"][2]["rho"].get<int>());
+  EXPECT_TRUE(result["images"]["period"].is_null());
+  EXPECT_TRUE(result["turnstile"]["reason"].is_string());
+  EXPECT_TRUE(result["lobes"][0]["label"].is_null());
+}
+
+TEST_F(TangleProgram, TakesABipByNumberAndByPlace) {
+  for (const char* bip : {"1", "4.1,-3"}) {
+    const Json result = tangle({"u", "s", "--bip", bip});
+    EXPECT_EQ(result["bip"]["index"], 1);
+    EXPECT_EQ(result["bip"]["x"], 4.0);
+  }
+  expect_failure({"tangle", "u", "s", "--bip", "4"}, 2, "no pip 4");
+  for (const char* bip : {"-1", "x", "1,", ",2", "1,2,3", "1,nan", "1.5"}) {
+    expect_failure({"tangle", "u", "s", "--bip", bip}, 2, "--bip");
+  }
+}
+
+TEST_F(TangleProgram, TakesAPeriod) {
+  const Json result = tangle({"u", "s", "--period", "2"});
+  EXPECT_EQ(result["images"]["period"], 2);
+  EXPECT_EQ(result["images"]["given"], true);
+  EXPECT_EQ(result["turnstile"]["lobes"], Json::array({0, 1}));
+  EXPECT_EQ(result["turnstile"]["area12"], 1.0);
+  EXPECT_EQ(result["turnstile"]["area21"], 1.0);
+  const double mean = 2.75 / 3;
+  EXPECT_DOUBLE_EQ(result["error"]["consistency"]["area_change"], 0.25 / mean);
+  EXPECT_DOUBLE_EQ(result["error"]["consistency"]["turnstile_sum"], 0.25 / mean);
+  EXPECT_EQ(result["lobes"][0]["label"], "L21(1)");
+  EXPECT_EQ(result["lobes"][1]["label"], "L12(1)");
+  EXPECT_EQ(result["lobes"][2]["label"], "L21(0)");
+  expect_failure({"tangle", "u", "s", "--period", "0"}, 2, "--period");
+}
+
+// The other way of looking at it: pips in the opposite order, areas of the opposite sign.
+TEST_F(TangleProgram, SwapsUAndS) {
+  const Json plain = tangle({demo + "#0", demo + "#1"}), swapped = tangle({demo + "#1", demo + "#0"});
+  Numbers areas = column(swapped["lobes"], "area"), inside = column(swapped["lobes"], "inside");
+  std::reverse(areas.begin(), areas.end());
+  std::reverse(inside.begin(), inside.end());
+  ASSERT_EQ(areas.size(), 10U);
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    EXPECT_NEAR(areas[k], plain["lobes"][k]["area"].get<double>(), 1e-15);
+    EXPECT_NEAR(inside[k], plain["lobes"][k]["inside"].get<double>(), 1e-15);
+  }
+  EXPECT_EQ(swapped["boundary"]["area"], plain["boundary"]["area"]);
+}
+
+TEST_F(TangleProgram, TakesOneFileOfTwoZones) {
+  const Json apart = tangle({demo + "#0", demo + "#1"}), together = tangle({demo});
+  for (const char* member : {"inputs", "pips", "lobes", "boundary"}) EXPECT_EQ(apart[member], together[member]);
+  EXPECT_EQ(together["inputs"][1]["zone"], 1);
+  write("three", "ZONE\n0 0\n1 1\nZONE\n0 0\n1 1\nZONE\n0 0\n1 1\n");
+  expect_failure({"tangle", "three"}, 1, "three: has 3 zones; alone it has to have two");
+  expect_failure({"tangle", "u"}, 1, "u");
+}
+
+// The lobes of the true manifolds have area 0.36598843872559149, the region that pip 4 bounds 6.0441780571922164.
+TEST_F(TangleProgram, GetsTheHenonMapRight) {
+  const Json result = tangle({demo, "--bip", "4", "--overlaps", "--lobes", "lobes"});
+  const Json& lobes = result["lobes"];
+  ASSERT_EQ(lobes.size(), 10U);
+  for (std::size_t k = 0; k < lobes.size(); ++k) {
+    const double sign = k % 2 == 0 ? 1 : -1;
+    EXPECT_NEAR(sign * lobes[k]["area"].get<double>(), 0.36598843872559149,
+                2 * lobes[k]["discretisation"].get<double>());
+  }
+  EXPECT_NEAR(result["boundary"]["area"], 6.0441780571922164, 2e-4);
+  EXPECT_EQ(result["images"]["period"], 2);
+  // The overlay, which shares nothing with the sums along the manifolds but the crossings, agrees.
+  ASSERT_EQ(result["overlaps"].size(), 1U);
+  const Json both = overlay({"lobes#0", "lobes#9"});
+  EXPECT_EQ(result["overlaps"][0]["i"], 0);
+  EXPECT_EQ(result["overlaps"][0]["j"], 9);
+  EXPECT_NEAR(result["overlaps"][0]["area"], both["areas"]["intersection"].get<double>(), 1e-14);
+}
+
+// The example is rounded to eight decimals, which is what is left of the error.
+TEST_F(TangleProgram, GetsItBetterBySmoothCurves) {
+  const Json result = tangle({demo, "--smooth"}), plain = tangle({demo});
+  for (std::size_t k = 0; k < 10; ++k) {
+    const Json& lobe = result["lobes"][k];
+    EXPECT_NEAR(std::fabs(lobe["area"].get<double>()), 0.36598843872559149, 1e-7);
+    EXPECT_EQ(lobe["polygon_area"], plain["lobes"][k]["area"]);
+  }
+  EXPECT_EQ(result["options"]["smooth"], true);
+  EXPECT_LT(result["error"]["discretisation"]["lobe"], plain["error"]["discretisation"]["lobe"]);
+}
+
+TEST_F(TangleProgram, WritesFilesThatItCanRead) {
+  const Outcome outcome =
+      run({"tangle", demo, "--lobes", "lobes.dat", "--boundary", "boundary.dat", "--pips", "pips.dat"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json result = tangle({demo});
+  const CurveFile lobes = read_curve_file(folder() / "lobes.dat");
+  ASSERT_EQ(lobes.zones.size(), result["lobes"].size());
+  for (std::size_t k = 0; k < lobes.zones.size(); ++k) {
+    const double area = result["lobes"][k]["area"];
+    EXPECT_NEAR(signed_area(CurveView{lobes.zones[k].points}), area, 1e-14) << lobes.zones[k].title;
+    EXPECT_TRUE(lobes.zones[k].title.starts_with("lobe " + std::to_string(k) + " L")) << lobes.zones[k].title;
+  }
+  const CurveFile boundary = read_curve_file(folder() / "boundary.dat"), pips = read_curve_file(folder() / "pips.dat");
+  EXPECT_NEAR(std::fabs(signed_area(CurveView{boundary.zones[0].points})), result["boundary"]["area"].get<double>(),
+              1e-14);
+  EXPECT_EQ(boundary.zones[0].points.size(), result["boundary"]["points"]);
+  ASSERT_EQ(pips.zones[0].points.size(), result["pips"].size());
+  EXPECT_EQ(pips.zones[0].points[3], (Point{result["pips"][3]["x"], result["pips"][3]["y"]}));
+}
+
+TEST_F(TangleProgram, PrintsAShortTable) {
+  const Outcome outcome = run({"tangle", demo, "--overlaps"});
+  EXPECT_EQ(outcome.err, "");
+  for (const char* words : {"15 crossings", "11 pips, 10 lobes", "bip 5", "2 pips further (inferred)", "L12(1)",
+                            "L21(0)", "1 pair of lobes overlap"}) {
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << '\n' << outcome.out;
+  }
+  EXPECT_LT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 30);
+}
+
+TEST_F(TangleProgram, SaysThatThereIsNoCrossing) {
+  write_curve("apart", std::vector<Point>{{0, 5}, {9, 5}});
+  const Json result = warned({"u", "apart", "--overlaps"}, "do not cross");
+  for (const char* list : {"pips", "lobes", "overlaps"}) EXPECT_EQ(result[list], Json::array());
+  for (const char* member : {"bip", "boundary"}) EXPECT_TRUE(result[member].is_null());
+  const Outcome outcome =
+      run({"tangle", "u", "apart", "--lobes", "l", "--boundary", "b", "--pips", "p", "--svg", "v", "--graph", "g"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("0 pips, 0 lobes"), std::string::npos) << outcome.out;
+  for (const char* file : {"l", "b", "p"}) EXPECT_EQ(read(file), "VARIABLES=\"x\"\"y\"\n");
+  EXPECT_EQ(Json::parse(read("g"))["nodes"], Json::array());
+  expect_failure({"tangle", "u", "apart", "--bip", "0"}, 2, "do not cross");
+}
+
+TEST_F(TangleProgram, SaysThatThereIsOnePipOnly) {
+  write_curve("once", std::vector<Point>{{9, 3}, {9, -3}});
+  const Json result = warned({"u", "once"}, "one pip only");
+  EXPECT_EQ(result["pips"].size(), 1U);
+  EXPECT_EQ(result["boundary"]["area"], 13.5);
+}
+
+TEST_F(TangleProgram, NoticesManifoldsGivenInward) {
+  const CurveFile file = read_curve_file(demo);
+  std::vector<Point> inward(file.zones[0].points.rbegin(), file.zones[0].points.rend());
+  write_curve("inward", inward);
+  EXPECT_LT(warned({"inward", demo + "#1"}, "given inward")["pips"].size(), 5U);
+  const Json turned = tangle({"inward", demo + "#1", "--reverse", "u"}), plain = tangle({demo});
+  EXPECT_EQ(turned["lobes"], plain["lobes"]);
+  EXPECT_EQ(turned["inputs"][0]["reversed"], true);
+  EXPECT_EQ(turned["inputs"][1]["reversed"], false);
+}
+
+TEST_F(TangleProgram, TakesRepeatedFirstPoints) {
+  const CurveFile file = read_curve_file(demo);
+  std::vector<Point> repeated = file.zones[0].points;
+  repeated.insert(repeated.begin(), 3, repeated[0]);
+  write_curve("repeated", repeated);
+  const Json lobes = tangle({"repeated", demo + "#1"})["lobes"], plain = tangle({demo})["lobes"];
+  for (const char* name : {"area", "inside", "outside"}) EXPECT_EQ(column(lobes, name), column(plain, name));
+}
+
+TEST_F(TangleProgram, NamesTheManifoldThatCrossesItself) {
+  write_curve("loop", std::vector<Point>{{0, 5}, {4, 5}, {4, 7}, {2, 3}, {2, -1}});
+  expect_failure({"tangle", "u", "loop"}, 1, "loop: S crosses or touches itself: segments 0 and 2 meet at (3, 5)");
+  expect_failure({"tangle", "loop", "u"}, 1, "U crosses or touches itself");
+  expect_failure({"tangle", "loop", "u"}, 1, "--no-simple-check");
+  EXPECT_EQ(run({"tangle", "loop", "u", "--no-simple-check"}).status, 0);
+}
+
+TEST_F(TangleProgram, RefusesWhatItCannotDo) {
+  expect_failure({"tangle"}, 2, "U");
+  expect_failure({"tangle", "u", "s", "more"}, 2, "more");
+  expect_failure({"tangle", "u", "nowhere"}, 1, "nowhere");
+  expect_failure({"tangle", demo + "#2", "s"}, 1, "no zone 2");
+  expect_failure({"tangle", "u", "s", "--json", "u"}, 2, "overwrite the input");
+  expect_failure({"tangle", "u", "s", "--json", "x", "--graph", "x"}, 2, "both write");
+  expect_failure({"tangle", "u", "s", "--svg", "no/where"}, 1, "cannot be written");
+  expect_failure({"tangle", "u", "s", "--reverse", "v"}, 2, "--reverse");
+}
+
+TEST_F(TangleProgram, DrawsASmallPictureOfManyPoints) {
+  std::vector<Point> wave, line{{0, 0}, {-1, -5}, {10, -5}};  // homoclinic
+  constexpr int count = 200'000;
+  for (int k = 0; k <= count; ++k) {
+    const double x = 10.0 * k / count;
+    wave.push_back({x, (1 + 0.3 * std::sin(977 * x)) * std::sin(631 * x)});
+    line.push_back({10 - x, 1e-3 * std::cos(x)});
+  }
+  write_curve("wave", wave);
+  write_curve("line", line);
+  const Outcome outcome = run({"tangle", "wave", "line", "--svg", "picture.svg"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string svg = read("picture.svg");
+  EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_LT(svg.size(), 1'000'000U);
+  EXPECT_NE(svg.find("unstable manifold"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lober::cli
