@@ -16,6 +16,7 @@
 #include "cli/published_form.hpp"
 #include "cli/published_tangle.hpp"
 #include "cli/tangle_command.hpp"
+#include "cli/transport_command.hpp"
 #include "engine/error.hpp"
 
 namespace lober::cli {
@@ -64,6 +65,8 @@ void run(const std::vector<std::string>& arguments) {
     run_tangle({arguments.begin() + 1, arguments.end()});
   } else if (first == "grow") {
     run_grow({arguments.begin() + 1, arguments.end()});
+  } else if (first == "transport") {
+    run_transport({arguments.begin() + 1, arguments.end()});
   } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
     throw UsageError("the command " + first + " is not in this version");
   } else if (is_published_tangle(arguments)) {

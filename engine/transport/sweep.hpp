@@ -24,14 +24,14 @@ using Family = std::function<FamilyMember(double)>;
 /// The turnstile for one value.
 struct SweepRow {
   double value = 0;
-  std::string failure;  ///< why there is no result; empty if there is one
-  Point from, to;       ///< the saddles
-  double multiplier = 0;               ///< of the unstable manifold
-  std::size_t period = 0;              ///< pips an iterate: so many lobes has the turnstile
-  std::vector<double> areas;           ///< of the lobes from f^-1(q) to q by geometry, signed as in Lobe::area
-  std::vector<double> errors;          ///< estimates for them
-  std::vector<double> areas_by_action; ///< likewise; empty if the map has no action
-  double flux12 = 0, flux21 = 0;       ///< sums of the lobes of one sign, by geometry: out of R1, into R1
+  std::string failure;                  ///< why there is no result; empty if there is one
+  Point from, to;                       ///< the saddles
+  double multiplier = 0;                ///< of the unstable manifold
+  std::size_t period = 0;               ///< pips an iterate: so many lobes has the turnstile
+  std::vector<double> areas;            ///< of the lobes from f^-1(q) to q by geometry, signed as in Lobe::area
+  std::vector<double> errors;           ///< estimates for them
+  std::vector<double> areas_by_action;  ///< likewise; empty if the map has no action
+  double flux12 = 0, flux21 = 0;        ///< sums of the lobes of one sign, by geometry: out of R1, into R1
   /// The same by action; NaN without one.
   double action12 = 0, action21 = 0;
   /// W(q) - W(q'), q' the pip half an iterate before q: of a reversible map the other symmetric pip, so that this
@@ -47,13 +47,13 @@ struct SweepZero {
   double width = 0;          ///< it is known to lie within so much of it
   double difference = 0;     ///< what is left there
   int evaluations = 0;
-  std::string failure;       ///< why it could not be refined: a value without a result, or a jump
+  std::string failure;  ///< why it could not be refined: a value without a result, or a jump
 };
 
 struct SweepOptions {
   ManifoldTangleOptions tangle{};  ///< its progress is not used
   bool find_zeros = false;
-  double zero_tolerance = 1e-10;  ///< relative to the value
+  double zero_tolerance = 1e-10;                ///< relative to the value
   std::function<bool(std::size_t)> progress{};  ///< values done; from any thread; return false to cancel
 };
 
