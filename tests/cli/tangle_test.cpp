@@ -184,6 +184,26 @@ TEST_F(TangleProgram, PrintsAShortTable) {
   EXPECT_LT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 30);
 }
 
+TEST_F(TangleProgram, ListsThePiecesOfALobeThatTouchesItself) {
+  write_curve("touching", std::vector<Point>{{3, 3}, {3, -1}, {2, 0}, {1, -1}, {0, 2}});
+  const Json result = tangle({"u", "touching"});
+  ASSERT_EQ(result["lobes"].size(), 1U);
+  EXPECT_EQ(result["lobes"][0]["simple"], false);
+  ASSERT_EQ(result["lobes"][0]["pieces"].size(), 2U);
+  EXPECT_DOUBLE_EQ(result["lobes"][0]["pieces"][0], 0.5);
+  EXPECT_DOUBLE_EQ(result["lobes"][0]["pieces"][1], 2.0 / 3);
+  EXPECT_NE(run({"tangle", "u", "touching"}).out.find("not simple"), std::string::npos);
+}
+
+TEST_F(TangleProgram, WarnsOfAreasBeyondTheRangeOfDouble) {
+  write_curve("large", std::vector<Point>{{0, 0}, {1e300, 0}});
+  write_curve("larger", std::vector<Point>{{1.5e300, 1e300}, {1e299, -1e300}, {-1e300, 1e300}});
+  const Outcome outcome = run({"tangle", "large", "larger", "--svg", "picture", "--json", "-"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("beyond the range of double"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(Json::parse(outcome.out)["boundary"]["area"].is_null());
+}
+
 TEST_F(TangleProgram, SaysThatThereIsNoCrossing) {
   write_curve("apart", std::vector<Point>{{0, 5}, {9, 5}});
   const Json result = warned({"u", "apart", "--overlaps"}, "do not cross");
