@@ -75,6 +75,12 @@ TEST_F(Grow, FlowsAndThreads) {
   EXPECT_EQ(read("u1.raw"), read("u7.raw"));
 }
 
+TEST_F(Grow, FindsTheSaddleItself) {
+  const nlohmann::json result = json({"henon", "--unstable", "--branch", "-", "--iterates", "0", "--tol", "1e-4"});
+  EXPECT_NEAR(result["local_manifold"]["saddle"][0].get<double>(), 1 + std::sqrt(1.5), 1e-14);
+  expect_failure({"ovp", "--unstable", "--iterates", "0", "--tol", "1e-4"}, 2, "several saddles");
+}
+
 TEST_F(Grow, Refuses) {
   const std::vector<std::string> good{"standard", "--fixed-point", "0,0", "--unstable", "--iterates",
                                       "2",        "--tol",         "1e-4"};
