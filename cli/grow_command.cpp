@@ -9,6 +9,8 @@
 #include "cli/grow_report.hpp"
 #include "cli/point_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/text.hpp"
+#include "engine/dynamics/fixed_points.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
@@ -31,7 +33,8 @@ void add_options(CLI::App& app, Request& request) {
   app.add_option("SYSTEM,--system", request.system, "name of a built-in system, or the path of a shared library")
       ->required();
   app.add_option("--param", request.parameters, "parameters of the system")->type_name("NAME=VALUE");
-  app.add_option("--fixed-point", request.fixed_point, "where the saddle is, roughly; Newton's method does the rest")
+  app.add_option("--fixed-point", request.fixed_point,
+                 "where the saddle is, roughly (default: the only one in the system's window)")
       ->delimiter(',')
       ->expected(2)
       ->type_name("X,Y");
@@ -109,6 +112,24 @@ double fraction(const GrowthProgress& progress, const GrowthOptions& options) {
   return std::clamp(std::max(by_length, by_iterates), 0.0, 1.0);
 }
 
+// The one that the user named, or the only one in the system's window.
+Point saddle_of(const Request& request, const System& system) {
+  if (request.fixed_point.size() == 2) return {request.fixed_point[0], request.fixed_point[1]};
+  std::vector<Point> saddles;
+  std::string places;
+  for (const FixedPoint& point : find_fixed_points(*system.map, system.window, {.period = request.period})) {
+    if (point.kind != FixedPointKind::saddle && point.kind != FixedPointKind::inverse_saddle) continue;
+    if (point.period != request.period) continue;
+    saddles.push_back(point.at);
+    append_all(places, places.empty() ? "" : ", ", point.at.x, ",", point.at.y);
+  }
+  if (saddles.empty()) throw DataError(system.info.name + ": no saddle was found; name one by --fixed-point");
+  if (saddles.size() > 1) {
+    throw UsageError(system.info.name + " has several saddles; choose one by --fixed-point: " + places);
+  }
+  return saddles.front();
+}
+
 void run(const Request& request) {
   const Stopwatch watch;
   std::vector<Output> outputs;
@@ -121,14 +142,13 @@ void run(const Request& request) {
   report.integration = request.integration;
   report.branch = request.branch == "+" || request.branch == "plus" ? Branch::plus : Branch::minus;
   report.options = request.growth;
-  if (request.fixed_point.size() != 2) throw UsageError("--fixed-point has to be given");
   {
     Progress progress;
     progress.phase("local manifold", 0, 0.1);
     const Stopwatch local_watch;
     LocalManifoldOptions local;
     local.period = request.period;
-    report.local = local_manifold(*report.system.map, {request.fixed_point[0], request.fixed_point[1]},
+    report.local = local_manifold(*report.system.map, saddle_of(request, report.system),
                                   request.stable ? Side::stable : Side::unstable, local);
     report.timing.local = local_watch.seconds();
     progress.phase("growing", 0.1, 0.9);

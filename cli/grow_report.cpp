@@ -54,9 +54,12 @@ Json options_json(const GrowReport& report) {
 }
 
 Json local_json(const LocalManifold& local) {
-  return {{"saddle", point_json(local.saddle)}, {"tangent", point_json(local.tangent)},
-          {"multiplier", local.multiplier},     {"degree", local.coefficients.size() - 1},
-          {"reach", local.reach},               {"defect", local.defect},
+  return {{"saddle", point_json(local.saddle)},
+          {"tangent", point_json(local.tangent)},
+          {"multiplier", local.multiplier},
+          {"degree", local.coefficients.size() - 1},
+          {"reach", local.reach},
+          {"defect", local.defect},
           {"defect_across", local.defect_across}};
 }
 
@@ -65,8 +68,11 @@ Json result_json(const GrownManifold& manifold) {
   for (std::size_t k = 0; k + 1 < manifold.generation_begin.size(); ++k) {
     generations.push_back(manifold.generation_begin[k]);
   }
-  return {{"points", manifold.points.size()}, {"length", manifold.length}, {"stop", name(manifold.stop)},
-          {"generations", generations},       {"images", manifold.images}};
+  return {{"points", manifold.points.size()},
+          {"length", manifold.length},
+          {"stop", name(manifold.stop)},
+          {"generations", generations},
+          {"images", manifold.images}};
 }
 
 void write_flaws(OutputFile& file, const GrownManifold& manifold) {
@@ -97,9 +103,9 @@ std::string grow_summary(const GrowReport& report) {
   std::string text = fmt::format("saddle               ({:.15g}, {:.15g})\n", local.saddle.x, local.saddle.y);
   text += fmt::format("multiplier           {:.15g}\n", local.multiplier);
   text += fmt::format("local manifold       reach {:.4g}, defect {:.2g}\n", local.reach, local.defect);
-  text += fmt::format("grown                {} points, length {:.10g}, {} generations, stopped by {}\n",
-                      manifold.points.size(), manifold.length, manifold.generation_begin.size() - 1,
-                      name(manifold.stop));
+  text +=
+      fmt::format("grown                {} points, length {:.10g}, {} generations, stopped by {}\n",
+                  manifold.points.size(), manifold.length, manifold.generation_begin.size() - 1, name(manifold.stop));
   for (const GrowthFlawCause cause : causes) {
     const std::size_t count = flawed(manifold, cause);
     if (count == 0) continue;

@@ -18,9 +18,16 @@ concept HasAction = requires(const F& formula, Point point) {
   { formula.action(point, point) } -> std::same_as<long double>;
 };
 
+/// A formula that steps many points at a time by itself: void iterate(std::span<Point>, int) const, either way.
+template <typename F>
+concept StepsMany = requires(const F& formula, std::span<Point> points) {
+  formula.iterate(points, 1);
+};
+
 /// Makes a PlanarMap of a value type with
 ///   Point forward(Point) const, Point backward(Point) const, Matrix2 derivative(Point) const (of forward),
-/// and, where it has one, long double action(Point, Point) const. The calls are inlined into the loop over the points.
+/// and, where it has them, iterate (StepsMany) and long double action(Point, Point) const. The calls are inlined into
+/// the loop over the points.
 template <typename Formula>
 class FormulaMap final : public PlanarMap {
  public:
@@ -31,12 +38,7 @@ class FormulaMap final : public PlanarMap {
     constexpr std::size_t together = 256;
     for (std::size_t begin = 0; begin < points.size(); begin += together) {
       const std::span<Point> some = points.subspan(begin, std::min(together, points.size() - begin));
-      for (int k = 0; k < iterates; ++k) {
-        for (Point& point : some) point = formula_.forward(point);
-      }
-      for (int k = 0; k > iterates; --k) {
-        for (Point& point : some) point = formula_.backward(point);
-      }
+      step(some, iterates);
       for (Point& point : some) {
         if (!is_finite(point)) point = lost_point;
       }
@@ -62,6 +64,19 @@ class FormulaMap final : public PlanarMap {
   }
 
  private:
+  void step(std::span<Point> points, int iterates) const {
+    if constexpr (StepsMany<Formula>) {
+      formula_.iterate(points, iterates);
+    } else {
+      for (int k = 0; k < iterates; ++k) {
+        for (Point& point : points) point = formula_.forward(point);
+      }
+      for (int k = 0; k > iterates; --k) {
+        for (Point& point : points) point = formula_.backward(point);
+      }
+    }
+  }
+
   Formula formula_;
 };
 

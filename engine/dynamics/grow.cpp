@@ -142,8 +142,8 @@ class Growth {
     Samples guide;
     if (generation == 0) {
       const auto& given = samples.parameters;
-      const auto first = static_cast<std::size_t>(
-          std::upper_bound(given.begin(), given.end(), local_.reach / ratio_) - given.begin());
+      const auto first =
+          static_cast<std::size_t>(std::upper_bound(given.begin(), given.end(), local_.reach / ratio_) - given.begin());
       guide = {Buffer<double>(given.size() - first + 1), Buffer<Point>(given.size() - first + 1)};
       guide.parameters[0] = local_.reach / ratio_;
       guide.points[0] = local_.at(side_ * guide.parameters[0]);

@@ -31,8 +31,8 @@ class Grow : public ProgramTest {
 };
 
 TEST_F(Grow, StandardMapIntoEveryFormat) {
-  const std::vector<std::string> common{"standard", "--param", "K=1.2",   "--fixed-point", "0.1,0", "--unstable",
-                                        "--iterates", "4", "--tol", "1e-4"};
+  const std::vector<std::string> common{"standard",   "--param",    "K=1.2", "--fixed-point", "0.1,0",
+                                        "--unstable", "--iterates", "4",     "--tol",         "1e-4"};
   std::vector<Point> first;
   for (const char* name : {"u.npy", "u.csv", "u.txt", "u.dat", "u.raw"}) {
     std::vector<std::string> arguments = common;
@@ -48,9 +48,8 @@ TEST_F(Grow, StandardMapIntoEveryFormat) {
 }
 
 TEST_F(Grow, Json) {
-  const nlohmann::json result =
-      json({"henon", "--param", "k=0.5", "--fixed-point", "2.2,2.2", "--stable", "--branch", "-", "--length", "30",
-            "--tol", "1e-5", "--box", "-5,-5,5,5", "-o", "s.npy"});
+  const nlohmann::json result = json({"henon", "--param", "k=0.5", "--fixed-point", "2.2,2.2", "--stable", "--branch",
+                                      "-", "--length", "30", "--tol", "1e-5", "--box", "-5,-5,5,5", "-o", "s.npy"});
   EXPECT_EQ(result["command"], "grow");
   EXPECT_EQ(result["system"]["parameters"]["k"], 0.5);
   EXPECT_EQ(result["options"]["side"], "stable");
@@ -64,8 +63,9 @@ TEST_F(Grow, Json) {
 }
 
 TEST_F(Grow, FlowsAndThreads) {
-  const std::vector<std::string> common{"ovp", "--param", "gamma=0.5", "--fixed-point", "1.45,0", "--unstable",
-                                        "--branch", "-", "--iterates", "2", "--tol", "1e-4"};
+  const std::vector<std::string> common{"ovp",        "--param",    "gamma=0.5", "--fixed-point",
+                                        "1.45,0",     "--unstable", "--branch",  "-",
+                                        "--iterates", "2",          "--tol",     "1e-4"};
   for (const char* threads : {"1", "7"}) {
     std::vector<std::string> arguments = common;
     arguments.insert(arguments.end(), {"--threads", threads, "-o", std::string("u") + threads + ".raw"});
@@ -75,8 +75,15 @@ TEST_F(Grow, FlowsAndThreads) {
   EXPECT_EQ(read("u1.raw"), read("u7.raw"));
 }
 
+TEST_F(Grow, FindsTheSaddleItself) {
+  const nlohmann::json result = json({"henon", "--unstable", "--branch", "-", "--iterates", "0", "--tol", "1e-4"});
+  EXPECT_NEAR(result["local_manifold"]["saddle"][0].get<double>(), 1 + std::sqrt(1.5), 1e-14);
+  expect_failure({"ovp", "--unstable", "--iterates", "0", "--tol", "1e-4"}, 2, "several saddles");
+}
+
 TEST_F(Grow, Refuses) {
-  const std::vector<std::string> good{"standard", "--fixed-point", "0,0", "--unstable", "--iterates", "2", "--tol", "1e-4"};
+  const std::vector<std::string> good{"standard", "--fixed-point", "0,0", "--unstable", "--iterates",
+                                      "2",        "--tol",         "1e-4"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), good.begin(), good.end());
     return more;
