@@ -9,6 +9,7 @@
 #include "cli/grow_report.hpp"
 #include "cli/point_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/system_options.hpp"
 #include "cli/text.hpp"
 #include "engine/dynamics/fixed_points.hpp"
 #include "engine/stopwatch.hpp"
@@ -89,19 +90,6 @@ void check(Request& request) {
     request.growth.box = Box::of(low, high);
   }
   if (!request.output.empty()) (void)format_of(request.output);
-}
-
-ParameterValues parameter_values(const std::vector<std::string>& texts) {
-  ParameterValues values;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    double value = 0;
-    if (equals == std::string::npos || !CLI::detail::lexical_cast(text.substr(equals + 1), value)) {
-      throw UsageError("--param: NAME=VALUE is needed, not '" + text + "'");
-    }
-    values.emplace_back(text.substr(0, equals), value);
-  }
-  return values;
 }
 
 // How far growth is, as far as anyone can know.

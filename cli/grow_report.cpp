@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cli/json.hpp"
+#include "cli/system_options.hpp"
 #include "cli/text.hpp"
 #include "engine/curve/output_file.hpp"
 
@@ -22,21 +23,9 @@ std::size_t flawed(const GrownManifold& manifold, GrowthFlawCause cause) {
   return sum;
 }
 
-Json point_json(Point point) {
-  return {point.x, point.y};
-}
-
 // What is off is infinite, which JSON cannot say.
 Json number(double value) {
   return value < std::numeric_limits<double>::infinity() ? Json(value) : Json(nullptr);
-}
-
-Json system_json(const GrowReport& report) {
-  Json parameters = Json::object();
-  for (const Parameter& parameter : report.system.info.parameters) parameters[parameter.name] = parameter.value;
-  Json system{{"name", report.system.info.name}, {"parameters", parameters}};
-  if (report.system.flow) system["integration_tolerance"] = report.integration.tolerance;
-  return system;
 }
 
 Json options_json(const GrowReport& report) {
@@ -127,7 +116,7 @@ void write_grow_json(const std::string& path, const GrowReport& report, const st
   file.write("{");
   member("program", program_json());
   member("command", "grow");
-  member("system", system_json(report));
+  member("system", system_json(report.system, report.integration));
   member("options", options_json(report));
   member("local_manifold", local_json(report.local));
   member("result", result_json(report.manifold));

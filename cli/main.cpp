@@ -28,7 +28,7 @@ usage:
   lober overlay C1 C2 [options]          crossings, lobes and areas of two closed curves
   lober interior C1 C2 [options]         their areas by the interior function (Q1, Q2, Q3), an independent method
   lober densify CURVE [AGAINST] -o FILE  more points where the curve is coarse or meets another one, or fewer
-  lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds
+  lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds (or of --system NAME)
   lober grow SYSTEM [options]            a stable or unstable manifold of a saddle, from the system's equations
   lober transport SYSTEM [options]       from equations to lobes, turnstile, fluxes a(n) and T(n); sweeps
   lober overlay --help                   the options of a command

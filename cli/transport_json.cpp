@@ -5,6 +5,7 @@
 #include "cli/json.hpp"
 #include "cli/json_list.hpp"
 #include "cli/transport_report.hpp"
+#include "cli/turnstile_report.hpp"
 
 namespace lober::cli {
 namespace {

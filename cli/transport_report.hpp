@@ -24,23 +24,6 @@ struct TransportReport {
   [[nodiscard]] const Tangle& tangle() const { return result.manifolds->tangle; }
 };
 
-/// A lobe of the turnstile.
-struct TurnstileLobe {
-  std::size_t number = 0;
-  double area = 0;        ///< signed, by geometry
-  double error = 0;       ///< estimate for it
-  double action = 0;      ///< signed, by action; NaN without one
-  double difference = 0;  ///< | area - action |
-};
-[[nodiscard]] std::vector<TurnstileLobe> turnstile_lobes(const ManifoldTangle& manifolds);
-
-/// A few lines: saddles and eigenvalues of both manifolds.
-[[nodiscard]] std::string saddles_text(const ManifoldTangle& manifolds);
-/// A line each for the lobes of the turnstile: by geometry, by action, difference.
-[[nodiscard]] std::string turnstile_text(const ManifoldTangle& manifolds);
-[[nodiscard]] Json saddles_json(const ManifoldTangle& manifolds);
-[[nodiscard]] Json turnstile_json(const ManifoldTangle& manifolds);
-
 /// The short aligned table for people.
 [[nodiscard]] std::string transport_table(const TransportReport& report);
 

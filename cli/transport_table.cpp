@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/transport_report.hpp"
+#include "cli/turnstile_report.hpp"
 
 namespace lober::cli {
 

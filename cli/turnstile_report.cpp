@@ -1,4 +1,4 @@
-// What every report on manifolds grown from equations shows: their saddles and the lobes of the turnstile.
+#include "cli/turnstile_report.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "cli/report.hpp"
-#include "cli/transport_report.hpp"
+#include "cli/system_options.hpp"
 
 namespace lober::cli {
 namespace {
@@ -46,7 +46,7 @@ std::string saddles_text(const ManifoldTangle& manifolds) {
 
 std::string turnstile_text(const ManifoldTangle& manifolds) {
   const Point first = manifolds.orbits.front().at, bip = manifolds.orbits.back().at;
-  std::string text = fmt::format("turnstile  {} from ({:.12g}, {:.12g}) to the bip ({:.12g}, {:.12g})\n",
+  std::string text = fmt::format("pips       {} from ({:.12g}, {:.12g}) to the bip ({:.12g}, {:.12g})\n",
                                  counted(manifolds.period(), "lobe", "lobes"), first.x, first.y, bip.x, bip.y);
   const bool with_action = !manifolds.areas_by_action.empty();
   text += fmt::format("\n{:>6}  {:<7}{:>21} {:>9}", "lobe", "label", "area by geometry", "+-");
