@@ -9,6 +9,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/densify_report.hpp"
+#include "cli/point_file.hpp"
 #include "cli/progress.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/stopwatch.hpp"

@@ -10,11 +10,13 @@
 
 #include "cli/command_line.hpp"
 #include "cli/densify_command.hpp"
+#include "cli/grow_command.hpp"
 #include "cli/interior_command.hpp"
 #include "cli/overlay_command.hpp"
 #include "cli/published_form.hpp"
 #include "cli/published_tangle.hpp"
 #include "cli/tangle_command.hpp"
+#include "cli/transport_command.hpp"
 #include "engine/error.hpp"
 
 namespace lober::cli {
@@ -26,7 +28,9 @@ usage:
   lober overlay C1 C2 [options]          crossings, lobes and areas of two closed curves
   lober interior C1 C2 [options]         their areas by the interior function (Q1, Q2, Q3), an independent method
   lober densify CURVE [AGAINST] -o FILE  more points where the curve is coarse or meets another one, or fewer
-  lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds
+  lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds (or of --system NAME)
+  lober grow SYSTEM [options]            a stable or unstable manifold of a saddle, from the system's equations
+  lober transport SYSTEM [options]       from equations to lobes, turnstile, fluxes a(n) and T(n); sweeps
   lober overlay --help                   the options of a command
 
   lober <c1> <c2> <rslt> [-DENS p n]          overlay with the command line and files of the published program
@@ -42,7 +46,7 @@ separated by commas or blanks, NPY, or raw float64, known by its content.
 exit status: 0 done, 1 the data cannot be used, 2 the command cannot be understood
 )";
 
-constexpr std::array later_commands{"grow", "transport", "escape", "batch"};
+constexpr std::array later_commands{"escape", "batch"};
 
 void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
@@ -59,6 +63,10 @@ void run(const std::vector<std::string>& arguments) {
     run_densify({arguments.begin() + 1, arguments.end()});
   } else if (first == "tangle") {
     run_tangle({arguments.begin() + 1, arguments.end()});
+  } else if (first == "grow") {
+    run_grow({arguments.begin() + 1, arguments.end()});
+  } else if (first == "transport") {
+    run_transport({arguments.begin() + 1, arguments.end()});
   } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
     throw UsageError("the command " + first + " is not in this version");
   } else if (is_published_tangle(arguments)) {

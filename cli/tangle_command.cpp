@@ -10,6 +10,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/progress.hpp"
+#include "cli/system_tangle_command.hpp"
 #include "cli/tangle_report.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -58,7 +59,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   std::string index = "auto", bip, reverse;
   CLI::App app(
       "Tangle of an unstable manifold U and a stable manifold S, open curves ordered outward from their fixed points: "
-      "primary intersections (pips), lobes, boundary, turnstile.",
+      "primary intersections (pips), lobes, boundary, turnstile. With --system NAME, of manifolds grown from "
+      "equations (lober tangle --system NAME --help).",
       "lober tangle");
   app.add_option("U", request.curves[0], "the unstable manifold: FILE, or FILE#ZONE for one zone (from 0, or by title)")
       ->required();
@@ -195,6 +197,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_tangle(const std::vector<std::string>& arguments) {
+  if (names_system(arguments)) return run_system_tangle(arguments);
   const std::optional<Request> request = parse(arguments);
   if (!request) return;
   if (request->verbose) spdlog::set_level(spdlog::level::info);

@@ -59,7 +59,8 @@ void write_tangle_graph(const std::string& path, const TangleReport& report) {
   };
   Json inputs = Json::array();
   for (const NamedCurve& input : report.inputs) {
-    inputs.push_back({{"file", input.file}, {"zone", input.zone}, {"sha256", input.sha256}});
+    inputs.push_back(report.origin ? Json{{"grown", input.file}}
+                                   : Json{{"file", input.file}, {"zone", input.zone}, {"sha256", input.sha256}});
   }
   Json pips = Json::array();
   for (const Pip& pip : result.pips) pips.push_back(pip.node);

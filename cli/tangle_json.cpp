@@ -3,6 +3,7 @@
 #include "cli/json.hpp"
 #include "cli/json_list.hpp"
 #include "cli/tangle_report.hpp"
+#include "cli/turnstile_report.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
@@ -10,6 +11,7 @@ namespace {
 
 Json manifold_json(const TangleReport& report, std::size_t k) {
   const NamedCurve& input = report.inputs[k];
+  if (report.origin) return {{"grown", input.file}, {"points", input.curve.points.size()}};
   return {{"file", input.file},
           {"zone", input.zone},
           {"sha256", input.sha256},
@@ -160,6 +162,13 @@ void write_tangle_json(const std::string& path, TangleReport& report, const std:
   member("program", program_json());
   member("command", "tangle");
   member("inputs", Json::array({manifold_json(report, 0), manifold_json(report, 1)}));
+  if (report.origin) {
+    const TangleOrigin& origin = *report.origin;
+    member("system", system_json(origin.system, origin.integration));
+    member("tolerance", origin.tolerance);
+    member("saddles", saddles_json(*origin.manifolds));
+    member("turnstile_by_action", turnstile_json(*origin.manifolds));
+  }
   member("options", options_json(report));
   member("crossings", meetings_json(result.nodes));
   list("pips", result.pips.size(), [&](std::string& text, std::size_t k) { format_pip(text, result.pips[k]); });

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "cli/report.hpp"
+#include "cli/system_options.hpp"
 #include "engine/tangle/tangle.hpp"
+#include "engine/transport/manifold_tangle.hpp"
 
 namespace lober::cli {
 
@@ -20,9 +22,18 @@ struct TangleReportTiming {
   double write = 0;
 };
 
+/// Where manifolds come from that were grown, not read.
+struct TangleOrigin {
+  System system;
+  IntegrationOptions integration;
+  double tolerance = 0;
+  std::unique_ptr<ManifoldTangle> manifolds;
+};
+
 struct TangleReport {
-  std::array<NamedCurve, 2> inputs;  ///< U and S
-  std::array<bool, 2> reversed{};    ///< turned round after reading: places speak of the curve as turned
+  std::array<NamedCurve, 2> inputs;    ///< U and S
+  std::array<bool, 2> reversed{};      ///< turned round after reading: places speak of the curve as turned
+  std::optional<TangleOrigin> origin;  ///< of manifolds grown from equations (`tangle --system`)
   TangleOptions options;
   Tangle result;
   std::vector<LobeShape> shapes;                     ///< by lobe

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/tangle_report.hpp"
+#include "cli/turnstile_report.hpp"
 
 namespace lober::cli {
 namespace {
@@ -97,11 +98,13 @@ void add_overlaps(std::string& text, const TangleReport& report) {
 
 std::string tangle_table(const TangleReport& report) {
   const Tangle& result = report.result;
-  std::string text = manifolds_text(report);
+  std::string text = report.origin ? system_text(report.origin->system) + "\n" + saddles_text(*report.origin->manifolds)
+                                   : manifolds_text(report);
   text += fmt::format("\n{}; {}, {}\n", meetings_text(result.nodes), counted(result.pips.size(), "pip", "pips"),
                       counted(result.lobes.size(), "lobe", "lobes"));
   add_boundary(text, report);
   if (!result.lobes.empty()) add_turnstile(text, result.images);
+  if (report.origin) text += turnstile_text(*report.origin->manifolds);
   add_lobes(text, report);
   add_overlaps(text, report);
   return text;

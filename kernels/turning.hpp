@@ -13,8 +13,8 @@ namespace lober {
 /// the two segments; 0 when one of them is 0. No trigonometry.
 [[nodiscard]] inline double turning(Point a, Point b, Point c, double ab, double bc) {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
-  const double sine = std::fabs(ux * vy - uy * vx);         // times both lengths, as is
-  const double below = ab * bc + (ux * vx + uy * vy);       // 1 + cosine
+  const double sine = std::fabs(ux * vy - uy * vx);    // times both lengths, as is
+  const double below = ab * bc + (ux * vx + uy * vy);  // 1 + cosine
   return 2 * sine < 4 * below ? 2 * sine / below : ab * bc > 0 ? 4.0 : 0.0;
 }
 

@@ -3,9 +3,11 @@
 //   planar_map.hpp     PlanarMap, what everything else works with
 //   flow.hpp           Flow: trajectories, sections, stroboscopic and return maps
 //   system.hpp         make_system, list_systems: the built-in systems and those of users
+//   fixed_points.hpp   fixed and periodic points, one or all in a box
 //   lober_system.h     the C interface by which users add systems
 #pragma once
 
+#include "engine/dynamics/fixed_points.hpp"
 #include "engine/dynamics/flow.hpp"
 #include "engine/dynamics/planar_map.hpp"
 #include "engine/dynamics/system.hpp"

@@ -6,6 +6,7 @@
 // calls are virtual once a batch.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -37,9 +38,17 @@ struct IntegrationOptions {
   /// A trajectory is lost, and its point NaN, when a coordinate exceeds this ...
   double escape = 1e6;
   /// ... when one step of a map takes more integration steps than this (near singularities) ...
-  int max_steps = 100000;
+  int max_steps = 20000;
   /// ... or more time than this before it returns to the section.
   double max_time = 1000;
+
+  /// A hundredth of the tolerance, as far as doubles reach: for derivatives and actions, which are wanted to more
+  /// digits than points of a curve and are computed for few points.
+  [[nodiscard]] IntegrationOptions finer() const {
+    IntegrationOptions result = *this;
+    result.tolerance = std::min(tolerance, std::max(0.01 * tolerance, 1e-15));
+    return result;
+  }
 };
 
 /// A section state[coordinate] = value crossed in one direction, and two coordinates on it.
@@ -96,7 +105,8 @@ class Flow {
                           const IntegrationOptions&) const = 0;
 
   /// The map over one period from time phase * period(), of a flow of two dimensions. Its action is the integral of
-  /// p dq - H dt. Throws UsageError for other dimensions or when the flow is autonomous.
+  /// p dq - H dt. Derivatives and actions of this map and of the next are integrated with options.finer(). Throws
+  /// UsageError for other dimensions or when the flow is autonomous.
   [[nodiscard]] virtual std::unique_ptr<PlanarMap> stroboscopic_map(double phase, const IntegrationOptions&) const = 0;
   /// The first return map to a section of an autonomous flow: of three dimensions, or of four with a Hamiltonian, on
   /// the surface H = energy. The action is the integral of p dq / factor of the chart's pair. A point that the energy

@@ -2,43 +2,32 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "engine/dynamics/planar_map.hpp"
+#include "engine/dynamics/plane.hpp"
 
 namespace lober {
-
-inline constexpr Point lost_point{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-
-inline bool is_finite(Point point) {
-  return std::isfinite(point.x) && std::isfinite(point.y);
-}
-
-inline Matrix2 operator*(const Matrix2& a, const Matrix2& b) {
-  return {a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx, a.yx * b.xy + a.yy * b.yy};
-}
-
-inline double determinant(const Matrix2& a) {
-  return a.xx * a.yy - a.xy * a.yx;
-}
-
-inline Matrix2 inverse(const Matrix2& a) {
-  const double d = determinant(a);
-  return {a.yy / d, -a.xy / d, -a.yx / d, a.xx / d};
-}
 
 template <typename F>
 concept HasAction = requires(const F& formula, Point point) {
   { formula.action(point, point) } -> std::same_as<long double>;
 };
 
+/// A formula that steps many points at a time by itself: void iterate(std::span<Point>, int) const, either way.
+template <typename F>
+concept StepsMany = requires(const F& formula, std::span<Point> points) {
+  formula.iterate(points, 1);
+};
+
 /// Makes a PlanarMap of a value type with
 ///   Point forward(Point) const, Point backward(Point) const, Matrix2 derivative(Point) const (of forward),
-/// and, where it has one, long double action(Point, Point) const. The calls are inlined into the loop over the points.
+/// and, where it has them, iterate (StepsMany) and long double action(Point, Point) const. The calls are inlined into
+/// the loop over the points.
 template <typename Formula>
 class FormulaMap final : public PlanarMap {
  public:
@@ -49,12 +38,7 @@ class FormulaMap final : public PlanarMap {
     constexpr std::size_t together = 256;
     for (std::size_t begin = 0; begin < points.size(); begin += together) {
       const std::span<Point> some = points.subspan(begin, std::min(together, points.size() - begin));
-      for (int k = 0; k < iterates; ++k) {
-        for (Point& point : some) point = formula_.forward(point);
-      }
-      for (int k = 0; k > iterates; --k) {
-        for (Point& point : some) point = formula_.backward(point);
-      }
+      step(some, iterates);
       for (Point& point : some) {
         if (!is_finite(point)) point = lost_point;
       }
@@ -80,6 +64,19 @@ class FormulaMap final : public PlanarMap {
   }
 
  private:
+  void step(std::span<Point> points, int iterates) const {
+    if constexpr (StepsMany<Formula>) {
+      formula_.iterate(points, iterates);
+    } else {
+      for (int k = 0; k < iterates; ++k) {
+        for (Point& point : points) point = formula_.forward(point);
+      }
+      for (int k = 0; k > iterates; --k) {
+        for (Point& point : points) point = formula_.backward(point);
+      }
+    }
+  }
+
   Formula formula_;
 };
 

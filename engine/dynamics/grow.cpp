@@ -30,13 +30,17 @@ class Growth {
   GrownManifold run() {
     try {
       Samples guide = first_guide();
+      int short_generations = 0;
       for (int generation = 0; !done(generation); ++generation) {
         Trace trace = traced_generation(std::move(guide), generation);
         const bool out_of_points = trace.out_of_points;
+        const double length = result_.length;
         append(trace, generation);
+        short_generations = result_.length - length < options_.tolerance ? short_generations + 1 : 0;
         if (out_of_points) return stopped(GrowthStop::points);
         if (result_.length >= options_.length) return stopped(GrowthStop::length);
         if (!alive(trace.samples)) return stopped(GrowthStop::failed);
+        if (short_generations >= 2) return stopped(GrowthStop::ended);
         if (!done(generation + 1)) guide = carried(std::move(trace.samples), generation);
       }
       return stopped(GrowthStop::iterates);
@@ -138,8 +142,8 @@ class Growth {
     Samples guide;
     if (generation == 0) {
       const auto& given = samples.parameters;
-      const auto first = static_cast<std::size_t>(
-          std::upper_bound(given.begin(), given.end(), local_.reach / ratio_) - given.begin());
+      const auto first =
+          static_cast<std::size_t>(std::upper_bound(given.begin(), given.end(), local_.reach / ratio_) - given.begin());
       guide = {Buffer<double>(given.size() - first + 1), Buffer<Point>(given.size() - first + 1)};
       guide.parameters[0] = local_.reach / ratio_;
       guide.points[0] = local_.at(side_ * guide.parameters[0]);
@@ -250,6 +254,8 @@ std::string_view name(GrowthStop stop) {
       return "length";
     case GrowthStop::points:
       return "points";
+    case GrowthStop::ended:
+      return "ended";
     case GrowthStop::failed:
       return "failed";
     case GrowthStop::cancelled:

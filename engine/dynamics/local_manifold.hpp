@@ -22,17 +22,17 @@ enum class Side : std::int8_t {
 };
 
 struct LocalManifoldOptions {
-  int period = 1;           ///< the saddle is fixed by F^period, which takes the place of F below
-  int degree = 40;          ///< of the polynomial
-  double tolerance = 1e-14; ///< for the defect, relative to the saddle's largest coordinate or 1 if that is less
-  double longest = 100;     ///< r is not taken larger than this
+  int period = 1;            ///< the saddle is fixed by F^period, which takes the place of F below
+  int degree = 40;           ///< of the polynomial
+  double tolerance = 1e-14;  ///< for the defect, relative to the saddle's largest coordinate or 1 if that is less
+  double longest = 100;      ///< r is not taken larger than this
 };
 
 /// s in [-reach, reach] gives both branches; s is arc length from the saddle to first order. The branch s > 0 leaves
 /// the saddle towards larger x (towards larger y, if its tangent is vertical).
 struct LocalManifold {
   Point saddle;
-  Point tangent;          ///< of length 1
+  Point tangent;  ///< of length 1
   Side side = Side::unstable;
   int steps = 1;          ///< iterates of F that the multiplier stands for: +- period, negative for the stable side
   double multiplier = 0;  ///< lambda of F^steps, so |lambda| > 1; negative at an inverse saddle

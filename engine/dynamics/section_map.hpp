@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/dynamics/crossing.hpp"
-#include "engine/dynamics/formula_map.hpp"
+#include "engine/dynamics/plane.hpp"
 #include "engine/dynamics/right_hand_sides.hpp"
 #include "engine/error.hpp"
 
@@ -109,11 +109,12 @@ class SectionChart {
       throw UsageError("the Hamiltonian is not quadratic in the coordinate that the section solves for");
     }
     const double discriminant = b * b - 4 * a * c;
-    if (!(discriminant >= 0)) return false;
+    // At the edge of what the energy reaches the chart is singular: a trajectory there is tangent to the section.
+    if (!(discriminant > 1e-12 * scale * scale)) return false;
     // dH/dv = 2 a v + b has the sign of the crossing.
     const double wanted = std::copysign(std::sqrt(discriminant), section_.direction * conjugate_.factor);
     double root = wanted * b > 0 ? -2 * c / (b + wanted) : (wanted - b) / (2 * a);
-    if (discriminant > 1e-12 * scale * scale) root -= excess(root) / wanted;
+    root -= excess(root) / wanted;
     v = root;
     return std::isfinite(root);
   }
@@ -165,7 +166,7 @@ class SectionMap final : public PlanarMap {
     if (factor == 0 || !chart_.lift(from, x)) return std::nullopt;
     using Rhs = WithAction<Field>;
     const Rhs rhs{field_, 0};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options_, n);
+    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), n);
     CrossingFinder finder(integrator, rhs, chart_.section(), options_.max_time);
     std::array<double, Rhs::size> start{};
     std::copy(x.begin(), x.end(), start.begin());
@@ -183,7 +184,7 @@ class SectionMap final : public PlanarMap {
   bool derivative_of_return(Point& point, int forward, Matrix2& derivative) const {
     using Rhs = WithTangents<Field, 2>;
     const Rhs rhs{field_};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options_, n);
+    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), n);
     CrossingFinder finder(integrator, rhs, chart_.section(), options_.max_time);
     State x, v;
     if (!chart_.lift(point, x)) return false;

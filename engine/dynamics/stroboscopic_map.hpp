@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "engine/dynamics/formula_map.hpp"
 #include "engine/dynamics/integrator.hpp"
+#include "engine/dynamics/plane.hpp"
 #include "engine/dynamics/right_hand_sides.hpp"
 
 namespace lober {
@@ -40,7 +40,7 @@ class StroboscopicMap final : public PlanarMap {
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
     using Rhs = WithTangents<Field, 2>;
     const Rhs rhs{field_};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options_, 2);
+    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), 2);
     const int forward = iterates < 0 ? -1 : 1;
     derivative = {};
     for (int k = 0; k != iterates; k += forward) {
@@ -58,7 +58,7 @@ class StroboscopicMap final : public PlanarMap {
     if (pairs.size() != 1 || pairs[0].q != 0) return std::nullopt;
     using Rhs = WithAction<Field>;
     const Rhs rhs{field_, 1};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options_, 2);
+    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), 2);
     integrator.start({from.x, from.y, 0}, start_, 1);
     if (!integrator.advance(start_ + period_)) return std::nullopt;
     const long double along = integrator.x[2] / pairs[0].factor;

@@ -12,8 +12,10 @@ namespace lober {
 namespace {
 
 // Points are placed this much denser than the estimate asks for, so that few segments turn out too coarse.
-constexpr double reserve = 1.07;
-// And by so much, as a fraction, more or less densely, where that lets a point of the guide stay.
+constexpr double reserve = 1.08;
+// A segment is taken for too coarse when the estimate comes so close to the tolerance, because it is one.
+constexpr double caution = 0.97;
+// Points lie by so much, as a fraction, more or less densely, where that lets a point of the guide stay.
 constexpr double most_stretching = 0.04;
 // The guide has to be no coarser than so many parts of a segment, and to turn by no more than so much (radians).
 constexpr double coarsest_guide = 5;
@@ -68,8 +70,9 @@ class Tracer {
     std::size_t number;
     double length;
     double curvature_before, curvature_after;
-    double need;     // parts, a real number; at most most_parts
-    bool uneven;     // the curve is run through at a very different speed next to it: a fold may hide there
+    double need;   // parts, a real number; at most most_parts
+    bool unknown;  // both ends are corners, so that nothing tells how the curve bends in between
+    bool uneven;   // the curve is run through at a very different speed next to it: a fold may hide there
   };
 
   [[nodiscard]] std::size_t segments() const { return samples_.points.size() - 1; }
@@ -116,7 +119,7 @@ class Tracer {
     for (std::size_t k = begin; k < end; ++k) {
       const double next = k + 1 < last ? length(k + 1) : 0;
       const double kappa_next = k + 1 < last && !is_kept(k + 1) ? curvature(k + 1, here, next) : unknown;
-      Segment segment{k, here, kappa, kappa_next, 1, false};
+      Segment segment{k, here, kappa, kappa_next, 1, kappa < 0 && kappa_next < 0, false};
       if (kappa < 0) segment.curvature_before = std::max(kappa_next, 0.0);
       if (kappa_next < 0) segment.curvature_after = std::max(kappa, 0.0);
       const double bulge = sagitta(here, segment.curvature_before, segment.curvature_after);
@@ -140,6 +143,7 @@ class Tracer {
     const Kind what = kind(segment.number);
     if (what == Kind::edge) return 2;
     if (what != Kind::ordinary) return 1;
+    if (segment.unknown) return allowed(segment, 4);
     const bool sharp = std::max(segment.curvature_before, segment.curvature_after) * segment.length > sharpest_guide;
     if (segment.need > coarsest_guide) return allowed(segment, 2 * segment.need / coarsest_guide);
     return sharp && segment.need > 1 ? allowed(segment, 2) : 1;
@@ -150,7 +154,7 @@ class Tracer {
     const Kind what = kind(segment.number);
     if (what == Kind::edge) return 2;
     if (what != Kind::ordinary) return 1;
-    return segment.need > 1 ? allowed(segment, segment.need) : segment.uneven ? allowed(segment, 2) : 1;
+    return segment.need > caution ? allowed(segment, segment.need * reserve) : segment.uneven ? allowed(segment, 2) : 1;
   }
 
   // Images of parameters that are not known yet, chunk by chunk.
@@ -240,8 +244,8 @@ class Tracer {
     std::size_t k = 0;
     while (k < broken.size() && broken[k] + 1 + begin[k + 1] <= options_.most_points) ++k;
     // Up to broken[k] nothing exceeds; leave room for what the next rounds add there.
-    const std::size_t size = std::max<std::size_t>(2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)],
-                                                                            options_.most_points - begin[k]));
+    const std::size_t size = std::max<std::size_t>(
+        2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)], options_.most_points - begin[k]));
     trace_.out_of_points = true;
     truncate(std::min(size, samples_.points.size() - 1));
   }
@@ -379,7 +383,9 @@ class Tracer {
       });
       return gathered<GrowthFlaw>(
           segments(), [&](std::size_t k) { return cause[k] != 0; },
-          [&](std::size_t k) { return GrowthFlaw{k, 1, static_cast<GrowthFlawCause>(cause[k] - 1)}; });
+          [&](std::size_t k) {
+            return GrowthFlaw{k, 1, static_cast<GrowthFlawCause>(cause[k] - 1)};
+          });
     }();
     trace_.flaws.assign(flaws.begin(), flaws.end());
   }

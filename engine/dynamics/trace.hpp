@@ -40,13 +40,13 @@ struct TraceOptions {
 struct Trace {
   Samples samples;
   std::vector<std::uint32_t> kept;  ///< where the points that stayed are now
-  std::vector<GrowthFlaw> flaws;  ///< segments of the samples, ascending; each one apart
-  bool out_of_points = false;     ///< most_points was reached: the samples end where that was
+  std::vector<GrowthFlaw> flaws;    ///< segments of the samples, ascending; each one apart
+  bool out_of_points = false;       ///< most_points was reached: the samples end where that was
 };
 
 /// Points of the guide with the numbers `kept` (ascending, the first and the last among them) stay; the curve may have
 /// corners there. Parallel; the same bits for any number of threads. O(points) a round, few rounds.
-[[nodiscard]] Trace traced(Samples guide, std::vector<std::uint32_t> kept,
-                           const CurveFunction& function, const TraceOptions& options);
+[[nodiscard]] Trace traced(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function,
+                           const TraceOptions& options);
 
 }  // namespace lober

@@ -1,9 +1,12 @@
 // The Chirikov standard map, lifted, in radians.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "engine/dynamics/formula_map.hpp"
 #include "engine/dynamics/systems/entries.hpp"
+#include "kernels/sine.hpp"
 
 namespace lober {
 
@@ -14,12 +17,34 @@ struct StandardMap {
   double k;
 
   Point forward(Point z) const {
-    const double p = z.y + k * std::sin(z.x);
-    return {z.x + p, p};
+    add_sines(&z.y, &z.x, k, 1);
+    return {z.x + z.y, z.y};
   }
   Point backward(Point z) const {
-    const double x = z.x - z.y;
-    return {x, z.y - k * std::sin(x)};
+    z.x -= z.y;
+    add_sines(&z.y, &z.x, -k, 1);
+    return z;
+  }
+  void iterate(std::span<Point> points, int iterates) const {
+    constexpr std::size_t most = 256;
+    std::array<double, most> x, y;
+    for (std::size_t first = 0; first < points.size(); first += most) {
+      const std::span<Point> some = points.subspan(first, std::min(most, points.size() - first));
+      const std::size_t count = some.size();
+      for (std::size_t j = 0; j < count; ++j) {
+        x[j] = some[j].x;
+        y[j] = some[j].y;
+      }
+      for (int step = 0; step < iterates; ++step) {
+        add_sines(y.data(), x.data(), k, count);
+        for (std::size_t j = 0; j < count; ++j) x[j] += y[j];
+      }
+      for (int step = 0; step > iterates; --step) {
+        for (std::size_t j = 0; j < count; ++j) x[j] -= y[j];
+        add_sines(y.data(), x.data(), -k, count);
+      }
+      for (std::size_t j = 0; j < count; ++j) some[j] = {x[j], y[j]};
+    }
   }
   Matrix2 derivative(Point z) const {
     const double c = k * std::cos(z.x);

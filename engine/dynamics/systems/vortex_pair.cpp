@@ -144,7 +144,7 @@ SystemEntry entry(const char* name, const char* summary) {
             // Forty terms of the vortices' motion are kept: more than enough up to here.
             if (std::abs(values[1]) > 8) throw UsageError("system " + info.name + ": |eps| must be at most 8");
             System system;
-            system.window = window(-2.5, -0.1, 2.5, 2.5);
+            system.window = window(-2.2, -0.1, 2.2, 0.1);
             // The upper boundary of the fluid that travels with the pair.
             system.connection = Connection{{1.5, 0}, {0, 1}, {-1.5, 0}, {0, 1}, Point{0, 2.05}};
             system.flow = std::make_shared<FlowOf<Field>>(Field(values[0], values[1]));

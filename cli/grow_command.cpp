@@ -1,0 +1,172 @@
+// `lober grow SYSTEM`: makes the system, finds the local manifold, grows it, writes the points.
+
+#include "cli/grow_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/command_line.hpp"
+#include "cli/grow_report.hpp"
+#include "cli/point_file.hpp"
+#include "cli/progress.hpp"
+#include "cli/system_options.hpp"
+#include "cli/text.hpp"
+#include "engine/dynamics/fixed_points.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  std::string system;
+  std::vector<std::string> parameters;
+  std::vector<double> fixed_point, box;
+  bool unstable = false, stable = false;
+  std::string branch = "+", output, json;
+  int period = 1, threads = 0;
+  IntegrationOptions integration;
+  GrowthOptions growth;
+};
+
+void add_options(CLI::App& app, Request& request) {
+  const CLI::Validator positive = CLI::PositiveNumber;
+  GrowthOptions& growth = request.growth;
+  app.add_option("SYSTEM,--system", request.system, "name of a built-in system, or the path of a shared library")
+      ->required();
+  app.add_option("--param", request.parameters, "parameters of the system")->type_name("NAME=VALUE");
+  app.add_option("--fixed-point", request.fixed_point,
+                 "where the saddle is, roughly (default: the only one in the system's window)")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("X,Y");
+  app.add_option("--period", request.period, "least period of the saddle, if it is no fixed point")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("P");
+  CLI::Option* unstable = app.add_flag("--unstable", request.unstable, "grow the unstable manifold");
+  app.add_flag("--stable", request.stable, "grow the stable manifold")->excludes(unstable);
+  app.add_option("--branch", request.branch, "the branch to the right (+) or left (-) of the saddle, or up and down")
+      ->check(CLI::IsMember({"+", "-", "plus", "minus"}))
+      ->type_name("+|-");
+  app.add_option("--tol", growth.tolerance, "how far the curve may lie from its polygon")
+      ->required()
+      ->check(positive)
+      ->type_name("LENGTH");
+  app.add_option("--iterates", growth.iterates, "so many images of the local manifold")
+      ->check(CLI::Range(0, 100000))
+      ->type_name("N");
+  app.add_option("--length", growth.length, "up to this arc length")->check(positive)->type_name("LENGTH");
+  app.add_option("--longest", growth.longest, "no segment longer than this")->check(positive)->type_name("LENGTH");
+  app.add_option("--box", request.box, "what is outside is followed coarsely")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("X0,Y0,X1,Y1");
+  app.add_option("--max-points", growth.most_points, "stop at so many points")
+      ->check(CLI::Range(std::size_t{2}, std::size_t{2'147'483'646}))
+      ->type_name("N");
+  app.add_option("--max-memory", growth.most_memory, "stop when about so many bytes are in use")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("BYTES");
+  app.add_option("--integration-tolerance", request.integration.tolerance, "of flows (default 1e-12)")
+      ->check(positive)
+      ->type_name("T");
+  app.add_option("-o,--output", request.output, "where the points go: .npy, .csv, .txt, .dat or .raw (- for text)")
+      ->type_name("FILE");
+  app.add_option("--json", request.json, "write what was done as one JSON object (- for standard output)")
+      ->type_name("FILE");
+  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+}
+
+// What the parser cannot see.
+void check(Request& request) {
+  if (request.unstable == request.stable) throw UsageError("give --unstable or --stable (see lober grow --help)");
+  if (request.growth.iterates < 0 && !(request.growth.length < std::numeric_limits<double>::infinity())) {
+    throw UsageError("give --iterates or --length (see lober grow --help)");
+  }
+  if (!request.box.empty()) {
+    const Point low{request.box[0], request.box[1]}, high{request.box[2], request.box[3]};
+    if (!(low.x < high.x && low.y < high.y)) throw UsageError("--box: X0 < X1 and Y0 < Y1 are needed");
+    request.growth.box = Box::of(low, high);
+  }
+  if (!request.output.empty()) (void)format_of(request.output);
+}
+
+// How far growth is, as far as anyone can know.
+double fraction(const GrowthProgress& progress, const GrowthOptions& options) {
+  const double by_length = progress.length / options.length;
+  const double by_iterates =
+      options.iterates > 0 ? static_cast<double>(progress.iterates) / static_cast<double>(options.iterates) : 0;
+  return std::clamp(std::max(by_length, by_iterates), 0.0, 1.0);
+}
+
+// The one that the user named, or the only one in the system's window.
+Point saddle_of(const Request& request, const System& system) {
+  if (request.fixed_point.size() == 2) return {request.fixed_point[0], request.fixed_point[1]};
+  std::vector<Point> saddles;
+  std::string places;
+  for (const FixedPoint& point : find_fixed_points(*system.map, system.window, {.period = request.period})) {
+    if (point.kind != FixedPointKind::saddle && point.kind != FixedPointKind::inverse_saddle) continue;
+    if (point.period != request.period) continue;
+    saddles.push_back(point.at);
+    append_all(places, places.empty() ? "" : ", ", point.at.x, ",", point.at.y);
+  }
+  if (saddles.empty()) throw DataError(system.info.name + ": no saddle was found; name one by --fixed-point");
+  if (saddles.size() > 1) {
+    throw UsageError(system.info.name + " has several saddles; choose one by --fixed-point: " + places);
+  }
+  return saddles.front();
+}
+
+void run(const Request& request) {
+  const Stopwatch watch;
+  std::vector<Output> outputs;
+  if (!request.output.empty()) outputs.push_back({"--output", request.output});
+  if (!request.json.empty()) outputs.push_back({"--json", request.json});
+  check_outputs(outputs, {});
+  GrowReport report;
+  report.system = make_system(request.system, parameter_values(request.parameters), request.integration);
+  if (!report.system.map) throw UsageError(request.system + " has no planar map");
+  report.integration = request.integration;
+  report.branch = request.branch == "+" || request.branch == "plus" ? Branch::plus : Branch::minus;
+  report.options = request.growth;
+  {
+    Progress progress;
+    progress.phase("local manifold", 0, 0.1);
+    const Stopwatch local_watch;
+    LocalManifoldOptions local;
+    local.period = request.period;
+    report.local = local_manifold(*report.system.map, saddle_of(request, report.system),
+                                  request.stable ? Side::stable : Side::unstable, local);
+    report.timing.local = local_watch.seconds();
+    progress.phase("growing", 0.1, 0.9);
+    const Stopwatch growth_watch;
+    report.options.progress = [&](const GrowthProgress& at) { return progress.advance(fraction(at, request.growth)); };
+    report.manifold = grow(*report.system.map, report.local, report.branch, report.options);
+    report.timing.growth = growth_watch.seconds();
+    if (report.manifold.stop != GrowthStop::cancelled) progress.phase("writing", 0.9, 1);
+    const Stopwatch write_watch;
+    if (!request.output.empty()) write_points(request.output, report.manifold.points);
+    report.timing.write = write_watch.seconds();
+    if (!request.json.empty()) write_grow_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  // Standard output holds one thing only.
+  const bool taken =
+      std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
+  if (!taken) print(grow_summary(report));
+  if (report.manifold.stop == GrowthStop::cancelled) throw Cancelled();
+}
+
+}  // namespace
+
+void run_grow(const std::vector<std::string>& arguments) {
+  Request request;
+  CLI::App app("Grows a branch of the stable or unstable manifold of a saddle of a map, or of a flow's Poincare map.",
+               "lober grow");
+  add_options(app, request);
+  if (!parse_arguments(app, arguments)) return;
+  check(request);
+  with_thread_limit(request.threads, [&] { run(request); });
+}
+
+}  // namespace lober::cli

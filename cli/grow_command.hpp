@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lober::cli {
+
+/// `lober grow ...`: `arguments` are those after the name of the command. Throws UsageError, DataError, Cancelled.
+void run_grow(const std::vector<std::string>& arguments);
+
+}  // namespace lober::cli

@@ -1,0 +1,154 @@
+// `lober transport SYSTEM`: makes the system, calls the engine, and hands what it found to those who show it.
+
+#include "cli/transport_command.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/command_line.hpp"
+#include "cli/progress.hpp"
+#include "cli/svg.hpp"
+#include "cli/sweep_report.hpp"
+#include "cli/transport_report.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  SystemRequest system;
+  TransportOptions options;
+  std::string sweep, json, svg, picture;
+  bool find_zero = false;
+  int threads = 0;
+};
+
+bool prints_table(std::span<const Output> outputs) {
+  // Standard output holds one thing only.
+  return std::none_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
+}
+
+std::vector<Output> outputs_of(const Request& request) {
+  std::vector<Output> outputs;
+  for (const auto& [option, path] :
+       {std::pair{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  check_outputs(outputs, {});
+  return outputs;
+}
+
+void run_one(const Request& request) {
+  const Stopwatch watch;
+  const std::vector<Output> outputs = outputs_of(request);
+  TransportReport report;
+  report.system = system_of(request.system, parameter_values(request.system.parameters));
+  report.integration = request.system.integration;
+  report.connection = connection_of(request.system, report.system);
+  report.options = request.options;
+  {
+    Progress progress;
+    progress.phase("transport", 0, 0.9);
+    TransportOptions options = request.options;
+    double fraction = 0;  // nobody knows how long the manifolds have to be
+    options.progress = [&](const std::string&) { return progress.advance(fraction += 0.25 * (1 - fraction)); };
+    const Stopwatch transport_watch;
+    report.result = transport(*report.system.map, report.connection, options);
+    report.timing.transport = transport_watch.seconds();
+    for (const std::string& remark : report.tangle().remarks) spdlog::info("{}", remark);
+    progress.phase("writing", 0.9, 1);
+    const Stopwatch write_watch;
+    if (!request.svg.empty()) write_transport_curve(request.svg, report);
+    if (!request.picture.empty()) write_transport_picture(request.picture, report);
+    report.timing.write = write_watch.seconds();
+    if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (prints_table(outputs)) print(transport_table(report));
+}
+
+void run_sweep(const Request& request) {
+  const Stopwatch watch;
+  const std::vector<Output> outputs = outputs_of(request);
+  SweepReport report;
+  report.range = sweep_range(request.sweep);
+  report.tolerance = request.options.tolerance;
+  report.integration = request.system.integration;
+  const ParameterValues fixed = parameter_values(request.system.parameters);
+  const auto member = [&](double value) {
+    ParameterValues values = fixed;
+    values.emplace_back(report.range.name, value);
+    return system_of(request.system, values);
+  };
+  report.system = member(report.range.values.front());  // also so that wrong names are told at once
+  (void)connection_of(request.system, report.system);
+  SweepOptions options;
+  options.tangle.tolerance = request.options.tolerance;
+  options.tangle.most_points = request.options.most_points;
+  options.find_zeros = request.find_zero;
+  {
+    Progress progress;
+    progress.phase("sweep", 0, 0.95);
+    options.progress = [&](std::size_t done) {
+      return progress.advance(static_cast<double>(done) / static_cast<double>(report.range.values.size()));
+    };
+    report.result = sweep(
+        [&](double value) -> FamilyMember {
+          const System system = member(value);
+          return {system.map, connection_of(request.system, system)};
+        },
+        report.range.values, options);
+    if (!request.svg.empty()) write_sweep_curve(request.svg, report);
+    if (!request.json.empty()) write_sweep_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (prints_table(outputs)) print(sweep_table(report));
+  if (const std::size_t failures = report.result.failures(); failures > 0) {
+    const auto first = std::find_if(report.result.rows.begin(), report.result.rows.end(),
+                                    [](const SweepRow& row) { return !row.failure.empty(); });
+    throw DataError(std::to_string(failures) + " of " + std::to_string(report.result.rows.size()) +
+                    " values failed, the first at " + report.range.name + " = " + rounded(first->value) + ": " +
+                    first->failure);
+  }
+}
+
+}  // namespace
+
+void run_transport(const std::vector<std::string>& arguments) {
+  Request request;
+  CLI::App app(
+      "Transport across the boundary that a stable and an unstable manifold of a map make: grows them, finds the "
+      "turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries.",
+      "lober transport");
+  add_system_options(app, request.system, true);
+  CLI::Option* const iterates = app.add_option("--iterates", request.options.iterates, "n = 1, ... so many (default 7)")
+                                    ->check(CLI::Range(1, 1000))
+                                    ->type_name("N");
+  app.add_option("--tolerance", request.options.tolerance,
+                 "how far the manifolds may lie from their polygons (default 1e-5); errors of areas are far smaller")
+      ->check(CLI::PositiveNumber)
+      ->type_name("LENGTH");
+  app.add_option("--max-points", request.options.most_points, "of each manifold")
+      ->check(CLI::Range(std::size_t{2}, std::size_t{2'147'483'646}))
+      ->type_name("N");
+  CLI::Option* const sweep_option =
+      app.add_option("--sweep", request.sweep, "areas of the turnstile over a parameter, instead of the fluxes")
+          ->type_name("NAME=FIRST:LAST:STEP")
+          ->excludes(iterates);
+  app.add_flag("--find-zero", request.find_zero,
+               "refine where the action difference of the two pips of the turnstile changes sign")
+      ->needs(sweep_option);
+  app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
+      ->type_name("FILE");
+  app.add_option("--svg", request.svg, "draw a(n) and T(n), or areas over the parameter")->type_name("FILE");
+  app.add_option("--picture", request.picture, "draw manifolds, boundary, turnstile and its images")
+      ->type_name("FILE")
+      ->excludes(sweep_option);
+  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  if (!parse_arguments(app, arguments)) return;
+  with_thread_limit(request.threads, [&] { request.sweep.empty() ? run_one(request) : run_sweep(request); });
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,39 @@
+// Everything that `lober transport` found, for the table, the JSON and the pictures to show.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/system_options.hpp"
+#include "engine/transport/transport.hpp"
+
+namespace lober::cli {
+
+struct TransportReport {
+  System system;
+  IntegrationOptions integration;
+  Connection connection;
+  TransportOptions options;
+  Transport result;
+  struct {
+    double transport = 0, write = 0;  ///< seconds
+  } timing;
+
+  [[nodiscard]] const ManifoldTangle& manifolds() const { return *result.manifolds; }
+  [[nodiscard]] const Tangle& tangle() const { return result.manifolds->tangle; }
+};
+
+/// The short aligned table for people.
+[[nodiscard]] std::string transport_table(const TransportReport& report);
+
+/// Writes the JSON object; `seconds_so_far` is asked when all but the timing is written.
+void write_transport_json(const std::string& path, const TransportReport& report,
+                          const std::function<double()>& seconds_so_far);
+
+/// a(n) and T(n) over n as SVG.
+void write_transport_curve(const std::string& path, const TransportReport& report);
+/// Manifolds, boundary, turnstile, its images and pre-images and what they have in common, as SVG.
+void write_transport_picture(const std::string& path, const TransportReport& report);
+
+}  // namespace lober::cli

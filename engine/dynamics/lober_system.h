@@ -1,0 +1,105 @@
+/* A map or a flow of your own, as a shared library that lober loads:
+
+       cc -shared -fPIC -O2 mysystem.c -o mysystem.so
+       ... --system ./mysystem.so --param k=0.3
+
+   The library exports one function, lober_system_describe, which returns a description that stays valid as long as
+   the library is loaded. See examples/quadratic_map.c and examples/henon_heiles.cpp.
+
+   All functions get the values of the parameters, in the order in which they are listed, and must be pure: the same
+   arguments give the same result, and several threads call them at the same time. Those that return int return 0
+   for success; otherwise the point counts as lost. They must not throw. */
+#ifndef LOBER_SYSTEM_H
+#define LOBER_SYSTEM_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Raised whenever the structures below change their layout. */
+#define LOBER_SYSTEM_ABI 1
+#define LOBER_MAX_DIMENSION 6
+
+typedef enum lober_kind { LOBER_MAP = 1, LOBER_FLOW = 2 } lober_kind;
+
+typedef struct lober_parameter {
+  const char* name;
+  double default_value;
+  const char* meaning;
+} lober_parameter;
+
+/* A diffeomorphism of the plane; points are x, y. */
+typedef struct lober_map {
+  int (*forward)(const double* parameters, const double point[2], double image[2]);
+  /* The inverse map. */
+  int (*backward)(const double* parameters, const double point[2], double image[2]);
+  /* Of the forward map: dx'/dx, dx'/dy, dy'/dx, dy'/dy. */
+  int (*derivative)(const double* parameters, const double point[2], double derivative[4]);
+  /* Optional (NULL): the generating function L(from x, to x) of a map that preserves area, with dL/dx' = y' and
+     dL/dx = -y. Lobe areas by action need it. */
+  double (*action)(const double* parameters, double from_x, double to_x);
+} lober_map;
+
+/* Coordinates q and p such that q and factor * p are conjugate: factor dq/dt = dH/dp, factor dp/dt = -dH/dq. */
+typedef struct lober_conjugate_pair {
+  int q, p;
+  double (*factor)(const double* parameters); /* NULL: 1 */
+} lober_conjugate_pair;
+
+/* Return maps: crossings of x[coordinate] = value in the direction +1 or -1, in the chart (x[chart_x], x[chart_y]). */
+typedef struct lober_section {
+  int coordinate;
+  double value;
+  int direction;
+  int chart_x, chart_y;
+  int solved; /* the coordinate that follows from the energy, conjugate to `coordinate`; -1 in three dimensions */
+  int energy_parameter; /* which parameter is the energy; -1 in three dimensions */
+  /* Only crossings with bound_side * (x[bound_coordinate] - bound) > 0 count; bound_side 0: all. */
+  int bound_coordinate;
+  double bound;
+  int bound_side;
+} lober_section;
+
+/* dx/dt = velocity(x, t) in `dimension` coordinates. */
+typedef struct lober_flow {
+  int dimension; /* 1 .. LOBER_MAX_DIMENSION */
+  int (*velocity)(const double* parameters, const double* x, double t, double* dxdt);
+  /* d(velocity i)/d(x j) at [i * dimension + j]. */
+  int (*jacobian)(const double* parameters, const double* x, double t, double* jacobian);
+  /* The period in time; NULL for an autonomous flow. A periodic flow of two dimensions gives a stroboscopic map; its
+     phase, a fraction of the period, is the parameter called "phase" if there is one. */
+  double (*period)(const double* parameters);
+  /* Optional: the Hamiltonian, with its conjugate pairs. */
+  double (*hamiltonian)(const double* parameters, const double* x, double t);
+  size_t pair_count;
+  const lober_conjugate_pair* pairs;
+  /* Optional: the section of an autonomous flow of three dimensions, or of four with a Hamiltonian. */
+  const lober_section* section;
+} lober_flow;
+
+typedef struct lober_system {
+  unsigned abi; /* LOBER_SYSTEM_ABI */
+  lober_kind kind;
+  const char* name;
+  const char* summary; /* one line */
+  size_t parameter_count;
+  const lober_parameter* parameters;
+  /* Where the fixed points of interest are: min x, min y, max x, max y in the plane of the map. */
+  double window[4];
+  /* The shift of the plane after which the map repeats itself; 0, 0 for none. */
+  double lattice[2];
+  const lober_map* map;   /* for LOBER_MAP */
+  const lober_flow* flow; /* for LOBER_FLOW */
+} lober_system;
+
+#define LOBER_EXPORT __attribute__((visibility("default")))
+
+LOBER_EXPORT const lober_system* lober_system_describe(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,77 @@
+// A system of your own in C++: the flow of Henon & Heiles (1964), H = (px^2 + py^2 + x^2 + y^2) / 2 + x^2 y - y^3 / 3,
+// with its section x = 0, px > 0 in (y, py).
+//
+//     c++ -std=c++20 -shared -fPIC -O2 -I. examples/henon_heiles.cpp -o henon_heiles.so
+#include "engine/dynamics/lober_system.h"
+
+namespace {
+
+int velocity(const double* /*parameters*/, const double* z, double /*t*/, double* dzdt) {
+  dzdt[0] = z[2];
+  dzdt[1] = z[3];
+  dzdt[2] = -z[0] - 2 * z[0] * z[1];
+  dzdt[3] = -z[1] - z[0] * z[0] + z[1] * z[1];
+  return 0;
+}
+
+int jacobian(const double* /*parameters*/, const double* z, double /*t*/, double* j) {
+  const double rows[] = {0,
+                         0,
+                         1,
+                         0,  //
+                         0,
+                         0,
+                         0,
+                         1,  //
+                         -1 - 2 * z[1],
+                         -2 * z[0],
+                         0,
+                         0,  //
+                         -2 * z[0],
+                         -1 + 2 * z[1],
+                         0,
+                         0};
+  for (const double entry : rows) *j++ = entry;
+  return 0;
+}
+
+double hamiltonian(const double* /*parameters*/, const double* z, double /*t*/) {
+  return 0.5 * (z[2] * z[2] + z[3] * z[3] + z[0] * z[0] + z[1] * z[1]) + z[1] * (z[0] * z[0] - z[1] * z[1] / 3);
+}
+
+constexpr lober_parameter parameters[] = {{"energy", 0.125, "of the section; orbits escape above 1/6"}};
+constexpr lober_conjugate_pair pairs[] = {{0, 2, nullptr}, {1, 3, nullptr}};
+constexpr lober_section section{.coordinate = 0,
+                                .value = 0,
+                                .direction = 1,
+                                .chart_x = 1,
+                                .chart_y = 3,
+                                .solved = 2,
+                                .energy_parameter = 0,
+                                .bound_coordinate = 0,
+                                .bound = 0,
+                                .bound_side = 0};
+constexpr lober_flow flow{.dimension = 4,
+                          .velocity = velocity,
+                          .jacobian = jacobian,
+                          .period = nullptr,
+                          .hamiltonian = hamiltonian,
+                          .pair_count = 2,
+                          .pairs = pairs,
+                          .section = &section};
+constexpr lober_system description{.abi = LOBER_SYSTEM_ABI,
+                                   .kind = LOBER_FLOW,
+                                   .name = "henon-heiles",
+                                   .summary = "Henon & Heiles (1964); return map to x = 0, px > 0 in (y, py)",
+                                   .parameter_count = 1,
+                                   .parameters = parameters,
+                                   .window = {-0.5, -0.5, 0.7, 0.5},
+                                   .lattice = {0, 0},
+                                   .map = nullptr,
+                                   .flow = &flow};
+
+}  // namespace
+
+const lober_system* lober_system_describe() {
+  return &description;
+}

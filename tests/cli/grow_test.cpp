@@ -1,0 +1,110 @@
+// `lober grow` as a user runs it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/curve/curve.hpp"
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+class Grow : public ProgramTest {
+ protected:
+  Outcome grow(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "grow");
+    return run(arguments);
+  }
+  nlohmann::json json(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Outcome outcome = grow(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  }
+  void expect_failure(const std::vector<std::string>& arguments, int status, std::string_view words) {
+    const Outcome outcome = grow(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  }
+};
+
+TEST_F(Grow, StandardMapIntoEveryFormat) {
+  const std::vector<std::string> common{"standard",   "--param",    "K=1.2", "--fixed-point", "0.1,0",
+                                        "--unstable", "--iterates", "4",     "--tol",         "1e-4"};
+  std::vector<Point> first;
+  for (const char* name : {"u.npy", "u.csv", "u.txt", "u.dat", "u.raw"}) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), {"-o", name});
+    const Outcome outcome = grow(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("multiplier           2.8489995996796"), std::string::npos) << outcome.out;
+    const std::vector<Point> points = read_curve_file(folder() / name).zones[0].points;
+    EXPECT_GT(points.size(), 100U);
+    if (first.empty()) first = points;
+    EXPECT_EQ(points, first) << name;
+  }
+}
+
+TEST_F(Grow, Json) {
+  const nlohmann::json result = json({"henon", "--param", "k=0.5", "--fixed-point", "2.2,2.2", "--stable", "--branch",
+                                      "-", "--length", "30", "--tol", "1e-5", "--box", "-5,-5,5,5", "-o", "s.npy"});
+  EXPECT_EQ(result["command"], "grow");
+  EXPECT_EQ(result["system"]["parameters"]["k"], 0.5);
+  EXPECT_EQ(result["options"]["side"], "stable");
+  EXPECT_NEAR(result["local_manifold"]["saddle"][0].get<double>(), 1 + std::sqrt(1.5), 1e-14);
+  EXPECT_NEAR(result["local_manifold"]["multiplier"].get<double>(), 4.212077189549, 1e-10);
+  EXPECT_EQ(result["result"]["stop"], "length");
+  EXPECT_GE(result["result"]["length"].get<double>(), 30);
+  EXPECT_EQ(result["result"]["points"], read_curve_file(folder() / "s.npy").zones[0].points.size());
+  EXPECT_FALSE(result["flaws"]["list"].empty());
+  EXPECT_EQ(result["flaws"]["list"][0]["cause"], "left-box");
+}
+
+TEST_F(Grow, FlowsAndThreads) {
+  const std::vector<std::string> common{"ovp",        "--param",    "gamma=0.5", "--fixed-point",
+                                        "1.45,0",     "--unstable", "--branch",  "-",
+                                        "--iterates", "2",          "--tol",     "1e-4"};
+  for (const char* threads : {"1", "7"}) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), {"--threads", threads, "-o", std::string("u") + threads + ".raw"});
+    EXPECT_EQ(grow(arguments).status, 0);
+  }
+  EXPECT_GT(read("u1.raw").size(), 1000U);
+  EXPECT_EQ(read("u1.raw"), read("u7.raw"));
+}
+
+TEST_F(Grow, FindsTheSaddleItself) {
+  const nlohmann::json result = json({"henon", "--unstable", "--branch", "-", "--iterates", "0", "--tol", "1e-4"});
+  EXPECT_NEAR(result["local_manifold"]["saddle"][0].get<double>(), 1 + std::sqrt(1.5), 1e-14);
+  expect_failure({"ovp", "--unstable", "--iterates", "0", "--tol", "1e-4"}, 2, "several saddles");
+}
+
+TEST_F(Grow, Refuses) {
+  const std::vector<std::string> good{"standard", "--fixed-point", "0,0", "--unstable", "--iterates",
+                                      "2",        "--tol",         "1e-4"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), good.begin(), good.end());
+    return more;
+  };
+  EXPECT_EQ(grow(good).status, 0);
+  expect_failure({"standard", "--fixed-point", "0,0", "--iterates", "2", "--tol", "1e-4"}, 2, "--unstable or --stable");
+  expect_failure({"standard", "--fixed-point", "0,0", "--unstable", "--tol", "1e-4"}, 2, "--iterates or --length");
+  expect_failure({"standard", "--fixed-point", "0,0", "--unstable", "--iterates", "2"}, 2, "--tol");
+  expect_failure({"standard", "--fixed-point", "3.14,0", "--unstable", "--iterates", "2", "--tol", "1e-4"}, 1,
+                 "is not a saddle");
+  expect_failure({"henon", "--param", "k=-3", "--fixed-point", "0,0", "--unstable", "--iterates", "2", "--tol", "1e-4"},
+                 1, "(0, 0)");
+  expect_failure({"nosuch", "--fixed-point", "0,0", "--unstable", "--iterates", "2", "--tol", "1e-4"}, 2, "nosuch");
+  expect_failure(with({"--param", "K"}), 2, "NAME=VALUE");
+  expect_failure(with({"--param", "K=x"}), 2, "NAME=VALUE");
+  expect_failure(with({"--param", "Q=1"}), 2, "Q");
+  expect_failure(with({"--stable"}), 2, "--stable");
+  expect_failure(with({"--box", "1,1,0,0"}), 2, "--box");
+  expect_failure(with({"-o", "u.doc"}), 2, "u.doc");
+  expect_failure(with({"-o", "x.npy", "--json", "x.npy"}), 2, "both write");
+}
+
+}  // namespace
+}  // namespace lober::cli
