@@ -4,7 +4,7 @@ SHELL := /bin/bash
 
 # What the program and its tests need, and what only the rivals of the benchmark need.
 PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libspdlog-dev \
-            libcli11-dev nlohmann-json3-dev libgtest-dev libgmp-dev libcgal-dev
+            libcli11-dev nlohmann-json3-dev libgtest-dev libgmp-dev libcgal-dev libsqlite3-dev libtomlplusplus-dev
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev libboost-dev
 
 .PHONY: demo test build bench stress fuzz deps bench-deps format tidy clean
