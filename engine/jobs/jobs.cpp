@@ -135,32 +135,42 @@ QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
   const std::span<const Job> waiting = std::span(jobs_).subspan(first_waiting_);
   std::vector<ScheduledJob> scheduled;
   std::vector<DispatchedJob> dispatched;
-  std::vector<std::size_t> unit_bytes;
+  std::vector<std::size_t> unit_bytes, points;
   double total_cost = 0;
   for (const Job& job : waiting) {
     const bool two = job.second != no_curve;
-    const std::size_t points = cache_->points(job.first) + (two ? cache_->points(job.second) : 0);
+    points.push_back(cache_->points(job.first) + (two ? cache_->points(job.second) : 0));
     const CurveCache::UnitId unit1 = cache_->unit_of(job.first), unit2 = two ? cache_->unit_of(job.second) : unit1;
     for (const CurveCache::UnitId unit : {unit1, unit2}) {
       if (unit_bytes.size() <= unit) unit_bytes.resize(unit + std::size_t{1});
       unit_bytes[unit] = cache_->bytes(unit);
     }
-    const double cost = job.operation->cost(points);
+    const double cost = job.operation->cost(points.back());
     total_cost += cost;
     run.costs.push_back(cost);
     scheduled.push_back({unit1, unit2, cost});
   }
-  for (const std::uint32_t k : schedule(scheduled, unit_bytes, options_.memory)) {
-    const ScheduledJob& job = scheduled[k];
-    const std::size_t number = first_waiting_ + k;
-    const std::size_t points =
-        cache_->points(jobs_[number].first) + (job.unit1 != job.unit2 ? cache_->points(jobs_[number].second) : 0);
-    dispatched.push_back({static_cast<std::uint32_t>(number), job.unit1, job.unit2, working_memory(points)});
+  const int threads = options_.threads > 0 ? options_.threads : tbb::this_task_arena::max_concurrency();
+  // What the threads take at most, besides curves that stay: for their jobs, and to read.
+  std::size_t working = 0, reading = 0;
+  for (std::size_t k = 0; k < waiting.size(); ++k) {
+    working = std::max(working, working_memory(points[k]));
+    for (const CurveCache::UnitId unit : {scheduled[k].unit1, scheduled[k].unit2}) {
+      reading = std::max(reading, cache_->reading_memory(unit) + cache_->bytes(unit));
+    }
+  }
+  const auto less = [&](std::size_t bytes) {
+    const std::size_t taken = static_cast<std::size_t>(threads) * bytes;
+    return std::max(options_.memory / 4, options_.memory - std::min(options_.memory, taken));
+  };
+  const Room room{less(working), less(working + reading)};
+  for (const std::uint32_t k : schedule(scheduled, unit_bytes, room)) {
+    dispatched.push_back({static_cast<std::uint32_t>(first_waiting_ + k), scheduled[k].unit1, scheduled[k].unit2,
+                          working_memory(points[k])});
   }
   counters_.jobs = jobs_.size();
   add_to(counters_.cost, total_cost);
 
-  const int threads = options_.threads > 0 ? options_.threads : tbb::this_task_arena::max_concurrency();
   const CacheCounts before = cache_->counts();
   run.report.threads = threads;
   with_threads(threads, [&] { dispatch(dispatched, *cache_, options_.digests, threads, stop_, run); });

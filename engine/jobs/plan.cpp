@@ -52,14 +52,15 @@ class Planner {
         for (std::size_t i = 0; i + group.lag < curves.size(); ++i)
           pairs.emplace_back(curves[i], curves[i + group.lag]);
         break;
-      case PairKind::product:
-        for (const CurveId with : numbers_of(group.with, group.closed)) {
-          for (const CurveId curve : curves) {
-            if (curve != with) pairs.emplace_back(curve, with);
+      case PairKind::product: {
+        const std::vector<CurveId> others = numbers_of(group.with, group.closed);
+        for (const CurveId curve : curves) {
+          for (const CurveId other : others) {
+            if (curve != other) pairs.emplace_back(curve, other);
           }
         }
-        std::sort(pairs.begin(), pairs.end());
         break;
+      }
       case PairKind::single:
         for (const CurveId curve : curves) pairs.emplace_back(curve, no_curve);
         break;

@@ -1,63 +1,66 @@
 #include "engine/jobs/schedule.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace lober {
 namespace {
 
-// The block of each unit that is used, numbered in order of first use; 0 for all if everything fits.
-std::vector<std::uint32_t> blocks_of(std::span<const ScheduledJob> jobs, std::span<const std::size_t> bytes,
-                                     std::size_t budget) {
+struct Grouping {
+  std::vector<std::uint32_t> place;  ///< of each unit, in order of first use
+  std::vector<std::uint32_t> block;  ///< of each unit; 0 for all if everything fits
+};
+
+Grouping group(std::span<const ScheduledJob> jobs, std::span<const std::size_t> bytes, const Room& room) {
   constexpr std::uint32_t unused = 0xffffffff;
-  std::vector<std::uint32_t> block(bytes.size(), unused);
+  Grouping groups{std::vector<std::uint32_t>(bytes.size(), unused), std::vector<std::uint32_t>(bytes.size(), 0)};
   std::vector<std::uint32_t> order;
   std::size_t total = 0;
   for (const ScheduledJob& job : jobs) {
     for (const std::uint32_t unit : {job.unit1, job.unit2}) {
-      if (block[unit] != unused) continue;
-      block[unit] = 0;
+      if (groups.place[unit] != unused) continue;
+      groups.place[unit] = static_cast<std::uint32_t>(order.size());
       order.push_back(unit);
       total += bytes[unit];
     }
   }
-  const std::size_t for_curves = budget / 10 * 8;  // the rest for what running jobs take
-  if (total <= for_curves) return block;
+  if (total <= room.all) return groups;
   std::uint32_t number = 0;
   std::size_t filled = 0;
   for (const std::uint32_t unit : order) {
-    if (filled != 0 && filled + bytes[unit] > for_curves / 2) {
+    if (filled != 0 && filled + bytes[unit] > room.block) {
       ++number;
       filled = 0;
     }
     filled += bytes[unit];
-    block[unit] = number;
+    groups.block[unit] = number;
   }
-  return block;
+  return groups;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> schedule(std::span<const ScheduledJob> jobs, std::span<const std::size_t> unit_bytes,
-                                    std::size_t budget) {
-  const std::vector<std::uint32_t> block = blocks_of(jobs, unit_bytes, budget);
-  struct Place {
-    std::uint32_t row;
-    std::int64_t column;
+                                    const Room& room) {
+  const Grouping groups = group(jobs, unit_bytes, room);
+  struct Turn {
+    std::uint32_t block;
+    std::uint32_t passing;  // 0: both units are in the block; else the place of the later one, from 1
     double minus_cost;
     std::uint32_t job;
-    auto key() const { return std::tie(row, column, minus_cost, job); }
+    auto key() const { return std::tie(block, passing, minus_cost, job); }
   };
-  std::vector<Place> places(jobs.size());
+  std::vector<Turn> turns(jobs.size());
   for (std::uint32_t k = 0; k < jobs.size(); ++k) {
-    const auto [low, high] = std::minmax({block[jobs[k].unit1], block[jobs[k].unit2]});
-    const std::int64_t column = low % 2 == 0 ? high : -static_cast<std::int64_t>(high);
-    places[k] = {low, column, -jobs[k].cost, k};
+    std::uint32_t early = jobs[k].unit1, late = jobs[k].unit2;
+    if (groups.place[late] < groups.place[early]) std::swap(early, late);
+    const bool inside = groups.block[early] == groups.block[late];
+    turns[k] = {groups.block[early], inside ? 0 : groups.place[late] + 1, -jobs[k].cost, k};
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.key() < b.key(); });
+  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.key() < b.key(); });
   std::vector<std::uint32_t> order(jobs.size());
-  std::transform(places.begin(), places.end(), order.begin(), [](const Place& place) { return place.job; });
+  std::transform(turns.begin(), turns.end(), order.begin(), [](const Turn& turn) { return turn.job; });
   return order;
 }
 

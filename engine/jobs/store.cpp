@@ -132,7 +132,9 @@ void Store::append(std::span<const StoredResult> results, const InputDigests& di
 
 void Store::put_results(std::span<const StoredResult> results) {
   Statement insert(*database_, "INSERT INTO results (key, run, status, seconds, value) VALUES (?1, ?2, ?3, ?4, ?5)");
-  Statement replace(*database_, "UPDATE results SET run = ?2, status = ?3, seconds = ?4, value = ?5 WHERE id = ?1");
+  Statement replace(*database_,
+                    "UPDATE results SET run = ?2, status = ?3, seconds = ?4, value = ?5 "
+                    "WHERE id = ?1 AND status <> 0");
   for (const StoredResult& result : results) {
     const auto known = known_.find(result.key);
     if (known != known_.end() && !known->second.failed) continue;
@@ -149,7 +151,9 @@ void Store::put_results(std::span<const StoredResult> results) {
         .bind_blob(5, result.value)
         .run();
     if (is_new) last_row_ = sqlite3_last_insert_rowid(database_->handle());
-    known_[result.key] = {is_new ? last_row_ : known->second.row, result.failed};
+    // Nothing changes where another process has put a result in place of the failure.
+    const bool changed = is_new || sqlite3_changes(database_->handle()) > 0;
+    known_[result.key] = {is_new ? last_row_ : known->second.row, changed && result.failed};
   }
 }
 
