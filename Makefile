@@ -5,14 +5,16 @@ SHELL := /bin/bash
 # What the program and its tests need, and what only the rivals of the benchmark need.
 PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libspdlog-dev \
             libcli11-dev nlohmann-json3-dev libgtest-dev libgmp-dev libcgal-dev libsqlite3-dev libtomlplusplus-dev
+# Not needed to build; with it lober_mpi is built and tested.
+MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev libboost-dev
 
-.PHONY: demo test build bench stress fuzz deps bench-deps format tidy clean
+.PHONY: demo test build bench stress fuzz deps mpi-deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
 
-test: deps
+test: deps mpi-deps
 	cmake --preset release
 	cmake --build --preset release
 	@scripts/run-tests.sh build
@@ -28,7 +30,7 @@ bench: bench-deps
 
 # A million random pairs with new seeds, ten times what the tests run, and the coverage of the error bars: about a quarter
 # of an hour on two cores.
-stress: deps
+stress: deps mpi-deps
 	cmake --preset release
 	cmake --build --preset release
 	@scripts/stress.sh
@@ -42,6 +44,9 @@ fuzz: deps
 
 deps:
 	@scripts/install-packages.sh $(PACKAGES)
+
+mpi-deps:
+	@scripts/install-packages.sh $(MPI_PACKAGES)
 
 bench-deps: deps
 	@scripts/install-packages.sh $(BENCH_PACKAGES)

@@ -1,8 +1,6 @@
 // Nothing that was stored is lost: kill -9 at any moment, interrupts, a full disk, two processes on one store.
 
-#include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 
 #include <chrono>
@@ -10,9 +8,8 @@
 #include <random>
 #include <thread>
 
+#include "tests/cli/background.hpp"
 #include "tests/cli/program.hpp"
-
-extern char** environ;
 
 namespace lober::cli {
 namespace {
@@ -23,32 +20,16 @@ class BatchCrash : public ProgramTest {
  protected:
   BatchCrash() {
     // A few hundred pairs that cross often, so that a run takes a while.
-    for (int k = 0; k < 40; ++k) {
-      write_curve("separ." + std::to_string(k), flower(6000, 60 + k, 0.3, {0.001 * k, 0.002 * k}));
+    for (int k = 0; k < 30; ++k) {
+      write_curve("separ." + std::to_string(k), flower(5000, 60 + k, 0.3, {0.001 * k, 0.002 * k}));
     }
     write("job.toml", "operation = \"overlay\"\ncurves = \"separ.*\"\noptions = { lobes = true }\n");
   }
 
   // Starts lober and does not wait.
-  pid_t start(const std::vector<std::string>& arguments) const {
-    std::string program = LOBER_PROGRAM;
-    std::vector<std::string> copies = arguments;
-    std::vector<char*> list{program.data()};
-    for (std::string& argument : copies) list.push_back(argument.data());
-    list.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, folder().c_str());
-    for (const int stream : {1, 2}) posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
-    pid_t process = 0;
-    EXPECT_EQ(posix_spawn(&process, program.c_str(), &actions, nullptr, list.data(), environ), 0);
-    posix_spawn_file_actions_destroy(&actions);
-    return process;
-  }
-  static int wait_for(pid_t process) {
-    int status = 0;
-    waitpid(process, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  pid_t start(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), LOBER_PROGRAM);
+    return start_in(folder(), arguments);
   }
   std::string exported(const std::string& store) const {
     const Outcome outcome = run({"batch", "export", store, "--format", "jsonl"});
