@@ -9,7 +9,7 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev libboost-dev
 
-.PHONY: demo test build bench stress fuzz deps mpi-deps bench-deps format tidy clean
+.PHONY: demo test build bench bench-batch stress fuzz deps mpi-deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
@@ -27,6 +27,12 @@ bench: bench-deps
 	cmake --preset bench
 	cmake --build --preset bench
 	@scripts/bench.sh
+
+# Throughput of the batch engine, against a shell loop and GEOS: a few minutes.
+bench-batch: bench-deps
+	cmake --preset bench
+	cmake --build --preset bench --target bench_batch
+	build/bin/bench_batch
 
 # A million random pairs with new seeds, ten times what the tests run, and the coverage of the error bars: about a quarter
 # of an hour on two cores.

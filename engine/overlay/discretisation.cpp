@@ -1,6 +1,7 @@
 // What polygons lose against smooth curves, arc by arc, for every area.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/overlay/arc_sums.hpp"
@@ -53,10 +54,18 @@ DiscretisationSums::DiscretisationSums(CurveView curve) : curve_(curve) {
   before_.resize((segments + stretch - 1) / stretch);
   Buffer<DD> block_sums(blocks);
   for_each_block(segments, grain, [&](std::size_t begin, std::size_t end) {
+    std::array<double, grain> bulges;
+    const std::size_t size = curve.points.size();
+    // The points of a segment and its neighbours follow each other, but for those at the first vertex.
+    const std::size_t inner_begin = std::min(std::max<std::size_t>(begin, 1), end);
+    const std::size_t inner_end = std::max(inner_begin, std::min(end, size < 2 ? 0 : size - 2));
+    twice_sagitta_areas(&curve.points[inner_begin] - 1, inner_end - inner_begin, &bulges[inner_begin - begin]);
+    for (std::size_t k = begin; k < inner_begin; ++k) bulges[k - begin] = bulge(curve, k);
+    for (std::size_t k = inner_end; k < end; ++k) bulges[k - begin] = bulge(curve, k);
     DD sum;
     for (std::size_t k = begin; k < end; ++k) {
       if (k % stretch == 0) before_[k / stretch] = sum;
-      sum += DD{bulge(curve, k), 0};
+      sum += DD{bulges[k - begin], 0};
     }
     block_sums[begin / grain] = sum;
   });
