@@ -84,7 +84,9 @@ void run_rank(const std::vector<std::string>& arguments) {
   if (!request) return;
   SharedWork work;
   work.manifest_path = request->manifest;
-  work.queue = {request->threads > 0 ? request->threads : fair_threads(), request->memory, true};
+  work.queue.threads = request->threads > 0 ? request->threads : fair_threads();
+  work.queue.memory = request->memory;
+  work.queue.digests = true;
   with_thread_limit(work.queue.threads, [&] {
     if (rank == 0) return run_coordinator(*request, work, ranks);
     std::string plan;

@@ -39,10 +39,10 @@ std::string spelled(Shard shard) {
 StoreSession::StoreSession(const std::string& store_path, const Plan& plan, const Manifest& manifest, Shard shard,
                            int threads, std::function<void()> broken)
     : plan_(plan), store_(Store::create(store_path)), digests_(plan.curves.size()), seen_(plan.curves.size(), 0) {
-  store_.begin_run(provenance(), threads, manifest.text, spelled(shard), plan);
+  store_->begin_run(provenance(), threads, manifest.text, spelled(shard), plan);
   pending_ = jobs_of(plan, shard);
-  if (!store_.known().empty()) skip_finished(hash_inputs(plan, pending_, manifest.path));
-  writer_ = std::make_unique<ResultWriter>(store_, std::move(broken));
+  if (!store_->known().empty()) skip_finished(hash_inputs(plan, pending_, manifest.path));
+  writer_ = std::make_unique<ResultWriter>(*store_, std::move(broken));
   for (CurveId id = 0; id < seen_.size(); ++id) {
     if (seen_[id] != 0) writer_->add(input_name(plan.curves[id]), digests_[id]);
   }
@@ -59,8 +59,8 @@ void StoreSession::skip_finished(std::vector<std::string> digests) {
     const bool two = job.second != no_curve;
     seen_[job.first] = 1;
     if (two) seen_[job.second] = 1;
-    const auto known = store_.known().find(keys(job, digests_[job.first], two ? digests_[job.second] : ""));
-    if (known == store_.known().end() || known->second.failed) left.push_back(number);
+    const auto known = store_->known().find(keys(job, digests_[job.first], two ? digests_[job.second] : ""));
+    if (known == store_->known().end() || known->second.failed) left.push_back(number);
   }
   finished_before_ = pending_.size() - left.size();
   pending_ = std::move(left);
@@ -87,7 +87,8 @@ bool StoreSession::add(PlanResult result) {
 
 double StoreSession::finish(const std::string& how) {
   writer_->finish();
-  store_.end_run(how);
+  store_->end_run(how);
+  store_.reset();  // which brings the log into the file
   return writer_->seconds();
 }
 

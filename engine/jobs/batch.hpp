@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ class StoreSession {
 
   /// One call at a time. Returns false when the result cannot be used because an input is not what it was.
   bool add(PlanResult result);
-  /// Commits; throws DataError when the store cannot be written. Returns the processor time that storing took.
+  /// Commits and closes the store; throws DataError when it cannot be written. Returns the processor time that the
+  /// writing thread took. Nothing may be added afterwards.
   double finish(const std::string& how);
 
  private:
@@ -37,7 +39,7 @@ class StoreSession {
   void note(CurveId curve, const std::string& digest, bool& usable);
 
   const Plan& plan_;
-  Store store_;
+  std::optional<Store> store_;
   std::vector<std::uint32_t> pending_;
   std::size_t finished_before_ = 0;
   std::vector<std::string> digests_;  ///< of the plan's curves, as first seen in this run

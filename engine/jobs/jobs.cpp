@@ -14,7 +14,7 @@ namespace lober {
 namespace {
 
 void add_to(std::atomic<double>& sum, double value) {
-  sum.store(sum.load(std::memory_order_relaxed) + value, std::memory_order_relaxed);  // under the callback's lock
+  sum.store(sum.load(std::memory_order_relaxed) + value, std::memory_order_relaxed);  // under a lock
 }
 
 // The digest of a curve in memory: of its points and of whether it is closed.
@@ -102,30 +102,39 @@ class JobQueue::Run final : public JobRunner {
     }
     result.seconds = watch.seconds();
     const std::size_t points = first.curve().points.size() + (second != nullptr ? second->curve().points.size() : 0);
+    const double seconds = result.seconds;
+    const bool failed = !result.error.empty();
     const Stopwatch callback_watch;
-    const std::lock_guard lock(callback_);
-    Counters& counters = queue_.counters_;
-    counters.done.fetch_add(1, std::memory_order_relaxed);
-    if (!result.error.empty()) {
-      counters.failed.fetch_add(1, std::memory_order_relaxed);
-      ++report.failed;
+    if (queue_.options_.concurrent) {
+      done_(std::move(result));
+    } else {
+      const std::lock_guard lock(callback_);
+      done_(std::move(result));
     }
-    counters.points.fetch_add(points, std::memory_order_relaxed);
-    add_to(counters.cost_done, costs[number - queue_.first_waiting_]);
-    ++report.jobs;
-    report.points += points;
-    report.operation_seconds += result.seconds;
-    done_(std::move(result));
-    report.callback_seconds += callback_watch.seconds();
+    count(points, failed, costs[number - queue_.first_waiting_], seconds, callback_watch.seconds());
   }
 
   std::vector<double> costs;  ///< of the jobs that wait
   QueueReport report;
 
  private:
+  void count(std::size_t points, bool failed, double cost, double seconds, double callback_seconds) {
+    const std::lock_guard lock(counting_);
+    Counters& counters = queue_.counters_;
+    counters.done.fetch_add(1, std::memory_order_relaxed);
+    counters.failed.fetch_add(failed ? 1 : 0, std::memory_order_relaxed);
+    counters.points.fetch_add(points, std::memory_order_relaxed);
+    add_to(counters.cost_done, cost);
+    ++report.jobs;
+    report.failed += failed ? 1 : 0;
+    report.points += points;
+    report.operation_seconds += seconds;
+    report.callback_seconds += callback_seconds;
+  }
+
   JobQueue& queue_;
   const std::function<void(JobResult)>& done_;
-  std::mutex callback_;
+  std::mutex callback_, counting_;
 };
 
 QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {

@@ -51,9 +51,10 @@ struct JobResult {
 };
 
 struct QueueOptions {
-  int threads = 0;         ///< 0: as many as the calling thread may use
-  std::size_t memory = 0;  ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
-  bool digests = false;    ///< hash what is read
+  int threads = 0;          ///< 0: as many as the calling thread may use
+  std::size_t memory = 0;   ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
+  bool digests = false;     ///< hash what is read
+  bool concurrent = false;  ///< `done` may be called from several threads at the same time
 };
 
 /// What a run did. Seconds of threads are added up over all threads.
@@ -91,9 +92,10 @@ class JobQueue {
   std::size_t submit(Job job);
 
   /// Runs all jobs that wait, what costs most first as far as memory allows (schedule.hpp), and hands each result to
-  /// `done`: one call at a time, from any thread, in no particular order. A job that throws Error or runs out of memory
-  /// is a result with `error`; what `done` throws ends the run and is passed on. Results have the same bits for any
-  /// number of threads, any memory and any order. May be called again after more was submitted; curves stay in memory.
+  /// `done`: one call at a time (unless QueueOptions::concurrent), from any thread, in no particular order. A job that
+  /// throws Error or runs out of memory is a result with `error`; what `done` throws ends the run and is passed on.
+  /// Results have the same bits for any number of threads, any memory and any order. May be called again after more was
+  /// submitted; curves stay in memory.
   QueueReport run(const std::function<void(JobResult)>& done);
 
   /// Starts no further job; those that run are finished, those that wait are dropped. For any thread and for signal

@@ -1,10 +1,19 @@
 #include "engine/jobs/plan_runner.hpp"
 
 namespace lober {
+namespace {
+
+// So that keys are made and results encoded by all threads.
+QueueOptions concurrently(QueueOptions options) {
+  options.concurrent = true;
+  return options;
+}
+
+}  // namespace
 
 PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
                        const QueueOptions& options)
-    : plan_(plan), keys_(plan), queue_(options), ids_(plan.curves.size(), no_curve) {
+    : plan_(plan), keys_(plan), queue_(concurrently(options)), ids_(plan.curves.size(), no_curve) {
   for (const PlannedUnit& unit : units_of(plan, jobs)) {
     const std::vector<CurveId> ids = queue_.add(make_unit(plan, unit, manifest_path));
     for (std::size_t k = 0; k < ids.size(); ++k) ids_[unit.curves[k]] = ids[k];
@@ -28,6 +37,7 @@ QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::func
     planned.value = planned.failed ? std::move(result.error) : encode(result.record);
     planned.digest1 = std::move(result.digest1);
     planned.digest2 = std::move(result.digest2);
+    const std::lock_guard lock(done_);
     done(std::move(planned));
   });
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ class PlanRunner {
   PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
              const QueueOptions& options);
 
-  /// As JobQueue::run. May be called several times; curves stay in memory.
+  /// As JobQueue::run, `done` being called one at a time. May be called several times; curves stay in memory.
   QueueReport run(std::span<const std::uint32_t> jobs, const std::function<void(PlanResult)>& done);
   void stop() { queue_.stop(); }
   [[nodiscard]] QueueProgress progress() const { return queue_.progress(); }
@@ -40,6 +41,7 @@ class PlanRunner {
   JobQueue queue_;
   std::vector<CurveId> ids_;  ///< in the queue, of the plan's curves
   std::vector<std::shared_ptr<const Options>> options_;
+  std::mutex done_;
   std::vector<std::uint32_t> submitted_;  ///< numbers in the plan, by number in the queue
 };
 
