@@ -31,7 +31,7 @@ CurveSet iterates(std::string name, std::size_t curves, std::size_t points) {
   std::vector<Point> curve(points);
   for (std::size_t k = 0; k < points; ++k) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points);
-    curve[k] = {std::numbers::pi + 1.5 * std::cos(angle), 1.5 * std::sin(angle)};
+    curve[k] = {std::numbers::pi + 2.8 * std::cos(angle), 2.8 * std::sin(angle)};
   }
   for (std::size_t n = 0; n < curves; ++n) {
     set.curves.push_back(curve);

@@ -44,7 +44,7 @@ std::size_t CurveCache::points(CurveId id) const {
   return what.points / std::max<std::size_t>(what.curves, 1);
 }
 
-bool CurveCache::make_room(std::size_t more) {
+bool CurveCache::make_room(std::size_t more, bool regardless) {
   if (used_ + more <= budget_) return true;
   std::vector<Unit*> idle;
   std::size_t can_go = 0;
@@ -53,14 +53,14 @@ bool CurveCache::make_room(std::size_t more) {
     idle.push_back(&unit);
     can_go += unit.bytes;
   }
-  if (used_ - can_go + more > budget_) return false;
+  if (used_ - can_go + more > budget_ && !regardless) return false;
   std::sort(idle.begin(), idle.end(), [](const Unit* a, const Unit* b) { return a->last_use < b->last_use; });
   for (Unit* const unit : idle) {
     if (used_ + more <= budget_) break;
     drop(*unit);
     ++counts_.evictions;
   }
-  return true;
+  return used_ + more <= budget_;
 }
 
 void CurveCache::drop(Unit& unit) {

@@ -95,16 +95,25 @@ class Dispatcher {
     }
     if (running_ > 0 || head_ == jobs_.size()) return std::nullopt;
     for (const CurveCache::UnitId unit : units_of(jobs_[head_])) cache_.pin(unit);
+    cache_.make_room(bytes_for(jobs_[head_]), true);
     taken_[head_] = 1;
     return head_;  // too large for the budget, so alone
   }
 
-  bool ready(const DispatchedJob& job, std::size_t& refused) {
+  // Memory that the job takes on top of what is taken.
+  [[nodiscard]] std::size_t bytes_for(const DispatchedJob& job) const {
     std::size_t bytes = job.working_bytes;
     for (const CurveCache::UnitId unit : units_of(job)) {
-      if (cache_.state(unit) == CurveCache::State::loading) return false;
       if (cache_.state(unit) == CurveCache::State::absent) bytes += cache_.bytes(unit) + cache_.reading_memory(unit);
     }
+    return bytes;
+  }
+
+  bool ready(const DispatchedJob& job, std::size_t& refused) {
+    for (const CurveCache::UnitId unit : units_of(job)) {
+      if (cache_.state(unit) == CurveCache::State::loading) return false;
+    }
+    const std::size_t bytes = bytes_for(job);
     if (bytes >= refused) return false;
     for (const CurveCache::UnitId unit : units_of(job)) cache_.pin(unit);
     if (cache_.make_room(bytes)) return true;

@@ -1,8 +1,9 @@
 // `lober batch` as a user runs it.
 
 #include <algorithm>
-#include <fstream>
-#include <set>
+#include <cstdint>
+#include <cstring>
+#include <regex>
 
 #include "tests/cli/program.hpp"
 
@@ -125,6 +126,29 @@ options = { tau = 0.01, output = "fine_{name}.npy" }
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 12);
   const nlohmann::json first = nlohmann::json::parse(lines.substr(0, lines.find('\n')));
   EXPECT_EQ(first["lobes_c1_minus_c2"].size(), first["pieces_c1_minus_c2"]);
+}
+
+// What numpy.load would need: a header that is aligned and a body of whole rows.
+TEST_F(Batch, NpyExportIsAStructuredArray) {
+  write_curves(4);
+  write("separ.7", "0 0\n1 1\n1 0\n0 1\n");  // fails
+  report({"job.toml"}, 1);
+  ASSERT_EQ(run({"batch", "export", "job.results", "-o", "table.npy"}).status, 0);
+  const std::string bytes = read("table.npy");
+  EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x02\x00", 8));
+  std::uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 8, sizeof(length));
+  EXPECT_EQ((12 + length) % 64, 0U);
+  const std::string header = bytes.substr(12, length);
+  EXPECT_EQ(header.back(), '\n');
+  EXPECT_NE(header.find("'shape': (10,)"), std::string::npos);
+  std::size_t row = 0;
+  const std::regex field("\\('\\w+', '[<|](i|f|S|b)(\\d+)'\\)");
+  for (std::sregex_iterator at(header.begin(), header.end(), field), end; at != end; ++at) row += std::stoul((*at)[2]);
+  EXPECT_EQ(bytes.size(), 12 + length + 10 * row);
+  std::int64_t job = 0;
+  std::memcpy(&job, bytes.data() + 12 + length + 9 * row, sizeof(job));
+  EXPECT_EQ(job, 9);
 }
 
 TEST_F(Batch, CheckSaysHowMuchItIs) {

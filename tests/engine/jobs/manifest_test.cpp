@@ -1,6 +1,9 @@
 #include "engine/jobs/manifest.hpp"
 
+#include <algorithm>
+
 #include "engine/jobs/curve_set.hpp"
+#include "engine/jobs/dealer.hpp"
 #include "engine/jobs/plan.hpp"
 #include "tests/engine/jobs/scratch_folder.hpp"
 
@@ -119,6 +122,26 @@ operation = "interior"
     for (const std::uint32_t job : jobs_of(all, {k, 5})) ++seen[job];
   }
   EXPECT_EQ(seen, std::vector<int>(all.jobs.size(), 1));
+}
+
+TEST_F(ManifestTest, DealerDealsEachJobOnceInShrinkingPortions) {
+  const Plan all = plan("operation = \"densify\"\ncurves = \"separ.*\"\n[grid]\ntau = [" + [] {
+    std::string taus = "1";
+    for (int k = 2; k < 1000; ++k) taus += "," + std::to_string(k);
+    return taus;
+  }() + "]");
+  std::vector<std::uint32_t> numbers = jobs_of(all, {});
+  Dealer dealer(all, path("job.toml"), numbers, 3);
+  std::vector<std::uint32_t> dealt;
+  std::size_t before = numbers.size();
+  for (std::vector<std::uint32_t> portion = dealer.deal(); !portion.empty(); portion = dealer.deal()) {
+    EXPECT_LE(portion.size(), before);
+    before = portion.size();
+    dealt.insert(dealt.end(), portion.begin(), portion.end());
+  }
+  std::sort(dealt.begin(), dealt.end());
+  EXPECT_EQ(dealt, numbers);
+  EXPECT_LT(before, numbers.size() / 10);
 }
 
 TEST_F(ManifestTest, PlanComesBackFromItsBytes) {

@@ -145,6 +145,35 @@ TEST(JobQueue, RunsOperationsOfTheCaller) {
   EXPECT_EQ(found, 77);
 }
 
+// With room for one pair at a time, a curve is read again and is another one then.
+TEST(JobQueue, InputsThatChangeWhileInUseAreRefused) {
+  JobQueue queue({.threads = 1, .memory = 100'000, .digests = true});
+  const auto unit = [](int number, bool changes) {
+    CurveUnit made;
+    made.points = 1000;
+    auto reads = std::make_shared<int>(0);
+    made.load = [=](bool) {
+      const int reading = changes ? (*reads)++ : 0;
+      auto curve = std::make_shared<const Curve>(Curve{wavy(1000, number + reading), true, "moving"});
+      return std::vector<LoadedCurve>{{curve, std::to_string(number + reading), {}}};
+    };
+    return made;
+  };
+  const CurveId moving = queue.add(unit(0, true))[0];
+  std::vector<CurveId> others;
+  for (int k = 1; k < 8; ++k) others.push_back(queue.add(unit(10 * k, false))[0]);
+  const Operation& operation = *find_operation("overlay");
+  queue.submit({&operation, usual(operation), moving, others[0]});
+  for (std::size_t k = 0; k + 1 < others.size(); ++k) {
+    queue.submit({&operation, usual(operation), others[k], others[k + 1]});
+  }
+  queue.run([](const JobResult& result) { EXPECT_EQ(result.error, ""); });
+  queue.submit({&operation, usual(operation), moving, others[6]});
+  std::string error;
+  queue.run([&](const JobResult& result) { error = result.error; });
+  EXPECT_EQ(error, "the input changed while it was in use");
+}
+
 class QueueOnFiles : public ScratchFolder {};
 
 TEST_F(QueueOnFiles, MemoryIsKeptAndFilesAreReadFewTimes) {
