@@ -3,23 +3,16 @@
 #include <algorithm>
 #include <numeric>
 
-#include "engine/jobs/curve_set.hpp"
-#include "engine/jobs/file_unit.hpp"
-
 namespace lober {
 
 Dealer::Dealer(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
                std::size_t processes)
     : processes_(processes) {
-  std::vector<std::size_t> points(plan.files.size()), curves(plan.files.size());
-  for (const PlannedCurve& curve : plan.curves) ++curves[curve.file];
-  for (std::size_t file = 0; file < points.size(); ++file) {
-    points[file] = estimate_points(located(manifest_path, plan.files[file])) / std::max<std::size_t>(curves[file], 1);
-  }
+  const std::vector<std::size_t> points = estimated_points(plan, manifest_path);
   const auto cost = [&](std::uint32_t number) {
     const PlannedJob& job = plan.jobs[number];
-    const auto of = [&](CurveId id) { return id == no_curve ? 0 : points[plan.curves[id].file]; };
-    return operation_of(plan.groups[job.group]).cost(of(job.first) + of(job.second));
+    const std::size_t both = points[job.first] + (job.second == no_curve ? 0 : points[job.second]);
+    return operation_of(plan.groups[job.group]).cost(both);
   };
   std::vector<std::pair<double, std::uint32_t>> order;
   for (const std::uint32_t job : jobs) order.emplace_back(-cost(job), job);

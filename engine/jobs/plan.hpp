@@ -70,6 +70,9 @@ struct PlannedUnit {
 [[nodiscard]] std::vector<PlannedUnit> units_of(const Plan& plan, std::span<const std::uint32_t> jobs);
 [[nodiscard]] CurveUnit make_unit(const Plan& plan, const PlannedUnit& unit, const std::string& manifest_path);
 
+/// Points of each curve, from the sizes of the files; zones of a file are taken for equal.
+[[nodiscard]] std::vector<std::size_t> estimated_points(const Plan& plan, const std::string& manifest_path);
+
 /// How much there is to do, before anything was read.
 struct Estimate {
   std::size_t jobs = 0, curves = 0, files = 0;
