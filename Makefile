@@ -4,15 +4,18 @@ SHELL := /bin/bash
 
 # What the program and its tests need, and what only the rivals of the benchmark need.
 PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libspdlog-dev \
-            libcli11-dev nlohmann-json3-dev libboost-dev libgtest-dev libgmp-dev libcgal-dev
+            libcli11-dev nlohmann-json3-dev libboost-dev libgtest-dev libgmp-dev libcgal-dev libsqlite3-dev \
+            libtomlplusplus-dev
+# Not needed to build; with it lober_mpi is built and tested.
+MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev
 
-.PHONY: demo test build bench stress fuzz deps bench-deps format tidy clean
+.PHONY: demo test build bench bench-batch stress fuzz deps mpi-deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
 
-test: deps
+test: deps mpi-deps
 	cmake --preset release
 	cmake --build --preset release
 	@scripts/run-tests.sh build
@@ -26,9 +29,15 @@ bench: bench-deps
 	cmake --build --preset bench
 	@scripts/bench.sh
 
+# Throughput of the batch engine, against a shell loop and GEOS: a few minutes.
+bench-batch: bench-deps
+	cmake --preset bench
+	cmake --build --preset bench --target bench_batch
+	build/bin/bench_batch
+
 # A million random pairs with new seeds, ten times what the tests run, and the coverage of the error bars: about a quarter
 # of an hour on two cores.
-stress: deps
+stress: deps mpi-deps
 	cmake --preset release
 	cmake --build --preset release
 	@scripts/stress.sh
@@ -42,6 +51,9 @@ fuzz: deps
 
 deps:
 	@scripts/install-packages.sh $(PACKAGES)
+
+mpi-deps:
+	@scripts/install-packages.sh $(MPI_PACKAGES)
 
 bench-deps: deps
 	@scripts/install-packages.sh $(BENCH_PACKAGES)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/batch_command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/densify_command.hpp"
 #include "cli/grow_command.hpp"
@@ -31,6 +32,7 @@ usage:
   lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds (or of --system NAME)
   lober grow SYSTEM [options]            a stable or unstable manifold of a saddle, from the system's equations
   lober transport SYSTEM [options]       from equations to lobes, turnstile, fluxes a(n) and T(n); sweeps
+  lober batch run MANIFEST               many curves and pairs; also batch check, status, export, merge
   lober overlay --help                   the options of a command
 
   lober <c1> <c2> <rslt> [-DENS p n]          overlay with the command line and files of the published program
@@ -43,10 +45,10 @@ usage:
 A curve is a file of points, or FILE#ZONE for one zone of it (by number from 0, or by title): Tecplot ASCII, columns
 separated by commas or blanks, NPY, or raw float64, known by its content.
 
-exit status: 0 done, 1 the data cannot be used, 2 the command cannot be understood
+exit status: 0 done, 1 the data cannot be used, or a job of a batch failed, 2 the command cannot be understood
 )";
 
-constexpr std::array later_commands{"escape", "batch"};
+constexpr std::array later_commands{"escape"};
 
 void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
@@ -67,6 +69,8 @@ void run(const std::vector<std::string>& arguments) {
     run_grow({arguments.begin() + 1, arguments.end()});
   } else if (first == "transport") {
     run_transport({arguments.begin() + 1, arguments.end()});
+  } else if (first == "batch") {
+    run_batch_command({arguments.begin() + 1, arguments.end()});
   } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
     throw UsageError("the command " + first + " is not in this version");
   } else if (is_published_tangle(arguments)) {

@@ -5,25 +5,15 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <csignal>
 #include <cstdio>
 #include <mutex>
 #include <string>
 #include <thread>
 
+#include "cli/interrupt.hpp"
 #include "engine/error.hpp"
 
 namespace lober::cli {
-namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void on_interrupt(int) {
-  interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
-}
-
-}  // namespace
 
 // Draws from a thread of its own, so that the clock goes on inside long phases.
 class Progress::Ticker {
@@ -77,7 +67,7 @@ class Progress::Ticker {
 };
 
 Progress::Progress() {
-  std::signal(SIGINT, on_interrupt);
+  watch_for_interrupt();
   if (isatty(STDERR_FILENO) != 0) ticker_ = std::make_unique<Ticker>();
 }
 
@@ -92,7 +82,7 @@ void Progress::phase(std::string_view name, double begin, double end) {
 
 bool Progress::advance(double fraction) {
   if (ticker_) ticker_->set(begin_ + fraction * (end_ - begin_));
-  return interrupted == 0;
+  return !interrupted();
 }
 
 }  // namespace lober::cli

@@ -9,6 +9,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernels ${PROJECT_SOURCE_DIR}/engine
 if(TARGET lober)
   install(TARGETS lober RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
+if(TARGET lober_mpi)
+  install(TARGETS lober_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(EXPORT loberTargets NAMESPACE lober:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lober)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/loberConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/loberConfig.cmake

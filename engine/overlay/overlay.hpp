@@ -22,6 +22,7 @@
 #include "engine/crossings/crossings.hpp"
 #include "engine/curve/curve.hpp"
 #include "engine/index/index.hpp"
+#include "kernels/double_double.hpp"
 
 namespace lober {
 
@@ -151,9 +152,29 @@ struct Slivers {
 };
 [[nodiscard]] Slivers find_slivers(const Overlay& result, Pairing pairing);
 
+/// What one curve brings to `discretisation_error`: running sums of the areas between its segments and the smooth curve
+/// through its vertices. The points must stay alive. O(N), parallel; 2 bytes a point.
+class DiscretisationSums {
+ public:
+  explicit DiscretisationSums(CurveView curve);
+  [[nodiscard]] const CurveView& curve() const { return curve_; }
+  [[nodiscard]] DD before(std::size_t stretch) const { return before_[stretch]; }  ///< of eight segments
+  [[nodiscard]] DD total() const { return total_; }
+  [[nodiscard]] std::size_t memory() const { return before_.capacity() * sizeof(DD); }
+
+ private:
+  CurveView curve_;
+  Buffer<DD> before_;
+  DD total_;
+};
+
 /// Estimate, for each area, of |polygon - smooth curve through the same points|: the area between each segment and the
 /// local cubic through its two ends and their neighbours, added up over the arcs that bound the region. Right to the
 /// leading order for smooth curves (error per segment of order h^5 against h^3). One pass over the points, parallel.
 [[nodiscard]] Areas discretisation_error(const Overlay& result);
+
+/// The same bits for curves that occur in many pairs, whose sums are known already. O(contacts).
+[[nodiscard]] Areas discretisation_error(const Overlay& result, const DiscretisationSums& first,
+                                         const DiscretisationSums& second);
 
 }  // namespace lober

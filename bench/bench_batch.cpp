@@ -1,0 +1,207 @@
+// Throughput of the batch engine: `lober batch run` on sets of curves, on one thread and on two, against a shell loop
+// over single `lober` calls and against GEOS in a TBB loop. Everything counts: reading, the store, the commit at the
+// end.
+//
+// usage: bench_batch [--quick]      prints Markdown
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/batch/sets.hpp"
+#include "bench/rivals/rival.hpp"
+#include "engine/jobs/batch.hpp"
+#include "engine/overlay/overlay.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+double processor_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+struct Run {
+  BatchReport report;
+  double processor = 0;
+};
+
+// The best of several: other work on the machine only ever adds.
+Run run_set(const fs::path& folder, int threads, int repeat) {
+  Run best;
+  for (int k = 0; k < repeat; ++k) {
+    for (const char* const end : {"", "-wal", "-shm"}) fs::remove(folder / (std::string("store") + end));
+    const double before = processor_seconds();
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    const Manifest manifest = read_manifest(folder / "job.toml");
+    BatchOptions options;
+    options.store = folder / "store";
+    options.queue.threads = threads;
+    const BatchReport report = with_threads(threads, [&] { return run_batch(manifest, options); });
+    if (k == 0 || report.wall_seconds < best.report.wall_seconds) best = {report, processor_seconds() - before};
+  }
+  return best;
+}
+
+Pairs all_pairs(const CurveSet& set) {
+  Pairs pairs;
+  for (std::size_t i = 0; i < set.curves.size(); ++i) {
+    for (std::size_t k = i + 1; k < set.curves.size(); ++k) pairs.emplace_back(i, k);
+  }
+  return pairs;
+}
+
+// Every so many pairs of all.
+Pairs sample(const CurveSet& set, std::size_t count) {
+  const Pairs all = all_pairs(set);
+  Pairs some;
+  for (std::size_t k = 0; k < std::min(count, all.size()); ++k)
+    some.push_back(all[k * all.size() / std::min(count, all.size())]);
+  return some;
+}
+
+double shell_loop_seconds_a_pair(const fs::path& folder, const Pairs& pairs) {
+  std::string script = "cd '" + folder.string() + "' || exit 1\n";
+  for (const auto& [i, k] : pairs) {
+    script += std::string(LOBER_PROGRAM) + " overlay curve." + std::to_string(i) + " curve." + std::to_string(k) +
+              " > out.txt || exit 1\n";
+  }
+  write_file(folder / "loop.sh", script);
+  const Stopwatch watch;
+  if (std::system(("sh '" + (folder / "loop.sh").string() + "'").c_str()) != 0) return 0;
+  return watch.seconds() / static_cast<double>(pairs.size());
+}
+
+double geos_seconds_a_pair(const CurveSet& set, const Pairs& pairs, int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  std::atomic<std::size_t> ran{0};
+  const Stopwatch watch;
+  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t k) {
+    ran += run_geos(set.curves[pairs[k].first], set.curves[pairs[k].second]).ran ? 1U : 0U;
+  });
+  return ran == 0 ? 0 : watch.seconds() / static_cast<double>(pairs.size());
+}
+
+// What has to be done in any case: the searches of indexed curves, one after the other, parallel inside.
+double bare_search_seconds(const CurveSet& set, int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  std::vector<std::unique_ptr<IndexedCurve>> indexed;
+  for (const std::vector<Point>& curve : set.curves)
+    indexed.push_back(std::make_unique<IndexedCurve>(CurveView{curve}));
+  double best = 0;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    double sum = 0;
+    for (const auto& [i, k] : all_pairs(set)) {
+      OverlayOptions options;
+      options.check_simple = false;
+      const OverlayTiming timing = overlay(*indexed[i], *indexed[k], options).timing;
+      sum += timing.crossings + timing.order;
+    }
+    if (repeat == 0 || sum < best) best = sum;
+  }
+  return best;
+}
+
+// Peak resident bytes of `lober batch run --memory`, which computes the same in a process of its own.
+double peak_megabytes(const fs::path& folder, const std::string& memory) {
+  fs::remove(folder / "limited");
+  std::fflush(stdout);
+  const pid_t process = fork();
+  if (process == 0) {
+    const std::string manifest = folder / "job.toml", store = folder / "limited";
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(1);
+    execl(LOBER_PROGRAM, LOBER_PROGRAM, "batch", "run", manifest.c_str(), "--store", store.c_str(), "--memory",
+          memory.c_str(), static_cast<char*>(nullptr));
+    _exit(1);
+  }
+  int status = 0;
+  rusage usage{};
+  wait4(process, &status, 0, &usage);
+  return status == 0 ? static_cast<double>(usage.ru_maxrss) * 1024 / 1e6 : 0;
+}
+
+void print_set(const CurveSet& set, const fs::path& root, int repeat, std::size_t single_calls,
+               std::size_t geos_pairs) {
+  const fs::path folder = root / "set";
+  fs::create_directory(folder);
+  write_set(set, folder);
+  const Run one = run_set(folder, 1, repeat), two = run_set(folder, 2, repeat);
+  const auto row = [&](const Run& run) {
+    const QueueReport& queue = run.report.queue;
+    const double wall = run.report.wall_seconds, available = wall * queue.threads;
+    std::printf("| %s | %zu | %d | %.3f | %.0f | %.3g | %.2f | %.2f | %.1f | %.1f | %.1f | %.1f |\n", set.name.c_str(),
+                queue.jobs, queue.threads, wall, static_cast<double>(queue.jobs) / wall,
+                static_cast<double>(queue.points) / wall, one.report.wall_seconds / wall, run.processor / one.processor,
+                100 * queue.cache.read_seconds / available, 100 * queue.cache.prepare_seconds / available,
+                100 * queue.operation_seconds / available, 100 * run.report.store_seconds / available);
+  };
+  row(one);
+  row(two);
+  const double pair = two.report.wall_seconds / static_cast<double>(two.report.queue.jobs);
+  std::string notes =
+      set.name + ": each file read at most " + std::to_string(two.report.queue.cache.most_reads) + " times";
+  char text[200];
+  const auto note = [&](const char* format, double value, double ratio) {
+    std::snprintf(text, sizeof(text), format, value, ratio);
+    notes += text;
+  };
+  if (single_calls > 0) {
+    const double loop = shell_loop_seconds_a_pair(folder, sample(set, single_calls));
+    note("; shell loop %.3g ms a pair, %.0f times as long", 1e3 * loop, loop / pair);
+  }
+  if (geos_pairs > 0) {
+    const double geos = geos_seconds_a_pair(set, sample(set, geos_pairs), 2);
+    note("; GEOS on two threads %.3g ms a pair, %.0f times", 1e3 * geos, geos / pair);
+  }
+  const double bare = bare_search_seconds(set, 2);
+  note("; bare searches %.4f s, the whole is %.2f times that", bare, two.report.wall_seconds / bare);
+  std::fprintf(stderr, "%s\n", notes.c_str());
+  std::printf("<!-- %s -->\n", notes.c_str());
+  if (set.name == "iterates") {
+    for (const char* const memory : {"1G", "100M", "60M"}) {
+      std::printf("<!-- --memory %s: peak RSS %.0f MB -->\n", memory, peak_megabytes(folder, memory));
+    }
+  }
+  std::fflush(stdout);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace lober::bench
+
+int main(int count, char** arguments) {
+  using namespace lober::bench;
+  const bool quick = count > 1 && std::string(arguments[1]) == "--quick";
+  std::string root = (std::filesystem::temp_directory_path() / "lober-bench-XXXXXX").string();
+  if (mkdtemp(root.data()) == nullptr) return 1;
+  std::printf(
+      "| set | pairs | threads | s | pairs/s | points/s | times one thread | processor time | reading %% | indexing %% "
+      "| "
+      "jobs %% | storing %% |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  const int repeat = quick ? 3 : 7;
+  print_set(wavy_set("10^4 pairs of 10^3", 142, 1'000), root, repeat, 50, 300);
+  print_set(wavy_set("10^3 pairs of 10^4", 46, 10'000), root, repeat, 50, 30);
+  print_set(iterates("iterates", 10, quick ? 100'000 : 1'000'000), root, repeat, 10, quick ? 2 : 1);
+  print_set(mixed_set("mixed"), root, repeat, 20, 0);
+  std::filesystem::remove_all(root);
+  return 0;
+}

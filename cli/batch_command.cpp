@@ -1,0 +1,155 @@
+// `lober batch`: the subcommands.
+
+#include "cli/batch_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/batch_options.hpp"
+#include "cli/batch_report.hpp"
+#include "cli/command_line.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/report.hpp"
+#include "engine/jobs/export.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+void run_manifest(const Arguments& arguments) {
+  const std::optional<BatchRequest> request = parse_batch(arguments, "lober batch run");
+  if (!request) return;
+  const Manifest manifest = read_manifest(request->manifest);
+  BatchReport report;
+  with_thread_limit(request->threads, [&] {
+    watch_for_interrupt();
+    BatchProgress line;
+    BatchOptions options;
+    options.store = request->store;
+    options.shard = request->shard;
+    options.queue.threads = request->threads;
+    options.queue.memory = request->memory;
+    options.progress = [&](const QueueProgress& progress) {
+      if (!request->quiet) line.show(progress);
+      return !interrupted();
+    };
+    report = run_batch(manifest, options);
+  });
+  if (!request->json.empty()) write_batch_json(request->json, report, request->manifest, request->store);
+  if (request->json != "-") print(batch_summary(report, request->store));
+  judge(report, request->store);
+}
+
+void check_manifest(const Arguments& arguments) {
+  std::string path;
+  CLI::App app("Reads a manifest and says how much work it is.", "lober batch check");
+  app.add_option("MANIFEST", path, "what would be computed (TOML)")->required();
+  if (!parse_arguments(app, arguments)) return;
+  const Plan plan = make_plan(read_manifest(path));
+  const Estimate sum = estimate(plan, path);
+  std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
+                                 counted(sum.curves, "curve", "curves"), counted(sum.files, "file", "files"));
+  std::vector<std::size_t> jobs(plan.groups.size());
+  for (const PlannedJob& job : plan.jobs) ++jobs[job.group];
+  for (std::size_t k = 0; k < plan.groups.size(); ++k) {
+    const PlannedGroup& group = plan.groups[k];
+    text += fmt::format("  {:>9}  {}{}  {}\n", jobs[k], group.name.empty() ? "" : group.name + ": ", group.operation,
+                        group.spelled());
+  }
+  text += fmt::format("about {:.3g} points, {:.3g} over all jobs\n", static_cast<double>(sum.points),
+                      static_cast<double>(sum.points_in_jobs));
+  text += fmt::format("about {:.1f} MB for all curves at once\n", static_cast<double>(sum.memory) / 1e6);
+  text += fmt::format("about {:.2g} s on one core if curves cross a few times; dense tangles take longer\n",
+                      sum.core_seconds);
+  print(text);
+}
+
+void show_status(const Arguments& arguments) {
+  std::string path;
+  CLI::App app("Says how far the plan of a store is, who computed, and what failed.", "lober batch status");
+  app.add_option("STORE", path, "as written by lober batch run")->required();
+  if (!parse_arguments(app, arguments)) return;
+  const Store store = Store::open(path);
+  const ExportCounts counts = count_results(store);
+  std::string text = fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing);
+  for (const Store::Run& run : store.runs()) {
+    text += fmt::format("run {}: {} to {} {}, lober {} ({}), {}, {} ({}), shard {}\n", run.id, run.started,
+                        run.ended.empty() ? "?" : run.ended, run.how.empty() ? "broken off" : run.how, run.version,
+                        run.commit, run.host, run.compiler, run.flags, run.shard);
+  }
+  for (const std::string& failure : failures_of(store)) text += failure + "\n";
+  print(text);
+}
+
+void export_store(const Arguments& arguments) {
+  std::string path, output = "-", format, operation;
+  CLI::App app("Writes the results of a store as a table.", "lober batch export");
+  app.add_option("STORE", path, "as written by lober batch run")->required();
+  app.add_option("-o,--output", output, "a name that ends in .csv, .jsonl or .npy (default: standard output)")
+      ->type_name("FILE");
+  app.add_option("--format", format, "csv, jsonl or npy (default: by the name; csv)")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"csv", "jsonl", "npy"}));
+  app.add_option("--operation", operation, "only this one")->type_name("NAME");
+  if (!parse_arguments(app, arguments)) return;
+  const std::string by_name = !format.empty() ? "." + format : output == "-" ? ".csv" : output;
+  const std::optional<std::string> only = operation.empty() ? std::nullopt : std::optional(operation);
+  const ExportFormat kind = export_format(by_name);
+  const Store store = Store::open(path);
+  const ExportCounts counts = export_results(store, output, kind, only);
+  if (output != "-") {
+    print(fmt::format("{} done, {} failed, {} not there yet\n", counts.done, counts.failed, counts.missing));
+  }
+}
+
+void merge_stores(const Arguments& arguments) {
+  std::string target;
+  std::vector<std::string> sources;
+  CLI::App app("Joins stores of the same plan, as shards write them, into one.", "lober batch merge");
+  app.add_option("TARGET", target, "is made if it is not there")->required();
+  app.add_option("STORES", sources, "what is taken over")->required();
+  if (!parse_arguments(app, arguments)) return;
+  Store store = Store::create(target);
+  for (const std::string& source : sources) store.merge(Store::open(source));
+  const ExportCounts counts = count_results(store);
+  print(fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing));
+}
+
+constexpr const char* usage = R"(lober batch: many curves and pairs
+
+usage:
+  lober batch run MANIFEST [options]    computes what is not in the store yet; the first interrupt lets running jobs
+                                        finish, a second one stops at once; nothing that was stored is lost
+  lober batch check MANIFEST            reads the manifest and says how much work it is
+  lober batch status STORE              how far a store is, who computed, what failed
+  lober batch export STORE [-o FILE]    the results as CSV, JSON lines or NPY
+  lober batch merge TARGET STORE...     joins the stores of shards
+  lober batch run --help                the options
+
+A manifest for all pairs of a family of files, relative to its folder:
+  operation = "overlay"
+  curves = "separ.*"
+  pairs = "all"
+All its keys: engine/jobs/manifest.hpp.
+)";
+
+}  // namespace
+
+void run_batch_command(const Arguments& arguments) {
+  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
+    if (arguments.empty()) throw UsageError("batch what? run, check, status, export or merge (see lober batch --help)");
+    return print(usage);
+  }
+  const Arguments rest(arguments.begin() + 1, arguments.end());
+  const std::string& verb = arguments[0];
+  if (verb == "run") return run_manifest(rest);
+  if (verb == "check") return check_manifest(rest);
+  if (verb == "status") return show_status(rest);
+  if (verb == "export") return export_store(rest);
+  if (verb == "merge") return merge_stores(rest);
+  throw UsageError("lober batch " + verb + ": there are run, check, status, export and merge");
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,124 @@
+// `lober_mpi`: `lober batch run` over several machines.
+//
+//   mpirun -n 8 lober_mpi job.toml --threads 4
+//
+// The plan is made on rank 0 and sent to all; files are read by the ranks that need them, from where rank 0 found them.
+// If a rank dies, MPI ends all of them; what was committed stays, and the next run goes on from there.
+
+#include <mpi.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "cli/batch_options.hpp"
+#include "cli/batch_report.hpp"
+#include "cli/command_line.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/mpi/messages.hpp"
+#include "cli/mpi/ranks.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+// Cores of this machine for each of its ranks.
+int fair_threads() {
+  MPI_Comm machine;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  int here = 1;
+  MPI_Comm_size(machine, &here);
+  MPI_Comm_free(&machine);
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / here);
+}
+
+void run_coordinator(const BatchRequest& request, SharedWork& work, int ranks) {
+  const Stopwatch watch;
+  Manifest manifest;
+  std::string plan;
+  try {
+    manifest = read_manifest(request.manifest);
+    work.plan = make_plan(manifest);
+    plan = work.plan.encoded();
+  } catch (...) {
+    broadcast(plan);  // nothing: the others leave
+    throw;
+  }
+  std::atomic<bool> broken = false;
+  std::optional<StoreSession> opened;
+  try {
+    opened.emplace(request.store, work.plan, manifest, request.shard, work.queue.threads * ranks,
+                   [&] { broken = true; });
+  } catch (...) {
+    broadcast(plan = "");
+    throw;
+  }
+  StoreSession& session = *opened;
+  broadcast(plan);
+  watch_for_interrupt();
+  BatchReport report;
+  {
+    BatchProgress line;
+    report = coordinate(work, session, ranks, [&](const QueueProgress& progress) {
+      if (!request.quiet) line.show(progress);
+      return !interrupted() && !broken;
+    });
+  }
+  report.jobs = session.pending().size() + session.finished_before();
+  report.finished_before = session.finished_before();
+  report.store_seconds = session.finish(report.queue.stopped ? "stopped" : "complete");
+  report.wall_seconds = watch.seconds();
+  report.queue.threads = work.queue.threads * ranks;
+  if (!request.json.empty()) write_batch_json(request.json, report, request.manifest, request.store);
+  if (request.json != "-") print(batch_summary(report, request.store));
+  judge(report, request.store);
+}
+
+void run_rank(const std::vector<std::string>& arguments) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const std::optional<BatchRequest> request = parse_batch(arguments, "lober_mpi");
+  if (!request) return;
+  SharedWork work;
+  work.manifest_path = request->manifest;
+  work.queue.threads = request->threads > 0 ? request->threads : fair_threads();
+  work.queue.memory = request->memory;
+  work.queue.digests = true;
+  with_thread_limit(work.queue.threads, [&] {
+    if (rank == 0) return run_coordinator(*request, work, ranks);
+    std::string plan;
+    broadcast(plan);
+    if (plan.empty()) return;
+    work.plan = Plan::decoded(plan);
+    work_for_coordinator(work);
+  });
+}
+
+}  // namespace
+}  // namespace lober::cli
+
+int main(int count, char** arguments) {
+  int provided = 0;
+  MPI_Init_thread(&count, &arguments, MPI_THREAD_SERIALIZED, &provided);
+  spdlog::set_default_logger(spdlog::stderr_color_mt("lober_mpi"));
+  spdlog::set_pattern("%n: %v");
+  int status = 0;
+  try {
+    if (provided < MPI_THREAD_SERIALIZED) throw lober::UsageError("this MPI does not let threads send");
+    lober::cli::run_rank({arguments + 1, arguments + count});
+  } catch (const lober::UsageError& error) {
+    spdlog::error("{}", error.what());
+    status = 2;
+  } catch (const lober::Cancelled& error) {
+    spdlog::error("{}", error.what());
+    status = 130;
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    status = 1;
+  }
+  MPI_Finalize();
+  return status;
+}

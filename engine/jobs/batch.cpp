@@ -1,0 +1,141 @@
+#include "engine/jobs/batch.hpp"
+
+#include <chrono>
+
+#include "engine/jobs/curve_set.hpp"
+#include "engine/jobs/file_unit.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober {
+namespace {
+
+// The digests of the inputs of these jobs as they are now; empty for what cannot be read.
+std::vector<std::string> hash_inputs(const Plan& plan, std::span<const std::uint32_t> jobs,
+                                     const std::string& manifest_path) {
+  std::vector<std::string> digests(plan.curves.size());
+  const std::vector<PlannedUnit> units = units_of(plan, jobs);
+  for_each_block(units.size(), 1, [&](std::size_t k, std::size_t) {
+    try {
+      const std::string sha256 = file_sha256(located(manifest_path, plan.files[units[k].file]));
+      for (const CurveId id : units[k].curves) {
+        const PlannedCurve& curve = plan.curves[id];
+        std::optional<std::size_t> zone;
+        if (curve.zone >= 0) zone = static_cast<std::size_t>(curve.zone);
+        digests[id] = zone_digest(sha256, {zone, curve.closed, curve.name});
+      }
+    } catch (const DataError&) {  // the jobs will say so
+    }
+  });
+  return digests;
+}
+
+std::string spelled(Shard shard) {
+  return std::to_string(shard.number + 1) + "/" + std::to_string(shard.of);
+}
+
+}  // namespace
+
+StoreSession::StoreSession(const std::string& store_path, const Plan& plan, const Manifest& manifest, Shard shard,
+                           int threads, std::function<void()> broken)
+    : plan_(plan), store_(Store::create(store_path)), digests_(plan.curves.size()), seen_(plan.curves.size(), 0) {
+  store_->begin_run(provenance(), threads, manifest.text, spelled(shard), plan);
+  pending_ = jobs_of(plan, shard);
+  if (!store_->known().empty()) skip_finished(hash_inputs(plan, pending_, manifest.path));
+  writer_ = std::make_unique<ResultWriter>(*store_, std::move(broken));
+  for (CurveId id = 0; id < seen_.size(); ++id) {
+    if (seen_[id] != 0) writer_->add(input_name(plan.curves[id]), digests_[id]);
+  }
+}
+
+StoreSession::~StoreSession() = default;
+
+void StoreSession::skip_finished(std::vector<std::string> digests) {
+  const JobKeys keys(plan_);
+  std::vector<std::uint32_t> left;
+  digests_ = std::move(digests);
+  for (const std::uint32_t number : pending_) {
+    const PlannedJob& job = plan_.jobs[number];
+    const bool two = job.second != no_curve;
+    seen_[job.first] = 1;
+    if (two) seen_[job.second] = 1;
+    const auto known = store_->known().find(keys(job, digests_[job.first], two ? digests_[job.second] : ""));
+    if (known == store_->known().end() || known->second.failed) left.push_back(number);
+  }
+  finished_before_ = pending_.size() - left.size();
+  pending_ = std::move(left);
+}
+
+void StoreSession::note(CurveId curve, const std::string& digest, bool& usable) {
+  if (seen_[curve] == 0) {
+    seen_[curve] = 1;
+    digests_[curve] = digest;
+    writer_->add(input_name(plan_.curves[curve]), digest);
+  } else if (digests_[curve] != digest) {
+    usable = false;
+  }
+}
+
+bool StoreSession::add(PlanResult result) {
+  const PlannedJob& job = plan_.jobs[result.job];
+  bool usable = true;
+  note(job.first, result.digest1, usable);
+  if (job.second != no_curve) note(job.second, result.digest2, usable);
+  if (usable) writer_->add({result.key, result.failed, result.seconds, std::move(result.value)});
+  return usable;
+}
+
+double StoreSession::finish(const std::string& how) {
+  writer_->finish();
+  store_->end_run(how);
+  store_.reset();  // which brings the log into the file
+  return writer_->seconds();
+}
+
+BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
+  const Stopwatch watch;
+  BatchReport report;
+  const Plan plan = make_plan(manifest);
+  QueueOptions queue_options = options.queue;
+  queue_options.digests = true;
+  std::atomic<PlanRunner*> runner{nullptr};
+  StoreSession session(options.store, plan, manifest, options.shard, queue_options.threads, [&] {
+    if (PlanRunner* const running = runner.load()) running->stop();
+  });
+  report.jobs = session.pending().size() + session.finished_before();
+  report.finished_before = session.finished_before();
+  std::size_t unusable = 0;
+  {
+    PlanRunner queue(plan, manifest.path, session.pending(), queue_options);
+    runner = &queue;
+    const Watcher watcher([&] {
+      if (options.progress && !options.progress(queue.progress())) queue.stop();
+    });
+    report.queue = queue.run(session.pending(), [&](PlanResult result) {
+      const bool failed = result.failed;
+      if (!session.add(std::move(result)) && !failed) ++unusable;
+    });
+    runner = nullptr;
+  }
+  report.queue.failed += unusable;
+  report.store_seconds = session.finish(report.queue.stopped ? "stopped" : "complete");
+  report.wall_seconds = watch.seconds();
+  return report;
+}
+
+Watcher::Watcher(std::function<void()> watch)
+    : thread_([this, watch = std::move(watch)] {
+        std::unique_lock lock(mutex_);
+        while (!wake_.wait_for(lock, std::chrono::milliseconds(100), [&] { return done_; })) watch();
+      }) {}
+
+Watcher::~Watcher() {
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+}  // namespace lober

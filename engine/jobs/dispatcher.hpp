@@ -1,0 +1,40 @@
+// Who runs which job when (private to jobs/).
+//
+// Each thread of the arena runs a *lane*, a task that takes one job after the other. Work inside a job is isolated, so
+// that a thread which waits for a piece of it never starts another job in between. A lane that finds no job to start
+// (memory is short, or what it needs is being read) ends and is started again when something changes; meanwhile, and
+// when no job is left, its thread helps inside the jobs of the others.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "engine/jobs/curve_cache.hpp"
+
+namespace lober {
+
+struct DispatchedJob {
+  std::uint32_t number;
+  CurveCache::UnitId unit1, unit2;  ///< equal if there is only one
+  std::size_t working_bytes;
+};
+
+class JobRunner {
+ public:
+  JobRunner() = default;
+  JobRunner(const JobRunner&) = delete;
+  JobRunner& operator=(const JobRunner&) = delete;
+  virtual ~JobRunner() = default;
+  /// All curves of the job are in memory and stay there. What it throws ends the run.
+  virtual void run_job(std::uint32_t number) = 0;
+};
+
+/// Runs the jobs in this order, except that one which has to wait for memory or for a reading is overtaken by the next
+/// few hundred. A job that does not fit at all runs alone. Returns when all are done, or after `stop` when those that
+/// run are.
+void dispatch(std::span<const DispatchedJob> jobs, CurveCache& cache, bool digests, int threads,
+              const std::atomic<bool>& stop, JobRunner& runner);
+
+}  // namespace lober

@@ -1,0 +1,198 @@
+#include "engine/jobs/jobs.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "engine/jobs/dispatcher.hpp"
+#include "engine/jobs/schedule.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober {
+namespace {
+
+void add_to(std::atomic<double>& sum, double value) {
+  sum.store(sum.load(std::memory_order_relaxed) + value, std::memory_order_relaxed);  // under a lock
+}
+
+// The digest of a curve in memory: of its points and of whether it is closed.
+std::string digest_of(const Curve& curve) {
+  return sha256(std::as_bytes(std::span(curve.points))) + (curve.closed ? "" : " open");
+}
+
+// Bytes that a job takes besides its curves, unless they cross very often.
+std::size_t working_memory(std::size_t points) {
+  return (std::size_t{1} << 16) + 8 * points;
+}
+
+}  // namespace
+
+std::size_t machine_memory() {
+  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
+}
+
+JobQueue::JobQueue(const QueueOptions& options) : options_(options) {
+  if (options_.memory == 0) options_.memory = machine_memory() / 2;
+  cache_ = std::make_unique<CurveCache>(options_.memory);
+}
+
+JobQueue::~JobQueue() = default;
+
+CurveId JobQueue::add(Curve curve) {
+  CurveUnit unit;
+  unit.points = curve.points.size();
+  unit.keep = true;
+  auto held = std::make_shared<const Curve>(std::move(curve));
+  unit.load = [held](bool digests) {
+    return std::vector<LoadedCurve>{{held, digests ? digest_of(*held) : std::string(), {}}};
+  };
+  return cache_->add(std::move(unit))[0];
+}
+
+std::vector<CurveId> JobQueue::add(CurveUnit unit) {
+  return cache_->add(std::move(unit));
+}
+
+std::size_t JobQueue::submit(Job job) {
+  const bool two = job.second != no_curve;
+  if (job.operation->arity == (two ? Arity::one : Arity::two)) {
+    throw UsageError(job.operation->name + (two ? " takes one curve" : " takes two curves"));
+  }
+  const Needs needs = job.operation->needs(*job.options);
+  cache_->require(job.first, needs);
+  if (two) cache_->require(job.second, needs);
+  jobs_.push_back(std::move(job));
+  return jobs_.size() - 1;
+}
+
+void JobQueue::stop() {
+  stop_.store(true);
+}
+
+QueueProgress JobQueue::progress() const {
+  return {counters_.jobs, counters_.done, counters_.failed, counters_.cost, counters_.cost_done, counters_.points};
+}
+
+// One call of `run`: what the dispatcher asks of the jobs.
+class JobQueue::Run final : public JobRunner {
+ public:
+  Run(JobQueue& queue, const std::function<void(JobResult)>& done) : queue_(queue), done_(done) {}
+
+  void run_job(std::uint32_t number) override {
+    const Job& job = queue_.jobs_[number];
+    const CurveCache& cache = *queue_.cache_;
+    JobResult result;
+    result.job = number;
+    const PreparedCurve& first = cache.curve(job.first);
+    const PreparedCurve* const second = job.second == no_curve ? nullptr : &cache.curve(job.second);
+    result.digest1 = cache.digest(job.first);
+    if (second != nullptr) result.digest2 = cache.digest(job.second);
+    const Stopwatch watch;
+    result.error = !first.error().empty() ? first.error() : second != nullptr ? second->error() : std::string();
+    if (result.error.empty()) {
+      try {
+        result.record = job.operation->run(first, second, *job.options);
+      } catch (const std::bad_alloc&) {
+        result.error = "out of memory";
+      } catch (const std::exception& error) {
+        result.error = error.what();
+      }
+    }
+    result.seconds = watch.seconds();
+    const std::size_t points = first.curve().points.size() + (second != nullptr ? second->curve().points.size() : 0);
+    const double seconds = result.seconds;
+    const bool failed = !result.error.empty();
+    const Stopwatch callback_watch;
+    if (queue_.options_.concurrent) {
+      done_(std::move(result));
+    } else {
+      const std::lock_guard lock(callback_);
+      done_(std::move(result));
+    }
+    count(points, failed, costs[number - queue_.first_waiting_], seconds, callback_watch.seconds());
+  }
+
+  std::vector<double> costs;  ///< of the jobs that wait
+  QueueReport report;
+
+ private:
+  void count(std::size_t points, bool failed, double cost, double seconds, double callback_seconds) {
+    const std::lock_guard lock(counting_);
+    Counters& counters = queue_.counters_;
+    counters.done.fetch_add(1, std::memory_order_relaxed);
+    counters.failed.fetch_add(failed ? 1 : 0, std::memory_order_relaxed);
+    counters.points.fetch_add(points, std::memory_order_relaxed);
+    add_to(counters.cost_done, cost);
+    ++report.jobs;
+    report.failed += failed ? 1 : 0;
+    report.points += points;
+    report.operation_seconds += seconds;
+    report.callback_seconds += callback_seconds;
+  }
+
+  JobQueue& queue_;
+  const std::function<void(JobResult)>& done_;
+  std::mutex callback_, counting_;
+};
+
+QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
+  const Stopwatch watch;
+  stop_ = false;
+  Run run(*this, done);
+  const std::span<const Job> waiting = std::span(jobs_).subspan(first_waiting_);
+  std::vector<ScheduledJob> scheduled;
+  std::vector<DispatchedJob> dispatched;
+  std::vector<std::size_t> unit_bytes, points;
+  double total_cost = 0;
+  for (const Job& job : waiting) {
+    const bool two = job.second != no_curve;
+    points.push_back(cache_->points(job.first) + (two ? cache_->points(job.second) : 0));
+    const CurveCache::UnitId unit1 = cache_->unit_of(job.first), unit2 = two ? cache_->unit_of(job.second) : unit1;
+    for (const CurveCache::UnitId unit : {unit1, unit2}) {
+      if (unit_bytes.size() <= unit) unit_bytes.resize(unit + std::size_t{1});
+      unit_bytes[unit] = cache_->bytes(unit);
+    }
+    const double cost = job.operation->cost(points.back());
+    total_cost += cost;
+    run.costs.push_back(cost);
+    scheduled.push_back({unit1, unit2, cost});
+  }
+  const int threads = options_.threads > 0 ? options_.threads : tbb::this_task_arena::max_concurrency();
+  // What the threads take at most, besides curves that stay: for their jobs, and to read.
+  std::size_t working = 0, reading = 0;
+  for (std::size_t k = 0; k < waiting.size(); ++k) {
+    working = std::max(working, working_memory(points[k]));
+    for (const CurveCache::UnitId unit : {scheduled[k].unit1, scheduled[k].unit2}) {
+      reading = std::max(reading, cache_->reading_memory(unit) + cache_->bytes(unit));
+    }
+  }
+  const auto less = [&](std::size_t bytes) {
+    const std::size_t taken = static_cast<std::size_t>(threads) * bytes;
+    return std::max(options_.memory / 4, options_.memory - std::min(options_.memory, taken));
+  };
+  const Room room{less(working), less(working + reading)};
+  for (const std::uint32_t k : schedule(scheduled, unit_bytes, room)) {
+    dispatched.push_back({static_cast<std::uint32_t>(first_waiting_ + k), scheduled[k].unit1, scheduled[k].unit2,
+                          working_memory(points[k])});
+  }
+  counters_.jobs = jobs_.size();
+  add_to(counters_.cost, total_cost);
+
+  const CacheCounts before = cache_->counts();
+  run.report.threads = threads;
+  with_threads(threads, [&] { dispatch(dispatched, *cache_, options_.digests, threads, stop_, run); });
+  run.report.stopped = run.report.jobs < waiting.size();
+  run.report.cache = cache_->counts();
+  run.report.cache.units_read -= before.units_read;
+  run.report.cache.curves_indexed -= before.curves_indexed;
+  run.report.cache.evictions -= before.evictions;
+  run.report.cache.read_seconds -= before.read_seconds;
+  run.report.cache.prepare_seconds -= before.prepare_seconds;
+  first_waiting_ = jobs_.size();
+  run.report.wall_seconds = watch.seconds();
+  return run.report;
+}
+
+}  // namespace lober

@@ -1,0 +1,68 @@
+// What is to be computed, as a person writes it down (TOML).
+//
+//   operation = "overlay"          # the whole manifest for all pairs of a family of files
+//   curves = "separ.*"
+//   pairs = "all"
+//
+// Keys, at the top for all groups or in a [[group]] for itself:
+//
+//   name       of the group, in exports
+//   operation  overlay, interior, densify
+//   curves     a pattern or a list of them: * ? [abc] in file names; FILE#K a zone by number or title, FILE#* all
+//   with       the same, the second set of pairs = "product"
+//   closed     false for open curves (default true)
+//   pairs      "all"          each unordered pair of two of the curves
+//              "consecutive"  each with the next one
+//              { lag = k }    each with the k-th after it
+//              "product"      each of `curves` with each of `with`, but none with itself
+//              "single"       no pairs: each curve alone
+//              [["a", "b"], ...]  these, by name; `curves` is not needed
+//   options    a table for the operation; a group's count before those at the top
+//   grid       a table of lists: one round of jobs for each combination
+//
+// Curves come in natural order of their names (separ.2 before separ.10); paths are relative to the manifest.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/jobs/operation.hpp"
+
+namespace lober {
+
+enum class PairKind : std::uint8_t { all, lag, product, single, list };
+
+/// A text of the manifest and where it stands.
+struct Placed {
+  std::string text;
+  std::size_t line = 0;
+  std::string key;
+};
+
+struct ManifestGroup {
+  std::string name;
+  const Operation* operation = nullptr;
+  std::vector<Options> options;  ///< one for each combination of the grid; without one, a single one
+  std::vector<Placed> curves, with;
+  PairKind pairs = PairKind::all;
+  std::size_t lag = 1;
+  std::vector<std::array<Placed, 2>> list;
+  bool closed = true;
+};
+
+struct Manifest {
+  std::string path;
+  std::string text;
+  std::vector<ManifestGroup> groups;
+
+  /// Throws UsageError "path:line: key: message".
+  [[noreturn]] void fail(std::size_t line, const std::string& key, const std::string& message) const;
+};
+
+/// Throws DataError when the file cannot be read, UsageError "path:line: key: what is wrong" for everything in it that
+/// is not understood.
+[[nodiscard]] Manifest read_manifest(const std::string& path);
+
+}  // namespace lober

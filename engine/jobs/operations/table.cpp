@@ -1,0 +1,43 @@
+// All operations. A new one is a file beside this one and a line in the list below.
+#include "engine/jobs/operations/table.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace lober {
+
+std::span<const Operation> all_operations() {
+  static const std::array table{overlay_operation(), interior_operation(), densify_operation()};
+  return table;
+}
+
+const Operation* find_operation(std::string_view name) {
+  const std::span<const Operation> table = all_operations();
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Operation& any) { return any.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+void add_area_columns(std::vector<Column>& columns, const std::string& prefix) {
+  for (const char* const area :
+       {"c1", "c2", "intersection", "union", "c1_minus_c2", "c2_minus_c1", "symmetric_difference"}) {
+    columns.push_back({prefix + area, Column::Kind::real});
+  }
+}
+
+void add_areas(std::vector<double>& values, const Areas& areas) {
+  values.insert(values.end(), {areas.c1, areas.c2, areas.intersection, areas.unite, areas.c1_minus_c2,
+                               areas.c2_minus_c1, areas.symmetric_difference});
+}
+
+OptionSpec index_option() {
+  return {"index", "auto", {"auto", "tree", "grid", "kd"}};
+}
+
+IndexKind index_kind(const Options& options) {
+  for (const IndexKind kind : {IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
+    if (name(kind) == options.text("index")) return kind;
+  }
+  return IndexKind::automatic;
+}
+
+}  // namespace lober

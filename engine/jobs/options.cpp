@@ -1,0 +1,84 @@
+#include "engine/jobs/options.hpp"
+
+#include <algorithm>
+
+#include "engine/error.hpp"
+#include "engine/jobs/text.hpp"
+
+namespace lober {
+namespace {
+
+[[noreturn]] void refuse(const OptionSpec& spec, const std::string& message) {
+  throw UsageError(spec.key + ": " + message);
+}
+
+const char* type_name(const OptionValue& value) {
+  constexpr const char* names[] = {"true or false", "a whole number", "a number", "a string"};
+  return names[value.index()];
+}
+
+std::string joined(std::span<const std::string> words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+OptionValue checked(const OptionSpec& spec, OptionValue value) {
+  if (std::holds_alternative<double>(spec.fallback) && std::holds_alternative<std::int64_t>(value)) {
+    value = static_cast<double>(std::get<std::int64_t>(value));
+  }
+  if (value.index() != spec.fallback.index()) refuse(spec, std::string("has to be ") + type_name(spec.fallback));
+  if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !spec.choices.empty()) {
+    if (std::find(spec.choices.begin(), spec.choices.end(), *text) == spec.choices.end()) {
+      refuse(spec, "\"" + *text + "\" is none of " + joined(spec.choices));
+    }
+  }
+  double number = 0;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*whole);
+  if (const auto* real = std::get_if<double>(&value)) number = *real;
+  if (std::holds_alternative<std::int64_t>(value) || std::holds_alternative<double>(value)) {
+    if (!(number >= spec.least)) refuse(spec, "has to be at least " + shortest(spec.least));
+    if (!(number <= spec.most)) refuse(spec, "has to be at most " + shortest(spec.most));
+  }
+  return value;
+}
+
+}  // namespace
+
+Options::Options(std::span<const OptionSpec> specs, std::span<const OptionSetting> settings) {
+  for (const OptionSpec& spec : specs) settings_.push_back({spec.key, spec.fallback});
+  for (const OptionSetting& setting : settings) {
+    const auto spec =
+        std::find_if(specs.begin(), specs.end(), [&](const OptionSpec& any) { return any.key == setting.key; });
+    if (spec == specs.end()) {
+      std::vector<std::string> known;
+      for (const OptionSpec& any : specs) known.push_back(any.key);
+      throw UsageError(setting.key + ": there is no such option; there are " + joined(known));
+    }
+    settings_[static_cast<std::size_t>(spec - specs.begin())].value = checked(*spec, setting.value);
+  }
+}
+
+const OptionValue& Options::at(std::string_view key) const {
+  const auto found =
+      std::find_if(settings_.begin(), settings_.end(), [&](const OptionSetting& any) { return any.key == key; });
+  if (found == settings_.end()) throw UsageError("no option " + std::string(key));
+  return found->value;
+}
+
+std::string spelled(const OptionValue& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+  if (const auto* real = std::get_if<double>(&value)) return shortest(*real);
+  return std::get<std::string>(value);
+}
+
+std::string Options::spelled() const {
+  std::string text;
+  for (const OptionSetting& setting : settings_) {
+    text += (text.empty() ? "" : " ") + setting.key + "=" + lober::spelled(setting.value);
+  }
+  return text;
+}
+
+}  // namespace lober

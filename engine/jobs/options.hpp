@@ -1,0 +1,58 @@
+// The options of an operation: what there is, what was chosen, and one spelling of it that keys and exports use.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace lober {
+
+using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
+
+/// What an operation can be told. The type of `fallback` is the type of the option; a whole number is taken for a
+/// double too.
+struct OptionSpec {
+  std::string key;
+  OptionValue fallback;
+  std::vector<std::string> choices = {};  ///< of a string; empty: any
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+};
+
+struct OptionSetting {
+  std::string key;
+  OptionValue value;
+};
+
+/// All options of an operation, each with its value. Cheap to share, never changed.
+class Options {
+ public:
+  Options() = default;
+  /// Every option at its fallback, but for the settings, of which the last one for a key counts. Throws UsageError
+  /// "key: what is wrong".
+  Options(std::span<const OptionSpec> specs, std::span<const OptionSetting> settings);
+
+  [[nodiscard]] bool flag(std::string_view key) const { return std::get<bool>(at(key)); }
+  [[nodiscard]] std::int64_t whole(std::string_view key) const { return std::get<std::int64_t>(at(key)); }
+  [[nodiscard]] double real(std::string_view key) const { return std::get<double>(at(key)); }
+  [[nodiscard]] const std::string& text(std::string_view key) const { return std::get<std::string>(at(key)); }
+
+  /// In the order of the specs.
+  [[nodiscard]] std::span<const OptionSetting> settings() const { return settings_; }
+  /// "areas_only=false index=auto": the same for the same values, whatever was spelled out.
+  [[nodiscard]] std::string spelled() const;
+
+ private:
+  [[nodiscard]] const OptionValue& at(std::string_view key) const;
+
+  std::vector<OptionSetting> settings_;
+};
+
+/// A value as `spelled` has it: numbers in the shortest form that reads back to the same bits.
+[[nodiscard]] std::string spelled(const OptionValue& value);
+
+}  // namespace lober

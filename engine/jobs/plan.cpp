@@ -1,0 +1,203 @@
+#include "engine/jobs/plan.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/jobs/bytes.hpp"
+#include "engine/jobs/curve_set.hpp"
+
+namespace lober {
+namespace {
+
+class Planner {
+ public:
+  explicit Planner(const Manifest& manifest) : manifest_(manifest) {}
+
+  Plan plan() {
+    for (const ManifestGroup& group : manifest_.groups) add(group);
+    return std::move(plan_);
+  }
+
+ private:
+  using Pairs = std::vector<std::pair<CurveId, CurveId>>;
+
+  void add(const ManifestGroup& group) {
+    const Pairs pairs = pairs_of(group);
+    if (pairs.empty()) {
+      const Placed& place = group.pairs == PairKind::list ? Placed{"", 1, "pairs"} : group.curves.front();
+      manifest_.fail(place.line, place.key, "no pair comes of this");
+    }
+    for (const Options& options : group.options) {
+      PlannedGroup planned{group.name, group.operation->name, {}};
+      for (const OptionSetting& setting : options.settings()) {
+        planned.options.emplace_back(setting.key, spelled(setting.value));
+      }
+      const auto number = static_cast<std::uint32_t>(plan_.groups.size());
+      plan_.groups.push_back(std::move(planned));
+      for (const auto& [first, second] : pairs) plan_.jobs.push_back({number, first, second});
+    }
+  }
+
+  Pairs pairs_of(const ManifestGroup& group) {
+    Pairs pairs;
+    const std::vector<CurveId> curves = numbers_of(group.curves, group.closed);
+    switch (group.pairs) {
+      case PairKind::all:
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+          for (std::size_t k = i + 1; k < curves.size(); ++k) pairs.emplace_back(curves[i], curves[k]);
+        }
+        break;
+      case PairKind::lag:
+        for (std::size_t i = 0; i + group.lag < curves.size(); ++i)
+          pairs.emplace_back(curves[i], curves[i + group.lag]);
+        break;
+      case PairKind::product: {
+        const std::vector<CurveId> others = numbers_of(group.with, group.closed);
+        for (const CurveId curve : curves) {
+          for (const CurveId other : others) {
+            if (curve != other) pairs.emplace_back(curve, other);
+          }
+        }
+        break;
+      }
+      case PairKind::single:
+        for (const CurveId curve : curves) pairs.emplace_back(curve, no_curve);
+        break;
+      case PairKind::list:
+        for (const auto& [first, second] : group.list) {
+          pairs.emplace_back(single(first, group.closed), single(second, group.closed));
+        }
+        break;
+    }
+    return pairs;
+  }
+
+  CurveId single(const Placed& name, bool closed) {
+    const std::vector<CurveId> found = numbers_of({name}, closed);
+    if (found.size() != 1) manifest_.fail(name.line, name.key, name.text + " is more than one curve");
+    return found[0];
+  }
+
+  std::vector<CurveId> numbers_of(const std::vector<Placed>& patterns, bool closed) {
+    std::vector<CurveId> ids;
+    for (const CurvePlace& place : resolve(manifest_, patterns)) {
+      const auto [at, is_new] = curves_.try_emplace({place.name(), closed}, static_cast<CurveId>(plan_.curves.size()));
+      ids.push_back(at->second);
+      if (!is_new) continue;
+      const auto [file, new_file] = files_.try_emplace(place.file, static_cast<std::uint32_t>(plan_.files.size()));
+      if (new_file) plan_.files.push_back(place.file);
+      plan_.curves.push_back(
+          {file->second, place.zone ? static_cast<std::int64_t>(*place.zone) : -1, closed, place.name()});
+    }
+    return ids;
+  }
+
+  const Manifest& manifest_;
+  Plan plan_;
+  std::map<std::pair<std::string, bool>, CurveId> curves_;
+  std::map<std::string, std::uint32_t> files_;
+};
+
+OptionValue parsed(const OptionSpec& spec, const std::string& text) {
+  if (std::holds_alternative<bool>(spec.fallback)) return text == "true";
+  if (std::holds_alternative<std::int64_t>(spec.fallback)) return std::int64_t{std::stoll(text)};
+  if (std::holds_alternative<double>(spec.fallback)) return std::stod(text);
+  return text;
+}
+
+}  // namespace
+
+std::string PlannedGroup::spelled() const {
+  std::string text;
+  for (const auto& [key, value] : options) text += (text.empty() ? "" : " ") + key + "=" + value;
+  return text;
+}
+
+std::string Plan::encoded() const {
+  ByteWriter writer;
+  writer.put(std::uint64_t{groups.size()});
+  for (const PlannedGroup& group : groups) {
+    writer.put_text(group.name);
+    writer.put_text(group.operation);
+    writer.put(std::uint64_t{group.options.size()});
+    for (const auto& [key, value] : group.options) {
+      writer.put_text(key);
+      writer.put_text(value);
+    }
+  }
+  writer.put(std::uint64_t{files.size()});
+  for (const std::string& file : files) writer.put_text(file);
+  writer.put(std::uint64_t{curves.size()});
+  for (const PlannedCurve& curve : curves) {
+    writer.put(curve.file);
+    writer.put(curve.zone);
+    writer.put(curve.closed);
+    writer.put_text(curve.name);
+  }
+  writer.put_all(jobs);
+  return writer.take();
+}
+
+Plan Plan::decoded(std::string_view bytes) {
+  ByteReader reader(bytes);
+  Plan plan;
+  plan.groups.resize(reader.get<std::uint64_t>());
+  for (PlannedGroup& group : plan.groups) {
+    group.name = reader.get_text();
+    group.operation = reader.get_text();
+    group.options.resize(reader.get<std::uint64_t>());
+    for (auto& [key, value] : group.options) {
+      key = reader.get_text();
+      value = reader.get_text();
+    }
+  }
+  plan.files.resize(reader.get<std::uint64_t>());
+  for (std::string& file : plan.files) file = reader.get_text();
+  plan.curves.resize(reader.get<std::uint64_t>());
+  for (PlannedCurve& curve : plan.curves) {
+    curve.file = reader.get<std::uint32_t>();
+    curve.zone = reader.get<std::int64_t>();
+    curve.closed = reader.get<bool>();
+    curve.name = reader.get_text();
+  }
+  plan.jobs = reader.get_all<PlannedJob>();
+  return plan;
+}
+
+Plan make_plan(const Manifest& manifest) {
+  return Planner(manifest).plan();
+}
+
+const Operation& operation_of(const PlannedGroup& group) {
+  const Operation* const operation = find_operation(group.operation);
+  if (operation == nullptr) throw UsageError("there is no operation \"" + group.operation + "\" in this version");
+  return *operation;
+}
+
+Options options_of(const PlannedGroup& group) {
+  const Operation& operation = operation_of(group);
+  std::vector<OptionSetting> settings;
+  for (const auto& [key, value] : group.options) {
+    const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
+                                   [&, wanted = key](const OptionSpec& any) { return any.key == wanted; });
+    if (spec == operation.options.end()) throw UsageError(key + ": there is no such option in this version");
+    settings.push_back({key, parsed(*spec, value)});
+  }
+  return {operation.options, settings};
+}
+
+std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard) {
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t begin = 0; begin < plan.jobs.size();) {
+    std::size_t end = begin;
+    while (end < plan.jobs.size() && plan.jobs[end].group == plan.jobs[begin].group) ++end;
+    const std::size_t count = end - begin;
+    const std::size_t from = begin + count * shard.number / shard.of,
+                      to = begin + count * (shard.number + 1) / shard.of;
+    for (std::size_t k = from; k < to; ++k) chosen.push_back(static_cast<std::uint32_t>(k));
+    begin = end;
+  }
+  return chosen;
+}
+
+}  // namespace lober

@@ -1,0 +1,45 @@
+#include "engine/jobs/plan_runner.hpp"
+
+namespace lober {
+namespace {
+
+// So that keys are made and results encoded by all threads.
+QueueOptions concurrently(QueueOptions options) {
+  options.concurrent = true;
+  return options;
+}
+
+}  // namespace
+
+PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
+                       const QueueOptions& options)
+    : plan_(plan), keys_(plan), queue_(concurrently(options)), ids_(plan.curves.size(), no_curve) {
+  for (const PlannedUnit& unit : units_of(plan, jobs)) {
+    const std::vector<CurveId> ids = queue_.add(make_unit(plan, unit, manifest_path));
+    for (std::size_t k = 0; k < ids.size(); ++k) ids_[unit.curves[k]] = ids[k];
+  }
+  for (const PlannedGroup& group : plan.groups) options_.push_back(std::make_shared<const Options>(options_of(group)));
+}
+
+QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::function<void(PlanResult)>& done) {
+  for (const std::uint32_t number : jobs) {
+    const PlannedJob& job = plan_.jobs[number];
+    queue_.submit({&operation_of(plan_.groups[job.group]), options_[job.group], ids_[job.first],
+                   job.second == no_curve ? no_curve : ids_[job.second]});
+    submitted_.push_back(number);
+  }
+  return queue_.run([&](JobResult result) {
+    PlanResult planned;
+    planned.job = submitted_[result.job];
+    planned.key = keys_(plan_.jobs[planned.job], result.digest1, result.digest2);
+    planned.failed = !result.error.empty();
+    planned.seconds = result.seconds;
+    planned.value = planned.failed ? std::move(result.error) : encode(result.record);
+    planned.digest1 = std::move(result.digest1);
+    planned.digest2 = std::move(result.digest2);
+    const std::lock_guard lock(done_);
+    done(std::move(planned));
+  });
+}
+
+}  // namespace lober

@@ -1,0 +1,76 @@
+#include "engine/jobs/result_writer.hpp"
+
+#include <chrono>
+#include <ctime>
+#include <utility>
+
+namespace lober {
+namespace {
+
+// A kill loses what was computed since the last commit: this long at most, or so many results.
+constexpr std::chrono::milliseconds interval(100);
+constexpr std::size_t many = 4096;
+
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+ResultWriter::ResultWriter(Store& store, std::function<void()> failed)
+    : store_(store), failed_(std::move(failed)), thread_([this] { work(); }) {}
+
+ResultWriter::~ResultWriter() {
+  try {
+    finish();
+  } catch (...) {  // whoever wants to know calls `finish`
+  }
+}
+
+void ResultWriter::add(StoredResult result) {
+  const std::lock_guard lock(mutex_);
+  results_.push_back(std::move(result));
+  if (results_.size() == many) wake_.notify_one();
+}
+
+void ResultWriter::add(const std::string& input, const std::string& digest) {
+  const std::lock_guard lock(mutex_);
+  digests_[input] = digest;
+}
+
+void ResultWriter::finish() {
+  {
+    const std::lock_guard lock(mutex_);
+    finish_ = true;
+  }
+  wake_.notify_one();
+  if (thread_.joinable()) thread_.join();
+  if (error_) std::rethrow_exception(error_);
+}
+
+void ResultWriter::work() {
+  const double start = processor_seconds();
+  std::unique_lock lock(mutex_);
+  for (bool last = false; !last;) {
+    wake_.wait_for(lock, interval, [&] { return finish_ || results_.size() >= many; });
+    last = finish_;
+    const std::vector<StoredResult> results = std::exchange(results_, {});
+    const InputDigests digests = std::exchange(digests_, {});
+    if ((results.empty() && digests.empty()) || error_) continue;
+    lock.unlock();
+    std::exception_ptr error;
+    try {
+      store_.append(results, digests);
+    } catch (...) {
+      error = std::current_exception();
+      failed_();
+    }
+    lock.lock();
+    error_ = error;
+  }
+  seconds_ = processor_seconds() - start;
+}
+
+}  // namespace lober

@@ -1,0 +1,29 @@
+// In which order jobs start.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lober {
+
+struct ScheduledJob {
+  std::uint32_t unit1 = 0, unit2 = 0;  ///< what it reads; equal if it reads only one
+  double cost = 0;
+};
+
+/// Bytes for units.
+struct Room {
+  std::size_t all;    ///< if nothing has to be read again
+  std::size_t block;  ///< besides those that pass by
+};
+
+/// If everything fits, by falling cost, so that what starts last is short. If not, units are put into
+/// blocks: first the jobs inside the first block by falling cost, then, unit after unit,
+/// those of its units with the later ones, which pass by while the block stays; then the same with the next block. A
+/// unit is read about once for each block before its own. Equal costs in the order given. O(n log n).
+[[nodiscard]] std::vector<std::uint32_t> schedule(std::span<const ScheduledJob> jobs,
+                                                  std::span<const std::size_t> unit_bytes, const Room& room);
+
+}  // namespace lober

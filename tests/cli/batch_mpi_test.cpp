@@ -1,0 +1,79 @@
+// `lober_mpi`: several ranks, and one that is killed.
+
+#include <signal.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "tests/cli/background.hpp"
+#include "tests/cli/program.hpp"
+
+#ifndef LOBER_MPI_PROGRAM
+#define LOBER_MPI_PROGRAM ""
+#define LOBER_MPIRUN ""
+#endif
+
+namespace lober::cli {
+namespace {
+
+class BatchMpi : public ProgramTest {
+ protected:
+  void SetUp() override {
+    if (std::string(LOBER_MPI_PROGRAM).empty() || !std::filesystem::exists(LOBER_MPIRUN)) {
+      GTEST_SKIP() << "there is no MPI here";
+    }
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    for (int k = 0; k < 30; ++k) {
+      write_curve("separ." + std::to_string(k), flower(5000, 60 + k, 0.3, {0.001 * k, 0.002 * k}));
+    }
+    write("job.toml", "operation = \"overlay\"\ncurves = \"separ.*\"\noptions = { lobes = true }\n");
+    EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "whole"}).status, 0);
+    expected_ = exported("whole");
+  }
+  pid_t start(int ranks, const std::string& store) const {
+    return start_in(folder(), {LOBER_MPIRUN, "--oversubscribe", "-n", std::to_string(ranks), LOBER_MPI_PROGRAM,
+                               "job.toml", "--store", store, "--threads", "1"});
+  }
+  std::string exported(const std::string& store) const {
+    const Outcome outcome = run({"batch", "export", store, "--format", "jsonl"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  }
+  std::string expected_;
+};
+
+TEST_F(BatchMpi, SameBytesAsOneProcess) {
+  EXPECT_EQ(wait_for(start(3, "ranks3")), 0);
+  EXPECT_EQ(exported("ranks3"), expected_);
+  EXPECT_EQ(run({"batch", "status", "ranks3"}).out.substr(0, 27), "435 done, 0 failed, 0 to do");
+}
+
+TEST_F(BatchMpi, FailedJobsShowInTheExitStatus) {
+  write("separ.3", "0 0\n1 1\n1 0\n0 1\n");
+  EXPECT_EQ(wait_for(start(2, "failed")), 1);
+  EXPECT_EQ(run({"batch", "status", "failed"}).out.substr(0, 28), "406 done, 29 failed, 0 to do");
+}
+
+TEST_F(BatchMpi, KilledRanksLoseNothingThatWasStored) {
+  const char* const wanted = std::getenv("LOBER_MPI_KILLS");
+  const int kills = wanted != nullptr ? std::atoi(wanted) : 1;
+  std::mt19937 random(7);
+  for (int k = 0; k < kills; ++k) {
+    const std::string store = "store" + std::to_string(k);
+    const pid_t mpirun = start(2, store);
+    // The moment counts from when the store is there: starting takes MPI a while.
+    for (int wait = 0; wait < 500 && !exists(store); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(std::uniform_int_distribution<>(0, 400)(random)));
+    const std::vector<pid_t> ranks = children_of(mpirun);
+    if (!ranks.empty()) kill(ranks[static_cast<std::size_t>(k) % ranks.size()], SIGKILL);
+    wait_for(mpirun);
+    EXPECT_EQ(wait_for(start(2, store)), 0);
+    ASSERT_EQ(exported(store), expected_);
+  }
+}
+
+}  // namespace
+}  // namespace lober::cli

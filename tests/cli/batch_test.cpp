@@ -1,0 +1,186 @@
+// `lober batch` as a user runs it.
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <regex>
+
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr const char* all_pairs = "operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"all\"\n";
+
+class Batch : public ProgramTest {
+ protected:
+  void write_curves(int count, std::size_t points = 60) const {
+    for (int k = 0; k < count; ++k) {
+      write_curve("separ." + std::to_string(k), flower(points, 3 + k % 4, 0.3, {0.02 * k, 0.01 * k}));
+    }
+    write("job.toml", all_pairs);
+  }
+  // Runs the manifest and returns its report.
+  nlohmann::json report(std::vector<std::string> arguments, int status = 0) const {
+    arguments.insert(arguments.begin(), {"batch", "run"});
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  }
+  std::string exported(const std::string& store, const std::string& format = "csv") const {
+    const Outcome outcome = run({"batch", "export", store, "--format", format});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  }
+};
+
+TEST_F(Batch, AllPairsInThreeLines) {
+  write_curves(5);
+  const nlohmann::json done = report({"job.toml"});
+  EXPECT_EQ(done["run"], 10);
+  EXPECT_EQ(done["failed"], 0);
+  EXPECT_EQ(done["most_reads_of_a_file"], 1);
+  EXPECT_EQ(done["curves_indexed"], 5);
+  const std::string table = exported("job.results");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 11);
+
+  // The same numbers as from the single command.
+  const std::string lines = exported("job.results", "jsonl");
+  const nlohmann::json first = nlohmann::json::parse(lines.substr(0, lines.find('\n')));
+  const nlohmann::json single = overlay({"separ.0", "separ.1"});
+  EXPECT_EQ(first["c1_minus_c2"], single["areas"]["c1_minus_c2"]);
+  EXPECT_EQ(first["rounding_union"], single["error"]["rounding"]["union"]);
+  EXPECT_EQ(first["discretisation_intersection"], single["error"]["discretisation"]["intersection"]);
+  EXPECT_EQ(first["pieces_c1_minus_c2"], single["pieces"]["c1_minus_c2"].size());
+}
+
+TEST_F(Batch, FinishedWorkIsSkippedAndEditedInputsAreNot) {
+  write_curves(5);
+  report({"job.toml"});
+  EXPECT_EQ(report({"job.toml"})["run"], 0);
+  const std::string before = exported("job.results");
+  write_curve("separ.2", flower(61, 5, 0.2, {0, 0}));
+  const nlohmann::json again = report({"job.toml"});
+  EXPECT_EQ(again["run"], 4);
+  EXPECT_EQ(again["finished_before"], 6);
+  EXPECT_NE(exported("job.results"), before);
+  write_curve("separ.2", flower(60, 5, 0.3, {0.04, 0.02}));  // as it was
+  EXPECT_EQ(report({"job.toml"})["run"], 0);
+  EXPECT_EQ(exported("job.results"), before);
+}
+
+TEST_F(Batch, SameBytesForAnyThreadsMemoryShardsAndOrder) {
+  write_curves(9, 300);
+  report({"job.toml", "--store", "one", "--threads", "1"});
+  report({"job.toml", "--store", "two", "--threads", "4"});
+  report({"job.toml", "--store", "small", "--threads", "2", "--memory", "40k"});
+  for (const char* const shard : {"1", "3", "2"}) {
+    report({"job.toml", "--store", std::string("part") + shard, "--shard", std::string(shard) + "/3"});
+  }
+  EXPECT_EQ(run({"batch", "merge", "joined", "part2", "part1", "part3"}).status, 0);
+  for (const char* const format : {"csv", "jsonl", "npy"}) {
+    const std::string one = exported("one", format);
+    EXPECT_EQ(exported("two", format), one);
+    EXPECT_EQ(exported("small", format), one);
+    EXPECT_EQ(exported("joined", format), one);
+  }
+}
+
+TEST_F(Batch, FailuresAreRecordedAndTheRestGoesOn) {
+  write_curves(4);
+  write("separ.9", "0 0\n1 1\n1 0\n0 1\n");  // crosses itself
+  write("separ.11", "0 0\nnonsense\n");
+  const nlohmann::json done = report({"job.toml"}, 1);
+  EXPECT_EQ(done["run"], 15);
+  EXPECT_EQ(done["failed"], 9);
+  const Outcome status = run({"batch", "status", "job.results"});
+  EXPECT_NE(status.out.find("6 done, 9 failed, 0 to do"), std::string::npos) << status.out;
+  EXPECT_NE(status.out.find("separ.0 separ.9: separ.9: is not simple"), std::string::npos) << status.out;
+  EXPECT_NE(status.out.find("separ.11:2:"), std::string::npos) << status.out;
+  EXPECT_NE(exported("job.results").find(",failed,"), std::string::npos);
+  write_curve("separ.11", flower(60, 3, 0.1, {0, 0}));
+  EXPECT_EQ(report({"job.toml"}, 1)["failed"], 5);  // the self-crossing one fails again
+}
+
+TEST_F(Batch, SeveralOperationsGridsAndZones) {
+  write_curves(3);
+  write("job.toml", R"(curves = "separ.*"
+[[group]]
+name = "areas"
+operation = "overlay"
+options = { lobes = true }
+[[group]]
+operation = "interior"
+grid = { method = ["split", "ends"] }
+[[group]]
+operation = "densify"
+options = { tau = 0.01, output = "fine_{name}.npy" }
+)");
+  EXPECT_EQ(report({"job.toml"})["run"], 3 + 6 + 3);
+  EXPECT_TRUE(exists("fine_separ.1.npy"));
+  EXPECT_EQ(run({"batch", "export", "job.results"}).status, 2);  // which of them?
+  const Outcome some = run({"batch", "export", "job.results", "--operation", "interior"});
+  EXPECT_EQ(std::count(some.out.begin(), some.out.end(), '\n'), 7);
+  const std::string lines = exported("job.results", "jsonl");
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 12);
+  const nlohmann::json first = nlohmann::json::parse(lines.substr(0, lines.find('\n')));
+  EXPECT_EQ(first["lobes_c1_minus_c2"].size(), first["pieces_c1_minus_c2"]);
+}
+
+// What numpy.load would need: a header that is aligned and a body of whole rows.
+TEST_F(Batch, NpyExportIsAStructuredArray) {
+  write_curves(4);
+  write("separ.7", "0 0\n1 1\n1 0\n0 1\n");  // fails
+  report({"job.toml"}, 1);
+  ASSERT_EQ(run({"batch", "export", "job.results", "-o", "table.npy"}).status, 0);
+  const std::string bytes = read("table.npy");
+  EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x02\x00", 8));
+  std::uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 8, sizeof(length));
+  EXPECT_EQ((12 + length) % 64, 0U);
+  const std::string header = bytes.substr(12, length);
+  EXPECT_EQ(header.back(), '\n');
+  EXPECT_NE(header.find("'shape': (10,)"), std::string::npos);
+  std::size_t row = 0;
+  const std::regex field("\\('\\w+', '[<|](i|f|S|b)(\\d+)'\\)");
+  for (std::sregex_iterator at(header.begin(), header.end(), field), end; at != end; ++at) row += std::stoul((*at)[2]);
+  EXPECT_EQ(bytes.size(), 12 + length + 10 * row);
+  std::int64_t job = 0;
+  std::memcpy(&job, bytes.data() + 12 + length + 9 * row, sizeof(job));
+  EXPECT_EQ(job, 9);
+}
+
+TEST_F(Batch, CheckSaysHowMuchItIs) {
+  write_curves(5);
+  const Outcome outcome = run({"batch", "check", "job.toml"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out.substr(0, 35), "10 jobs on 5 curves of 5 files\n    ");
+  EXPECT_NE(outcome.out.find("about 300 points, 1.2e+03 over all jobs"), std::string::npos) << outcome.out;
+  write("job.toml", "operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"none\"\n");
+  const Outcome wrong = run({"batch", "check", "job.toml"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("job.toml:3: pairs: \"none\" is none of"), std::string::npos) << wrong.err;
+  EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1);
+}
+
+TEST_F(Batch, BadCommandsAreRefused) {
+  write_curves(3);
+  for (const std::vector<std::string>& bad :
+       std::vector<std::vector<std::string>>{{"batch"},
+                                             {"batch", "walk"},
+                                             {"batch", "run"},
+                                             {"batch", "run", "job.toml", "--shard", "4/3"},
+                                             {"batch", "run", "job.toml", "--memory", "much"},
+                                             {"batch", "export", "job.results", "-o", "table.xls"}}) {
+    EXPECT_EQ(run(bad).status, 2) << bad.back();
+  }
+  EXPECT_EQ(run({"batch", "run", "none.toml"}).status, 1);
+  EXPECT_EQ(run({"batch", "status", "none"}).status, 1);
+  write("text", "this is no store, but long enough to be looked at\n");
+  EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "text"}).status, 1);
+  EXPECT_EQ(read("text"), "this is no store, but long enough to be looked at\n");
+}
+
+}  // namespace
+}  // namespace lober::cli
