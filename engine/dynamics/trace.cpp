@@ -150,7 +150,6 @@ class Tracer {
   }
 
   [[nodiscard]] std::uint32_t parts_for_tolerance(const Segment& segment) const {
-    if (settled_[segment.number] != 0) return 1;
     const Kind what = kind(segment.number);
     if (what == Kind::edge) return 2;
     if (what != Kind::ordinary) return 1;
@@ -177,8 +176,15 @@ class Tracer {
   template <typename Parts>
   bool insert_where(const Parts& parts) {
     Buffer<std::uint32_t> more(segments());  // points to put into each segment
+    const auto settled = [&](std::size_t k) { return !settled_.empty() && settled_[k] != 0; };
     for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
-      for_segments(first, last, [&](const Segment& segment) { more[segment.number] = parts(segment) - 1; });
+      for (std::size_t k = first; k < last; ++k) {
+        more[k] = 0;
+        if (settled(k)) continue;
+        const std::size_t begin = k;
+        while (k + 1 < last && !settled(k + 1)) ++k;
+        for_segments(begin, k + 1, [&](const Segment& segment) { more[segment.number] = parts(segment) - 1; });
+      }
     });
     const auto broken = gathered<std::uint32_t>(
         more.size(), [&](std::size_t k) { return more[k] != 0; },
