@@ -7,10 +7,14 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
             libcli11-dev nlohmann-json3-dev libboost-dev libgtest-dev libgmp-dev libcgal-dev
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev
 
-.PHONY: demo test build bench stress fuzz deps bench-deps format tidy clean
+.PHONY: demo figures test build bench stress fuzz deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
+
+# The figures of docs/figures.md: about a minute on two cores.
+figures: build
+	@scripts/figures.sh
 
 test: deps
 	cmake --preset release
