@@ -20,8 +20,6 @@ void fill(SweepRow& row, const ManifoldTangle& found) {
   row.multiplier = found.local_u.multiplier;
   row.period = found.period();
   row.areas_by_action = found.areas_by_action;
-  // An odd number of pips from one to its image is an artefact of a tangency: no pip is half an iterate away.
-  const bool halved = row.period % 2 == 0;
   const bool with_action = !row.areas_by_action.empty();
   if (!with_action) row.action12 = row.action21 = row.difference = unknown;
   for (std::size_t k = 0; k < row.period; ++k) {
@@ -33,7 +31,6 @@ void fill(SweepRow& row, const ManifoldTangle& found) {
     (leaves ? row.flux12 : row.flux21) += std::fabs(lobe.area);
     if (!with_action) continue;
     (leaves ? row.action12 : row.action21) += std::fabs(row.areas_by_action[k]);
-    if (!halved) row.difference = unknown;
     if (k >= row.period / 2) row.difference -= row.areas_by_action[k];
   }
 }

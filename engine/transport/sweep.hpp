@@ -36,7 +36,7 @@ struct SweepRow {
   double action12 = 0, action21 = 0;
   /// W(q) - W(q'), q' the pip half an iterate before q: of a reversible map the other symmetric pip, so that this
   /// crosses zero where the two sides of the turnstile change places. It is the area of a lobe only as long as there
-  /// are two pips an iterate. NaN without an action, and where the number of pips is odd.
+  /// are two pips an iterate. NaN without an action.
   double difference = 0;
 };
 
