@@ -161,7 +161,7 @@ TEST_F(BadInput, OptionsThatContradictEachOther) {
 }
 
 TEST_F(BadInput, CommandsOfLaterVersions) {
-  expect_failure({"transport", "u", "s"}, 2, "not in this version");
+  expect_failure({"escape", "u", "s"}, 2, "not in this version");
 }
 
 TEST_F(BadInput, HelpAndVersionAreNoErrors) {
