@@ -10,10 +10,14 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev
 
-.PHONY: demo test build bench bench-batch stress fuzz deps mpi-deps bench-deps format tidy clean
+.PHONY: demo test build bench bench-batch figures stress fuzz deps mpi-deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
+
+# The figures of docs/figures.md: about a minute on two cores.
+figures: build
+	@scripts/figures.sh
 
 test: deps mpi-deps
 	cmake --preset release

@@ -23,7 +23,8 @@ Json options_json(const TransportReport& report) {
 
 Json region_json(const TransportReport& report) {
   const Boundary& boundary = *report.tangle().boundary;
-  return {{"area", report.result.region},
+  return {{"area", boundary.chord_meets_manifolds ? Json() : Json(report.result.region)},
+          {"chord_meets_manifolds", boundary.chord_meets_manifolds},
           {"bip", point_json(report.manifolds().orbits.back().at)},
           {"orientation", boundary.orientation > 0 ? "counter_clockwise" : "clockwise"}};
 }

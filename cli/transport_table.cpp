@@ -13,14 +13,23 @@ std::string transport_table(const TransportReport& report) {
   const Transport& result = report.result;
   std::string text = system_text(report.system) + "\n";
   text += saddles_text(report.manifolds());
-  text += fmt::format("region     area {:.15g}, inside U to the bip and S from there\n", result.region);
+  if (report.tangle().boundary->chord_meets_manifolds) {
+    text += "region     not closed by the chord between the saddles, which meets the manifolds: lobes only\n";
+  } else {
+    text += fmt::format("region     area {:.15g}, inside U to the bip and S from there\n", result.region);
+  }
   text += turnstile_text(report.manifolds());
   text += fmt::format("\n{:>4} {:>18} {:>18} {:>18} {:>18} {:>11} {:>8} {:>8}\n", "n", "a(n)", "T(n)", "overlap",
                       "T by boundaries", "difference", "+- T", "+- bound");
+  const auto error = [](double value, const char* none) {
+    return std::isnan(value) ? std::string(none) : fmt::format("{:.0e}", value);
+  };
   for (const TransportStep& step : result.steps) {
-    text += fmt::format("{:>4} {:>18.14g} {:>18.14g} {:>18.14g} {:>18.14g} {:>11.1e} {:>8.0e} {:>8}\n", step.n,
-                        step.flux, step.total, step.overlap, step.by_boundaries, step.consistency, step.discretisation,
-                        std::isnan(step.boundary_error) ? "polygon" : fmt::format("{:.0e}", step.boundary_error));
+    text += fmt::format("{:>4} {:>18.14g} {:>18.14g} {:>18.14g}", step.n, step.flux, step.total, step.overlap);
+    text += std::isnan(step.by_boundaries) ? fmt::format(" {:>18} {:>11}", "-", "-")
+                                           : fmt::format(" {:>18.14g} {:>11.1e}", step.by_boundaries, step.consistency);
+    text += fmt::format(" {:>8} {:>8}\n", error(step.discretisation, "-"),
+                        error(step.boundary_error, std::isnan(step.by_boundaries) ? "-" : "polygon"));
   }
   return text;
 }

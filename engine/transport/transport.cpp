@@ -132,6 +132,10 @@ Transport transport(const PlanarMap& map, const Connection& connection, const Tr
   }
   for_each_block(result.steps.size(), 1, [&](std::size_t k, std::size_t) {
     TransportStep& step = result.steps[k];
+    if (tangle.boundary->chord_meets_manifolds) {
+      step.by_boundaries = step.boundary_error = step.consistency = unknown;
+      return;
+    }
     const int before = step.n / 2;
     const CommonArea stays = common_area(boundary_outline(tangle, manifolds.image_of_bip(-before)),
                                          boundary_outline(tangle, manifolds.image_of_bip(step.n - before)));

@@ -34,7 +34,9 @@ struct TransportStep {
   double flux = 0;            ///< a12(n) = a21(n), by lobes
   double total = 0;           ///< T12(n) = T21(n), by lobes
   double overlap = 0;         ///< mu(L12(1) n f^(n-1)(L21(1)))
-  double by_boundaries = 0;   ///< T(n) = area of R1 less that of R1 n f^n(R1)
+  /// T(n) = area of R1 less that of R1 n f^n(R1). NaN, with its error and the consistency, where the chord that closes
+  /// R1 meets the manifolds: the region is then bounded by more than the chord, and this cannot know by what.
+  double by_boundaries = 0;
   double boundary_error = 0;  ///< estimated error of that; NaN where only polygons could be compared
   double consistency = 0;     ///< |total - by_boundaries|
   /// Estimated error of T(n): what the smooth curves may be wrong by, summed over the lobes that enter.

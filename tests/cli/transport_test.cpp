@@ -1,0 +1,148 @@
+// `lober transport` and `lober tangle --system` as a user runs them, against reference values (110-digit arithmetic for
+// maps, quadruple precision for the vortex pair).
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr double henon_lobe = 1.0364943412491413807970964288427805111;  // k = 0.5
+constexpr double vortex_lobe = 0.254106277099506951;                    // gamma = 0.5, eps = 0.1
+
+class TransportCommand : public ProgramTest {
+ protected:
+  [[nodiscard]] Outcome transport(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "transport");
+    return run(arguments);
+  }
+  [[nodiscard]] nlohmann::json json(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Outcome outcome = transport(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  }
+  void expect_failure(const std::vector<std::string>& arguments, int status, std::string_view words) const {
+    const Outcome outcome = transport(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  }
+};
+
+TEST_F(TransportCommand, HenonMap) {
+  const nlohmann::json found = json({"henon", "--param", "k=0.5", "--iterates", "8", "--tolerance", "1e-6"});
+  EXPECT_EQ(found["command"], "transport");
+  EXPECT_EQ(found["system"], nlohmann::json({{"name", "henon"}, {"parameters", {{"k", 0.5}}}}));
+  EXPECT_NEAR(found["region"]["area"].get<double>(), 9.5886920061239648399055, 1e-8);
+  EXPECT_NEAR(found["turnstile"]["action12"].get<double>(), henon_lobe, 1e-14);
+  EXPECT_NEAR(found["turnstile"]["area21"].get<double>(), henon_lobe, 1e-9);
+  const std::array<double, 8> fluxes{henon_lobe,         henon_lobe,         henon_lobe,         0.9589873456950768,
+                                     0.5826983180488817, 0.4718224531769735, 0.4449562082011657, 0.3472857694532555};
+  ASSERT_EQ(found["steps"].size(), fluxes.size());
+  double total = 0;
+  for (std::size_t k = 0; k < fluxes.size(); ++k) {
+    const nlohmann::json& step = found["steps"][k];
+    total += fluxes[k];
+    EXPECT_EQ(step["n"], k + 1);
+    EXPECT_NEAR(step["a"].get<double>(), fluxes[k], 1e-10);
+    EXPECT_NEAR(step["T"].get<double>(), total, 1e-9);
+    EXPECT_NEAR(step["T_by_boundaries"].get<double>(), total, 1e-5);
+  }
+}
+
+TEST_F(TransportCommand, VortexPairFromItsEquations) {
+  const Outcome outcome =
+      transport({"ovp", "--param", "gamma=0.5", "--iterates", "3", "--tolerance", "1e-3", "--integration-tolerance",
+                 "1e-10", "--json", "t.json", "--svg", "t.svg", "--picture", "p.svg"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("0.2541062771"), std::string::npos) << outcome.out;
+  const nlohmann::json found = nlohmann::json::parse(read("t.json"));
+  EXPECT_NEAR(found["saddles"]["unstable"]["at"][0].get<double>(), 1.451260038107551142, 1e-9);
+  EXPECT_NEAR(found["saddles"]["unstable"]["eigenvalue"].get<double>(), 5.075684315001539492, 1e-8);
+  EXPECT_NEAR(found["turnstile"]["action21"].get<double>(), vortex_lobe, 1e-10);
+  EXPECT_NEAR(found["steps"][2]["a"].get<double>(), 0.238144168406064, 1e-7);
+  EXPECT_NE(read("t.svg").find("T(n)"), std::string::npos);
+  EXPECT_NE(read("p.svg").find("L21(1)"), std::string::npos);
+}
+
+TEST_F(TransportCommand, SweepKeepsWhatWorks) {
+  const Outcome outcome =
+      transport({"henon", "--sweep", "k=-2:0.5:1.25", "--tolerance", "1e-4", "--json", "s.json", "--svg", "s.svg"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("1 of 3 values failed, the first at k = -2"), std::string::npos) << outcome.err;
+  const nlohmann::json found = nlohmann::json::parse(read("s.json"));
+  ASSERT_EQ(found["rows"].size(), 3U);
+  EXPECT_EQ(found["failures"], 1);
+  EXPECT_TRUE(found["rows"][0]["failure"].is_string());
+  EXPECT_EQ(found["rows"][1]["value"], -0.75);
+  EXPECT_TRUE(found["rows"][2]["failure"].is_null());
+  EXPECT_EQ(found["rows"][2]["period"], 2);
+  EXPECT_NEAR(found["rows"][2]["action21"].get<double>(), henon_lobe, 1e-14);
+  EXPECT_NEAR(found["rows"][2]["flux12"].get<double>(), henon_lobe, 1e-5);
+}
+
+TEST_F(TransportCommand, SignChangeOfTheVortexPair) {
+  const nlohmann::json found = json({"ovp1", "--sweep", "gamma=1.4:1.41:0.01", "--find-zero", "--tolerance", "1e-3",
+                                     "--integration-tolerance", "1e-9"});
+  ASSERT_EQ(found["zeros"].size(), 1U);
+  EXPECT_NEAR(found["zeros"][0]["value"].get<double>(), 1.407, 1e-3);
+  EXPECT_TRUE(found["zeros"][0]["failure"].is_null());
+}
+
+TEST_F(TransportCommand, SameBytesForAnyNumberOfThreads) {
+  std::array<std::string, 2> fluxes, sweeps;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string threads = k == 0 ? "1" : "7";
+    EXPECT_EQ(
+        transport({"standard", "--iterates", "4", "--json", "t", "--picture", "p" + threads, "--threads", threads})
+            .status,
+        0);
+    fluxes[k] = without_timing(read("t"));
+    EXPECT_EQ(transport({"standard", "--sweep", "K=1.5:2.5:0.25", "--json", "s", "--threads", threads}).status, 0);
+    sweeps[k] = without_timing(read("s"));
+  }
+  EXPECT_EQ(fluxes[0], fluxes[1]);
+  EXPECT_EQ(sweeps[0], sweeps[1]);
+  EXPECT_EQ(read("p1"), read("p7"));
+}
+
+TEST_F(TransportCommand, Refuses) {
+  expect_failure({"nosuch"}, 2, "there are: capsize");
+  expect_failure({"ovp", "--param", "gama=0.5"}, 2, "it has: gamma, eps, phase");
+  expect_failure({"ovp", "--param", "gamma"}, 2, "NAME=VALUE");
+  expect_failure({"ovp", "--param", "gamma=-1"}, 2, "gamma must be positive");
+  expect_failure({"ovp", "--sweep", "gama=1:2:1"}, 2, "it has: gamma, eps, phase");
+  expect_failure({"ovp", "--sweep", "gamma=1:2"}, 2, "FIRST:LAST:STEP");
+  expect_failure({"ovp", "--sweep", "gamma=1:2:-1"}, 2, "does not lead");
+  expect_failure({"ovp", "--find-zero"}, 2, "--sweep");
+  expect_failure({"capsize"}, 2, "needed: --from");
+  expect_failure({"standard", "--from", "3.14159,0"}, 1, "is not a saddle");
+  expect_failure({"standard", "--svg", "x", "--picture", "x"}, 2, "both write");
+  expect_failure({"standard", "--iterates", "4", "--max-points", "100"}, 1, "needs more than 100 points");
+}
+
+TEST_F(TransportCommand, TangleOfASystem) {
+  const Outcome outcome =
+      run({"tangle",     "--system",   "henon",  "--param", "k=0.5",   "--tolerance", "1e-6",    "--after",
+           "1",          "--overlaps", "--json", "t.json",  "--graph", "g.json",      "--lobes", "l.dat",
+           "--boundary", "b.dat",      "--pips", "p.dat",   "--svg",   "t.svg"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("area by action"), std::string::npos);
+  const nlohmann::json found = nlohmann::json::parse(read("t.json"));
+  const nlohmann::json& lobes = found["turnstile_by_action"]["lobes"];
+  ASSERT_EQ(lobes.size(), 2U);
+  for (const nlohmann::json& lobe : lobes) {
+    EXPECT_NEAR(std::fabs(lobe["action"].get<double>()), henon_lobe, 1e-14);
+    EXPECT_NEAR(std::fabs(lobe["area"].get<double>()), henon_lobe, 1e-9);
+    EXPECT_EQ(lobe["area"], found["lobes"][lobe["index"].get<std::size_t>()]["area"]);
+  }
+  for (const char* file : {"g.json", "l.dat", "b.dat", "p.dat", "t.svg"}) EXPECT_TRUE(exists(file)) << file;
+}
+
+}  // namespace
+}  // namespace lober::cli
