@@ -23,8 +23,8 @@ Json options_json(const TransportReport& report) {
 
 Json region_json(const TransportReport& report) {
   const Boundary& boundary = *report.tangle().boundary;
-  return {{"area", boundary.chord_meets_manifolds ? Json() : Json(report.result.region)},
-          {"chord_meets_manifolds", boundary.chord_meets_manifolds},
+  return {{"area", boundary.crosses_itself ? Json() : Json(report.result.region)},
+          {"crosses_itself", boundary.crosses_itself},
           {"bip", point_json(report.manifolds().orbits.back().at)},
           {"orientation", boundary.orientation > 0 ? "counter_clockwise" : "clockwise"}};
 }

@@ -13,7 +13,7 @@ std::string transport_table(const TransportReport& report) {
   const Transport& result = report.result;
   std::string text = system_text(report.system) + "\n";
   text += saddles_text(report.manifolds());
-  if (report.tangle().boundary->chord_meets_manifolds) {
+  if (report.tangle().boundary->crosses_itself) {
     text += "region     not closed by the chord between the saddles, which meets the manifolds: lobes only\n";
   } else {
     text += fmt::format("region     area {:.15g}, inside U to the bip and S from there\n", result.region);

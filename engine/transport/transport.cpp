@@ -132,7 +132,7 @@ Transport transport(const PlanarMap& map, const Connection& connection, const Tr
   }
   for_each_block(result.steps.size(), 1, [&](std::size_t k, std::size_t) {
     TransportStep& step = result.steps[k];
-    if (tangle.boundary->chord_meets_manifolds) {
+    if (tangle.boundary->crosses_itself) {
       step.by_boundaries = step.boundary_error = step.consistency = unknown;
       return;
     }
