@@ -8,7 +8,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/progress.hpp"
-#include "cli/tangle_report.hpp"
+#include "cli/tangle_outputs.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
@@ -17,23 +17,9 @@ namespace {
 struct Request {
   SystemRequest system;
   ManifoldTangleOptions options;
-  std::string lobes, boundary, pips, graph, json, svg;
-  bool overlaps = false;
+  TangleOutputs outputs;
   int threads = 0;
 };
-
-std::vector<Output> outputs_of(const Request& request) {
-  std::vector<Output> outputs;
-  for (const auto& [option, path] : {std::pair{"--json", request.json},
-                                     {"--graph", request.graph},
-                                     {"--lobes", request.lobes},
-                                     {"--boundary", request.boundary},
-                                     {"--pips", request.pips},
-                                     {"--svg", request.svg}}) {
-    if (!path.empty()) outputs.push_back({option, path});
-  }
-  return outputs;
-}
 
 TangleReport compute(const Request& request, Progress& progress) {
   TangleReport report;
@@ -60,40 +46,22 @@ TangleReport compute(const Request& request, Progress& progress) {
     input.curve.closed = false;
     input.curve.points.assign(grown.points.begin(), grown.points.end());
   }
-  const Stopwatch measure_watch;
-  report.shapes = lobe_shapes(report.result);
-  report.timing.measures = measure_watch.seconds();
-  if (request.overlaps) {
-    const Stopwatch overlap_watch;
-    report.overlaps = overlaps(report.result);
-    report.timing.overlaps = overlap_watch.seconds();
-  }
+  measure_lobes(request.outputs, report);
   return report;
 }
 
 void run(const Request& request) {
   const Stopwatch watch;
-  const std::vector<Output> outputs = outputs_of(request);
-  check_outputs(outputs, {});
+  check_outputs(request.outputs.files(), {});
   TangleReport report;
   {
     Progress progress;
     progress.phase("growing", 0, 0.9);
     report = compute(request, progress);
     progress.phase("writing", 0.9, 1);
-    const Stopwatch write_watch;
-    if (!request.lobes.empty()) write_tangle_lobes(request.lobes, report);
-    if (!request.boundary.empty()) write_tangle_boundary(request.boundary, report);
-    if (!request.pips.empty()) write_tangle_pips(request.pips, report);
-    if (!request.graph.empty()) write_tangle_graph(request.graph, report);
-    if (!request.svg.empty()) write_tangle_picture(request.svg, report);
-    report.timing.write = write_watch.seconds();
-    if (!request.json.empty()) write_tangle_json(request.json, report, [&] { return watch.seconds(); });
+    write_tangle(request.outputs, report, [&] { return watch.seconds(); });
   }
-  // Standard output holds one thing only.
-  if (std::none_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; })) {
-    print(tangle_table(report));
-  }
+  print_tangle(request.outputs, report);
 }
 
 }  // namespace
@@ -124,15 +92,7 @@ void run_system_tangle(const std::vector<std::string>& arguments) {
   app.add_option("--max-points", request.options.most_points, "of each manifold")
       ->check(CLI::Range(std::size_t{2}, std::size_t{2'147'483'646}))
       ->type_name("N");
-  app.add_option("--lobes", request.lobes, "write the lobes as Tecplot zones, closed")->type_name("FILE");
-  app.add_option("--boundary", request.boundary, "write the boundary as an open polyline")->type_name("FILE");
-  app.add_option("--pips", request.pips, "write the pips")->type_name("FILE");
-  app.add_flag("--overlaps", request.overlaps, "the area that each two lobes have in common too");
-  app.add_option("--graph", request.graph, "write every crossing with its place on both manifolds (JSON)")
-      ->type_name("FILE");
-  app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
-      ->type_name("FILE");
-  app.add_option("--svg", request.svg, "draw manifolds, pips, lobes and boundary")->type_name("FILE");
+  request.outputs.add_options(app);
   app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));

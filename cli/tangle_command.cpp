@@ -11,7 +11,7 @@
 #include "cli/command_line.hpp"
 #include "cli/progress.hpp"
 #include "cli/system_tangle_command.hpp"
-#include "cli/tangle_report.hpp"
+#include "cli/tangle_outputs.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
@@ -20,10 +20,9 @@ namespace {
 struct Request {
   std::array<std::string, 2> curves;
   std::array<bool, 2> reverse{};
-  std::string lobes, boundary, pips, graph, json, svg;
+  TangleOutputs outputs;
   TangleOptions options;
   int threads = 0;
-  bool overlaps = false;
   bool verbose = false;
 };
 
@@ -72,18 +71,9 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
                  "how many pips from one to its image under the map (default: inferred from the areas of the lobes)")
       ->type_name("P")
       ->check(CLI::Range(1, 1'000'000));
-  app.add_option("--lobes", request.lobes, "write the lobes as Tecplot zones, closed")->type_name("FILE");
-  app.add_option("--boundary", request.boundary, "write the boundary as an open polyline")->type_name("FILE");
-  app.add_option("--pips", request.pips, "write the pips")->type_name("FILE");
-  app.add_flag("--overlaps", request.overlaps, "the area that each two lobes have in common too");
   app.add_flag("--smooth", request.options.smooth,
                "pips and areas of smooth curves through the points, with error bars, instead of the polygons'");
-  app.add_option("--graph", request.graph,
-                 "write every crossing with its place on both manifolds, for topological tools (JSON)")
-      ->type_name("FILE");
-  app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
-      ->type_name("FILE");
-  app.add_option("--svg", request.svg, "draw manifolds, pips, lobes and boundary")->type_name("FILE");
+  request.outputs.add_options(app);
   app.add_option("--reverse", reverse, "u, s or both: the file runs inward, toward the fixed point; turn it round")
       ->type_name("WHICH")
       ->check(CLI::IsMember({"u", "s", "both"}));
@@ -104,19 +94,6 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
     if (name(kind) == index) request.options.index = kind;
   }
   return request;
-}
-
-std::vector<Output> outputs_of(const Request& request) {
-  std::vector<Output> outputs;
-  for (const auto& [option, path] : {std::pair{"--json", request.json},
-                                     {"--graph", request.graph},
-                                     {"--lobes", request.lobes},
-                                     {"--boundary", request.boundary},
-                                     {"--pips", request.pips},
-                                     {"--svg", request.svg}}) {
-    if (!path.empty()) outputs.push_back({option, path});
-  }
-  return outputs;
 }
 
 void read_inputs(const Request& request, Progress& progress, TangleReport& report) {
@@ -147,45 +124,23 @@ TangleReport compute(const Request& request, Progress& progress) {
   options.progress = [&](double fraction) { return progress.advance(fraction); };
   report.result = tangle_of(report.inputs[0], report.inputs[1], options);
   progress.phase("measuring lobes", 0.8, 0.9);
-  const Stopwatch measure_watch;
-  report.shapes = lobe_shapes(report.result);
-  report.timing.measures = measure_watch.seconds();
-  if (request.overlaps) {
-    const Stopwatch overlap_watch;
-    report.overlaps = overlaps(report.result);
-    report.timing.overlaps = overlap_watch.seconds();
-  }
+  measure_lobes(request.outputs, report);
   return report;
-}
-
-void write_files(const Request& request, TangleReport& report) {
-  const Stopwatch watch;
-  if (!request.lobes.empty()) write_tangle_lobes(request.lobes, report);
-  if (!request.boundary.empty()) write_tangle_boundary(request.boundary, report);
-  if (!request.pips.empty()) write_tangle_pips(request.pips, report);
-  if (!request.graph.empty()) write_tangle_graph(request.graph, report);
-  if (!request.svg.empty()) write_tangle_picture(request.svg, report);
-  report.timing.write = watch.seconds();
 }
 
 void run(const Request& request) {
   const Stopwatch watch;
-  const std::vector<Output> outputs = outputs_of(request);
   std::vector<std::string> inputs{request.curves[0]};
   if (!request.curves[1].empty()) inputs.push_back(request.curves[1]);
-  check_outputs(outputs, inputs);
+  check_outputs(request.outputs.files(), inputs);
   TangleReport report;
   {
     Progress progress;
     report = compute(request, progress);
     progress.phase("writing", 0.9, 1);
-    write_files(request, report);
-    if (!request.json.empty()) write_tangle_json(request.json, report, [&] { return watch.seconds(); });
+    write_tangle(request.outputs, report, [&] { return watch.seconds(); });
   }
-  // Standard output holds one thing only.
-  if (std::none_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; })) {
-    print(tangle_table(report));
-  }
+  print_tangle(request.outputs, report);
   const TangleTiming& timing = report.result.timing;
   spdlog::info(
       "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, pips {:.4f}, areas {:.4f}, "

@@ -1,0 +1,63 @@
+#include "cli/tangle_outputs.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "engine/stopwatch.hpp"
+
+namespace lober::cli {
+
+void TangleOutputs::add_options(CLI::App& app) {
+  app.add_option("--lobes", lobes, "write the lobes as Tecplot zones, closed")->type_name("FILE");
+  app.add_option("--boundary", boundary, "write the boundary as an open polyline")->type_name("FILE");
+  app.add_option("--pips", pips, "write the pips")->type_name("FILE");
+  app.add_flag("--overlaps", overlaps, "the area that each two lobes have in common too");
+  app.add_option("--graph", graph,
+                 "write every crossing with its place on both manifolds, for topological tools (JSON)")
+      ->type_name("FILE");
+  app.add_option("--json", json, "write everything as one JSON object (- for standard output)")->type_name("FILE");
+  app.add_option("--svg", svg, "draw manifolds, pips, lobes and boundary")->type_name("FILE");
+}
+
+std::vector<Output> TangleOutputs::files() const {
+  std::vector<Output> outputs;
+  for (const auto& [option, path] : {std::pair{"--json", json},
+                                     {"--graph", graph},
+                                     {"--lobes", lobes},
+                                     {"--boundary", boundary},
+                                     {"--pips", pips},
+                                     {"--svg", svg}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  return outputs;
+}
+
+void measure_lobes(const TangleOutputs& outputs, TangleReport& report) {
+  const Stopwatch measure_watch;
+  report.shapes = lobe_shapes(report.result);
+  report.timing.measures = measure_watch.seconds();
+  if (!outputs.overlaps) return;
+  const Stopwatch overlap_watch;
+  report.overlaps = overlaps(report.result);
+  report.timing.overlaps = overlap_watch.seconds();
+}
+
+void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std::function<double()>& seconds_so_far) {
+  const Stopwatch watch;
+  if (!outputs.lobes.empty()) write_tangle_lobes(outputs.lobes, report);
+  if (!outputs.boundary.empty()) write_tangle_boundary(outputs.boundary, report);
+  if (!outputs.pips.empty()) write_tangle_pips(outputs.pips, report);
+  if (!outputs.graph.empty()) write_tangle_graph(outputs.graph, report);
+  if (!outputs.svg.empty()) write_tangle_picture(outputs.svg, report);
+  report.timing.write = watch.seconds();
+  if (!outputs.json.empty()) write_tangle_json(outputs.json, report, seconds_so_far);
+}
+
+void print_tangle(const TangleOutputs& outputs, const TangleReport& report) {
+  const std::vector<Output> files = outputs.files();
+  if (std::none_of(files.begin(), files.end(), [](const Output& output) { return output.path == "-"; })) {
+    print(tangle_table(report));
+  }
+}
+
+}  // namespace lober::cli
