@@ -6,7 +6,7 @@ namespace lober {
 namespace {
 
 constexpr int application = 0x6c6f6265;  // "lobe"
-constexpr int format = 1;
+constexpr int format = 2;
 
 constexpr const char* tables = R"(
   CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY, started TEXT, ended TEXT, how TEXT, version TEXT,
@@ -43,7 +43,9 @@ Store::Store(const std::string& path, bool create) : path_(path), database_(std:
   const std::int64_t id = pragma(*database_, "PRAGMA application_id");
   const bool fresh = pragma(*database_, "SELECT count(*) FROM sqlite_master") == 0;
   if (id != application && !(fresh && create)) throw DataError(path + ": is no store of results");
-  if (pragma(*database_, "PRAGMA user_version") > format) throw DataError(path + ": was written by a later version");
+  if (pragma(*database_, "PRAGMA user_version") != format && !fresh) {
+    throw DataError(path + ": was written by a version with another format");
+  }
   database_->execute("PRAGMA journal_mode = WAL");
   database_->execute("PRAGMA synchronous = NORMAL");
   if (fresh) {
