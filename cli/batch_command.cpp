@@ -51,6 +51,9 @@ void check_manifest(const Arguments& arguments) {
   const Estimate sum = estimate(plan, path);
   std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
                                  counted(sum.curves, "curve", "curves"), counted(sum.files, "file", "files"));
+  if (sum.computed > 0)
+    text += fmt::format("{} by computation, whose points are a guess\n",
+                        counted(sum.computed, "curve or family", "curves or families"));
   std::vector<std::size_t> jobs(plan.groups.size());
   for (const PlannedJob& job : plan.jobs) ++jobs[job.group];
   for (std::size_t k = 0; k < plan.groups.size(); ++k) {

@@ -232,6 +232,10 @@ void require_sensible(const LocalManifold& local, const GrowthOptions& options) 
 
 }  // namespace
 
+Branch branch_towards(const LocalManifold& local, Point direction) {
+  return local.tangent.x * direction.x + local.tangent.y * direction.y < 0 ? Branch::minus : Branch::plus;
+}
+
 std::string_view name(GrowthFlawCause cause) {
   switch (cause) {
     case GrowthFlawCause::failed:

@@ -27,6 +27,8 @@
 namespace lober {
 
 enum class Branch : std::int8_t { minus = -1, plus = 1 };
+/// The branch that leaves the saddle to the same side as `direction`.
+[[nodiscard]] Branch branch_towards(const LocalManifold& local, Point direction);
 
 /// Why points could not be put where the tolerance asks for them.
 enum class GrowthFlawCause : std::uint8_t {

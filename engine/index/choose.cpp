@@ -131,6 +131,11 @@ double grid_cost(const BoxTree& first, const BoxTree& second) {
 
 IndexKind choose_index(const IndexedCurve& first, const IndexedCurve& second) {
   if (!meet(first.tree().box(), second.tree().box())) return IndexKind::tree;
+  // The tree at its worst, every leaf meeting every other one. Of short curves this is all there is to know, and many
+  // jobs of a batch are pairs of such.
+  const double worst = static_cast<double>(first.tree().leaves()) * static_cast<double>(second.tree().leaves()) *
+                       (cost_of_leaf_pair + cost_of_candidate * leaf_size * leaf_size);
+  if (worst < worth_asking) return IndexKind::tree;
   // A glance settles the ordinary case.
   const TreeSample glance = sample_tree(first.tree(), second.tree(), leaves_glanced_at);
   if (8 * glance.leaf_pairs * glance.candidates < moderate * leaf_size) return IndexKind::tree;

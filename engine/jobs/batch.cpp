@@ -17,13 +17,8 @@ std::vector<std::string> hash_inputs(const Plan& plan, std::span<const std::uint
   const std::vector<PlannedUnit> units = units_of(plan, jobs);
   for_each_block(units.size(), 1, [&](std::size_t k, std::size_t) {
     try {
-      const std::string sha256 = file_sha256(located(manifest_path, plan.files[units[k].file]));
-      for (const CurveId id : units[k].curves) {
-        const PlannedCurve& curve = plan.curves[id];
-        std::optional<std::size_t> zone;
-        if (curve.zone >= 0) zone = static_cast<std::size_t>(curve.zone);
-        digests[id] = zone_digest(sha256, {zone, curve.closed, curve.name});
-      }
+      const std::vector<std::string> all = digests_of(plan, units[k], manifest_path);
+      for (std::size_t i = 0; i < all.size(); ++i) digests[units[k].curves[i]] = all[i];
     } catch (const DataError&) {  // the jobs will say so
     }
   });
@@ -50,16 +45,18 @@ StoreSession::StoreSession(const std::string& store_path, const Plan& plan, cons
 
 StoreSession::~StoreSession() = default;
 
-void StoreSession::skip_finished(std::vector<std::string> digests) {
+void StoreSession::skip_finished(std::vector<std::string> inputs) {
   const JobKeys keys(plan_);
   std::vector<std::uint32_t> left;
-  digests_ = std::move(digests);
+  digests_ = std::move(inputs);
   for (const std::uint32_t number : pending_) {
     const PlannedJob& job = plan_.jobs[number];
-    const bool two = job.second != no_curve;
-    seen_[job.first] = 1;
-    if (two) seen_[job.second] = 1;
-    const auto known = store_->known().find(keys(job, digests_[job.first], two ? digests_[job.second] : ""));
+    std::array<std::string_view, 2> digests;
+    for (std::size_t k = 0; k < job.curves().size(); ++k) {
+      seen_[job.curves()[k]] = 1;
+      digests[k] = digests_[job.curves()[k]];
+    }
+    const auto known = store_->known().find(keys(job, digests[0], digests[1]));
     if (known == store_->known().end() || known->second.failed) left.push_back(number);
   }
   finished_before_ = pending_.size() - left.size();
@@ -79,8 +76,8 @@ void StoreSession::note(CurveId curve, const std::string& digest, bool& usable) 
 bool StoreSession::add(PlanResult result) {
   const PlannedJob& job = plan_.jobs[result.job];
   bool usable = true;
-  note(job.first, result.digest1, usable);
-  if (job.second != no_curve) note(job.second, result.digest2, usable);
+  const FewCurves curves = job.curves();
+  for (std::size_t k = 0; k < curves.size(); ++k) note(curves[k], k == 0 ? result.digest1 : result.digest2, usable);
   if (usable) writer_->add({result.key, result.failed, result.seconds, std::move(result.value)});
   return usable;
 }

@@ -29,9 +29,7 @@ void CurveCache::require(CurveId id, const Needs& needs) {
   Member& member = members_[id];
   Needs wider = member.needs;
   wider |= needs;
-  const bool lacks = wider.index != member.needs.index || wider.simple != member.needs.simple ||
-                     wider.discretisation != member.needs.discretisation;
-  if (!lacks) return;
+  if (wider == member.needs) return;
   member.needs = wider;
   Unit& unit = units_[member.unit];
   if (unit.state == State::resident) drop(unit);

@@ -1,6 +1,7 @@
 // The curves of a queue, in memory as long as the budget allows.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -14,6 +15,24 @@ namespace lober {
 
 using CurveId = std::uint32_t;
 inline constexpr CurveId no_curve = 0xffffffff;
+
+/// The curves of a job: none, one or two.
+class FewCurves {
+ public:
+  FewCurves(CurveId first, CurveId second)
+      : ids_{first, second},
+        count_(first == no_curve    ? 0U
+               : second == no_curve ? 1U
+                                    : 2U) {}
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] CurveId operator[](std::size_t k) const { return ids_[k]; }
+  [[nodiscard]] const CurveId* begin() const { return ids_.data(); }
+  [[nodiscard]] const CurveId* end() const { return ids_.data() + count_; }
+
+ private:
+  std::array<CurveId, 2> ids_;
+  std::size_t count_;
+};
 
 struct LoadedCurve {
   std::shared_ptr<const Curve> curve;
@@ -44,6 +63,7 @@ struct CacheCounts {
 class CurveCache {
  public:
   using UnitId = std::uint32_t;
+  static constexpr UnitId no_unit = 0xffffffff;
   enum class State : std::uint8_t { absent, loading, resident };
 
   explicit CurveCache(std::size_t budget) : budget_(budget) {}

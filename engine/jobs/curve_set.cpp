@@ -97,7 +97,14 @@ bool natural_less(std::string_view a, std::string_view b) {
 std::vector<CurvePlace> resolve(const Manifest& manifest, const std::vector<Placed>& patterns) {
   std::vector<CurvePlace> all;
   std::set<std::string> known;
+  const auto take = [&](const CurvePlace& place) {
+    if (known.insert(place.name()).second) all.push_back(place);
+  };
   for (const Placed& pattern : patterns) {
+    if (pattern.text.empty()) {
+      for (const CurveRecipe& recipe : pattern.recipes) take({"", std::nullopt, &recipe});
+      continue;
+    }
     std::string files = pattern.text, choice;
     std::error_code ignored;
     if (const std::size_t at = files.rfind('#');
@@ -111,7 +118,10 @@ std::vector<CurvePlace> resolve(const Manifest& manifest, const std::vector<Plac
       const std::vector<CurvePlace> places =
           choice.empty() ? std::vector<CurvePlace>{{file, std::nullopt}} : zones_of(manifest, pattern, file, choice);
       for (const CurvePlace& place : places) {
-        if (known.insert(place.name()).second) all.push_back(place);
+        if (pattern.recipes.empty()) take(place);
+        for (const CurveRecipe& recipe : pattern.recipes) {
+          take(recipe.iterates == 0 ? place : CurvePlace{place.file, place.zone, &recipe});
+        }
       }
     }
   }

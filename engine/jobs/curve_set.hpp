@@ -11,11 +11,15 @@
 
 namespace lober {
 
-/// A curve of a file, as the manifest means it.
+/// A curve as the manifest means it.
 struct CurvePlace {
-  std::string file;                 ///< as named, relative to the manifest
-  std::optional<std::size_t> zone;  ///< none: the only one
-  [[nodiscard]] std::string name() const { return zone ? file + "#" + std::to_string(*zone) : file; }
+  std::string file;                     ///< as named, relative to the manifest; empty for a manifold
+  std::optional<std::size_t> zone;      ///< none: the only one
+  const CurveRecipe* recipe = nullptr;  ///< of a manifold, or of the image that is meant; of the manifest
+  [[nodiscard]] std::string name() const {
+    const std::string place = zone ? file + "#" + std::to_string(*zone) : file;
+    return recipe != nullptr ? recipe->name(place) : place;
+  }
 };
 
 /// The curves that a list of patterns names, each once: pattern by pattern, within each in natural order. Reads the

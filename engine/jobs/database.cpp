@@ -1,5 +1,8 @@
 #include "engine/jobs/database.hpp"
 
+#include <chrono>
+#include <thread>
+
 namespace lober {
 
 Database::Database(const std::string& path, bool create) : path_(path) {
@@ -17,6 +20,15 @@ void Database::fail() const {
 
 void Database::execute(const char* sql) {
   if (sqlite3_exec(handle_.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+void Database::use_write_ahead_log() {
+  for (int left = 60'000 / 5;; --left) {
+    const int code = sqlite3_exec(handle_.get(), "PRAGMA journal_mode = WAL", nullptr, nullptr, nullptr);
+    if (code == SQLITE_OK) return;
+    if (code != SQLITE_BUSY || left == 0) fail();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
 }
 
 Statement::Statement(const Database& database, const char* sql) : database_(database) {

@@ -18,6 +18,9 @@ class Database {
   Database(const std::string& path, bool create);
 
   void execute(const char* sql);
+  /// Makes WAL the journal. Two processes that do so at the same time get in each other's way, and SQLite does not wait
+  /// then as it does elsewhere.
+  void use_write_ahead_log();
   [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
   [[noreturn]] void fail() const;
 

@@ -11,8 +11,9 @@ Dealer::Dealer(const Plan& plan, const std::string& manifest_path, std::span<con
   const std::vector<std::size_t> points = estimated_points(plan, manifest_path);
   const auto cost = [&](std::uint32_t number) {
     const PlannedJob& job = plan.jobs[number];
-    const std::size_t both = points[job.first] + (job.second == no_curve ? 0 : points[job.second]);
-    return operation_of(plan.groups[job.group]).cost(both);
+    std::size_t together = 0;
+    for (const CurveId id : job.curves()) together += points[id];
+    return operation_of(plan.groups[job.group]).cost(together);
   };
   std::vector<std::pair<double, std::uint32_t>> order;
   for (const std::uint32_t job : jobs) order.emplace_back(-cost(job), job);

@@ -33,6 +33,7 @@ class Dispatcher {
     [[nodiscard]] auto end() const { return ids.begin() + static_cast<std::ptrdiff_t>(count); }
   };
   static Units units_of(const DispatchedJob& job) {
+    if (job.unit1 == CurveCache::no_unit) return {{}, 0};
     return {{job.unit1, job.unit2}, job.unit1 == job.unit2 ? std::size_t{1} : std::size_t{2}};
   }
 

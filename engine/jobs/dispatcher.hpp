@@ -17,7 +17,7 @@ namespace lober {
 
 struct DispatchedJob {
   std::uint32_t number;
-  CurveCache::UnitId unit1, unit2;  ///< equal if there is only one
+  CurveCache::UnitId unit1, unit2;  ///< equal if there is only one; CurveCache::no_unit if there is none
   std::size_t working_bytes;
 };
 

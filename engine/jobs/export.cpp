@@ -17,9 +17,10 @@ void for_each_job(const Store& store, const Plan& plan, const Found& found) {
   const JobKeys keys(plan);
   for (std::size_t number = 0; number < plan.jobs.size(); ++number) {
     const PlannedJob& job = plan.jobs[number];
-    const std::string* const first = digests[job.first];
     static const std::string none;
-    const std::string* const second = job.second == no_curve ? &none : digests[job.second];
+    std::array<const std::string*, 2> of_curves{&none, &none};
+    for (std::size_t k = 0; k < job.curves().size(); ++k) of_curves[k] = digests[job.curves()[k]];
+    const auto& [first, second] = of_curves;
     const Store::Known* known = nullptr;
     if (first != nullptr && second != nullptr) {
       const auto at = store.known().find(keys(job, *first, *second));
@@ -74,8 +75,7 @@ ExportCounts export_results(const Store& store, const std::string& path, ExportF
       }
       StoredResult result = store.result(*known);
       ++(result.failed ? counts.failed : counts.done);
-      ExportRow row{number, &group, plan.curves[job.first].name, "", result.failed, "", {}};
-      if (job.second != no_curve) row.second = plan.curves[job.second].name;
+      ExportRow row{number, &group, plan.name(job.first), plan.name(job.second), result.failed, "", {}};
       if (result.failed) {
         row.message = std::move(result.value);
       } else {
@@ -110,8 +110,10 @@ std::vector<std::string> failures_of(const Store& store) {
   for_each_job(store, plan, [&](std::size_t number, const Store::Known* known) {
     if (known == nullptr || !known->failed) return;
     const PlannedJob& job = plan.jobs[number];
-    const std::string second = job.second == no_curve ? "" : " " + plan.curves[job.second].name;
-    failures.push_back(plan.curves[job.first].name + second + ": " + store.result(*known).value);
+    std::string inputs;
+    for (const CurveId id : job.curves()) inputs += (inputs.empty() ? "" : " ") + plan.name(id);
+    if (inputs.empty()) inputs = plan.groups[job.group].spelled();
+    failures.push_back(inputs + ": " + store.result(*known).value);
   });
   return failures;
 }

@@ -14,7 +14,7 @@ namespace lober {
 struct ExportRow {
   std::size_t job;
   const PlannedGroup* group;
-  std::string first, second;  ///< names; the second is empty if there is none
+  std::string first, second;  ///< names; empty if there is none
   bool failed;
   std::string message;
   Record record;

@@ -77,7 +77,8 @@ void write_json_lines(OutputFile& file, const EachRow& rows) {
       text += comma + json_string(key) + ":" + json_option(value);
       comma = ",";
     }
-    text += "},\"first\":" + json_string(row.first);
+    text += "}";
+    if (!row.first.empty()) text += ",\"first\":" + json_string(row.first);
     if (!row.second.empty()) text += ",\"second\":" + json_string(row.second);
     if (row.failed) {
       text += ",\"status\":\"failed\",\"message\":" + json_string(row.message);

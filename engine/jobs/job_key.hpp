@@ -33,7 +33,7 @@ class JobKeys {
 
  private:
   const Plan& plan_;
-  std::vector<std::string> beginnings_;  ///< by group
+  std::vector<std::string> beginnings_;  ///< by group: what is the same for all its jobs, as a digest
 };
 
 }  // namespace lober

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 
 #include "engine/jobs/dispatcher.hpp"
@@ -23,8 +24,8 @@ std::string digest_of(const Curve& curve) {
 }
 
 // Bytes that a job takes besides its curves, unless they cross very often.
-std::size_t working_memory(std::size_t points) {
-  return (std::size_t{1} << 16) + 8 * points;
+std::size_t working_memory(const Job& job, std::size_t points) {
+  return (std::size_t{1} << 16) + 8 * points + job.operation->memory;
 }
 
 }  // namespace
@@ -56,13 +57,12 @@ std::vector<CurveId> JobQueue::add(CurveUnit unit) {
 }
 
 std::size_t JobQueue::submit(Job job) {
-  const bool two = job.second != no_curve;
-  if (job.operation->arity == (two ? Arity::one : Arity::two)) {
-    throw UsageError(job.operation->name + (two ? " takes one curve" : " takes two curves"));
+  const std::size_t count = job.curves().size();
+  if (!takes(job.operation->arity, count)) {
+    throw UsageError(job.operation->name + " does not take " + std::to_string(count) + " curves");
   }
   const Needs needs = job.operation->needs(*job.options);
-  cache_->require(job.first, needs);
-  if (two) cache_->require(job.second, needs);
+  for (const CurveId curve : job.curves()) cache_->require(curve, needs);
   jobs_.push_back(std::move(job));
   return jobs_.size() - 1;
 }
@@ -85,15 +85,19 @@ class JobQueue::Run final : public JobRunner {
     const CurveCache& cache = *queue_.cache_;
     JobResult result;
     result.job = number;
-    const PreparedCurve& first = cache.curve(job.first);
-    const PreparedCurve* const second = job.second == no_curve ? nullptr : &cache.curve(job.second);
-    result.digest1 = cache.digest(job.first);
-    if (second != nullptr) result.digest2 = cache.digest(job.second);
+    std::array<const PreparedCurve*, 2> curves{};
+    const FewCurves ids = job.curves();
+    std::size_t points = 0;
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      curves[k] = &cache.curve(ids[k]);
+      (k == 0 ? result.digest1 : result.digest2) = cache.digest(ids[k]);
+      points += curves[k]->curve().points.size();
+      if (result.error.empty()) result.error = curves[k]->error();
+    }
     const Stopwatch watch;
-    result.error = !first.error().empty() ? first.error() : second != nullptr ? second->error() : std::string();
     if (result.error.empty()) {
       try {
-        result.record = job.operation->run(first, second, *job.options);
+        result.record = job.operation->run(std::span(curves).first(ids.size()), *job.options);
       } catch (const std::bad_alloc&) {
         result.error = "out of memory";
       } catch (const std::exception& error) {
@@ -101,7 +105,6 @@ class JobQueue::Run final : public JobRunner {
       }
     }
     result.seconds = watch.seconds();
-    const std::size_t points = first.curve().points.size() + (second != nullptr ? second->curve().points.size() : 0);
     const double seconds = result.seconds;
     const bool failed = !result.error.empty();
     const Stopwatch callback_watch;
@@ -147,24 +150,28 @@ QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
   std::vector<std::size_t> unit_bytes, points;
   double total_cost = 0;
   for (const Job& job : waiting) {
-    const bool two = job.second != no_curve;
-    points.push_back(cache_->points(job.first) + (two ? cache_->points(job.second) : 0));
-    const CurveCache::UnitId unit1 = cache_->unit_of(job.first), unit2 = two ? cache_->unit_of(job.second) : unit1;
-    for (const CurveCache::UnitId unit : {unit1, unit2}) {
+    const FewCurves ids = job.curves();
+    std::size_t sum = 0;
+    for (const CurveId id : ids) {
+      const CurveCache::UnitId unit = cache_->unit_of(id);
       if (unit_bytes.size() <= unit) unit_bytes.resize(unit + std::size_t{1});
       unit_bytes[unit] = cache_->bytes(unit);
+      sum += cache_->points(id);
     }
+    points.push_back(sum);
+    const auto unit = [&](std::size_t k) { return ids.size() == 0 ? CurveCache::no_unit : cache_->unit_of(ids[k]); };
     const double cost = job.operation->cost(points.back());
     total_cost += cost;
     run.costs.push_back(cost);
-    scheduled.push_back({unit1, unit2, cost});
+    scheduled.push_back({unit(0), unit(ids.size() < 2 ? 0 : 1), cost});
   }
   const int threads = options_.threads > 0 ? options_.threads : tbb::this_task_arena::max_concurrency();
   // What the threads take at most, besides curves that stay: for their jobs, and to read.
   std::size_t working = 0, reading = 0;
   for (std::size_t k = 0; k < waiting.size(); ++k) {
-    working = std::max(working, working_memory(points[k]));
+    working = std::max(working, working_memory(waiting[k], points[k]));
     for (const CurveCache::UnitId unit : {scheduled[k].unit1, scheduled[k].unit2}) {
+      if (unit == CurveCache::no_unit) continue;
       reading = std::max(reading, cache_->reading_memory(unit) + cache_->bytes(unit));
     }
   }
@@ -175,7 +182,7 @@ QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
   const Room room{less(working), less(working + reading)};
   for (const std::uint32_t k : schedule(scheduled, unit_bytes, room)) {
     dispatched.push_back({static_cast<std::uint32_t>(first_waiting_ + k), scheduled[k].unit1, scheduled[k].unit2,
-                          working_memory(points[k])});
+                          working_memory(waiting[k], points[k])});
   }
   counters_.jobs = jobs_.size();
   add_to(counters_.cost, total_cost);

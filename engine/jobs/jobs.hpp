@@ -37,8 +37,8 @@ inline constexpr std::span<const OptionSetting> no_settings{};
 struct Job {
   const Operation* operation = nullptr;  ///< has to outlive the queue
   std::shared_ptr<const Options> options;
-  CurveId first = 0;
-  CurveId second = no_curve;  ///< no_curve for a job of one curve
+  CurveId first = no_curve, second = no_curve;  ///< no_curve where the job has none
+  [[nodiscard]] FewCurves curves() const { return {first, second}; }
 };
 
 struct JobResult {

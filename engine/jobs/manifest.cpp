@@ -1,12 +1,11 @@
 #include "engine/jobs/manifest.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "engine/curve/mapped_file.hpp"
-
-#define TOML_HEADER_ONLY 1
-#include <toml++/toml.h>
+#include "engine/jobs/recipe_reader.hpp"
 
 namespace lober {
 namespace {
@@ -43,7 +42,6 @@ class Reader {
     static const std::set<std::string, std::less<>> known{"name",   "operation", "curves",  "with",
                                                           "closed", "pairs",     "options", "grid"};
     for (const auto& [key, node] : table) {
-      if (key == "system") fail(node, "system", "curves that are grown on the fly are not in this version");
       if (known.contains(key.str()) || besides.contains(key.str())) continue;
       fail(node, std::string(key.str()),
            "there is no such key; there are name, operation, curves, with, closed, pairs, options, grid and [[group]]");
@@ -66,15 +64,24 @@ class Reader {
     const toml::node* const name = find(table, top, "name");
     group.name = name != nullptr ? text_of(*name, "name") : "";
     read_operation(group, table, top);
+    group.closed = !group.operation->open;
     if (const toml::node* const closed = find(table, top, "closed")) {
       if (!closed->is_boolean()) fail(*closed, "closed", "has to be true or false");
       group.closed = **closed->as_boolean();
+      if (group.closed && group.operation->open) fail(*closed, "closed", group.operation->name + " takes open curves");
     }
     group.curves = patterns(table, top, "curves");
     group.with = patterns(table, top, "with");
     read_pairs(group, table, top);
     read_options(group, table, top);
-    if (group.pairs != PairKind::list && group.curves.empty()) fail(table, "curves", "is missing");
+    if (group.operation->arity == Arity::none) {
+      for (const char* const key : {"curves", "with", "pairs", "closed"}) {
+        if (const toml::node* const useless = table.get(key))
+          fail(*useless, key, group.operation->name + " has no curves");
+      }
+      group.pairs = PairKind::none;
+    } else if (group.pairs != PairKind::list && group.curves.empty())
+      fail(table, "curves", "is missing");
     manifest_.groups.push_back(std::move(group));
   }
 
@@ -92,17 +99,23 @@ class Reader {
   std::vector<Placed> patterns(const toml::table& table, const toml::table& top, const std::string& key) const {
     const toml::node* const node = find(table, top, key);
     if (node == nullptr) return {};
-    if (node->is_string()) return {{**node->as_string(), line_of(*node), key}};
-    if (!node->is_array() || node->as_array()->empty()) fail(*node, key, "has to be a pattern or a list of patterns");
+    if (!node->is_array()) return {pattern(*node, key)};
+    if (node->as_array()->empty()) fail(*node, key, "has to be a pattern or a list of patterns");
     std::vector<Placed> all;
-    for (const toml::node& one : *node->as_array()) all.push_back({text_of(one, key), line_of(one), key});
+    for (const toml::node& one : *node->as_array()) all.push_back(pattern(one, key));
     return all;
+  }
+
+  Placed pattern(const toml::node& node, const std::string& key) const {
+    if (node.is_string()) return {**node.as_string(), line_of(node), key};
+    if (!node.is_table()) fail(node, key, "has to be a pattern, a curve of a system, or a list of such");
+    return read_recipes(manifest_, *node.as_table(), key);
   }
 
   void read_pairs(ManifestGroup& group, const toml::table& table, const toml::table& top) const {
     const toml::node* const node = find(table, top, "pairs");
     group.pairs = group.operation->arity == Arity::two ? PairKind::all : PairKind::single;
-    if (node == nullptr) return;
+    if (node == nullptr || group.operation->arity == Arity::none) return;
     if (const auto* const text = node->as_string()) {
       read_pair_word(group, *node, **text);
     } else if (const auto* const lag = node->as_table()) {
@@ -117,14 +130,13 @@ class Reader {
       for (const toml::node& one : *node->as_array()) {
         const toml::array* const two = one.as_array();
         if (two == nullptr || two->size() != 2) fail(one, "pairs", "each pair has to be two names [\"a\", \"b\"]");
-        group.list.push_back({Placed{text_of((*two)[0], "pairs"), line_of(one), "pairs"},
-                              Placed{text_of((*two)[1], "pairs"), line_of(one), "pairs"}});
+        group.list.push_back({pattern((*two)[0], "pairs"), pattern((*two)[1], "pairs")});
       }
     } else {
       fail(*node, "pairs", "has to be a string, { lag = k } or a list of pairs");
     }
     const bool two = group.pairs != PairKind::single;
-    if (group.operation->arity == (two ? Arity::one : Arity::two)) {
+    if (!takes(group.operation->arity, two ? 2 : 1)) {
       fail(*node, "pairs", group.operation->name + (two ? " takes one curve" : " takes two curves"));
     }
     if (group.pairs == PairKind::product && group.with.empty()) {
@@ -170,7 +182,7 @@ class Reader {
     std::vector<OptionSetting> settings;
     const auto known = [&](std::string_view key) {
       const std::vector<OptionSpec>& specs = group.operation->options;
-      return std::any_of(specs.begin(), specs.end(), [&](const OptionSpec& spec) { return spec.key == key; });
+      return std::any_of(specs.begin(), specs.end(), [&](const OptionSpec& spec) { return spec.is_for(key); });
     };
     const auto take = [&](const std::string& key, const toml::node& node, bool only_known) {
       if (only_known && !known(key) && known_to_some(key)) return;
@@ -180,25 +192,42 @@ class Reader {
     const bool grouped = &table != &top;
     if (grouped) {
       if (const toml::table* const options = subtable(top, "options")) {
-        for (const auto& [key, node] : *options) take(std::string(key.str()), node, true);
+        each_entry(*options, "", [&](const std::string& key, const toml::node& node) { take(key, node, true); });
       }
     }
     if (const toml::table* const options = subtable(table, "options")) {
-      for (const auto& [key, node] : *options) take(std::string(key.str()), node, false);
+      each_entry(*options, "", [&](const std::string& key, const toml::node& node) { take(key, node, false); });
     }
     std::vector<std::vector<OptionSetting>> rounds{settings};
     if (const toml::node* const node = find(table, top, "grid")) {
       if (!node->is_table()) fail(*node, "grid", "has to be a table of lists");
-      for (const auto& [key, list] : *node->as_table()) rounds = combined(group, rounds, std::string(key.str()), list);
+      each_entry(*node->as_table(), "",
+                 [&](const std::string& key, const toml::node& list) { rounds = combined(group, rounds, key, list); });
     }
-    for (const std::vector<OptionSetting>& round : rounds) group.options.push_back(checked(group, round, table));
+    for (const std::vector<OptionSetting>& round : rounds) {
+      group.options.push_back(checked(group, round, table));
+      if (group.operation->check) explained(table, [&] { group.operation->check(group.options.back()); });
+    }
+  }
+
+  // Entries of a table, those of tables in it by "table.key".
+  static void each_entry(const toml::table& table, const std::string& prefix,
+                         const std::function<void(const std::string&, const toml::node&)>& take) {
+    for (const auto& [key, node] : table) {
+      const std::string name = prefix + std::string(key.str());
+      if (node.is_table()) {
+        each_entry(*node.as_table(), name + ".", take);
+      } else {
+        take(name, node);
+      }
+    }
   }
 
   static bool known_to_some(std::string_view key) {
     const std::span<const Operation> all = all_operations();
     return std::any_of(all.begin(), all.end(), [&](const Operation& any) {
       return std::any_of(any.options.begin(), any.options.end(),
-                         [&](const OptionSpec& spec) { return spec.key == key; });
+                         [&](const OptionSpec& spec) { return spec.is_for(key); });
     });
   }
 
@@ -221,12 +250,19 @@ class Reader {
 
   Options checked(const ManifestGroup& group, const std::vector<OptionSetting>& settings,
                   const toml::node& node) const {
+    Options options;
+    explained(node, [&] { options = {group.operation->options, settings}; });
+    return options;
+  }
+
+  // Says where an option "key: message" stands.
+  void explained(const toml::node& node, const std::function<void()>& function) const {
     try {
-      return {group.operation->options, settings};
+      function();
     } catch (const UsageError& error) {
-      manifest_.fail(line_of(node),
-                     "options." + std::string(error.what()).substr(0, std::string(error.what()).find(':')),
-                     std::string(error.what()).substr(std::string(error.what()).find(':') + 2));
+      const std::string text = error.what();
+      const std::size_t colon = text.find(':');
+      manifest_.fail(line_of(node), "options." + text.substr(0, colon), text.substr(colon + 2));
     }
   }
 

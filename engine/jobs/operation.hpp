@@ -16,21 +16,29 @@
 namespace lober {
 
 /// How many curves a job of an operation has.
-enum class Arity : std::uint8_t { one, two, one_or_two };
+enum class Arity : std::uint8_t { none, one, two, one_or_two };
+[[nodiscard]] bool takes(Arity arity, std::size_t curves);
+
+/// Those of a job, in order.
+using JobCurves = std::span<const PreparedCurve* const>;
 
 /// A program that feeds the queue may bring its own.
 struct Operation {
   std::string name;
   int revision = 1;  ///< goes into the key of results: raise it when the numbers change
   Arity arity = Arity::two;
+  bool open = false;  ///< curves of a manifest are open unless it says otherwise
   std::vector<OptionSpec> options = {};
   std::vector<Column> columns = {};
   std::vector<std::string> lists = {};
+  /// Throws UsageError "key: message" for options that cannot go together; may be empty.
+  std::function<void(const Options&)> check = {};
   std::function<Needs(const Options&)> needs;
-  /// Called from several threads at the same time. `second` is null for a job of one curve. May throw Error.
-  std::function<Record(const PreparedCurve& first, const PreparedCurve* second, const Options& options)> run;
+  /// Called from several threads at the same time. May throw Error.
+  std::function<Record(JobCurves curves, const Options& options)> run;
   /// Microseconds on one core for so many points, roughly: what comes first is what costs most.
   std::function<double(std::size_t points)> cost;
+  std::size_t memory = 0;  ///< bytes that a job takes besides what is usual for so many points
 };
 
 /// The operations that a manifest can name.

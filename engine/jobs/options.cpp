@@ -1,5 +1,7 @@
 #include "engine/jobs/options.hpp"
 
+#include <map>
+
 #include <algorithm>
 
 #include "engine/error.hpp"
@@ -23,7 +25,9 @@ std::string joined(std::span<const std::string> words) {
   return text;
 }
 
-OptionValue checked(const OptionSpec& spec, OptionValue value) {
+OptionValue checked(OptionSpec spec, const OptionSetting& setting) {
+  OptionValue value = setting.value;
+  spec.key = setting.key;
   if (std::holds_alternative<double>(spec.fallback) && std::holds_alternative<std::int64_t>(value)) {
     value = static_cast<double>(std::get<std::int64_t>(value));
   }
@@ -46,17 +50,32 @@ OptionValue checked(const OptionSpec& spec, OptionValue value) {
 }  // namespace
 
 Options::Options(std::span<const OptionSpec> specs, std::span<const OptionSetting> settings) {
-  for (const OptionSpec& spec : specs) settings_.push_back({spec.key, spec.fallback});
+  std::map<std::string, OptionValue> chosen, of_families;
   for (const OptionSetting& setting : settings) {
     const auto spec =
-        std::find_if(specs.begin(), specs.end(), [&](const OptionSpec& any) { return any.key == setting.key; });
+        std::find_if(specs.begin(), specs.end(), [&](const OptionSpec& any) { return any.is_for(setting.key); });
     if (spec == specs.end()) {
       std::vector<std::string> known;
       for (const OptionSpec& any : specs) known.push_back(any.key);
       throw UsageError(setting.key + ": there is no such option; there are " + joined(known));
     }
-    settings_[static_cast<std::size_t>(spec - specs.begin())].value = checked(*spec, setting.value);
+    (spec->family() ? of_families : chosen)[setting.key] = checked(*spec, setting);
   }
+  for (const OptionSpec& spec : specs) {
+    if (spec.family()) continue;
+    const auto given = chosen.find(spec.key);
+    settings_.push_back({spec.key, given != chosen.end() ? given->second : spec.fallback});
+  }
+  for (const auto& [key, value] : of_families) settings_.push_back({key, value});
+}
+
+std::vector<std::pair<std::string, double>> Options::reals_of(std::string_view prefix) const {
+  std::vector<std::pair<std::string, double>> found;
+  for (const OptionSetting& setting : settings_) {
+    if (!setting.key.starts_with(std::string(prefix) + ".")) continue;
+    found.emplace_back(setting.key.substr(prefix.size() + 1), std::get<double>(setting.value));
+  }
+  return found;
 }
 
 const OptionValue& Options::at(std::string_view key) const {

@@ -14,13 +14,18 @@ namespace lober {
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 
 /// What an operation can be told. The type of `fallback` is the type of the option; a whole number is taken for a
-/// double too.
+/// double too. A key "parameters.*" stands for any number of options "parameters.NAME" without a fallback.
 struct OptionSpec {
   std::string key;
   OptionValue fallback;
   std::vector<std::string> choices = {};  ///< of a string; empty: any
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool family() const { return key.ends_with(".*"); }
+  [[nodiscard]] bool is_for(std::string_view wanted) const {
+    return wanted == key || (family() && wanted.starts_with(std::string_view(key).substr(0, key.size() - 1)));
+  }
 };
 
 struct OptionSetting {
@@ -40,6 +45,8 @@ class Options {
   [[nodiscard]] std::int64_t whole(std::string_view key) const { return std::get<std::int64_t>(at(key)); }
   [[nodiscard]] double real(std::string_view key) const { return std::get<double>(at(key)); }
   [[nodiscard]] const std::string& text(std::string_view key) const { return std::get<std::string>(at(key)); }
+  /// Those whose keys begin with "prefix.", which is left out; by name.
+  [[nodiscard]] std::vector<std::pair<std::string, double>> reals_of(std::string_view prefix) const;
 
   /// In the order of the specs.
   [[nodiscard]] std::span<const OptionSetting> settings() const { return settings_; }

@@ -42,6 +42,9 @@ class Planner {
     Pairs pairs;
     const std::vector<CurveId> curves = numbers_of(group.curves, group.closed);
     switch (group.pairs) {
+      case PairKind::none:
+        pairs.emplace_back(no_curve, no_curve);
+        break;
       case PairKind::all:
         for (std::size_t i = 0; i < curves.size(); ++i) {
           for (std::size_t k = i + 1; k < curves.size(); ++k) pairs.emplace_back(curves[i], curves[k]);
@@ -81,13 +84,20 @@ class Planner {
   std::vector<CurveId> numbers_of(const std::vector<Placed>& patterns, bool closed) {
     std::vector<CurveId> ids;
     for (const CurvePlace& place : resolve(manifest_, patterns)) {
-      const auto [at, is_new] = curves_.try_emplace({place.name(), closed}, static_cast<CurveId>(plan_.curves.size()));
+      const bool manifold = place.file.empty();
+      const bool closes = closed && !manifold;
+      const auto [at, is_new] = curves_.try_emplace({place.name(), closes}, static_cast<CurveId>(plan_.curves.size()));
       ids.push_back(at->second);
       if (!is_new) continue;
-      const auto [file, new_file] = files_.try_emplace(place.file, static_cast<std::uint32_t>(plan_.files.size()));
-      if (new_file) plan_.files.push_back(place.file);
+      const std::string made = place.recipe != nullptr ? place.recipe->name() : "";
+      const auto [source, new_source] =
+          sources_.try_emplace({place.file, made}, static_cast<std::uint32_t>(plan_.sources.size()));
+      if (new_source) {
+        plan_.sources.push_back({place.file, {}});
+        if (place.recipe != nullptr) plan_.sources.back().recipe = *place.recipe;
+      }
       plan_.curves.push_back(
-          {file->second, place.zone ? static_cast<std::int64_t>(*place.zone) : -1, closed, place.name()});
+          {source->second, place.zone ? static_cast<std::int64_t>(*place.zone) : -1, closes, place.name()});
     }
     return ids;
   }
@@ -95,7 +105,7 @@ class Planner {
   const Manifest& manifest_;
   Plan plan_;
   std::map<std::pair<std::string, bool>, CurveId> curves_;
-  std::map<std::string, std::uint32_t> files_;
+  std::map<std::pair<std::string, std::string>, std::uint32_t> sources_;  ///< by file and recipe
 };
 
 OptionValue parsed(const OptionSpec& spec, const std::string& text) {
@@ -125,11 +135,15 @@ std::string Plan::encoded() const {
       writer.put_text(value);
     }
   }
-  writer.put(std::uint64_t{files.size()});
-  for (const std::string& file : files) writer.put_text(file);
+  writer.put(std::uint64_t{sources.size()});
+  for (const PlannedSource& source : sources) {
+    writer.put_text(source.file);
+    writer.put(source.recipe.has_value());
+    if (source.recipe) source.recipe->put(writer);
+  }
   writer.put(std::uint64_t{curves.size()});
   for (const PlannedCurve& curve : curves) {
-    writer.put(curve.file);
+    writer.put(curve.source);
     writer.put(curve.zone);
     writer.put(curve.closed);
     writer.put_text(curve.name);
@@ -151,11 +165,14 @@ Plan Plan::decoded(std::string_view bytes) {
       value = reader.get_text();
     }
   }
-  plan.files.resize(reader.get<std::uint64_t>());
-  for (std::string& file : plan.files) file = reader.get_text();
+  plan.sources.resize(reader.get<std::uint64_t>());
+  for (PlannedSource& source : plan.sources) {
+    source.file = reader.get_text();
+    if (reader.get<bool>()) source.recipe = CurveRecipe::get(reader);
+  }
   plan.curves.resize(reader.get<std::uint64_t>());
   for (PlannedCurve& curve : plan.curves) {
-    curve.file = reader.get<std::uint32_t>();
+    curve.source = reader.get<std::uint32_t>();
     curve.zone = reader.get<std::int64_t>();
     curve.closed = reader.get<bool>();
     curve.name = reader.get_text();
@@ -179,7 +196,7 @@ Options options_of(const PlannedGroup& group) {
   std::vector<OptionSetting> settings;
   for (const auto& [key, value] : group.options) {
     const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
-                                   [&, wanted = key](const OptionSpec& any) { return any.key == wanted; });
+                                   [&, wanted = key](const OptionSpec& any) { return any.is_for(wanted); });
     if (spec == operation.options.end()) throw UsageError(key + ": there is no such option in this version");
     settings.push_back({key, parsed(*spec, value)});
   }

@@ -22,10 +22,11 @@ PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::
 }
 
 QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::function<void(PlanResult)>& done) {
+  const auto in_queue = [&](CurveId id) { return id == no_curve ? no_curve : ids_[id]; };
   for (const std::uint32_t number : jobs) {
     const PlannedJob& job = plan_.jobs[number];
-    queue_.submit({&operation_of(plan_.groups[job.group]), options_[job.group], ids_[job.first],
-                   job.second == no_curve ? no_curve : ids_[job.second]});
+    queue_.submit(
+        {&operation_of(plan_.groups[job.group]), options_[job.group], in_queue(job.first), in_queue(job.second)});
     submitted_.push_back(number);
   }
   return queue_.run([&](JobResult result) {

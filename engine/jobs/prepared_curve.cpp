@@ -16,7 +16,7 @@ void check_simple(const IndexedCurve& index) {
     return;
   }
   const std::vector<Point> points = scaled(index.view(), exponent);
-  (void)require_simple(IndexedCurve(CurveView{points}), 1);
+  (void)require_simple(IndexedCurve(CurveView{points, index.view().closed}), 1);
 }
 
 }  // namespace
@@ -31,8 +31,8 @@ PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Needs& ne
     } else {
       validate(given, given.name);
     }
+    if (needs.closed && !given.closed) throw DataError(given.name + ": is open, a closed curve is needed");
     if (needs.simple) {
-      if (!given.closed) throw DataError(given.name + ": is open, a closed curve is needed");
       try {
         check_simple(*index_);
       } catch (const NotSimpleError& error) {

@@ -15,14 +15,17 @@ namespace lober {
 /// What an operation asks of its curves.
 struct Needs {
   bool index = false;           ///< the box tree
-  bool simple = false;          ///< that the curve be closed and simple
+  bool simple = false;          ///< that the curve be simple
+  bool closed = false;          ///< that it be closed
   bool discretisation = false;  ///< DiscretisationSums
   Needs& operator|=(const Needs& other) {
     index |= other.index;
     simple |= other.simple;
+    closed |= other.closed;
     discretisation |= other.discretisation;
     return *this;
   }
+  friend bool operator==(const Needs&, const Needs&) = default;
 };
 
 /// Stays where it is: the index refers to the points.

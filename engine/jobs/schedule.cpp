@@ -19,7 +19,7 @@ Grouping group(std::span<const ScheduledJob> jobs, std::span<const std::size_t> 
   std::size_t total = 0;
   for (const ScheduledJob& job : jobs) {
     for (const std::uint32_t unit : {job.unit1, job.unit2}) {
-      if (groups.place[unit] != unused) continue;
+      if (unit == ScheduledJob::nothing || groups.place[unit] != unused) continue;
       groups.place[unit] = static_cast<std::uint32_t>(order.size());
       order.push_back(unit);
       total += bytes[unit];
@@ -54,6 +54,10 @@ std::vector<std::uint32_t> schedule(std::span<const ScheduledJob> jobs, std::spa
   std::vector<Turn> turns(jobs.size());
   for (std::uint32_t k = 0; k < jobs.size(); ++k) {
     std::uint32_t early = jobs[k].unit1, late = jobs[k].unit2;
+    if (early == ScheduledJob::nothing) {
+      turns[k] = {0, 0, -jobs[k].cost, k};
+      continue;
+    }
     if (groups.place[late] < groups.place[early]) std::swap(early, late);
     const bool inside = groups.block[early] == groups.block[late];
     turns[k] = {groups.block[early], inside ? 0 : groups.place[late] + 1, -jobs[k].cost, k};

@@ -9,7 +9,8 @@
 namespace lober {
 
 struct ScheduledJob {
-  std::uint32_t unit1 = 0, unit2 = 0;  ///< what it reads; equal if it reads only one
+  static constexpr std::uint32_t nothing = 0xffffffff;
+  std::uint32_t unit1 = nothing, unit2 = nothing;  ///< what it reads; equal if it reads only one or nothing
   double cost = 0;
 };
 

@@ -6,7 +6,7 @@ namespace lober {
 namespace {
 
 constexpr int application = 0x6c6f6265;  // "lobe"
-constexpr int format = 1;
+constexpr int format = 2;
 
 constexpr const char* tables = R"(
   CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY, started TEXT, ended TEXT, how TEXT, version TEXT,
@@ -40,12 +40,18 @@ std::string input_name(const PlannedCurve& curve) {
 }
 
 Store::Store(const std::string& path, bool create) : path_(path), database_(std::make_unique<Database>(path, create)) {
-  const std::int64_t id = pragma(*database_, "PRAGMA application_id");
+  database_->execute("BEGIN");  // another process may create the tables right now: all of what follows, or nothing
+  const std::int64_t id = pragma(*database_, "PRAGMA application_id"),
+                     found = pragma(*database_, "PRAGMA user_version");
   const bool fresh = pragma(*database_, "SELECT count(*) FROM sqlite_master") == 0;
+  database_->execute("COMMIT");
   if (id != application && !(fresh && create)) throw DataError(path + ": is no store of results");
-  if (pragma(*database_, "PRAGMA user_version") > format) throw DataError(path + ": was written by a later version");
-  database_->execute("PRAGMA journal_mode = WAL");
-  database_->execute("PRAGMA synchronous = NORMAL");
+  if (found != format && !fresh) {
+    throw DataError(path + ": was written by a version with another format");
+  }
+  // An empty store need not survive a power cut; all that is in it is synchronised with the first results.
+  if (fresh) database_->execute("PRAGMA synchronous = OFF");
+  database_->use_write_ahead_log();
   if (fresh) {
     Transaction transaction(*database_);  // a process killed in here leaves nothing or all
     database_->execute(tables);
@@ -53,6 +59,7 @@ Store::Store(const std::string& path, bool create) : path_(path), database_(std:
     database_->execute(("PRAGMA user_version = " + std::to_string(format)).c_str());
     transaction.commit();
   }
+  database_->execute("PRAGMA synchronous = NORMAL");
   refresh();
 }
 

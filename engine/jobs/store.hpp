@@ -38,7 +38,7 @@ using InputDigests = std::map<std::string, std::string>;
 
 class Store {
  public:
-  /// Opens or creates. Throws DataError when the file is no store, or one of a later version.
+  /// Opens or creates. Throws DataError when the file is no store, or one of another format.
   [[nodiscard]] static Store create(const std::string& path) { return {path, true}; }
   /// Throws DataError when there is none.
   [[nodiscard]] static Store open(const std::string& path) { return {path, false}; }

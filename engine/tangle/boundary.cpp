@@ -32,7 +32,7 @@ struct ChordCuts {
 ChordCuts cuts_of_chord(const Tangle& tangle) {
   ChordCuts cuts{false, std::vector<bool>(tangle.lobes.size())};
   const TangleCurves& curves = *tangle.curves;
-  const std::array<Point, 2> ends{curves.s.view().points[0], curves.u.view().points[0]};
+  const std::array<Point, 2> ends{curves.s().view().points[0], curves.u().view().points[0]};
   if (ends[0] == ends[1]) return cuts;
   const IndexedCurve chord({ends, false});
   // Parameters are rounded: what lies that near to a pip counts for both sides.
@@ -52,8 +52,8 @@ ChordCuts cuts_of_chord(const Tangle& tangle) {
       }
     }
   };
-  mark(chord_meetings(chord, curves.u), &Pip::u);
-  mark(chord_meetings(chord, curves.s), &Pip::s);
+  mark(chord_meetings(chord, curves.u()), &Pip::u);
+  mark(chord_meetings(chord, curves.s()), &Pip::s);
   return cuts;
 }
 

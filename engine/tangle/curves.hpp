@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "engine/curve/scaled.hpp"
@@ -14,11 +15,14 @@ namespace lober {
 struct TangleCurves {
   int exponent = 0;  // coordinates were multiplied by 2^exponent
   std::vector<Point> scaled_u, scaled_s;
-  IndexedCurve u, s;
+  std::shared_ptr<const IndexedCurve> index_u, index_s;  // of the caller's own, or of what was made here
   bool smooth = false;
 
+  [[nodiscard]] const IndexedCurve& u() const { return *index_u; }
+  [[nodiscard]] const IndexedCurve& s() const { return *index_s; }
+
   [[nodiscard]] double area(DD twice) const { return std::ldexp(twice.hi + twice.lo, -1 - 2 * exponent); }
-  [[nodiscard]] Point origin() const { return u.view().points[0]; }
+  [[nodiscard]] Point origin() const { return u().view().points[0]; }
 };
 
 }  // namespace lober

@@ -22,10 +22,10 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
   }
   const auto contact = [&](std::size_t k) -> const Contact& { return graph.contacts[graph.span(nodes[k]).first]; };
   run_together(
-      curves.u.segments() + curves.s.segments() > 100'000,
+      curves.u().segments() + curves.s().segments() > 100'000,
       [&] {
         sum_along(
-            curves.u.tree(), curves.origin(), count,
+            curves.u().tree(), curves.origin(), count,
             [&](std::size_t k) {
               return PlaceAlong{contact(k).segment1, contact(k).t1};
             },
@@ -33,7 +33,7 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
       },
       [&] {
         sum_along(
-            curves.s.tree(), curves.origin(), count,
+            curves.s().tree(), curves.origin(), count,
             [&](std::size_t k) {
               return PlaceAlong{contact(order[k]).segment2, contact(order[k]).t2};
             },
@@ -48,7 +48,7 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
 Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
   Buffer<DD> gaps = polygon_gaps_at(curves, graph, nodes);
   if (!curves.smooth || nodes.empty()) return gaps;
-  const SmoothGaps smooth = smooth_gaps(curves.u.view(), curves.s.view(), graph, nodes);
+  const SmoothGaps smooth = smooth_gaps(curves.u().view(), curves.s().view(), graph, nodes);
   for (std::size_t k = 0; k < nodes.size(); ++k) gaps[k] += smooth.at[k].twice;
   return gaps;
 }

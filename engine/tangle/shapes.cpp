@@ -54,7 +54,7 @@ struct Measures {
 std::vector<LobeShape> lobe_shapes(const Tangle& tangle) {
   std::vector<LobeShape> shapes(tangle.lobes.size());
   const TangleCurves& curves = *tangle.curves;  // at a scale where squares stay in range
-  const CurveView &u = curves.u.view(), &s = curves.s.view();
+  const CurveView &u = curves.u().view(), &s = curves.s().view();
   const auto at_scale = [&](Point p, int exponent) {
     return exponent == 0 ? p : Point{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
   };
@@ -81,8 +81,8 @@ double boundary_discretisation(const Tangle& tangle) {
   const Pip& bip = tangle.pips.at(tangle.boundary->bip);
   const TangleCurves& curves = *tangle.curves;
   Measures measures;
-  measures.add_bulges(curves.u.view(), {}, bip.u);
-  measures.add_bulges(curves.s.view(), {}, bip.s);
+  measures.add_bulges(curves.u().view(), {}, bip.u);
+  measures.add_bulges(curves.s().view(), {}, bip.s);
   return curves.area({measures.bulge, 0});
 }
 

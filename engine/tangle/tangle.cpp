@@ -14,20 +14,33 @@
 namespace lober {
 namespace {
 
+std::shared_ptr<const IndexedCurve> borrowed(const IndexedCurve& index) {
+  return {std::shared_ptr<const IndexedCurve>(), &index};
+}
+
+// At a scale where products stay in range; at that of the given indexes whenever possible.
+std::shared_ptr<const TangleCurves> scaled_curves(std::shared_ptr<const IndexedCurve> u,
+                                                  std::shared_ptr<const IndexedCurve> s, bool smooth) {
+  if (!u->tree().sums_finite()) validate(u->view(), "U");
+  if (!s->tree().sums_finite()) validate(s->view(), "S");
+  auto curves = std::make_shared<TangleCurves>();
+  curves->exponent = comfortable_exponent(unite(u->tree().box(), s->tree().box()));
+  curves->smooth = smooth;
+  if (curves->exponent != 0) {
+    curves->scaled_u = scaled(u->view(), curves->exponent);
+    curves->scaled_s = scaled(s->view(), curves->exponent);
+    u = std::make_shared<const IndexedCurve>(CurveView{curves->scaled_u, false});
+    s = std::make_shared<const IndexedCurve>(CurveView{curves->scaled_s, false});
+  }
+  curves->index_u = std::move(u);
+  curves->index_s = std::move(s);
+  return curves;
+}
+
 std::shared_ptr<const TangleCurves> index_curves(CurveView u, CurveView s, bool smooth) {
   require_enough_vertices(u, "U");
   require_enough_vertices(s, "S");
-  IndexedCurve first(u), second(s);
-  if (!first.tree().sums_finite()) validate(u, "U");
-  if (!second.tree().sums_finite()) validate(s, "S");
-  const int exponent = comfortable_exponent(unite(first.tree().box(), second.tree().box()));
-  if (exponent == 0) {
-    return std::make_shared<TangleCurves>(TangleCurves{0, {}, {}, std::move(first), std::move(second), smooth});
-  }
-  std::vector<Point> scaled_u = scaled(u, exponent), scaled_s = scaled(s, exponent);
-  IndexedCurve indexed_u(CurveView{scaled_u, false}), indexed_s(CurveView{scaled_s, false});
-  return std::make_shared<TangleCurves>(TangleCurves{exponent, std::move(scaled_u), std::move(scaled_s),
-                                                     std::move(indexed_u), std::move(indexed_s), smooth});
+  return scaled_curves(std::make_shared<const IndexedCurve>(u), std::make_shared<const IndexedCurve>(s), smooth);
 }
 
 // Moves the pips, and the areas of the lobes with them, to where the smooth curves have them.
@@ -35,7 +48,7 @@ void smooth_lobes(Tangle& tangle) {
   const TangleCurves& curves = *tangle.curves;
   std::vector<std::uint32_t> nodes;
   for (const Pip& pip : tangle.pips) nodes.push_back(pip.node);
-  const SmoothGaps smooth = smooth_gaps(curves.u.view(), curves.s.view(), tangle.nodes.graph(), nodes);
+  const SmoothGaps smooth = smooth_gaps(curves.u().view(), curves.s().view(), tangle.nodes.graph(), nodes);
   tangle.fallback_segments = smooth.fallback_segments;
   tangle.fallback_pips = smooth.fallback_crossings;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -78,37 +91,28 @@ void remark_direction(Tangle& tangle) {
   remark("are U and S", pips_if(true, true));
 }
 
-}  // namespace
-
-double Tangle::rounding(double area) const {
-  const Box box = unite(curves->u.tree().box(), curves->s.tree().box());
-  const double extent = std::ldexp(box.extent(), -curves->exponent);
-  const double additions = static_cast<double>(u().segments() + s().segments()) / 1024 + 4096;
-  return std::fabs(area) * 0x1p-53 +
-         extent * extent * (static_cast<double>(nodes.size()) * 0x1p-91 + additions * 0x1p-104);
-}
-
-Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
-  u.closed = s.closed = false;
+// `index` makes the curves ready.
+template <typename Index>
+Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const Index& index) {
   const auto report = [&](double fraction) {
     if (options.progress && !options.progress(fraction)) throw Cancelled();
   };
   const Stopwatch watch;
   Tangle result;
   report(0);
-  result.curves = index_curves(u, s, options.smooth);
+  result.curves = index();
   const TangleCurves& curves = *result.curves;
   result.timing.index = watch.seconds();
   if (options.check_simple) {
-    for (const SimpleCheck& check : {require_simple(curves.u, 1), require_simple(curves.s, 2)}) {
+    for (const SimpleCheck& check : {require_simple(curves.u(), 1), require_simple(curves.s(), 2)}) {
       result.simple_check.search += check.search;
       result.simple_check.pairs += check.pairs;
     }
   }
   result.timing.check = watch.seconds() - result.timing.index;
   report(0.3);
-  result.index = options.index == IndexKind::automatic ? choose_index(curves.u, curves.s) : options.index;
-  NodeGraph graph = build_node_graph(curves.u, curves.s, result.index);
+  result.index = options.index == IndexKind::automatic ? choose_index(curves.u(), curves.s()) : options.index;
+  NodeGraph graph = build_node_graph(curves.u(), curves.s(), result.index);
   result.timing.crossings = graph.search_seconds;
   result.timing.order = graph.order_seconds;
   report(0.8);
@@ -146,6 +150,27 @@ Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
   result.timing.total = watch.seconds();
   report(1);
   return result;
+}
+
+}  // namespace
+
+double Tangle::rounding(double area) const {
+  const Box box = unite(curves->u().tree().box(), curves->s().tree().box());
+  const double extent = std::ldexp(box.extent(), -curves->exponent);
+  const double additions = static_cast<double>(u().segments() + s().segments()) / 1024 + 4096;
+  return std::fabs(area) * 0x1p-53 +
+         extent * extent * (static_cast<double>(nodes.size()) * 0x1p-91 + additions * 0x1p-104);
+}
+
+Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
+  u.closed = s.closed = false;
+  return find_tangle(u, s, options, [&] { return index_curves(u, s, options.smooth); });
+}
+
+Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options) {
+  if (u.view().closed || s.view().closed) throw UsageError("a tangle is one of open curves");
+  return find_tangle(u.view(), s.view(), options,
+                     [&] { return scaled_curves(borrowed(u), borrowed(s), options.smooth); });
 }
 
 }  // namespace lober

@@ -142,6 +142,10 @@ struct Tangle {
 /// index.
 [[nodiscard]] Tangle tangle(CurveView u, CurveView s, const TangleOptions& options = {});
 
+/// The same for curves that are indexed already. The indexes, too, must outlive the result. Throws UsageError for a
+/// closed curve.
+[[nodiscard]] Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options = {});
+
 // ------------------------------------------------------------------- more about a result, computed when asked for
 
 /// Where a crossing is in the tangle. On arc k of U: between pips k and k + 1 (the last arc, k = pips - 1, leads to the

@@ -12,9 +12,6 @@ double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-Branch branch_towards(const LocalManifold& local, Point direction) {
-  return local.tangent.x * direction.x + local.tangent.y * direction.y < 0 ? Branch::minus : Branch::plus;
-}
 
 // Where manifolds have to be as fine as asked: the saddles, their local manifolds, and eight times as far. What goes
 // farther is on its way out and followed coarsely.

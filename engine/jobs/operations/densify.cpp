@@ -46,7 +46,9 @@ std::string output_path(std::string pattern, const std::string& name) {
   return pattern;
 }
 
-Record run(const PreparedCurve& first, const PreparedCurve* second, const Options& options) {
+Record run(JobCurves curves, const Options& options) {
+  const PreparedCurve& first = *curves[0];
+  const PreparedCurve* const second = curves.size() > 1 ? curves[1] : nullptr;
   const bool near = options.whole("passes") > 0 || options.flag("crossings");
   if (near && second == nullptr) throw UsageError("passes and crossings need a second curve, see pairs");
   if (options.whole("passes") > 0 && options.whole("points") == 0) throw UsageError("passes needs points");

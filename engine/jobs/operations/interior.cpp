@@ -6,14 +6,15 @@
 namespace lober {
 namespace {
 
-Record run(const PreparedCurve& first, const PreparedCurve* second, const Options& options) {
+Record run(JobCurves curves, const Options& options) {
+  const PreparedCurve &first = *curves[0], &second = *curves[1];
   InteriorOptions how;
   how.method = options.text("method") == "ends" ? InteriorMethod::ends : InteriorMethod::split;
   how.passes = static_cast<int>(options.whole("passes"));
   how.points = static_cast<int>(options.whole("points"));
   how.index = index_kind(options);
   how.check_simple = false;  // done when the curve was read
-  const InteriorAreas result = interior_areas(first.index(), second->index(), how);
+  const InteriorAreas result = interior_areas(first.index(), second.index(), how);
 
   Record record;
   add_areas(record.values, result.areas);
@@ -43,7 +44,7 @@ Operation interior_operation() {
        {"crossings", "touches", "shared_arcs", "points_inserted", "orientation1", "orientation2"}) {
     operation.columns.push_back({name, Column::Kind::count});
   }
-  operation.needs = [](const Options&) { return Needs{true, true, false}; };
+  operation.needs = [](const Options&) { return Needs{.index = true, .simple = true, .closed = true}; };
   operation.run = run;
   operation.cost = [](std::size_t points) { return 10 + 1e-3 * static_cast<double>(points); };
   return operation;

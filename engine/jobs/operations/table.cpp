@@ -7,8 +7,23 @@
 namespace lober {
 
 std::span<const Operation> all_operations() {
-  static const std::array table{overlay_operation(), interior_operation(), densify_operation()};
+  static const std::array table{overlay_operation(), interior_operation(), tangle_operation(), densify_operation(),
+                                transport_operation()};
   return table;
+}
+
+bool takes(Arity arity, std::size_t curves) {
+  switch (arity) {
+    case Arity::none:
+      return curves == 0;
+    case Arity::one:
+      return curves == 1;
+    case Arity::two:
+      return curves == 2;
+    case Arity::one_or_two:
+      return curves == 1 || curves == 2;
+  }
+  return false;
 }
 
 const Operation* find_operation(std::string_view name) {

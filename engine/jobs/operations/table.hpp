@@ -9,6 +9,8 @@ namespace lober {
 [[nodiscard]] Operation overlay_operation();
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation densify_operation();
+[[nodiscard]] Operation tangle_operation();
+[[nodiscard]] Operation transport_operation();
 
 /// Seven columns, `prefix` before each name, and their numbers.
 void add_area_columns(std::vector<Column>& columns, const std::string& prefix);

@@ -91,7 +91,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
             "job.toml:3: pair: there is no such key; the");
   EXPECT_EQ(
       refusal("operation = \"overly\"\ncurves = \"separ.*\""),
-      "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, densify");
+      "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, tangle, "
+      "densify, transport");
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\"\n\ncurves = \"sepra.*\""), "job.toml:3: curves: there is no file sepra.*");
@@ -105,6 +106,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"zones.dat#three\""),
             "job.toml:2: curves: zones.dat has no zone titled \"three\"");
   EXPECT_EQ(refusal("operation = \"overlay\"\nsystem = \"standard\"").substr(0, 18), "job.toml:2: system");
+  EXPECT_EQ(refusal("operation = \"tangle\"\ncurves = \"separ.*\"\nclosed = true"),
+            "job.toml:3: closed: tangle takes open curves");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = = 3").substr(0, 11), "job.toml:2:");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"single\""),
             "job.toml:3: pairs: overlay takes two curves");

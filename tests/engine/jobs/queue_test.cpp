@@ -132,8 +132,8 @@ TEST(JobQueue, RunsOperationsOfTheCaller) {
   count.arity = Arity::one;
   count.columns = {{"points", Column::Kind::count}};
   count.needs = [](const Options&) { return Needs{}; };
-  count.run = [](const PreparedCurve& curve, const PreparedCurve*, const Options&) {
-    return Record{{static_cast<double>(curve.curve().points.size())}, {}};
+  count.run = [](JobCurves curves, const Options&) {
+    return Record{{static_cast<double>(curves[0]->curve().points.size())}, {}};
   };
   count.cost = [](std::size_t points) { return static_cast<double>(points); };
   JobQueue queue;

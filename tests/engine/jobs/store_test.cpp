@@ -67,7 +67,7 @@ TEST_F(StoreTest, OtherFilesAreRefused) {
 
 TEST_F(StoreTest, MergeJoinsAndRefusesOtherPlans) {
   Plan other = plan_;
-  other.files.push_back("more");
+  other.sources.push_back({"more"});
   Store a = Store::create(path("a")), b = Store::create(path("b")), c = Store::create(path("c"));
   a.begin_run(provenance(), 1, "", "1/2", plan_);
   a.append(std::vector{done(1, "one"), failure(2, "two")}, {{"x", "1"}});

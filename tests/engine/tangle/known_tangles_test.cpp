@@ -51,6 +51,24 @@ TEST(KnownTangle, ZigzagOnALine) {
   for (const Lobe& lobe : found.lobes) EXPECT_TRUE(lobe.simple);
 }
 
+TEST(KnownTangle, SameBitsOfIndexedCurves) {
+  for (const double scale : {1.0, 1e-200}) {
+    ManifoldPair pair = leaning_fingers(5, 40, 0.6);
+    for (std::vector<Point>* const curve : {&pair.u, &pair.s}) {
+      for (Point& p : *curve) p = {p.x * scale, p.y * scale};
+    }
+    const IndexedCurve u(open(pair.u)), s(open(pair.s));
+    const Tangle once = tangle(open(pair.u), open(pair.s)), again = tangle(u, s);
+    ASSERT_EQ(once.lobes.size(), again.lobes.size());
+    for (std::size_t k = 0; k < once.lobes.size(); ++k) {
+      EXPECT_EQ(once.lobes[k].area, again.lobes[k].area);
+      EXPECT_EQ(once.lobes[k].inside, again.lobes[k].inside);
+    }
+    EXPECT_EQ(overlaps(once).size(), overlaps(again).size());
+    EXPECT_THROW((void)tangle(IndexedCurve(CurveView{pair.u}), s), UsageError);
+  }
+}
+
 TEST(KnownTangle, LabelsFollowTheBip) {
   const Tangle found = tangle(open(leaning_fingers(9, 40, 0).u), open(leaning_fingers(9, 40, 0).s), {.bip = 5});
   ASSERT_EQ(found.lobes.size(), 9U);

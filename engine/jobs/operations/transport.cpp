@@ -1,0 +1,73 @@
+// `transport`: flux out of a region of a system, iterate by iterate, from its equations alone. No curves.
+#include "engine/transport/transport.hpp"
+
+#include "engine/jobs/operations/table.hpp"
+#include "engine/jobs/recipe.hpp"
+
+namespace lober {
+namespace {
+
+Record run(JobCurves, const Options& options) {
+  const System system =
+      system_of(options.text("system"), options.reals_of("parameters"), options.real("integration_tolerance"));
+  TransportOptions how;
+  how.iterates = static_cast<int>(options.whole("iterates"));
+  how.tolerance = options.real("tolerance");
+  const Transport found = transport(*system.map, *system.connection, how);
+  const ManifoldTangle& manifolds = *found.manifolds;
+  Record record;
+  record.values = {found.region,
+                   found.area12,
+                   found.area21,
+                   found.action12,
+                   found.action21,
+                   static_cast<double>(manifolds.period()),
+                   static_cast<double>(manifolds.u.points.size()),
+                   static_cast<double>(manifolds.s.points.size())};
+  record.lists.resize(4);
+  for (const TransportStep& step : found.steps) {
+    record.lists[0].push_back(step.flux);
+    record.lists[1].push_back(step.total);
+    record.lists[2].push_back(step.discretisation);
+    record.lists[3].push_back(step.by_boundaries);
+  }
+  return record;
+}
+
+void check_options(const Options& options) {
+  try {
+    const System system = system_of(options.text("system"), options.reals_of("parameters"), 1e-12);
+    if (!system.connection) throw UsageError(options.text("system") + " names no manifolds of interest");
+  } catch (const UsageError& error) {
+    throw UsageError(std::string("system: ") + error.what());
+  }
+}
+
+}  // namespace
+
+Operation transport_operation() {
+  Operation operation;
+  operation.name = "transport";
+  operation.arity = Arity::none;
+  operation.options = {{"system", ""},
+                       {"parameters.*", 0.0},
+                       {"iterates", std::int64_t{7}, {}, 1, 100},
+                       {"tolerance", 1e-5, {}, 1e-15},
+                       {"integration_tolerance", 1e-12, {}, 1e-16, 1e-2}};
+  for (const char* const name : {"region", "area12", "area21", "action12", "action21"}) {
+    operation.columns.push_back({name, Column::Kind::real});
+  }
+  for (const char* const name : {"period", "points_u", "points_s"}) {
+    operation.columns.push_back({name, Column::Kind::count});
+  }
+  // a(n), T(n), estimated error of T(n), and T(n) by the boundary method, n = 1, 2, ...
+  operation.lists = {"flux", "total", "error", "total_by_boundaries"};
+  operation.check = check_options;
+  operation.needs = [](const Options&) { return Needs{}; };
+  operation.run = run;
+  operation.cost = [](std::size_t) { return 2e5; };
+  operation.memory = std::size_t{64} << 20;
+  return operation;
+}
+
+}  // namespace lober
