@@ -1,0 +1,16 @@
+// What two closed curves have in common (private to escape/).
+#pragma once
+
+#include "engine/curve/curve.hpp"
+
+namespace lober {
+
+struct CommonArea {
+  double area = 0, error = 0;
+};
+
+/// Of order h^6 where the polygons are simple; else by winding numbers, of the polygons, with an error bar of the
+/// distance of the two orders that a smooth curve would show.
+[[nodiscard]] CommonArea common_area(CurveView first, CurveView second);
+
+}  // namespace lober
