@@ -10,6 +10,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/densify_command.hpp"
+#include "cli/escape_command.hpp"
 #include "cli/interior_command.hpp"
 #include "cli/overlay_command.hpp"
 #include "cli/published_form.hpp"
@@ -24,6 +25,7 @@ usage:
   lober overlay C1 C2 [options]          crossings, lobes and areas of two closed curves
   lober interior C1 C2 [options]         their areas by the interior function (Q1, Q2, Q3), an independent method
   lober densify CURVE [AGAINST] -o FILE  more points where the curve is coarse or meets another one, or fewer
+  lober escape SYSTEM --energy E         orbits and tubes of a potential well, and who leaves it when
   lober overlay --help                   the options of a command
 
   lober <c1> <c2> <rslt> [-DENS p n]          overlay with the command line and files of the published program
@@ -36,7 +38,7 @@ separated by commas or blanks, NPY, or raw float64, known by its content.
 exit status: 0 done, 1 the data cannot be used, 2 the command cannot be understood
 )";
 
-constexpr std::array later_commands{"tangle", "grow", "transport", "escape", "batch"};
+constexpr std::array later_commands{"tangle", "grow", "transport", "batch"};
 
 void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
@@ -51,6 +53,8 @@ void run(const std::vector<std::string>& arguments) {
     run_interior({arguments.begin() + 1, arguments.end()});
   } else if (first == "densify") {
     run_densify({arguments.begin() + 1, arguments.end()});
+  } else if (first == "escape") {
+    run_escape({arguments.begin() + 1, arguments.end()});
   } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
     throw UsageError("the command " + first + " is not in this version");
   } else {

@@ -50,19 +50,19 @@ enum class GrowthStop : std::uint8_t { iterates, length, points, failed, cancell
 [[nodiscard]] std::string_view name(GrowthStop stop);
 
 struct GrowthProgress {
-  int iterates = 0;         ///< done
-  std::size_t points = 0;   ///< of the finished part
-  double length = 0;        ///< of the finished part
-  std::uint64_t images = 0; ///< steps of the map taken
+  int iterates = 0;          ///< done
+  std::size_t points = 0;    ///< of the finished part
+  double length = 0;         ///< of the finished part
+  std::uint64_t images = 0;  ///< steps of the map taken
 };
 
 /// At least one of `iterates` and `length` has to be set.
 struct GrowthOptions {
-  double tolerance = 0;    ///< e: how far the curve may lie from its polygon; has to be given
-  int iterates = -1;       ///< ends at F^iterates of the end of the local manifold
+  double tolerance = 0;  ///< e: how far the curve may lie from its polygon; has to be given
+  int iterates = -1;     ///< ends at F^iterates of the end of the local manifold
   double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length, not
                                                             ///< counting what is outside the box
-  double longest = 0;      ///< no segment longer; 0: a fiftieth of the extent of the local manifold
+  double longest = 0;  ///< no segment longer; 0: a fiftieth of the extent of the local manifold
   std::size_t most_points = 100'000'000;
   std::size_t most_memory = std::numeric_limits<std::size_t>::max();  ///< bytes, roughly; 120 are needed a point
   /// Only what lies in it has to meet the tolerance. Default: the square around the saddle of 200 extents of
@@ -72,13 +72,13 @@ struct GrowthOptions {
 };
 
 struct GrownManifold {
-  Buffer<Point> points;        ///< from the saddle on
-  Buffer<double> parameters;   ///< s: vertex i is F^(k steps)(P(s)), k its generation
+  Buffer<Point> points;                       ///< from the saddle on
+  Buffer<double> parameters;                  ///< s: vertex i is F^(k steps)(P(s)), k its generation
   std::vector<std::size_t> generation_begin;  ///< of each generation its first vertex, and the number of points
   std::vector<GrowthFlaw> flaws;              ///< in order
   GrowthStop stop = GrowthStop::iterates;
-  double length = 0;           ///< of the polygon
-  std::uint64_t images = 0;    ///< steps of the map taken in all
+  double length = 0;         ///< of the polygon
+  std::uint64_t images = 0;  ///< steps of the map taken in all
 
   operator CurveView() const { return {points, false}; }  // NOLINT(google-explicit-constructor)
 };

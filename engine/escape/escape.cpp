@@ -1,6 +1,7 @@
 #include "engine/escape/escape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -12,97 +13,52 @@
 namespace lober {
 namespace {
 
-class Builder {
+// Tells what is being done, from whatever thread, one at a time.
+class Reporter {
  public:
-  Builder(const Flow& flow, const Section& section, double energy, const EscapeOptions& options)
-      : flow_(flow), both_(section), options_(options) {
-    result_.energy = energy;
-    result_.section = section;
-    both_.direction = 0;
-  }
-
-  Escape build(std::span<const FlowState> guesses) {
-    find_orbits(guesses);
-    cut_tubes();
-    lay_out_table();
-    measure();
-    return std::move(result_);
-  }
-
- private:
-  struct Cut {
-    Tube entry, exit;
-    Branch entry_branch, exit_branch;
-  };
-
-  void report(const std::string& what) const {
+  explicit Reporter(const EscapeOptions& options) : options_(options) {}
+  void operator()(const std::string& what) const {
     if (!options_.progress) return;
     const std::lock_guard lock(mutex_);
     if (!options_.progress(what)) throw Cancelled();
   }
 
-  void find_orbits(std::span<const FlowState> guesses) {
-    if (guesses.empty()) throw UsageError("escape needs at least one saddle");
-    report("periodic orbits");
-    const auto axis = static_cast<std::size_t>(both_.coordinate);
-    IntegrationOptions exact = options_.integration;
-    exact.tolerance = std::min(exact.tolerance, 3e-15);
-    for (const FlowState& guess : guesses) {
-      Bottleneck neck;
-      neck.orbit = periodic_orbit(flow_, saddle_point(flow_, guess), result_.energy, exact);
-      for (const Bottleneck& other : result_.bottlenecks) {
-        if (std::fabs(other.orbit.state[axis] - neck.orbit.state[axis]) < 1e-9) {
-          throw UsageError("two of the saddles are one");
-        }
-      }
-      result_.bottlenecks.push_back(std::move(neck));
-    }
-    std::sort(result_.bottlenecks.begin(), result_.bottlenecks.end(), [&](const Bottleneck& x, const Bottleneck& y) {
-      return x.orbit.saddle.at[axis] < y.orbit.saddle.at[axis];
-    });
+ private:
+  const EscapeOptions& options_;
+  mutable std::mutex mutex_;
+};
+
+// The bottlenecks with their tubes, from which curves are cut.
+class Necks {
+ public:
+  Necks(const Flow& flow, const Section& cut_by, double energy, std::span<const FlowState> guesses,
+        const EscapeOptions& options)
+      : flow_(flow), section_(cut_by), options_(options), report_(options) {
+    find_orbits(guesses, energy);
+    find_tubes();
   }
 
-  // E and X first, because they say where later images are torn.
-  void cut_tubes() {
-    auto& necks = result_.bottlenecks;
-    report("local manifolds");
-    std::vector<std::optional<Cut>> cuts(necks.size());
-    for_each_block(necks.size(), 1, [&](std::size_t k, std::size_t) {
-      Tube entry(flow_, necks[k].orbit, Side::unstable, options_.integration);
-      Tube exit(flow_, necks[k].orbit, Side::stable, options_.integration);
-      const Branch in = entry.branch_towards(both_), out = exit.branch_towards(both_);
-      cuts[k].emplace(Cut{std::move(entry), std::move(exit), in, out});
-      necks[k].area = cuts[k]->entry.area_by_action(both_);
+  std::vector<Bottleneck> list;
+
+  // E and X.
+  void cut_first() {
+    for_each_tube([&](std::vector<TubeCurve>& curves, const Tube& tube, Branch branch, bool) {
+      curves = tube.curves(branch, section_, tracing_, [](const TubeCurve&) { return false; });
+      if (!curves[0].complete) throw DataError("a tube does not reach the section as a closed curve");
     });
-    double least = necks[0].area;
-    for (const Bottleneck& neck : necks) least = std::min(least, neck.area);
-    TubeCurveOptions tracing;
-    tracing.tolerance = options_.tolerance * std::sqrt(least);
-    tracing.most_points = options_.most_points;
-    tracing.progress = [this] { return report("tubes"), true; };
-    const auto both_sides = [&](const auto& body) {
-      for_each_block(2 * necks.size(), 1, [&](std::size_t k, std::size_t) {
-        const Cut& cut = *cuts[k / 2];
-        if (k % 2 == 0) {
-          body(necks[k / 2].entry, cut.entry, cut.entry_branch, true);
-        } else {
-          body(necks[k / 2].exit, cut.exit, cut.exit_branch, false);
-        }
-      });
-    };
-    both_sides([&](std::vector<TubeCurve>& curves, const Tube& tube, Branch branch, bool) {
-      curves = tube.curves(branch, both_, tracing, [](const TubeCurve&) { return false; });
-      require_first(curves);
-    });
-    const int most = images_wanted();
-    std::vector<std::vector<TubeCurve>> ends(2);
-    for (const Bottleneck& neck : necks) {
+    measure_defects();
+  }
+
+  // Their images, as long as they meet no end of the well, which would tear the next one.
+  void cut_images(int most) {
+    std::array<std::vector<TubeCurve>, 2> ends;
+    for (const Bottleneck& neck : list) {
       ends[0].push_back(neck.exit[0]);
       ends[1].push_back(neck.entry[0]);
     }
-    both_sides([&](std::vector<TubeCurve>& curves, const Tube& tube, Branch branch, bool entry) {
+    for_each_tube([&](std::vector<TubeCurve>& curves, const Tube& tube, Branch branch, bool entry) {
       int done = 0;
-      curves = tube.curves(branch, both_, tracing, [&](const TubeCurve& curve) {
+      curves = tube.curves(branch, section_, tracing_, [&](const TubeCurve& curve) {
         if (curve.direction == 0) throw DataError("a tube crosses the section in both directions");
         if (done++ == most) return false;
         const auto& gates = ends[entry ? 0 : 1];
@@ -112,7 +68,69 @@ class Builder {
       });
       if (!curves.back().complete) curves.pop_back();
     });
-    for (Bottleneck& neck : necks) {
+    measure_defects();
+  }
+
+  void report(const std::string& what) const { report_(what); }
+
+ private:
+  void find_orbits(std::span<const FlowState> guesses, double energy) {
+    if (guesses.empty()) throw UsageError("escape needs at least one saddle");
+    report_("periodic orbits");
+    const auto axis = static_cast<std::size_t>(section_.coordinate);
+    IntegrationOptions exact = options_.integration;
+    exact.tolerance = std::min(exact.tolerance, 3e-15);
+    for (const FlowState& guess : guesses) {
+      Bottleneck neck;
+      neck.orbit = periodic_orbit(flow_, saddle_point(flow_, guess), energy, exact);
+      for (const Bottleneck& other : list) {
+        double distance = 0;
+        for (std::size_t k = 0; k < 4; ++k) distance += std::fabs(other.orbit.state[k] - neck.orbit.state[k]);
+        if (distance < 1e-9) throw UsageError("two of the saddles are one");
+      }
+      list.push_back(std::move(neck));
+    }
+    std::stable_sort(list.begin(), list.end(), [&](const Bottleneck& x, const Bottleneck& y) {
+      return x.orbit.saddle.at[axis] < y.orbit.saddle.at[axis];
+    });
+  }
+
+  void find_tubes() {
+    report_("local manifolds");
+    tubes_.resize(2 * list.size());
+    for_each_block(tubes_.size(), 1, [&](std::size_t k, std::size_t) {
+      Bottleneck& neck = list[k / 2];
+      tubes_[k].emplace(flow_, neck.orbit, k % 2 == 0 ? Side::unstable : Side::stable, options_.integration);
+      (k % 2 == 0 ? neck.entry_branch : neck.exit_branch) = tubes_[k]->branch_towards(section_);
+    });
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Tube &entry = *tubes_[2 * k], &exit = *tubes_[2 * k + 1];
+      list[k].area = entry.area_by_action(section_);
+      list[k].multiplier = entry.local().multiplier;
+      list[k].defect_across = std::max(entry.local().defect_across, exit.local().defect_across);
+      least = std::min(least, list[k].area);
+    }
+    tracing_.tolerance = options_.tolerance * std::sqrt(least);
+    tracing_.most_points = options_.most_points;
+    tracing_.progress = [this] { return report_("tubes"), true; };
+  }
+
+  template <typename Body>
+  void for_each_tube(const Body& body) {
+    for_each_block(tubes_.size(), 1, [&](std::size_t k, std::size_t) {
+      Bottleneck& neck = list[k / 2];
+      if (k % 2 == 0) {
+        body(neck.entry, *tubes_[k], neck.entry_branch, true);
+      } else {
+        body(neck.exit, *tubes_[k], neck.exit_branch, false);
+      }
+    });
+  }
+
+  void measure_defects() {
+    for (Bottleneck& neck : list) {
+      neck.area_defect = 0;
       for (const auto* curves : {&neck.entry, &neck.exit}) {
         for (const TubeCurve& curve : *curves) {
           neck.area_defect = std::max(neck.area_defect, std::fabs(curve.area / neck.area - 1));
@@ -121,11 +139,36 @@ class Builder {
     }
   }
 
-  static void require_first(const std::vector<TubeCurve>& curves) {
-    if (!curves[0].complete) throw DataError("a tube does not reach the section as a closed curve");
-    if (curves[0].direction == 0) throw DataError("a tube crosses the section in both directions");
+  const Flow& flow_;
+  Section section_;
+  const EscapeOptions& options_;
+  Reporter report_;
+  std::vector<std::optional<Tube>> tubes_;
+  TubeCurveOptions tracing_;
+};
+
+class Builder {
+ public:
+  Builder(const Flow& flow, const Section& section, double energy, const EscapeOptions& options)
+      : flow_(flow), options_(options) {
+    result_.energy = energy;
+    result_.section = section;
   }
 
+  Escape build(std::span<const FlowState> guesses) {
+    Section either = result_.section;
+    either.direction = 0;
+    Necks necks(flow_, either, result_.energy, guesses, options_);
+    necks.cut_first();
+    necks.cut_images(images_wanted());
+    result_.bottlenecks = std::move(necks.list);
+    lay_out_table();
+    necks.report("overlaps");
+    measure();
+    return std::move(result_);
+  }
+
+ private:
   // What splits into halves needs, and one more for a second split.
   [[nodiscard]] int images_wanted() const { return options_.crossings + 1; }
 
@@ -153,7 +196,6 @@ class Builder {
   }
 
   void measure() {
-    report("overlaps");
     for_each_block(result_.table.size(), 1, [&](std::size_t k, std::size_t) { measure(result_.table[k]); });
     for (const EscapeFraction& entry : result_.table) {
       if (entry.other == entry.other) {
@@ -198,13 +240,23 @@ class Builder {
   }
 
   const Flow& flow_;
-  Section both_;  // the section, crossed in either direction
   const EscapeOptions& options_;
   Escape result_;
-  mutable std::mutex mutex_;
 };
 
 }  // namespace
+
+std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, double energy,
+                                    std::span<const FlowState> saddles, const EscapeOptions& options) {
+  if (!(options.tolerance > 0)) throw UsageError("escape: the tolerance has to be positive");
+  Section known = position_section(flow, section.coordinate, section.value, section.direction);
+  known.bound_coordinate = section.bound_coordinate;
+  known.bound = section.bound;
+  known.bound_side = section.bound_side;
+  Necks necks(flow, known, energy, saddles, options);
+  necks.cut_first();
+  return std::move(necks.list);
+}
 
 Escape escape(const Flow& flow, const Section& section, double energy, std::span<const FlowState> saddles,
               const EscapeOptions& options) {

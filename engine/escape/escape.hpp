@@ -27,8 +27,8 @@
 namespace lober {
 
 struct EscapeOptions {
-  int crossings = 4;          ///< n goes up to this
-  double tolerance = 1e-6;    ///< of curves, in units of the square root of the area of the smallest E_i
+  int crossings = 4;        ///< n goes up to this
+  double tolerance = 1e-6;  ///< of curves, in units of the square root of the area of the smallest E_i
   IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
   std::size_t most_points = 20'000'000;  ///< of one curve
   /// Told what is being done; false cancels. Called by one thread at a time.
@@ -38,9 +38,12 @@ struct EscapeOptions {
 /// A bottleneck and its curves on the section.
 struct Bottleneck {
   PeriodicOrbit orbit;
-  double area = 0;                ///< of E and X, by action
-  std::vector<TubeCurve> entry;   ///< E, f(E), f^2(E), ...
-  std::vector<TubeCurve> exit;    ///< X, f^-1(X), ...
+  Branch entry_branch = Branch::plus, exit_branch = Branch::plus;  ///< of the tubes, towards the section
+  double multiplier = 0;         ///< of the local manifold of the unstable tube: that of the orbit, found otherwise
+  double defect_across = 0;      ///< of both local manifolds, the larger one
+  double area = 0;               ///< of E and X, by action
+  std::vector<TubeCurve> entry;  ///< E, f(E), f^2(E), ...
+  std::vector<TubeCurve> exit;   ///< X, f^-1(X), ...
   /// The largest |area of a curve / `area` - 1|, complete curves only.
   double area_defect = 0;
 };
@@ -51,7 +54,7 @@ struct EscapeFraction {
   int iterates = 0;                 ///< m: of f, from E to X
   double fraction = std::numeric_limits<double>::quiet_NaN();  ///< F; NaN where no split has whole curves
   double error = std::numeric_limits<double>::quiet_NaN();     ///< estimate: discretisation, and the defect of areas
-  int forward = 0, backward = 0;    ///< a, b
+  int forward = 0, backward = 0;                               ///< a, b
   /// The same from another split; NaN if there is none.
   double other = std::numeric_limits<double>::quiet_NaN();
   int other_forward = 0, other_backward = 0;
@@ -60,11 +63,17 @@ struct EscapeFraction {
 
 struct Escape {
   double energy = 0;
-  Section section;                     ///< its direction is the one that n counts
-  std::vector<Bottleneck> bottlenecks; ///< by their saddle's coordinate across the section, ascending
-  std::vector<EscapeFraction> table;   ///< by entry, exit, m; 1 <= n <= options.crossings
-  double largest_split_difference = 0; ///< |fraction - other|
+  Section section;                      ///< its direction is the one that n counts
+  std::vector<Bottleneck> bottlenecks;  ///< by their saddle's coordinate across the section, ascending
+  std::vector<EscapeFraction> table;    ///< by entry, exit, m; 1 <= n <= options.crossings
+  double largest_split_difference = 0;  ///< |fraction - other|
 };
+
+/// Orbits and first curves only: each Bottleneck has one curve E and one X. Here the section may count one direction
+/// or both (direction 0), and be bounded. Errors as for `escape`.
+[[nodiscard]] std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, double energy,
+                                                  std::span<const FlowState> saddles,
+                                                  const EscapeOptions& options = {});
 
 /// The table. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
 /// that is not across a coordinate of position, has no direction or is bounded; DataError when an orbit or tube cannot

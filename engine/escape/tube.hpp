@@ -1,10 +1,11 @@
 // The stable or unstable manifold of a periodic orbit, and where it meets a section.
 //
 // On the orbit's local section the manifold is a curve P(s) with F(P(s)) = P(lambda s), F the return map
-// (dynamics/local_manifold.hpp: a polynomial with a defect near rounding). The trajectories from one fundamental segment,
-// reach / lambda <= s <= reach, make up the whole tube, each of them once. So the k-th crossing of any other section is
-// a closed curve c(u), 0 <= u <= 1, s = reach lambda^(u - 1), known point by point, and is sampled from the flow to a
-// tolerance. Errors of the local manifold shrink on the way, those across the tube by as much as those along it grow.
+// (dynamics/local_manifold.hpp: a polynomial with a defect near rounding). The trajectories from one fundamental
+// segment, reach / lambda <= s <= reach, make up the whole tube, each of them once. So the k-th crossing of any other
+// section is a closed curve c(u), 0 <= u <= 1, s = reach lambda^(u - 1), known point by point, and is sampled from the
+// flow to a tolerance. Errors of the local manifold shrink on the way, those across the tube by as much as those along
+// it grow.
 #pragma once
 
 #include <functional>
@@ -22,16 +23,16 @@ namespace lober {
 [[nodiscard]] Section position_section(const Flow& flow, int coordinate, double value, int direction);
 
 struct TubeCurve {
-  CurveImage image;           ///< in the section's chart
-  int direction = 0;          ///< in which its trajectories cross, in forward time; 0 when not all do alike
-  bool complete = false;      ///< every trajectory gets here, and the curve meets the tolerance
-  double area = 0;            ///< that it encloses, of order h^6; 0 unless complete
-  double area_error = 0;      ///< estimate of its discretisation error
+  CurveImage image;       ///< in the section's chart
+  int direction = 0;      ///< in which its trajectories cross, in forward time; 0 when not all do alike
+  bool complete = false;  ///< every trajectory gets here, and the curve meets the tolerance
+  double area = 0;        ///< that it encloses, of order h^6; 0 unless complete
+  double area_error = 0;  ///< estimate of its discretisation error
   [[nodiscard]] CurveView view() const { return image; }
 };
 
 struct TubeCurveOptions {
-  double tolerance = 1e-7;    ///< how far the curve may lie from its polygon
+  double tolerance = 1e-7;  ///< how far the curve may lie from its polygon
   std::size_t most_points = 20'000'000;
   std::function<bool()> progress;  ///< false cancels; called from the calling thread
 };
