@@ -124,9 +124,12 @@ using CurveSequence = std::function<void(int curve, std::span<const double> para
 
 /// A sequence of closed curves with one parameter, each the image of the one before under some map, such as the
 /// crossings of one family of trajectories with a section. Each shows where the next one needs points. Ends after the
-/// first one for which `goes_on` is false, or where points run out. Corners, options and errors as for `image_of`.
+/// first one for which `goes_on` is false, or where points run out. Corners, options and errors as for `image_of`. The
+/// first curve is sampled at `guide` to begin with: ascending parameters, the corners among them; a few between corners
+/// when that is empty.
 [[nodiscard]] std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
                                                 const ImageOptions& options,
-                                                const std::function<bool(const CurveImage&)>& goes_on);
+                                                const std::function<bool(const CurveImage&)>& goes_on,
+                                                std::span<const double> guide = {});
 
 }  // namespace lober

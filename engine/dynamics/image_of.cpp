@@ -135,15 +135,29 @@ CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& cur
 }
 
 std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
-                                  const ImageOptions& options, const std::function<bool(const CurveImage&)>& goes_on) {
+                                  const ImageOptions& options, const std::function<bool(const CurveImage&)>& goes_on,
+                                  std::span<const double> guide) {
   require_sensible(options);
+  const CurveFunction first = [&](std::span<const double> parameters, std::span<Point> points) {
+    curves(0, parameters, points);
+  };
   std::vector<std::uint32_t> kept;
-  Samples guide = first_guide(
-      corners, [&](std::span<const double> parameters, std::span<Point> points) { curves(0, parameters, points); },
-      kept);
+  Samples samples;
+  if (guide.empty()) {
+    samples = first_guide(corners, first, kept);
+  } else {
+    samples.parameters.assign(guide.begin(), guide.end());
+    samples.points.resize(guide.size());
+    for (const double corner : corners) {
+      kept.push_back(static_cast<std::uint32_t>(std::lower_bound(guide.begin(), guide.end(), corner) - guide.begin()));
+    }
+    for_each_block(guide.size(), batch, [&](std::size_t begin, std::size_t end) {
+      first(guide.subspan(begin, end - begin), std::span(samples.points).subspan(begin, end - begin));
+    });
+  }
   std::vector<CurveImage> results;
   trace_in_turn(
-      options, std::move(guide), std::move(kept), curves, curves, [](int done) { return done + 1; },
+      options, std::move(samples), std::move(kept), curves, curves, [](int done) { return done + 1; },
       [&](int, CurveImage&& image) {
         close(image);
         results.push_back(std::move(image));

@@ -8,6 +8,7 @@
 
 #include "engine/error.hpp"
 #include "engine/escape/common_area.hpp"
+#include "engine/escape/torn_images.hpp"
 #include "engine/parallel/parallel.hpp"
 
 namespace lober {
@@ -60,7 +61,7 @@ class Necks {
       int done = 0;
       curves = tube.curves(branch, section_, tracing_, [&](const TubeCurve& curve) {
         if (curve.direction == 0) throw DataError("a tube crosses the section in both directions");
-        if (done++ == most) return false;
+        if (done++ == most + 1) return false;  // one more, for a second split
         const auto& gates = ends[entry ? 0 : 1];
         return std::none_of(gates.begin(), gates.end(), [&](const TubeCurve& gate) {
           return gate.direction == curve.direction && common_area(curve.view(), gate.view()).area > 0;
@@ -69,11 +70,32 @@ class Necks {
       if (!curves.back().complete) curves.pop_back();
     });
     measure_defects();
+    go_on_torn(most);
   }
 
   void report(const std::string& what) const { report_(what); }
 
  private:
+  void go_on_torn(int most) {
+    std::vector<NeckTubes> tubes(list.size());
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      tubes[k] = {&*tubes_[2 * k],     &*tubes_[2 * k + 1],       list[k].entry_branch,
+                  list[k].exit_branch, list[k].exit[0].direction, list[k].entry[0].direction};
+    }
+    TornOptions torn;
+    torn.tracing = tracing_;
+    torn.most = most;
+    torn.strip = options_.strip * least_area_;
+    for_each_block(tubes_.size(), 1, [&](std::size_t k, std::size_t) {
+      const bool entry = k % 2 == 0;
+      std::vector<TubeCurve>& curves = entry ? list[k / 2].entry : list[k / 2].exit;
+      const int level = static_cast<int>(curves.size()) - 1;
+      if (level >= most) return;
+      auto later = torn_images(flow_, section_, tubes, k / 2, entry, curves.back(), level, options_.integration, torn);
+      std::move(later.begin(), later.end(), std::back_inserter(curves));
+    });
+  }
+
   void find_orbits(std::span<const FlowState> guesses, double energy) {
     if (guesses.empty()) throw UsageError("escape needs at least one saddle");
     report_("periodic orbits");
@@ -103,15 +125,14 @@ class Necks {
       tubes_[k].emplace(flow_, neck.orbit, k % 2 == 0 ? Side::unstable : Side::stable, options_.integration);
       (k % 2 == 0 ? neck.entry_branch : neck.exit_branch) = tubes_[k]->branch_towards(section_);
     });
-    double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < list.size(); ++k) {
       const Tube &entry = *tubes_[2 * k], &exit = *tubes_[2 * k + 1];
       list[k].area = entry.area_by_action(section_);
       list[k].multiplier = entry.local().multiplier;
       list[k].defect_across = std::max(entry.local().defect_across, exit.local().defect_across);
-      least = std::min(least, list[k].area);
+      least_area_ = std::min(least_area_, list[k].area);
     }
-    tracing_.tolerance = options_.tolerance * std::sqrt(least);
+    tracing_.tolerance = options_.tolerance * std::sqrt(least_area_);
     tracing_.most_points = options_.most_points;
     tracing_.progress = [this] { return report_("tubes"), true; };
   }
@@ -133,6 +154,7 @@ class Necks {
       neck.area_defect = 0;
       for (const auto* curves : {&neck.entry, &neck.exit}) {
         for (const TubeCurve& curve : *curves) {
+          if (!curve.complete) continue;
           neck.area_defect = std::max(neck.area_defect, std::fabs(curve.area / neck.area - 1));
         }
       }
@@ -145,6 +167,7 @@ class Necks {
   Reporter report_;
   std::vector<std::optional<Tube>> tubes_;
   TubeCurveOptions tracing_;
+  double least_area_ = std::numeric_limits<double>::infinity();
 };
 
 class Builder {
@@ -169,8 +192,8 @@ class Builder {
   }
 
  private:
-  // What splits into halves needs, and one more for a second split.
-  [[nodiscard]] int images_wanted() const { return options_.crossings + 1; }
+  // The largest m is 2 n, split into halves.
+  [[nodiscard]] int images_wanted() const { return options_.crossings; }
 
   // Directions alternate, so that m fixes where a trajectory is and n.
   void lay_out_table() {
@@ -210,18 +233,26 @@ class Builder {
     const Bottleneck& to = result_.bottlenecks[entry.exit];
     struct Split {
       int forward;
+      int torn;
       std::size_t points;
     };
     std::vector<Split> splits;
     for (int a = 0; a <= entry.iterates; ++a) {
       const auto forward = static_cast<std::size_t>(a), backward = static_cast<std::size_t>(entry.iterates - a);
       if (forward >= from.entry.size() || backward >= to.exit.size()) continue;
-      splits.push_back({a, from.entry[forward].image.points.size() + to.exit[backward].image.points.size()});
+      const TubeCurve &first = from.entry[forward], &second = to.exit[backward];
+      splits.push_back({a, first.torn + second.torn, first.image.points.size() + second.image.points.size()});
     }
-    std::stable_sort(splits.begin(), splits.end(), [](const Split& x, const Split& y) { return x.points < y.points; });
+    std::stable_sort(splits.begin(), splits.end(), [](const Split& x, const Split& y) {
+      return x.torn != y.torn ? x.torn < y.torn : x.points < y.points;
+    });
     const auto fraction = [&](int forward) {
       const TubeCurve& a = from.entry[static_cast<std::size_t>(forward)];
       const TubeCurve& b = to.exit[static_cast<std::size_t>(entry.iterates - forward)];
+      if (a.torn || b.torn) {
+        const CommonArea common = common_area_by_winding(a.view(), b.view());
+        return CommonArea{common.area / from.area, (common.error + a.cut_off + b.cut_off) / from.area};
+      }
       const CommonArea common = common_area(a.view(), b.view());
       const double share = common.area / from.area;
       return CommonArea{share, common.error / from.area +
@@ -233,7 +264,8 @@ class Builder {
     entry.error = best.error;
     entry.forward = splits[0].forward;
     entry.backward = entry.iterates - entry.forward;
-    if (splits.size() < 2) return;
+    entry.torn = splits[0].torn > 0;
+    if (splits.size() < 2 || (splits[1].torn > 0 && !entry.torn)) return;
     entry.other = fraction(splits[1].forward).area;
     entry.other_forward = splits[1].forward;
     entry.other_backward = entry.iterates - entry.other_forward;

@@ -29,6 +29,7 @@ namespace lober {
 struct EscapeOptions {
   int crossings = 4;        ///< n goes up to this
   double tolerance = 1e-6;  ///< of curves, in units of the square root of the area of the smallest E_i
+  double strip = 1e-6;      ///< what is cut off where an image is torn, relative to that area (torn_images.hpp)
   IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
   std::size_t most_points = 20'000'000;  ///< of one curve
   /// Told what is being done; false cancels. Called by one thread at a time.
@@ -55,6 +56,7 @@ struct EscapeFraction {
   double fraction = std::numeric_limits<double>::quiet_NaN();  ///< F; NaN where no split has whole curves
   double error = std::numeric_limits<double>::quiet_NaN();     ///< estimate: discretisation, and the defect of areas
   int forward = 0, backward = 0;                               ///< a, b
+  bool torn = false;                                           ///< part of one of the two had left already
   /// The same from another split; NaN if there is none.
   double other = std::numeric_limits<double>::quiet_NaN();
   int other_forward = 0, other_backward = 0;

@@ -25,6 +25,8 @@ namespace lober {
 struct TubeCurve {
   CurveImage image;       ///< in the section's chart
   int direction = 0;      ///< in which its trajectories cross, in forward time; 0 when not all do alike
+  bool torn = false;      ///< the image of what has not left yet, closed along a rim; may cross itself
+  double cut_off = 0;     ///< of a torn one: the area that closing it may have lost
   bool complete = false;  ///< every trajectory gets here, and the curve meets the tolerance
   double area = 0;        ///< that it encloses, of order h^6; 0 unless complete
   double area_error = 0;  ///< estimate of its discretisation error
