@@ -14,6 +14,9 @@
 namespace lober {
 namespace {
 
+// Torn images are measured as polygons and end where a strip is cut off: they need not be as fine as whole ones.
+constexpr double torn_coarseness = 10;
+
 // Tells what is being done, from whatever thread, one at a time.
 class Reporter {
  public:
@@ -84,6 +87,7 @@ class Necks {
     }
     TornOptions torn;
     torn.tracing = tracing_;
+    torn.tracing.tolerance *= torn_coarseness;
     torn.most = most;
     torn.strip = options_.strip * least_area_;
     for_each_block(tubes_.size(), 1, [&](std::size_t k, std::size_t) {

@@ -60,7 +60,7 @@ TEST(Tube, EnclosesTheActionOfItsOrbit) {
   EXPECT_NEAR(necks[0].multiplier, 39.09601030324, 1e-8);
 }
 
-TEST(Tube, LaterImagesEncloseItToo) {
+void check_areas() {
   for (const Bottleneck& neck : coarse().bottlenecks) {
     EXPECT_EQ(neck.entry.size(), 5U);
     EXPECT_EQ(neck.exit.size(), 5U);
@@ -94,7 +94,7 @@ TEST(Tube, OfTheThreeBodyProblemReachesTheOuterSection) {
   EXPECT_LT(in.max_x(), -1);
 }
 
-TEST(Escape, TableHasTheReferenceValues) {
+void check_values() {
   const Escape& result = coarse();
   ASSERT_EQ(result.table.size(), 16U);
   for (const EscapeFraction& row : result.table) {
@@ -107,7 +107,7 @@ TEST(Escape, TableHasTheReferenceValues) {
   }
 }
 
-TEST(Escape, SplitsAgree) {
+void check_splits() {
   int compared = 0;
   for (const EscapeFraction& row : coarse().table) {
     if (!(row.other == row.other)) continue;
@@ -119,7 +119,7 @@ TEST(Escape, SplitsAgree) {
   EXPECT_LT(coarse().largest_split_difference, 1e-9);
 }
 
-TEST(Escape, SymmetryComesOut) {
+void check_symmetry() {
   // (x, vx) -> (-x, -vx) exchanges left and right; nothing in the engine knows.
   for (const EscapeFraction& a : coarse().table) {
     for (const EscapeFraction& b : coarse().table) {
@@ -129,7 +129,7 @@ TEST(Escape, SymmetryComesOut) {
   }
 }
 
-TEST(Escape, SurvivalAddsUp) {
+void check_survival() {
   for (std::size_t entry = 0; entry < 2; ++entry) {
     const auto steps = survival(coarse(), entry);
     ASSERT_EQ(steps.size(), 4U);
@@ -141,22 +141,7 @@ TEST(Escape, SurvivalAddsUp) {
   }
 }
 
-TEST(Escape, SameBitsForAnyNumberOfThreads) {
-  const auto of = [](int threads) { return with_threads(threads, [] { return table(1e-3, 2); }); };
-  const Escape one = of(1);
-  for (const int threads : {2, 5}) {
-    const Escape other = of(threads);
-    for (std::size_t k = 0; k < one.table.size(); ++k) EXPECT_EQ(one.table[k].fraction, other.table[k].fraction);
-    for (std::size_t k = 0; k < 2; ++k) {
-      ASSERT_EQ(one.bottlenecks[k].entry.size(), other.bottlenecks[k].entry.size());
-      for (std::size_t j = 0; j < one.bottlenecks[k].entry.size(); ++j) {
-        EXPECT_EQ(one.bottlenecks[k].entry[j].image.points, other.bottlenecks[k].entry[j].image.points);
-      }
-    }
-  }
-}
-
-TEST(Escape, TrajectoriesAgree) {
+void check_trajectories() {
   MonteCarloOptions options;
   options.trajectories = 10000;
   const MonteCarlo two = with_threads(2, [&] { return monte_carlo(*ship().flow, coarse(), options); });
@@ -173,6 +158,75 @@ TEST(Escape, TrajectoriesAgree) {
   EXPECT_EQ(one, counts(3));
   options.seed = 2;
   EXPECT_NE(one, counts(1));
+}
+
+// One test, because each one is a process of its own and all need the same table.
+TEST(Escape, TableOfTheShip) {
+  check_areas();
+  check_values();
+  check_splits();
+  check_symmetry();
+  check_survival();
+  check_trajectories();
+}
+
+TEST(Escape, GoesOnWhereImagesAreTorn) {
+  EscapeOptions options;
+  options.tolerance = 3e-5;
+  options.crossings = 5;
+  const Escape result = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  ASSERT_EQ(result.table.size(), 20U);
+  int torn = 0;
+  for (const EscapeFraction& row : result.table) {
+    SCOPED_TRACE(row.iterates);
+    ASSERT_TRUE(row.known());
+    EXPECT_EQ(row.torn, row.iterates > 8);
+    if (!row.torn) continue;
+    ++torn;
+    // What the program gives at ten times the resolution; splits and the mirror image agree with it to the error bars.
+    EXPECT_NEAR(row.fraction, row.iterates == 9 ? 0.0124649 : 0.0081919, row.error);
+    EXPECT_LT(row.error, 5e-5);
+    if (!(row.other == row.other)) continue;
+    EXPECT_NEAR(row.fraction, row.other, 2 * row.error);
+  }
+  EXPECT_EQ(torn, 3);
+  // What is torn holds all that has not left.
+  for (const Bottleneck& neck : result.bottlenecks) {
+    for (const auto* curves : {&neck.entry, &neck.exit}) {
+      ASSERT_EQ(curves->size(), 6U);
+      EXPECT_TRUE(curves->back().torn);
+      EXPECT_NEAR(std::fabs(signed_area(curves->back().view())), neck.area * (1 - known[4]), 1e-3 * neck.area);
+    }
+  }
+}
+
+TEST(Escape, FindsTheTangency) {
+  // F_6 is born at energy 0.252962.
+  for (const bool above : {false, true}) {
+    EscapeOptions options;
+    options.tolerance = 1e-5;
+    options.crossings = 3;
+    const Escape result = escape(*ship().flow, *ship().section, above ? 0.252965 : 0.252959, ship().saddles, options);
+    for (const EscapeFraction& row : result.table) {
+      if (row.iterates != 6) continue;
+      EXPECT_EQ(row.fraction > 0, above);
+    }
+  }
+}
+
+TEST(Escape, SameBitsForAnyNumberOfThreads) {
+  const auto of = [](int threads) { return with_threads(threads, [] { return table(1e-3, 2); }); };
+  const Escape one = of(1);
+  for (const int threads : {2, 5}) {
+    const Escape other = of(threads);
+    for (std::size_t k = 0; k < one.table.size(); ++k) EXPECT_EQ(one.table[k].fraction, other.table[k].fraction);
+    for (std::size_t k = 0; k < 2; ++k) {
+      ASSERT_EQ(one.bottlenecks[k].entry.size(), other.bottlenecks[k].entry.size());
+      for (std::size_t j = 0; j < one.bottlenecks[k].entry.size(); ++j) {
+        EXPECT_EQ(one.bottlenecks[k].entry[j].image.points, other.bottlenecks[k].entry[j].image.points);
+      }
+    }
+  }
 }
 
 TEST(Escape, SaysWhatIsWrong) {
