@@ -11,6 +11,7 @@
 #include "cli/batch_command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/densify_command.hpp"
+#include "cli/escape_command.hpp"
 #include "cli/grow_command.hpp"
 #include "cli/interior_command.hpp"
 #include "cli/overlay_command.hpp"
@@ -33,6 +34,7 @@ usage:
   lober grow SYSTEM [options]            a stable or unstable manifold of a saddle, from the system's equations
   lober transport SYSTEM [options]       from equations to lobes, turnstile, fluxes a(n) and T(n); sweeps
   lober batch run MANIFEST               many curves and pairs; also batch check, status, export, merge
+  lober escape SYSTEM --energy E         orbits and tubes of a potential well, and who leaves it when
   lober overlay --help                   the options of a command
 
   lober <c1> <c2> <rslt> [-DENS p n]          overlay with the command line and files of the published program
@@ -47,8 +49,6 @@ separated by commas or blanks, NPY, or raw float64, known by its content.
 
 exit status: 0 done, 1 the data cannot be used, or a job of a batch failed, 2 the command cannot be understood
 )";
-
-constexpr std::array later_commands{"escape"};
 
 void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
@@ -71,8 +71,8 @@ void run(const std::vector<std::string>& arguments) {
     run_transport({arguments.begin() + 1, arguments.end()});
   } else if (first == "batch") {
     run_batch_command({arguments.begin() + 1, arguments.end()});
-  } else if (std::find(later_commands.begin(), later_commands.end(), first) != later_commands.end()) {
-    throw UsageError("the command " + first + " is not in this version");
+  } else if (first == "escape") {
+    run_escape({arguments.begin() + 1, arguments.end()});
   } else if (is_published_tangle(arguments)) {
     run_published_tangle(arguments);
   } else {

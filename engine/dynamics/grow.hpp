@@ -128,4 +128,17 @@ struct CurveImage {
 /// F^iterates of a polygon, open or closed. Its vertices stay; new ones are images of points on its segments.
 [[nodiscard]] CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve, const ImageOptions& options);
 
+/// Writes the points of curve k = 0, 1, ... of a sequence at the parameters; safe to call from several threads.
+using CurveSequence = std::function<void(int curve, std::span<const double> parameters, std::span<Point> points)>;
+
+/// A sequence of closed curves with one parameter, each the image of the one before under some map, such as the
+/// crossings of one family of trajectories with a section. Each shows where the next one needs points. Ends after the
+/// first one for which `goes_on` is false, or where points run out. Corners, options and errors as for `image_of`. The
+/// first curve is sampled at `guide` to begin with: ascending parameters, the corners among them; a few between corners
+/// when that is empty.
+[[nodiscard]] std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
+                                                const ImageOptions& options,
+                                                const std::function<bool(const CurveImage&)>& goes_on,
+                                                std::span<const double> guide = {});
+
 }  // namespace lober

@@ -31,35 +31,57 @@ TraceOptions options_for_tracing(const ImageOptions& given, const Samples& guide
   return options;
 }
 
-// The curve is resolved after each iterate: its points there, carried one step on, show where the next needs points.
-CurveImage traced_image(const PlanarMap& map, int iterates, const ImageOptions& given, Samples guide,
-                        std::vector<std::uint32_t> kept, const CurveFunction& curve) {
-  CurveImage result;
+// Each curve of a sequence in turn: the points of one, carried on, show where the next one needs points. `at` gives
+// curve k at parameters, `onward` turns points of curve k - 1 into those of curve k; a point of curve k costs
+// `steps(k)` steps of the map. `finished` takes each curve and says whether to go on.
+template <typename Steps, typename Finished>
+void trace_in_turn(const ImageOptions& given, Samples guide, std::vector<std::uint32_t> kept, const CurveSequence& at,
+                   const CurveSequence& onward, const Steps& steps, const Finished& finished) {
   TraceOptions options = options_for_tracing(given, guide);
-  const int direction = iterates < 0 ? -1 : 1;
-  for (int done = 0;; done += direction) {
-    const CurveFunction image = [&](std::span<const double> parameters, std::span<Point> points) {
-      curve(parameters, points);
-      if (done != 0) map.iterate(points, done);
+  std::uint64_t images = 0;
+  for (int done = 0;; ++done) {
+    const CurveFunction curve = [&](std::span<const double> parameters, std::span<Point> points) {
+      at(done, parameters, points);
     };
-    const auto count = [&](std::size_t evaluations, int steps) {
-      result.images += static_cast<std::uint64_t>(evaluations) * static_cast<std::uint64_t>(std::abs(steps));
-      if (given.progress && !given.progress({std::abs(done), 0, 0, result.images})) throw Cancelled();
+    const auto count = [&](std::size_t evaluations, int each) {
+      images += static_cast<std::uint64_t>(evaluations) * static_cast<std::uint64_t>(each);
+      if (given.progress && !given.progress({done, 0, 0, images})) throw Cancelled();
     };
-    options.evaluated = [&](std::size_t evaluations) { count(evaluations, done); };
-    Trace trace = traced(std::move(guide), std::move(kept), image, options);
-    if (done == iterates || trace.out_of_points) {
-      if (trace.out_of_points) result.stop = GrowthStop::points;
-      append_finite(trace, 0, result.points, result.parameters, result.flaws);
-      return result;
-    }
+    options.evaluated = [&](std::size_t evaluations) { count(evaluations, steps(done)); };
+    Trace trace = traced(std::move(guide), std::move(kept), curve, options);
+    CurveImage result;
+    result.images = images;
+    if (trace.out_of_points) result.stop = GrowthStop::points;
+    append_finite(trace, 0, result.points, result.parameters, result.flaws);
+    if (!finished(done, std::move(result)) || trace.out_of_points) return;
     guide = std::move(trace.samples);
     kept = std::move(trace.kept);
     for_each_block(guide.points.size(), batch, [&](std::size_t first, std::size_t last) {
-      map.iterate(std::span(guide.points).subspan(first, last - first), direction);
+      onward(done + 1, std::span(guide.parameters).subspan(first, last - first),
+             std::span(guide.points).subspan(first, last - first));
     });
     count(guide.points.size(), 1);
   }
+}
+
+CurveImage traced_image(const PlanarMap& map, int iterates, const ImageOptions& given, Samples guide,
+                        std::vector<std::uint32_t> kept, const CurveFunction& curve) {
+  const int direction = iterates < 0 ? -1 : 1;
+  const CurveSequence at = [&](int done, std::span<const double> parameters, std::span<Point> points) {
+    curve(parameters, points);
+    if (done != 0) map.iterate(points, done * direction);
+  };
+  const CurveSequence onward = [&](int, std::span<const double>, std::span<Point> points) {
+    map.iterate(points, direction);
+  };
+  CurveImage last;
+  trace_in_turn(
+      given, std::move(guide), std::move(kept), at, onward, [](int done) { return done; },
+      [&](int done, CurveImage&& image) {
+        last = std::move(image);
+        return done != std::abs(iterates);
+      });
+  return last;
 }
 
 void require_sensible(const ImageOptions& options) {
@@ -77,20 +99,16 @@ void close(CurveImage& image) {
   }
 }
 
-}  // namespace
-
-CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& curve, std::span<const double> corners,
-                    const ImageOptions& options) {
-  require_sensible(options);
+// A few points between any two corners; the corners are kept.
+Samples first_guide(std::span<const double> corners, const CurveFunction& curve, std::vector<std::uint32_t>& kept) {
   if (corners.size() < 2) throw UsageError("image: the first and the last parameter of the curve have to be given");
   for (std::size_t k = 0; k < corners.size(); ++k) {
     if (!std::isfinite(corners[k]) || (k > 0 && !(corners[k] > corners[k - 1]))) {
       throw UsageError("image: parameters have to be finite and strictly ascending");
     }
   }
-  constexpr std::size_t parts = 64;  // between two corners, to begin with
+  constexpr std::size_t parts = 64;
   Samples guide;
-  std::vector<std::uint32_t> kept;
   for (std::size_t j = 0; j + 1 < corners.size(); ++j) {
     kept.push_back(static_cast<std::uint32_t>(guide.parameters.size()));
     for (std::size_t k = 0; k < parts; ++k) {
@@ -101,9 +119,51 @@ CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& cur
   guide.parameters.push_back(corners.back());
   guide.points.resize(guide.parameters.size());
   curve(guide.parameters, guide.points);
+  return guide;
+}
+
+}  // namespace
+
+CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& curve, std::span<const double> corners,
+                    const ImageOptions& options) {
+  require_sensible(options);
+  std::vector<std::uint32_t> kept;
+  Samples guide = first_guide(corners, curve, kept);
   CurveImage result = traced_image(map, iterates, options, std::move(guide), std::move(kept), curve);
   close(result);
   return result;
+}
+
+std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
+                                  const ImageOptions& options, const std::function<bool(const CurveImage&)>& goes_on,
+                                  std::span<const double> guide) {
+  require_sensible(options);
+  const CurveFunction first = [&](std::span<const double> parameters, std::span<Point> points) {
+    curves(0, parameters, points);
+  };
+  std::vector<std::uint32_t> kept;
+  Samples samples;
+  if (guide.empty()) {
+    samples = first_guide(corners, first, kept);
+  } else {
+    samples.parameters.assign(guide.begin(), guide.end());
+    samples.points.resize(guide.size());
+    for (const double corner : corners) {
+      kept.push_back(static_cast<std::uint32_t>(std::lower_bound(guide.begin(), guide.end(), corner) - guide.begin()));
+    }
+    for_each_block(guide.size(), batch, [&](std::size_t begin, std::size_t end) {
+      first(guide.subspan(begin, end - begin), std::span(samples.points).subspan(begin, end - begin));
+    });
+  }
+  std::vector<CurveImage> results;
+  trace_in_turn(
+      options, std::move(samples), std::move(kept), curves, curves, [](int done) { return done + 1; },
+      [&](int, CurveImage&& image) {
+        close(image);
+        results.push_back(std::move(image));
+        return goes_on(results.back());
+      });
+  return results;
 }
 
 CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve, const ImageOptions& options) {

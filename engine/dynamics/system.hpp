@@ -45,6 +45,7 @@ struct System {
   Point lattice;
   std::optional<Connection> connection;  ///< whose tangle is of interest
   std::shared_ptr<const Flow> flow;      ///< null when the system is a map
+  std::vector<FlowState> saddles;        ///< near those of rank 1 that bound a well (engine/escape)
   std::optional<Section> section;        ///< of the map, when it is a return map
   std::shared_ptr<const PlanarMap> map;  ///< null for a flow whose map is not defined by its canonical section
 };

@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "engine/areas.hpp"
+#include "engine/curve/curve.hpp"
 #include "engine/overlay/overlay.hpp"
 
 namespace lober {
@@ -33,5 +34,15 @@ struct SmoothAreas {
 /// geometry of C1. Throws DataError when coordinates range too widely. O(n + m), parallel; the same bits for any number
 /// of threads.
 [[nodiscard]] SmoothAreas smooth_areas(const Overlay& result);
+
+struct SmoothArea {
+  double area = 0;   ///< signed, positive counter-clockwise
+  double error = 0;  ///< as in SmoothAreas
+  std::uint64_t fallback_segments = 0;
+};
+
+/// The area of one closed curve, in the same sense; where it crosses itself, weighted by winding numbers. Throws
+/// DataError as `validate` does. O(n), parallel.
+[[nodiscard]] SmoothArea smooth_area(CurveView curve);
 
 }  // namespace lober

@@ -160,10 +160,6 @@ TEST_F(BadInput, OptionsThatContradictEachOther) {
   expect_failure({"c12.dat", "good", "result"}, 2, "overwrite the input");
 }
 
-TEST_F(BadInput, CommandsOfLaterVersions) {
-  expect_failure({"escape", "capsize"}, 2, "not in this version");
-}
-
 TEST_F(BadInput, HelpAndVersionAreNoErrors) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                     {"-h"},

@@ -50,6 +50,7 @@ SystemEntry capsize_entry() {
             const double reach = std::sqrt(values[1]);
             system.window = window(-reach, -values[0] * reach, reach, values[0] * reach);
             system.flow = std::make_shared<FlowOf<Capsize>>(Capsize(values[0]));
+            system.saddles = {FlowState{-1, 0.5}, FlowState{1, 0.5}};
             system.section =
                 Section{.coordinate = 0, .value = 0, .direction = 1, .chart_x = 1, .chart_y = 3, .solved = 2};
             system.map = system.flow->section_map(*system.section, values[1], options);

@@ -54,6 +54,9 @@ SystemEntry three_body_entry() {
             // The inner branch; its pip on the axis of the reversor.
             system.connection = Connection{{-2.03, 0}, {1, 0.29}, {-2.03, 0}, {1, -0.29}, Point{-1.15, 0}};
             system.flow = std::make_shared<FlowOf<ThreeBody>>(ThreeBody{values[0]});
+            // L1 and L2, at Hill's distance from the smaller body.
+            const double hill = std::cbrt(values[0] / 3), one = 1 - values[0] - hill, two = 1 - values[0] + hill;
+            system.saddles = {FlowState{one, 0, 0, one}, FlowState{two, 0, 0, two}};
             system.section = Section{.coordinate = 1,
                                      .value = 0,
                                      .direction = 1,

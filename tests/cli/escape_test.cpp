@@ -1,0 +1,80 @@
+// `lober escape`.
+
+#include <cmath>
+
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+class EscapeProgram : public ProgramTest {};
+
+TEST_F(EscapeProgram, WritesTheTable) {
+  const Outcome outcome = run({"escape", "capsize", "--energy", "0.25307", "--iterates", "3", "--tolerance", "1e-4",
+                               "--json", "table.json", "--svg", "curves.svg", "--monte-carlo", "2000"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("exit left"), std::string::npos);
+  EXPECT_NE(outcome.out.find("entrance right"), std::string::npos);
+  EXPECT_NE(outcome.out.find("11.1522"), std::string::npos);
+  EXPECT_NE(outcome.out.find("standard errors"), std::string::npos);
+  const Json result = Json::parse(read("table.json"));
+  EXPECT_EQ(result["command"], "escape");
+  EXPECT_EQ(result["bottlenecks"].size(), 2U);
+  EXPECT_NEAR(result["bottlenecks"][0]["orbit"]["period"].get<double>(), 3.189752742896737111, 1e-12);
+  EXPECT_EQ(result["table"].size(), 12U);
+  EXPECT_EQ(result["monte_carlo"]["trajectories"], 2000);
+  double found = 0;
+  for (const Json& row : result["table"]) {
+    if (row["entrance"] == "left" && row["exit"] == "right" && row["crossings"] == 3) found = row["fraction"];
+  }
+  EXPECT_NEAR(found, 0.111522124886, 1e-6);
+  EXPECT_TRUE(read("curves.svg").starts_with("<svg"));
+}
+
+TEST_F(EscapeProgram, SameBytesForAnyNumberOfThreads) {
+  const auto bytes = [&](const char* threads) {
+    const Outcome outcome = run({"escape", "capsize", "--iterates", "1", "--tolerance", "1e-3", "--monte-carlo", "500",
+                                 "--threads", threads, "--json", "-"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out.substr(0, outcome.out.find("\"timing\""));
+  };
+  EXPECT_EQ(bytes("1"), bytes("3"));
+}
+
+TEST_F(EscapeProgram, OrbitsAndTubesOnly) {
+  const Outcome outcome = run({"escape", "pcr3bp", "--energy", "-1.515", "--iterates", "0", "--saddle", "2",
+                               "--tolerance", "1e-4", "--json", "-"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json result = Json::parse(outcome.out);
+  EXPECT_EQ(result["table"].size(), 0U);
+  const Json& neck = result["bottlenecks"][0];
+  EXPECT_NEAR(neck["entry_curves"][0]["area"].get<double>() / neck["area"].get<double>(), 1, 1e-5);
+}
+
+TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {
+  const auto fails = [&](std::vector<std::string> arguments, int status, std::string_view words) {
+    arguments.insert(arguments.begin(), "escape");
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  };
+  fails({}, 2, "SYSTEM");
+  fails({"nothing"}, 2, "nothing");
+  fails({"henon"}, 2, "flow");
+  fails({"capsize", "--energy", "0.2"}, 2, "above that of the saddle");
+  fails({"capsize", "--energy", "0.26", "--param", "energy=0.26"}, 2, "twice");
+  fails({"capsize", "--param", "R"}, 2, "--param");
+  fails({"capsize", "--saddle", "3"}, 2, "--saddle");
+  fails({"capsize", "--saddle", "1,2"}, 2, "--saddle");
+  fails({"capsize", "--saddle", "0.01,0.01,0,0"}, 1, "rank 1");
+  fails({"capsize", "--section", "z=0"}, 2, "--section");
+  fails({"capsize", "--direction", "both"}, 2, "direction");
+  fails({"capsize", "--iterates", "0", "--monte-carlo", "5"}, 2, "--monte-carlo");
+  fails({"capsize", "--svg", "nowhere/file"}, 1, "nowhere/file");
+}
+
+}  // namespace
+}  // namespace lober::cli
