@@ -20,7 +20,9 @@ Json curves_json(const std::vector<TubeCurve>& curves) {
   for (const TubeCurve& curve : curves) {
     list.push_back({{"points", curve.image.points.size()},
                     {"direction", curve.direction},
-                    {"area", curve.area},
+                    {"torn", curve.torn},
+                    {"cut_off", curve.cut_off},
+                    {"area", curve.torn ? Json(nullptr) : Json(curve.area)},
                     {"area_error", curve.area_error}});
   }
   return list;
@@ -63,6 +65,7 @@ Json table_json(const EscapeReport& report, const std::vector<std::string>& name
                {"iterates", row.iterates},
                {"fraction", number(row.fraction)},
                {"error", number(row.error)},
+               {"torn", row.torn},
                {"split", {row.forward, row.backward}},
                {"other", number(row.other)},
                {"other_split", {row.other_forward, row.other_backward}}};
@@ -108,6 +111,7 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
               {"options",
                {{"iterates", report.options.crossings},
                 {"tolerance", report.options.tolerance},
+                {"strip", report.options.strip},
                 {"max_points", report.options.most_points}}},
               {"section",
                {{"coordinate", section.coordinate},

@@ -75,14 +75,15 @@ class Tearing {
   std::vector<TubeCurve> run(const TubeCurve& last, int level) {
     std::vector<TubeCurve> results;
     level_ = level;
-    points_.assign(last.image.points.begin(), last.image.points.end());
-    parameters_.assign(last.image.parameters.begin(), last.image.parameters.end());
+    sample(last);
     int direction = last.direction;
     double lost = 0;
     while (level_ < options_.most) {
       for (const Gate& gate : gates_) {
         const NeckTubes& neck = necks_[gate.neck];
-        if ((entry_ ? neck.exit_direction : neck.entry_direction) == direction && cut(gate)) lost += options_.strip;
+        if ((entry_ ? neck.exit_direction : neck.entry_direction) != direction) continue;
+        if (!guide_.empty()) sample(traced());  // another gate on this side has changed the curve
+        if (cut(gate)) lost += options_.strip;
       }
       ++level_;
       direction = -direction;
@@ -97,13 +98,18 @@ class Tearing {
         results.pop_back();
         break;
       }
-      points_.assign(image.points.begin(), image.points.end());
-      parameters_.assign(image.parameters.begin(), image.parameters.end());
+      sample(results.back());
     }
     return results;
   }
 
  private:
+  // The present curve is known at these points.
+  void sample(const TubeCurve& curve) {
+    points_.assign(curve.image.points.begin(), curve.image.points.end());
+    parameters_.assign(curve.image.parameters.begin(), curve.image.parameters.end());
+  }
+
   // s w = I (1 + small) next to the orbit, with w and s both near the square root of I: a turn of the trajectories that
   // pass there. Sums of points of the two local manifolds are no exact coordinates, so that turn and product are
   // adapted until the end of a turn is the image of its beginning.
@@ -313,7 +319,6 @@ class Tearing {
     arcs_ = std::move(arcs);
     guide_ = std::move(guide);
     guide_.push_back(static_cast<double>(arcs_.size()));
-    // For the next gate on this side of the section the curve would have to be sampled anew.
     return true;
   }
 

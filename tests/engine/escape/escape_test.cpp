@@ -39,7 +39,7 @@ const Escape& coarse() {
   return result;
 }
 
-// What TRUTH calls F_m: enter left, exit right after n crossings is m = 2n - 2, and so on.
+// The m of F_m by entry, exit and n: enter left, exit right after n crossings is m = 2n - 2, and so on.
 int expected_iterates(const EscapeFraction& row) {
   if (row.entry == 0) return row.exit == 1 ? 2 * row.crossings - 2 : 2 * row.crossings - 1;
   return row.exit == 0 ? 2 * row.crossings : 2 * row.crossings - 1;

@@ -353,5 +353,22 @@ TEST(Smooth, AnyScale) {
   }
 }
 
+TEST(Smooth, AreaOfOneCurve) {
+  Points wave = sample(wavy(0.1, 5), 1000);
+  const double area = pi * (1 + 0.1 * 0.1 / 2);
+  for (const double orientation : {1.0, -1.0}) {
+    for (const int exponent : {0, -500}) {
+      Points scaled = wave;
+      for (Point& p : scaled) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      const SmoothArea found = smooth_area(CurveView{scaled});
+      EXPECT_NEAR(std::ldexp(found.area, -2 * exponent), orientation * area, 1e-11);
+      EXPECT_LE(std::fabs(std::ldexp(found.area, -2 * exponent) - orientation * area),
+                std::ldexp(found.error, -2 * exponent));
+      EXPECT_EQ(found.fallback_segments, 0U);
+    }
+    std::reverse(wave.begin(), wave.end());
+  }
+}
+
 }  // namespace
 }  // namespace lober
