@@ -177,10 +177,10 @@ std::string digest(std::span<const std::byte> bytes, const Compress& compress_bl
   }
   compress_blocks(state, tail.data(), tail_blocks);
 
-  std::string text;
-  text.reserve(64);
+  std::string text(64, '0');
+  auto digit = text.begin();
   for (const std::uint32_t word : state) {
-    for (int shift = 28; shift >= 0; shift -= 4) text += "0123456789abcdef"[word >> shift & 0xF];
+    for (int shift = 28; shift >= 0; shift -= 4) *digit++ = "0123456789abcdef"[word >> shift & 0xF];
   }
   return text;
 }

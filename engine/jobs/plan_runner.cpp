@@ -1,5 +1,7 @@
 #include "engine/jobs/plan_runner.hpp"
 
+#include "engine/parallel/parallel.hpp"
+
 namespace lober {
 namespace {
 
@@ -14,9 +16,13 @@ QueueOptions concurrently(QueueOptions options) {
 PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
                        const QueueOptions& options)
     : plan_(plan), keys_(plan), queue_(concurrently(options)), ids_(plan.curves.size(), no_curve) {
-  for (const PlannedUnit& unit : units_of(plan, jobs)) {
-    const std::vector<CurveId> ids = queue_.add(make_unit(plan, unit, manifest_path));
-    for (std::size_t k = 0; k < ids.size(); ++k) ids_[unit.curves[k]] = ids[k];
+  const std::vector<PlannedUnit> units = units_of(plan, jobs);
+  std::vector<CurveUnit> made(units.size());  // in parallel: each opens its file to see how long it is
+  for_each_block(units.size(), 1,
+                 [&](std::size_t k, std::size_t) { made[k] = make_unit(plan, units[k], manifest_path); });
+  for (std::size_t k = 0; k < units.size(); ++k) {
+    const std::vector<CurveId> ids = queue_.add(std::move(made[k]));
+    for (std::size_t i = 0; i < ids.size(); ++i) ids_[units[k].curves[i]] = ids[i];
   }
   for (const PlannedGroup& group : plan.groups) options_.push_back(std::make_shared<const Options>(options_of(group)));
 }
