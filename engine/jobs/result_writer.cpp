@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <ctime>
-#include <utility>
 
 namespace lober {
 namespace {
@@ -52,23 +51,23 @@ void ResultWriter::finish() {
 
 void ResultWriter::work() {
   const double start = processor_seconds();
-  std::unique_lock lock(mutex_);
   for (bool last = false; !last;) {
-    wake_.wait_for(lock, interval, [&] { return finish_ || results_.size() >= many; });
-    last = finish_;
-    const std::vector<StoredResult> results = std::exchange(results_, {});
-    const InputDigests digests = std::exchange(digests_, {});
+    std::vector<StoredResult> results;  // freed, like the digests, when nobody waits for the lock
+    InputDigests digests;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait_for(lock, interval, [&] { return finish_ || results_.size() >= many; });
+      last = finish_;
+      results.swap(results_);
+      digests.swap(digests_);
+    }
     if ((results.empty() && digests.empty()) || error_) continue;
-    lock.unlock();
-    std::exception_ptr error;
     try {
       store_.append(results, digests);
     } catch (...) {
-      error = std::current_exception();
+      error_ = std::current_exception();
       failed_();
     }
-    lock.lock();
-    error_ = error;
   }
   seconds_ = processor_seconds() - start;
 }

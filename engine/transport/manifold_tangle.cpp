@@ -12,7 +12,6 @@ double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-
 // Where manifolds have to be as fine as asked: the saddles, their local manifolds, and eight times as far. What goes
 // farther is on its way out and followed coarsely.
 Box scene(const LocalManifold& u, const LocalManifold& s) {
