@@ -33,8 +33,8 @@ inline void distribute_nodes(const Box* four, std::size_t boxes, BoxPyramid pyra
   for (std::size_t i = 0; i < nodes_at_once; ++i) met_count[i] = end[i];
 }
 
-inline SplitCounts refine_nodes(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                            TreeNode* kept, TreeNode* split) {
+inline SplitCounts refine_nodes(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list,
+                                std::size_t count, TreeNode* kept, TreeNode* split) {
   const Lanes bound = -__builtin_shufflevector(load(box.lane), load(box.lane), 2, 3, 0, 1);
   SplitCounts end;
   for (std::size_t k = 0; k < count; ++k) {

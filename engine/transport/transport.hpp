@@ -31,9 +31,9 @@ struct TransportOptions {
 
 struct TransportStep {
   int n = 0;
-  double flux = 0;            ///< a12(n) = a21(n), by lobes
-  double total = 0;           ///< T12(n) = T21(n), by lobes
-  double overlap = 0;         ///< mu(L12(1) n f^(n-1)(L21(1)))
+  double flux = 0;     ///< a12(n) = a21(n), by lobes
+  double total = 0;    ///< T12(n) = T21(n), by lobes
+  double overlap = 0;  ///< mu(L12(1) n f^(n-1)(L21(1)))
   /// T(n) = area of R1 less that of R1 n f^n(R1). NaN, with its error and the consistency, where the chord that closes
   /// R1 meets the manifolds: the region is then bounded by more than the chord, and this cannot know by what.
   double by_boundaries = 0;
