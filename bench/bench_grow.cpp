@@ -50,7 +50,7 @@ double median(std::vector<double>& values) {
 void growth(benchmark::State& state, const Scene& scene) {
   const auto threads = static_cast<int>(state.range(0));
   const System system = make_system(scene.system, scene.parameters);
-  const LocalManifold local = local_manifold(*system.map, scene.saddle, Side::unstable);
+  const LocalManifold local = local_manifold(*system.map, scene.saddle, ManifoldSide::unstable);
   GrowthOptions options;
   options.tolerance = scene.tolerance;
   options.iterates = scene.iterates;

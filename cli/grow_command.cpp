@@ -137,7 +137,7 @@ void run(const Request& request) {
     LocalManifoldOptions local;
     local.period = request.period;
     report.local = local_manifold(*report.system.map, saddle_of(request, report.system),
-                                  request.stable ? Side::stable : Side::unstable, local);
+                                  request.stable ? ManifoldSide::stable : ManifoldSide::unstable, local);
     report.timing.local = local_watch.seconds();
     progress.phase("growing", 0.1, 0.9);
     const Stopwatch growth_watch;

@@ -30,7 +30,7 @@ Json number(double value) {
 
 Json options_json(const GrowReport& report) {
   const GrowthOptions& options = report.options;
-  Json json{{"side", report.local.side == Side::unstable ? "unstable" : "stable"},
+  Json json{{"side", report.local.side == ManifoldSide::unstable ? "unstable" : "stable"},
             {"branch", report.branch == Branch::plus ? "+" : "-"},
             {"tolerance", options.tolerance},
             {"iterates", options.iterates < 0 ? Json(nullptr) : Json(options.iterates)},

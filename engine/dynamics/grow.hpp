@@ -8,7 +8,7 @@
 // points would. A manifold of an inverse saddle (lambda < 0) swaps sides in each step; it is grown with two steps in
 // one.
 //
-//   const lober::LocalManifold local = lober::local_manifold(map, saddle, lober::Side::unstable);
+//   const lober::LocalManifold local = lober::local_manifold(map, saddle, lober::ManifoldSide::unstable);
 //   const lober::GrownManifold u = lober::grow(map, local, lober::Branch::plus, {.tolerance = 1e-6, .length = 30});
 #pragma once
 

@@ -320,10 +320,11 @@ void LocalManifold::points_at(std::span<const double> parameters, std::span<Poin
   chebyshev_points(coefficients, 0, reach, parameters, points);
 }
 
-LocalManifold local_manifold(const PlanarMap& map, Point guess, Side side, const LocalManifoldOptions& options) {
+LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,
+                             const LocalManifoldOptions& options) {
   require_sensible(options);
   if (!finite(guess)) throw UsageError("local manifold: the fixed point has to be finite");
-  const int steps = side == Side::stable ? -options.period : options.period;
+  const int steps = side == ManifoldSide::stable ? -options.period : options.period;
   const Saddle saddle = saddle_near(map, steps, guess);
   Candidate best = farthest(Solver(map, steps, saddle, options.degree), saddle, options);
   LocalManifold result;

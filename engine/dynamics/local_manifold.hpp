@@ -16,7 +16,7 @@
 
 namespace lober {
 
-enum class Side : std::int8_t {
+enum class ManifoldSide : std::int8_t {
   stable = -1,   ///< contracted by F; treated as unstable under its inverse
   unstable = 1,  ///< expanded by F
 };
@@ -33,7 +33,7 @@ struct LocalManifoldOptions {
 struct LocalManifold {
   Point saddle;
   Point tangent;  ///< of length 1
-  Side side = Side::unstable;
+  ManifoldSide side = ManifoldSide::unstable;
   int steps = 1;          ///< iterates of F that the multiplier stands for: +- period, negative for the stable side
   double multiplier = 0;  ///< lambda of F^steps, so |lambda| > 1; negative at an inverse saddle
   double reach = 0;       ///< r
@@ -55,7 +55,7 @@ struct LocalManifold {
 /// tolerance. Throws DataError with the place when there is no fixed point, when it is no saddle, or when the map
 /// cannot be evaluated near it; UsageError for options that make no sense. About 5000 evaluations of the map with
 /// derivative, in parallel.
-[[nodiscard]] LocalManifold local_manifold(const PlanarMap& map, Point guess, Side side,
+[[nodiscard]] LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,
                                            const LocalManifoldOptions& options = {});
 
 }  // namespace lober

@@ -131,7 +131,8 @@ class Necks {
     tubes_.resize(2 * list.size());
     for_each_block(tubes_.size(), 1, [&](std::size_t k, std::size_t) {
       Bottleneck& neck = list[k / 2];
-      tubes_[k].emplace(flow_, neck.orbit, k % 2 == 0 ? Side::unstable : Side::stable, options_.integration);
+      tubes_[k].emplace(flow_, neck.orbit, k % 2 == 0 ? ManifoldSide::unstable : ManifoldSide::stable,
+                        options_.integration);
       (k % 2 == 0 ? neck.entry_branch : neck.exit_branch) = tubes_[k]->branch_towards(section_);
     });
     for (std::size_t k = 0; k < list.size(); ++k) {

@@ -15,7 +15,7 @@ std::size_t at(int coordinate) {
   return static_cast<std::size_t>(coordinate);
 }
 
-LocalManifold local_manifold_of(const Flow& flow, const PeriodicOrbit& orbit, Side side,
+LocalManifold local_manifold_of(const Flow& flow, const PeriodicOrbit& orbit, ManifoldSide side,
                                 const IntegrationOptions& options) {
   IntegrationOptions near = options;
   near.max_time = std::min(options.max_time, 10 * orbit.period);
@@ -54,7 +54,7 @@ Section position_section(const Flow& flow, int coordinate, double value, int dir
   throw UsageError("the section must be across a coordinate of position");
 }
 
-Tube::Tube(const Flow& flow, const PeriodicOrbit& orbit, Side side, const IntegrationOptions& options)
+Tube::Tube(const Flow& flow, const PeriodicOrbit& orbit, ManifoldSide side, const IntegrationOptions& options)
     : flow_(flow), orbit_(orbit), options_(options), local_(local_manifold_of(flow, orbit, side, options)) {}
 
 void Tube::begin(Branch branch, std::span<const double> u, std::span<FlowState> states) const {
@@ -68,7 +68,7 @@ void Tube::begin(Branch branch, std::span<const double> u, std::span<FlowState> 
 void Tube::crossings(Branch branch, const Section& section, int k, std::span<const double> u,
                      std::span<FlowState> states) const {
   begin(branch, u, states);
-  flow_.to_section(states, {}, section, side() == Side::unstable ? k : -k, options_);
+  flow_.to_section(states, {}, section, side() == ManifoldSide::unstable ? k : -k, options_);
 }
 
 Branch Tube::branch_towards(const Section& section) const {
@@ -79,7 +79,7 @@ Branch Tube::branch_towards(const Section& section) const {
     std::array<FlowState, scouts> states;
     std::array<double, scouts> times{};
     begin(branch, u, states);
-    flow_.to_section(states, times, section, side() == Side::unstable ? 1 : -1, options_);
+    flow_.to_section(states, times, section, side() == ManifoldSide::unstable ? 1 : -1, options_);
     double latest = 0;
     for (const double time : times) latest = std::isfinite(time) ? std::max(latest, std::fabs(time)) : INFINITY;
     if (latest < soonest) {

@@ -43,10 +43,10 @@ struct TubeCurveOptions {
 class Tube {
  public:
   /// Throws as local_manifold.
-  Tube(const Flow& flow, const PeriodicOrbit& orbit, Side side, const IntegrationOptions& options);
+  Tube(const Flow& flow, const PeriodicOrbit& orbit, ManifoldSide side, const IntegrationOptions& options);
 
   [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
-  [[nodiscard]] Side side() const { return local_.side; }
+  [[nodiscard]] ManifoldSide side() const { return local_.side; }
   [[nodiscard]] const LocalManifold& local() const { return local_; }
 
   /// Where the trajectories of a branch, numbered by u in [0, 1], begin.

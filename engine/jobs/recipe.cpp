@@ -22,7 +22,8 @@ Curve grown(const CurveRecipe& recipe) {
   const bool stable = recipe.kind == CurveRecipe::Kind::stable;
   const Connection connection = system.connection.value_or(Connection{});
   const Point saddle = recipe.saddle.value_or(stable ? connection.to : connection.from);
-  const LocalManifold local = local_manifold(*system.map, saddle, stable ? Side::stable : Side::unstable);
+  const LocalManifold local =
+      local_manifold(*system.map, saddle, stable ? ManifoldSide::stable : ManifoldSide::unstable);
   Branch branch = recipe.branch < 0 ? Branch::minus : Branch::plus;
   if (recipe.branch == 0 && !recipe.saddle) {
     branch = branch_towards(local, stable ? connection.s_direction : connection.u_direction);

@@ -50,8 +50,8 @@ class TangleGrower {
  public:
   TangleGrower(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options)
       : map_(map), options_(options), near_(options.bip_near ? options.bip_near : connection.bip) {
-    u_.local = local_manifold(map, connection.from, Side::unstable);
-    s_.local = local_manifold(map, connection.to, Side::stable);
+    u_.local = local_manifold(map, connection.from, ManifoldSide::unstable);
+    s_.local = local_manifold(map, connection.to, ManifoldSide::stable);
     u_.branch = branch_towards(u_.local, connection.u_direction);
     s_.branch = branch_towards(s_.local, connection.s_direction);
     box_ = scene(u_.local, s_.local);

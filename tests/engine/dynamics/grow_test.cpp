@@ -57,16 +57,16 @@ struct Case {
   const char* name;
   double k;
   Point saddle;
-  Side side;
+  ManifoldSide side;
   Branch branch;
   int iterates;
 };
 
 TEST(Grow, MeetsTheToleranceWithFewPoints) {
-  const Case cases[] = {{"unstable", 1.2, {0, 0}, Side::unstable, Branch::plus, 6},
-                        {"stable", 1.2, {2 * std::numbers::pi, 0}, Side::stable, Branch::minus, 6},
-                        {"slow", 0.1, {0, 0}, Side::unstable, Branch::plus, 12},
-                        {"inverse saddle", 5, {std::numbers::pi, 0}, Side::unstable, Branch::minus, 3}};
+  const Case cases[] = {{"unstable", 1.2, {0, 0}, ManifoldSide::unstable, Branch::plus, 6},
+                        {"stable", 1.2, {2 * std::numbers::pi, 0}, ManifoldSide::stable, Branch::minus, 6},
+                        {"slow", 0.1, {0, 0}, ManifoldSide::unstable, Branch::plus, 12},
+                        {"inverse saddle", 5, {std::numbers::pi, 0}, ManifoldSide::unstable, Branch::minus, 3}};
   for (const Case& c : cases) {
     const StandardMap map(c.k);
     const LocalManifold local = local_manifold(map, c.saddle, c.side);
@@ -86,7 +86,7 @@ TEST(Grow, MeetsTheToleranceWithFewPoints) {
 
 TEST(Grow, VerticesAreExactImages) {
   const StandardMap map(1.2);
-  const LocalManifold local = local_manifold(map, {0, 0}, Side::unstable);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
   const GrownManifold grown = grow(map, local, Branch::minus, {.tolerance = 1e-4, .iterates = 5});
   ASSERT_EQ(grown.generation_begin.size(), 7U);
   EXPECT_EQ(grown.points[0], local.at(0));
@@ -104,7 +104,7 @@ TEST(Grow, VerticesAreExactImages) {
 
 TEST(Grow, ImagesAreNotComputedTwice) {
   const StandardMap map(1.2);
-  const LocalManifold local = local_manifold(map, {0, 0}, Side::unstable);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
   const GrownManifold grown = grow(map, local, Branch::plus, {.tolerance = 1e-6, .iterates = 6});
   double bare = 0;
   for (std::size_t k = 1; k + 1 < grown.generation_begin.size(); ++k) {
@@ -115,7 +115,7 @@ TEST(Grow, ImagesAreNotComputedTwice) {
 
 TEST(Grow, SameBitsForAnyNumberOfThreads) {
   const HenonMap map(0.5);
-  const LocalManifold local = local_manifold(map, {2.2, 2.2}, Side::unstable);
+  const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::unstable);
   const GrowthOptions options{.tolerance = 1e-6, .iterates = 6, .box = Box::of({-5, -5}, {5, 5})};
   const GrownManifold one = with_threads(1, [&] { return grow(map, local, Branch::minus, options); });
   EXPECT_GT(one.points.size(), 10'000U);
@@ -130,7 +130,7 @@ TEST(Grow, SameBitsForAnyNumberOfThreads) {
 
 TEST(Grow, ReportsWhatEscapes) {
   const HenonMap map(0.5);
-  const LocalManifold local = local_manifold(map, {2.2, 2.2}, Side::unstable);
+  const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::unstable);
   const Box box = Box::of({-5, -5}, {5, 5});
   const GrownManifold grown = grow(map, local, Branch::minus, {.tolerance = 1e-4, .iterates = 14, .box = box});
   bool left = false;
@@ -161,7 +161,7 @@ class Torn : public StandardMap {
 };
 
 TEST(Grow, GoesOnBehindTears) {
-  const LocalManifold local = local_manifold(StandardMap(1.2), {0, 0}, Side::unstable, {.longest = 1});
+  const LocalManifold local = local_manifold(StandardMap(1.2), {0, 0}, ManifoldSide::unstable, {.longest = 1});
   const GrownManifold grown = grow(Torn(1.2), local, Branch::plus, {.tolerance = 1e-4, .iterates = 8});
   const GrownManifold whole = grow(StandardMap(1.2), local, Branch::plus, {.tolerance = 1e-4, .iterates = 8});
   EXPECT_EQ(grown.stop, GrowthStop::iterates);
@@ -182,7 +182,7 @@ TEST(Grow, GoesOnBehindTears) {
 
 TEST(Grow, Stops) {
   const StandardMap map(1.2);
-  const LocalManifold local = local_manifold(map, {0, 0}, Side::unstable);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
   const GrownManifold by_length = grow(map, local, Branch::plus, {.tolerance = 1e-5, .length = 40});
   EXPECT_EQ(by_length.stop, GrowthStop::length);
   EXPECT_GE(by_length.length, 40);
@@ -216,7 +216,7 @@ TEST(Grow, Stops) {
 // The stable branch of the oscillating vortex pair on the line y = 0 runs into the other saddle.
 TEST(Grow, ABranchMayEnd) {
   const System system = make_system("ovp");
-  const LocalManifold local = local_manifold(*system.map, {1.45, 0}, Side::stable);
+  const LocalManifold local = local_manifold(*system.map, {1.45, 0}, ManifoldSide::stable);
   const GrownManifold grown = grow(*system.map, local, Branch::minus, {.tolerance = 1e-3, .length = 4});
   EXPECT_EQ(grown.stop, GrowthStop::ended);
   EXPECT_NEAR(grown.length, 2 * 1.451260038107551142, 1e-3);
@@ -225,7 +225,7 @@ TEST(Grow, ABranchMayEnd) {
 
 TEST(Grow, RefusesOptionsWithoutSense) {
   const StandardMap map(1.2);
-  const LocalManifold local = local_manifold(map, {0, 0}, Side::unstable);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
   EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 0, .iterates = 1}), UsageError);
   EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-5}), UsageError);
   EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-15, .iterates = 1}), UsageError);
@@ -256,8 +256,8 @@ struct Lobe {
 Lobe lobe(double k, Point q_b, Point q_a, double tolerance) {
   const StandardMap map(k);
   const LocalManifoldOptions near{.longest = 0.5};  // so that it takes some growing
-  const LocalManifold u = local_manifold(map, {0, 0}, Side::unstable, near);
-  const LocalManifold s = local_manifold(map, {2 * std::numbers::pi, 0}, Side::stable, near);
+  const LocalManifold u = local_manifold(map, {0, 0}, ManifoldSide::unstable, near);
+  const LocalManifold s = local_manifold(map, {2 * std::numbers::pi, 0}, ManifoldSide::stable, near);
   const GrowthOptions options{.tolerance = tolerance, .length = 6, .longest = 1};
   const GrownManifold grown_u = grow(map, u, Branch::plus, options), grown_s = grow(map, s, Branch::minus, options);
   std::vector<Point> first = between(grown_u, q_b.x - 0.05, q_a.x + 0.05);

@@ -32,7 +32,7 @@ double defect(const PlanarMap& map, const LocalManifold& local) {
 TEST(LocalManifold, StandardMapReachesFar) {
   for (const double k : {0.1, 1.2, 2.0, 5.0}) {
     const StandardMap map(k);
-    for (const Side side : {Side::unstable, Side::stable}) {
+    for (const ManifoldSide side : {ManifoldSide::unstable, ManifoldSide::stable}) {
       const LocalManifold local = local_manifold(map, {0.01, -0.01}, side);
       const double lambda = 1 + k / 2 + std::sqrt(k + k * k / 4);
       EXPECT_NEAR(local.multiplier, lambda, 1e-12 * lambda);
@@ -41,14 +41,15 @@ TEST(LocalManifold, StandardMapReachesFar) {
       EXPECT_LE(local.defect, lambda * 1e-14);
       EXPECT_LE(defect(map, local), 2 * lambda * 1e-14);
       EXPECT_LT(std::hypot(local.saddle.x, local.saddle.y), 1e-15);
-      EXPECT_NEAR(local.tangent.y / local.tangent.x, side == Side::unstable ? 1 - 1 / lambda : 1 - lambda, 1e-12);
+      EXPECT_NEAR(local.tangent.y / local.tangent.x, side == ManifoldSide::unstable ? 1 - 1 / lambda : 1 - lambda,
+                  1e-12);
     }
   }
 }
 
 TEST(LocalManifold, InverseSaddle) {
   const StandardMap map(5);
-  const LocalManifold local = local_manifold(map, {3.1, 0.02}, Side::unstable);
+  const LocalManifold local = local_manifold(map, {3.1, 0.02}, ManifoldSide::unstable);
   EXPECT_NEAR(local.multiplier, -(3 + std::sqrt(5)) / 2, 1e-12);
   EXPECT_GT(local.reach, 1);
   EXPECT_LE(defect(map, local), 2e-13);
@@ -57,7 +58,7 @@ TEST(LocalManifold, InverseSaddle) {
 TEST(LocalManifold, ClosedForm) {
   for (const double a : {3.0, -3.0, 400.0}) {
     const CubicSaddle map(a, 2);
-    const LocalManifold local = local_manifold(map, {1e-3, 1e-3}, Side::unstable, {.longest = 2});
+    const LocalManifold local = local_manifold(map, {1e-3, 1e-3}, ManifoldSide::unstable, {.longest = 2});
     EXPECT_NEAR(local.multiplier / a, 1, 1e-13);
     for (double s = -local.reach; s <= local.reach; s += local.reach / 16) {
       const Point at = local.at(s);
@@ -69,7 +70,7 @@ TEST(LocalManifold, ClosedForm) {
 
 TEST(LocalManifold, HenonEscapingBranchDoesNotSpoilTheOther) {
   const HenonMap map(0.5);
-  const LocalManifold local = local_manifold(map, {2.2, 2.2}, Side::unstable);
+  const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::unstable);
   EXPECT_NEAR(local.saddle.x, 1 + std::sqrt(1.5), 1e-15);
   EXPECT_LE(local.defect_across, 3e-14);
   EXPECT_GT(local.reach, 5);
@@ -77,7 +78,7 @@ TEST(LocalManifold, HenonEscapingBranchDoesNotSpoilTheOther) {
 
 TEST(LocalManifold, OfAFlowToTheToleranceOfTheIntegration) {
   const System system = make_system("ovp");
-  const LocalManifold local = local_manifold(*system.map, {1.45, 0}, Side::unstable);
+  const LocalManifold local = local_manifold(*system.map, {1.45, 0}, ManifoldSide::unstable);
   EXPECT_NEAR(local.saddle.x, 1.451260038107551142, 1e-12);
   EXPECT_NEAR(local.multiplier, 5.075684315001539492, 1e-10);
   EXPECT_GT(local.reach, 0.1);
@@ -87,8 +88,8 @@ TEST(LocalManifold, OfAFlowToTheToleranceOfTheIntegration) {
 TEST(LocalManifold, PeriodTwo) {
   // Two applications have the same manifold.
   const StandardMap map(1.2);
-  const LocalManifold one = local_manifold(map, {0, 0}, Side::unstable);
-  const LocalManifold two = local_manifold(map, {0, 0}, Side::unstable, {.period = 2});
+  const LocalManifold one = local_manifold(map, {0, 0}, ManifoldSide::unstable);
+  const LocalManifold two = local_manifold(map, {0, 0}, ManifoldSide::unstable, {.period = 2});
   EXPECT_NEAR(two.multiplier, one.multiplier * one.multiplier, 1e-11);
   const Point a = one.at(1.5), b = two.at(1.5);
   EXPECT_NEAR(a.x, b.x, 1e-12);
@@ -98,16 +99,16 @@ TEST(LocalManifold, PeriodTwo) {
 TEST(LocalManifold, RefusesWhatIsNoSaddle) {
   const StandardMap map(1.2);  // (pi, 0) is a centre
   try {
-    (void)local_manifold(map, {3.14, 0.01}, Side::unstable);
+    (void)local_manifold(map, {3.14, 0.01}, ManifoldSide::unstable);
     FAIL();
   } catch (const DataError& error) {
     EXPECT_NE(std::string(error.what()).find("not a saddle"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("(3.14159"), std::string::npos);
   }
-  EXPECT_THROW((void)local_manifold(HenonMap(-3), {0, 0}, Side::unstable), DataError);  // no fixed point at all
-  EXPECT_THROW((void)local_manifold(map, {0, 0}, Side::unstable, {.period = 0}), UsageError);
-  EXPECT_THROW((void)local_manifold(map, {0, 0}, Side::unstable, {.tolerance = 0}), UsageError);
-  EXPECT_THROW((void)local_manifold(map, {std::nan(""), 0}, Side::unstable), UsageError);
+  EXPECT_THROW((void)local_manifold(HenonMap(-3), {0, 0}, ManifoldSide::unstable), DataError);  // no fixed point at all
+  EXPECT_THROW((void)local_manifold(map, {0, 0}, ManifoldSide::unstable, {.period = 0}), UsageError);
+  EXPECT_THROW((void)local_manifold(map, {0, 0}, ManifoldSide::unstable, {.tolerance = 0}), UsageError);
+  EXPECT_THROW((void)local_manifold(map, {std::nan(""), 0}, ManifoldSide::unstable), UsageError);
 }
 
 }  // namespace

@@ -97,13 +97,13 @@ curves = [{ system = "standard", parameters = { K = 1.2 }, manifold = "unstable"
   const auto found = results(text);
   ASSERT_EQ(messages, (std::map<std::size_t, std::string>{}));
   const System system = make_system("standard", {{"K", 1.2}});
-  const auto branch = [&](Side side, Point saddle, Point direction) {
+  const auto branch = [&](ManifoldSide side, Point saddle, Point direction) {
     const LocalManifold local = local_manifold(*system.map, saddle, side);
     return grow(*system.map, local, branch_towards(local, direction), {.tolerance = 1e-5, .iterates = 5});
   };
   const Connection& connection = *system.connection;
-  const GrownManifold u = branch(Side::unstable, connection.from, connection.u_direction);
-  const GrownManifold s = branch(Side::stable, connection.to, connection.s_direction);
+  const GrownManifold u = branch(ManifoldSide::unstable, connection.from, connection.u_direction);
+  const GrownManifold s = branch(ManifoldSide::stable, connection.to, connection.s_direction);
   const Tangle direct = tangle(u, s, {.smooth = true});
   ASSERT_GT(direct.lobes.size(), 2U);
   for (std::size_t k = 0; k < direct.lobes.size(); ++k) EXPECT_EQ(found.at(0).lists[0].at(k), direct.lobes[k].area);
