@@ -33,6 +33,23 @@ TEST_F(EscapeProgram, WritesTheTable) {
   EXPECT_TRUE(read("curves.svg").starts_with("<svg"));
 }
 
+// The potential of Henon & Heiles is symmetric in x: what enters by one of two mirrored bottlenecks leaves by either as
+// what enters by the other.
+TEST_F(EscapeProgram, TakesASystemOfTheUser) {
+  const Outcome outcome =
+      run({"escape", LOBER_EXAMPLES "/henon_heiles.so", "--energy", "0.17", "--iterates", "1", "--tolerance", "1e-4",
+           "--saddle", "0.866,-0.5,0,0", "--saddle", "-0.866,-0.5,0,0", "--section", "x=0", "--json", "-"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json result = Json::parse(outcome.out);
+  double left = 0, right = 0;
+  for (const Json& row : result["table"]) {
+    if (row["fraction"].get<double>() == 0) continue;
+    (row["entrance"] == "left" ? left : right) = row["fraction"];
+  }
+  EXPECT_NEAR(left, 0.5319069, 1e-5);
+  EXPECT_NEAR(left, right, 1e-6);
+}
+
 TEST_F(EscapeProgram, SameBytesForAnyNumberOfThreads) {
   const auto bytes = [&](const char* threads) {
     const Outcome outcome = run({"escape", "capsize", "--iterates", "1", "--tolerance", "1e-3", "--monte-carlo", "500",
