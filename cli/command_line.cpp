@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -62,6 +63,10 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
     // Opens a temporary file beside it, and removes that again.
     if (!is_special(output.path)) OutputFile probe(output.path);
   }
+}
+
+bool takes_standard_output(std::span<const Output> outputs) {
+  return std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
 }
 
 bool parse_arguments(CLI::App& app, const std::vector<std::string>& arguments) {

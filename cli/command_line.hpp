@@ -26,6 +26,9 @@ struct Output {
 /// outputs that cannot be written (DataError). `inputs` may carry a zone (FILE#ZONE).
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs);
 
+/// Whether one of the files is standard output, which holds one thing only: then nothing else is printed there.
+[[nodiscard]] bool takes_standard_output(std::span<const Output> outputs);
+
 /// Parses the arguments of a command. Returns false when they asked for help, which is then printed; throws UsageError.
 [[nodiscard]] bool parse_arguments(CLI::App& app, const std::vector<std::string>& arguments);
 

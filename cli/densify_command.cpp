@@ -201,10 +201,7 @@ void run(const Request& request) {
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) write_densify_json(request.json, report, [&] { return watch.seconds(); });
   }
-  // Standard output holds one thing only.
-  const bool taken =
-      std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
-  if (!taken) print(densify_summary(report));
+  if (!takes_standard_output(outputs)) print(densify_summary(report));
 }
 
 }  // namespace

@@ -3,20 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <array>
-#include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "cli/json_file.hpp"
 #include "cli/text.hpp"
-#include "engine/curve/output_file.hpp"
 
 namespace lober::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::string dumped(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 // Criteria that are off are infinite, which JSON cannot say.
 Json number(double value) {
@@ -82,12 +74,7 @@ std::string densify_summary(const DensifyReport& report) {
 
 void write_densify_json(const std::string& path, const DensifyReport& report,
                         const std::function<double()>& seconds_so_far) {
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value) {
-    std::string line;
-    append_all(line, "\"", key, "\": ", dumped(value), ",\n");
-    file.write(line);
-  };
+  JsonFile json(path, "densify");
   Json inputs = Json::array();
   for (const NamedCurve& input : report.inputs) {
     inputs.push_back({{"file", input.file},
@@ -100,21 +87,15 @@ void write_densify_json(const std::string& path, const DensifyReport& report,
   for (const DensifyReport::Step& step : report.done) {
     steps.push_back({{"step", step.name}, {"points", step.points}, {"rounds", step.rounds}});
   }
-  file.write("{");
-  member("program", {{"name", "lober"}, {"version", LOBER_VERSION}});
-  member("command", "densify");
-  member("inputs", inputs);
-  member("options", options_json(report.steps));
-  member("steps", steps);
-  member("result", {{"points", report.result.points.size()}, {"closed", report.result.closed}});
-  write_flaws(file, report);
-  file.write("\"timing\": ");
-  file.write(dumped({{"read", report.timing.read},
-                     {"densify", report.timing.densify},
-                     {"write", report.timing.write},
-                     {"total", seconds_so_far()}}));
-  file.write("}\n");
-  file.commit();
+  json.member("inputs", inputs);
+  json.member("options", options_json(report.steps));
+  json.member("steps", steps);
+  json.member("result", {{"points", report.result.points.size()}, {"closed", report.result.closed}});
+  write_flaws(json.file(), report);
+  json.finish({{"read", report.timing.read},
+               {"densify", report.timing.densify},
+               {"write", report.timing.write},
+               {"total", seconds_so_far()}});
 }
 
 }  // namespace lober::cli

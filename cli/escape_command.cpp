@@ -223,9 +223,7 @@ void run(const Request& request) {
     if (!request.svg.empty()) write_escape_picture(request.svg, report);
     if (!request.json.empty()) write_escape_json(request.json, report, [&] { return watch.seconds(); });
   }
-  const bool taken =
-      std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
-  if (!taken) print(escape_table(report));
+  if (!takes_standard_output(outputs)) print(escape_table(report));
 }
 
 }  // namespace

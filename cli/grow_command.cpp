@@ -3,7 +3,6 @@
 #include "cli/grow_command.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "cli/command_line.hpp"
 #include "cli/grow_report.hpp"
@@ -150,10 +149,7 @@ void run(const Request& request) {
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) write_grow_json(request.json, report, [&] { return watch.seconds(); });
   }
-  // Standard output holds one thing only.
-  const bool taken =
-      std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
-  if (!taken) print(grow_summary(report));
+  if (!takes_standard_output(outputs)) print(grow_summary(report));
   if (report.manifold.stop == GrowthStop::cancelled) throw Cancelled();
 }
 

@@ -5,10 +5,9 @@
 #include <array>
 #include <limits>
 
-#include "cli/json.hpp"
+#include "cli/json_file.hpp"
 #include "cli/system_options.hpp"
 #include "cli/text.hpp"
-#include "engine/curve/output_file.hpp"
 
 namespace lober::cli {
 namespace {
@@ -107,27 +106,16 @@ std::string grow_summary(const GrowReport& report) {
 }
 
 void write_grow_json(const std::string& path, const GrowReport& report, const std::function<double()>& seconds_so_far) {
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value) {
-    std::string line;
-    append_all(line, "\"", key, "\": ", dumped(value), ",\n");
-    file.write(line);
-  };
-  file.write("{");
-  member("program", program_json());
-  member("command", "grow");
-  member("system", system_json(report.system, report.integration));
-  member("options", options_json(report));
-  member("local_manifold", local_json(report.local));
-  member("result", result_json(report.manifold));
-  write_flaws(file, report.manifold);
-  file.write("\"timing\": ");
-  file.write(dumped({{"local_manifold", report.timing.local},
-                     {"growth", report.timing.growth},
-                     {"write", report.timing.write},
-                     {"total", seconds_so_far()}}));
-  file.write("}\n");
-  file.commit();
+  JsonFile json(path, "grow");
+  json.member("system", system_json(report.system, report.integration));
+  json.member("options", options_json(report));
+  json.member("local_manifold", local_json(report.local));
+  json.member("result", result_json(report.manifold));
+  write_flaws(json.file(), report.manifold);
+  json.finish({{"local_manifold", report.timing.local},
+               {"growth", report.timing.growth},
+               {"write", report.timing.write},
+               {"total", seconds_so_far()}});
 }
 
 }  // namespace lober::cli

@@ -2,8 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "cli/json.hpp"
-#include "engine/curve/output_file.hpp"
+#include "cli/json_file.hpp"
 
 namespace lober::cli {
 namespace {
@@ -77,39 +76,30 @@ std::string interior_table(const InteriorReport& report) {
 void write_interior_json(const std::string& path, const InteriorReport& report,
                          const std::function<double()>& seconds_so_far) {
   const InteriorAreas& result = report.result;
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value, const char* end = ",\n") {
-    file.write(std::string("\"") + key + "\": " + dumped(value) + end);
-  };
-  file.write("{");
-  member("program", program_json());
-  member("command", "interior");
-  member("inputs", Json::array({input_json(report.inputs[0], result.areas.c1, result.orientation1),
-                                input_json(report.inputs[1], result.areas.c2, result.orientation2)}));
-  member("options", {{"method", method_name(report.options.method)},
-                     {"passes", report.options.passes},
-                     {"points", report.options.points},
-                     {"check_simple", report.options.check_simple}});
-  member("crossings", meetings_json(result.nodes));
-  member("q1", result.q1);
-  member("q2", result.q2);
-  member("q3", result.q3);
-  member("areas", areas_json(result.areas));
-  member("delta", result.delta);
-  member("error", error_json(report));
-  member("statistics", statistics_json(result.statistics));
+  JsonFile json(path, "interior");
+  json.member("inputs", Json::array({input_json(report.inputs[0], result.areas.c1, result.orientation1),
+                                     input_json(report.inputs[1], result.areas.c2, result.orientation2)}));
+  json.member("options", {{"method", method_name(report.options.method)},
+                          {"passes", report.options.passes},
+                          {"points", report.options.points},
+                          {"check_simple", report.options.check_simple}});
+  json.member("crossings", meetings_json(result.nodes));
+  json.member("q1", result.q1);
+  json.member("q2", result.q2);
+  json.member("q3", result.q3);
+  json.member("areas", areas_json(result.areas));
+  json.member("delta", result.delta);
+  json.member("error", error_json(report));
+  json.member("statistics", statistics_json(result.statistics));
   const InteriorTiming& timing = result.timing;
-  member("timing",
-         {{"read", report.read_seconds},
-          {"index", report.index_seconds},
-          {"check", timing.check},
-          {"crossings", timing.crossings},
-          {"order", timing.order},
-          {"labels", timing.labels},
-          {"sums", timing.sums},
-          {"total", seconds_so_far()}},
-         "}\n");
-  file.commit();
+  json.finish({{"read", report.read_seconds},
+               {"index", report.index_seconds},
+               {"check", timing.check},
+               {"crossings", timing.crossings},
+               {"order", timing.order},
+               {"labels", timing.labels},
+               {"sums", timing.sums},
+               {"total", seconds_so_far()}});
 }
 
 }  // namespace lober::cli

@@ -112,11 +112,6 @@ void warn_of_overflow(const Areas& areas) {
   }
 }
 
-// Standard output holds one thing only.
-bool takes_standard_output(const std::vector<Output>& outputs) {
-  return std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
-}
-
 OverlayReport compute(const Request& request, Progress& progress) {
   OverlayReport report;
   report.options = request.options;

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/json.hpp"
-#include "cli/json_list.hpp"
+#include "cli/json_file.hpp"
 #include "cli/overlay_report.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -103,37 +102,29 @@ Json error_json(const OverlayReport& report) {
 void write_overlay_json(const std::string& path, OverlayReport& report, const std::function<double()>& seconds_so_far) {
   const Stopwatch watch;
   const Overlay& result = report.result;
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value) {
-    std::string line;
-    append_all(line, "\"", key, "\": ", dumped(value), ",\n");
-    file.write(line);
-  };
-  file.write("{");
-  member("program", program_json());
-  member("command", "overlay");
-  member("inputs", Json::array({input_json(report.inputs[0], result.areas.c1, result.orientation1),
-                                input_json(report.inputs[1], result.areas.c2, result.orientation2)}));
-  member("options", {{"index", name(report.options.index)},
-                     {"areas_only", !report.options.pieces},
-                     {"check_simple", report.options.check_simple},
-                     {"verify", report.consistency.has_value()},
-                     {"smooth", report.smooth.has_value()}});
-  write_crossings_member(file, report);
-  member("areas", areas_json(result.areas));
+  JsonFile json(path, "overlay");
+  json.member("inputs", Json::array({input_json(report.inputs[0], result.areas.c1, result.orientation1),
+                                     input_json(report.inputs[1], result.areas.c2, result.orientation2)}));
+  json.member("options", {{"index", name(report.options.index)},
+                          {"areas_only", !report.options.pieces},
+                          {"check_simple", report.options.check_simple},
+                          {"verify", report.consistency.has_value()},
+                          {"smooth", report.smooth.has_value()}});
+  write_crossings_member(json.file(), report);
+  json.member("areas", areas_json(result.areas));
   if (report.smooth) {
     const SmoothAreas& smooth = *report.smooth;
-    member("smooth", {{"areas", areas_json(smooth.areas)},
-                      {"error", areas_json(smooth.error)},
-                      {"fallback_segments", smooth.fallback_segments},
-                      {"fallback_crossings", smooth.fallback_crossings}});
+    json.member("smooth", {{"areas", areas_json(smooth.areas)},
+                           {"error", areas_json(smooth.error)},
+                           {"fallback_segments", smooth.fallback_segments},
+                           {"fallback_crossings", smooth.fallback_crossings}});
   }
   if (report.options.pieces) {
-    write_pieces_member(file, report);
-    member("slivers", slivers_json(report));
+    write_pieces_member(json.file(), report);
+    json.member("slivers", slivers_json(report));
   }
-  member("error", error_json(report));
-  member("statistics", statistics_json(result.statistics));
+  json.member("error", error_json(report));
+  json.member("statistics", statistics_json(result.statistics));
   ReportTiming& timing = report.timing;
   timing.write += watch.seconds();
   Json seconds{{"read", timing.read},           {"index", timing.index}, {"check", timing.check},
@@ -143,10 +134,7 @@ void write_overlay_json(const std::string& path, OverlayReport& report, const st
   if (report.smooth) seconds["smooth"] = timing.smooth;
   seconds["write"] = timing.write;
   seconds["total"] = seconds_so_far();
-  file.write("\"timing\": ");
-  file.write(dumped(seconds));
-  file.write("}\n");
-  file.commit();
+  json.finish(seconds);
 }
 
 }  // namespace lober::cli

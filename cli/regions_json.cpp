@@ -1,7 +1,6 @@
 // The JSON object of `lober overlay --rule`. Its members are a contract; more may be added, none renamed.
 
-#include "cli/json.hpp"
-#include "cli/json_list.hpp"
+#include "cli/json_file.hpp"
 #include "cli/regions_report.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -26,15 +25,6 @@ Json statistics_json(const RegionCounts& counts) {
           {"skipped", {{"blocks", counts.search.blocks_skipped}}}};
 }
 
-void write_windings(OutputFile& file, const Regions& result) {
-  file.write("\"winding\": ");
-  write_list(file, result.table().size(), [&](std::string& text, std::size_t k) {
-    const WindingArea& entry = result.table()[k];
-    put(text, "{\"c1\":", entry.w1, ",\"c2\":", entry.w2, ",\"area\":", entry.area, "}");
-  });
-  file.write(",\n");
-}
-
 void write_pieces(OutputFile& file, const RegionsReport& report) {
   file.write("\"pieces\": {");
   for (const Pairing pairing : all_pairings) {
@@ -54,38 +44,32 @@ void write_pieces(OutputFile& file, const RegionsReport& report) {
 void write_regions_json(const std::string& path, RegionsReport& report, const std::function<double()>& seconds_so_far) {
   const Stopwatch watch;
   const Regions& result = report.result;
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value) {
-    std::string line;
-    append_all(line, "\"", key, "\": ", dumped(value), ",\n");
-    file.write(line);
-  };
-  file.write("{");
-  member("program", program_json());
-  member("command", "overlay");
+  JsonFile json(path, "overlay");
   Json inputs = Json::array();
   for (std::size_t k = 0; k < 2; ++k) {
     inputs.push_back(input_json(report.inputs[k], std::abs(result.signed_areas()[k]), report.orientations()[k]));
   }
-  member("inputs", inputs);
-  member("options", {{"index", name(report.index)}, {"areas_only", report.areas_only}, {"rule", name(report.rule)}});
-  member("rule", name(report.rule));
-  member("arrangement", counts_json(result.counts()));
-  write_windings(file, result);
-  member("areas", areas_json(result.areas(report.rule)));
-  if (!report.areas_only) write_pieces(file, report);
-  member("error", {{"rounding", areas_json(result.rounding(report.rule))},
-                   {"meaning", {{"rounding", "bound on |area - exact area of the region of the polygons as given|"}}}});
-  member("statistics", statistics_json(result.counts()));
+  json.member("inputs", inputs);
+  json.member("options",
+              {{"index", name(report.index)}, {"areas_only", report.areas_only}, {"rule", name(report.rule)}});
+  json.member("rule", name(report.rule));
+  json.member("arrangement", counts_json(result.counts()));
+  json.list("winding", result.table().size(), [&](std::string& text, std::size_t k) {
+    const WindingArea& entry = result.table()[k];
+    put(text, "{\"c1\":", entry.w1, ",\"c2\":", entry.w2, ",\"area\":", entry.area, "}");
+  });
+  json.member("areas", areas_json(result.areas(report.rule)));
+  if (!report.areas_only) write_pieces(json.file(), report);
+  json.member("error",
+              {{"rounding", areas_json(result.rounding(report.rule))},
+               {"meaning", {{"rounding", "bound on |area - exact area of the region of the polygons as given|"}}}});
+  json.member("statistics", statistics_json(result.counts()));
   const RegionTiming& timing = result.timing();
   report.write_seconds += watch.seconds();
   const Json seconds{{"read", report.read_seconds},     {"index", timing.index},         {"search", timing.search},
                      {"nodes", timing.nodes},           {"graph", timing.graph},         {"faces", timing.faces},
                      {"pieces", report.pieces_seconds}, {"write", report.write_seconds}, {"total", seconds_so_far()}};
-  file.write("\"timing\": ");
-  file.write(dumped(seconds));
-  file.write("}\n");
-  file.commit();
+  json.finish(seconds);
 }
 
 }  // namespace lober::cli

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cli/json_list.hpp"
+#include "cli/json_file.hpp"
 #include "cli/plot.hpp"
 #include "cli/svg.hpp"
 #include "engine/error.hpp"
@@ -117,28 +117,19 @@ std::string sweep_table(const SweepReport& report) {
 
 void write_sweep_json(const std::string& path, const SweepReport& report,
                       const std::function<double()>& seconds_so_far) {
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value) {
-    file.write(std::string("\"") + key + "\": " + dumped(value) + ",\n");
-  };
+  JsonFile json(path, "transport --sweep");
   Json system = system_json(report.system, report.integration);
   system["parameters"].erase(report.range.name);
   Json zeros = Json::array();
   for (const SweepZero& zero : report.result.zeros) zeros.push_back(zero_json(zero));
-  file.write("{");
-  member("program", program_json());
-  member("command", "transport --sweep");
-  member("system", system);
-  member("options", {{"tolerance", report.tolerance}});
-  member("parameter", report.range.name);
-  file.write("\"rows\": ");
-  write_list(file, report.result.rows.size(),
-             [&](std::string& text, std::size_t k) { text += dumped(row_json(report.result.rows[k])); });
-  file.write(",\n");
-  member("zeros", zeros);
-  member("failures", report.result.failures());
-  file.write("\"timing\": " + dumped({{"total", seconds_so_far()}}) + "}\n");
-  file.commit();
+  json.member("system", system);
+  json.member("options", {{"tolerance", report.tolerance}});
+  json.member("parameter", report.range.name);
+  json.list("rows", report.result.rows.size(),
+            [&](std::string& text, std::size_t k) { text += dumped(row_json(report.result.rows[k])); });
+  json.member("zeros", zeros);
+  json.member("failures", report.result.failures());
+  json.finish({{"total", seconds_so_far()}});
 }
 
 void write_sweep_curve(const std::string& path, const SweepReport& report) {

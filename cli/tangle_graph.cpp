@@ -1,7 +1,6 @@
 // The tangle graph as JSON: what topological tools (homotopic lobe dynamics and its like) need to know of a tangle.
 
-#include "cli/json.hpp"
-#include "cli/json_list.hpp"
+#include "cli/json_file.hpp"
 #include "cli/tangle_report.hpp"
 
 namespace lober::cli {
@@ -40,23 +39,11 @@ void write_nodes(OutputFile& file, const Tangle& result) {
   });
 }
 
-void write_lobes(OutputFile& file, const Tangle& result) {
-  write_list(file, result.lobes.size(), [&](std::string& text, std::size_t k) {
-    const std::uint32_t first = result.pips[k].node, last = result.pips[k + 1].node;
-    const auto& order_s = result.nodes.graph().rank2;
-    put(text, "{\"index\":", k, ",\"area\":", result.lobes[k].area, ",\"u\":[", first, ",", last, "],\"s\":[",
-        order_s[last], ",", order_s[first], "]}");
-  });
-}
-
 }  // namespace
 
 void write_tangle_graph(const std::string& path, const TangleReport& report) {
   const Tangle& result = report.result;
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value) {
-    file.write(std::string("\"") + key + "\": " + dumped(value) + ",\n");
-  };
+  JsonFile json(path, "tangle --graph");
   Json inputs = Json::array();
   for (const NamedCurve& input : report.inputs) {
     inputs.push_back(report.origin ? Json{{"grown", input.file}}
@@ -64,21 +51,22 @@ void write_tangle_graph(const std::string& path, const TangleReport& report) {
   }
   Json pips = Json::array();
   for (const Pip& pip : result.pips) pips.push_back(pip.node);
-  file.write("{");
-  member("program", program_json());
-  member("command", "tangle --graph");
-  member("inputs", inputs);
-  member("meaning", meaning);
-  member("crossings", meetings_json(result.nodes));
-  member("pips", pips);
-  member("bip", result.boundary ? Json(result.boundary->bip) : Json());
-  member("period", result.images.period == 0 ? Json() : Json(result.images.period));
-  file.write("\"lobes\": ");
-  write_lobes(file, result);
-  file.write(std::string(",\n\"columns\": ") + columns + ",\n\"nodes\": ");
-  write_nodes(file, result);
-  file.write("}\n");
-  file.commit();
+  json.member("inputs", inputs);
+  json.member("meaning", meaning);
+  json.member("crossings", meetings_json(result.nodes));
+  json.member("pips", pips);
+  json.member("bip", result.boundary ? Json(result.boundary->bip) : Json());
+  json.member("period", result.images.period == 0 ? Json() : Json(result.images.period));
+  const auto& order_s = result.nodes.graph().rank2;
+  json.list("lobes", result.lobes.size(), [&](std::string& text, std::size_t k) {
+    const std::uint32_t first = result.pips[k].node, last = result.pips[k + 1].node;
+    put(text, "{\"index\":", k, ",\"area\":", result.lobes[k].area, ",\"u\":[", first, ",", last, "],\"s\":[",
+        order_s[last], ",", order_s[first], "]}");
+  });
+  json.file().write(std::string("\"columns\": ") + columns + ",\n\"nodes\": ");
+  write_nodes(json.file(), result);
+  json.file().write("}\n");
+  json.file().commit();
 }
 
 }  // namespace lober::cli

@@ -1,7 +1,6 @@
 // The JSON object of `lober tangle`. Its members are a contract; more may be added, none renamed.
 
-#include "cli/json.hpp"
-#include "cli/json_list.hpp"
+#include "cli/json_file.hpp"
 #include "cli/tangle_report.hpp"
 #include "cli/turnstile_report.hpp"
 #include "engine/stopwatch.hpp"
@@ -149,45 +148,34 @@ Json statistics_json(const TangleReport& report) {
 void write_tangle_json(const std::string& path, TangleReport& report, const std::function<double()>& seconds_so_far) {
   const Stopwatch watch;
   const Tangle& result = report.result;
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value) {
-    file.write(std::string("\"") + key + "\": " + dumped(value) + ",\n");
-  };
-  const auto list = [&](const char* key, std::size_t size, const auto& format) {
-    file.write(std::string("\"") + key + "\": ");
-    write_list(file, size, format);
-    file.write(",\n");
-  };
-  file.write("{");
-  member("program", program_json());
-  member("command", "tangle");
-  member("inputs", Json::array({manifold_json(report, 0), manifold_json(report, 1)}));
+  JsonFile json(path, "tangle");
+  json.member("inputs", Json::array({manifold_json(report, 0), manifold_json(report, 1)}));
   if (report.origin) {
     const TangleOrigin& origin = *report.origin;
-    member("system", system_json(origin.system, origin.integration));
-    member("tolerance", origin.tolerance);
-    member("saddles", saddles_json(*origin.manifolds));
-    member("turnstile_by_action", turnstile_json(*origin.manifolds));
+    json.member("system", system_json(origin.system, origin.integration));
+    json.member("tolerance", origin.tolerance);
+    json.member("saddles", saddles_json(*origin.manifolds));
+    json.member("turnstile_by_action", turnstile_json(*origin.manifolds));
   }
-  member("options", options_json(report));
-  member("crossings", meetings_json(result.nodes));
-  list("pips", result.pips.size(), [&](std::string& text, std::size_t k) { format_pip(text, result.pips[k]); });
-  list("lobes", result.lobes.size(), [&](std::string& text, std::size_t k) { format_lobe(text, report, k); });
-  member("bip", bip_json(result));
-  member("boundary", boundary_json(result));
-  member("images", images_json(result.images));
-  member("turnstile", turnstile_json(result.images));
+  json.member("options", options_json(report));
+  json.member("crossings", meetings_json(result.nodes));
+  json.list("pips", result.pips.size(), [&](std::string& text, std::size_t k) { format_pip(text, result.pips[k]); });
+  json.list("lobes", result.lobes.size(), [&](std::string& text, std::size_t k) { format_lobe(text, report, k); });
+  json.member("bip", bip_json(result));
+  json.member("boundary", boundary_json(result));
+  json.member("images", images_json(result.images));
+  json.member("turnstile", turnstile_json(result.images));
   if (report.overlaps) {
-    list("overlaps", report.overlaps->size(), [&](std::string& text, std::size_t k) {
+    json.list("overlaps", report.overlaps->size(), [&](std::string& text, std::size_t k) {
       const LobeOverlap& both = (*report.overlaps)[k];
       put(text, "{\"i\":", both.i, ",\"j\":", both.j, ",\"area\":", both.area, "}");
     });
   } else {
-    member("overlaps", nullptr);  // not asked for
+    json.member("overlaps", nullptr);  // not asked for
   }
-  member("remarks", result.remarks);
-  member("error", error_json(report));
-  member("statistics", statistics_json(report));
+  json.member("remarks", result.remarks);
+  json.member("error", error_json(report));
+  json.member("statistics", statistics_json(report));
   TangleReportTiming& own = report.timing;
   const TangleTiming& timing = result.timing;
   own.write += watch.seconds();
@@ -195,8 +183,7 @@ void write_tangle_json(const std::string& path, TangleReport& report, const std:
       {"read", own.read},         {"index", timing.index},    {"check", timing.check}, {"crossings", timing.crossings},
       {"order", timing.order},    {"pips", timing.pips},      {"areas", timing.areas}, {"tangle", timing.total},
       {"measures", own.measures}, {"overlaps", own.overlaps}, {"write", own.write},    {"total", seconds_so_far()}};
-  file.write("\"timing\": " + dumped(seconds) + "}\n");
-  file.commit();
+  json.finish(seconds);
 }
 
 }  // namespace lober::cli

@@ -1,7 +1,6 @@
 #include "cli/tangle_outputs.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "engine/stopwatch.hpp"
 
@@ -54,10 +53,7 @@ void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std:
 }
 
 void print_tangle(const TangleOutputs& outputs, const TangleReport& report) {
-  const std::vector<Output> files = outputs.files();
-  if (std::none_of(files.begin(), files.end(), [](const Output& output) { return output.path == "-"; })) {
-    print(tangle_table(report));
-  }
+  if (!takes_standard_output(outputs.files())) print(tangle_table(report));
 }
 
 }  // namespace lober::cli

@@ -25,11 +25,6 @@ struct Request {
   int threads = 0;
 };
 
-bool prints_table(std::span<const Output> outputs) {
-  // Standard output holds one thing only.
-  return std::none_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
-}
-
 std::vector<Output> outputs_of(const Request& request) {
   std::vector<Output> outputs;
   for (const auto& [option, path] :
@@ -65,7 +60,7 @@ void run_one(const Request& request) {
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
   }
-  if (prints_table(outputs)) print(transport_table(report));
+  if (!takes_standard_output(outputs)) print(transport_table(report));
 }
 
 void run_sweep(const Request& request) {
@@ -102,7 +97,7 @@ void run_sweep(const Request& request) {
     if (!request.svg.empty()) write_sweep_curve(request.svg, report);
     if (!request.json.empty()) write_sweep_json(request.json, report, [&] { return watch.seconds(); });
   }
-  if (prints_table(outputs)) print(sweep_table(report));
+  if (!takes_standard_output(outputs)) print(sweep_table(report));
   if (const std::size_t failures = report.result.failures(); failures > 0) {
     const auto first = std::find_if(report.result.rows.begin(), report.result.rows.end(),
                                     [](const SweepRow& row) { return !row.failure.empty(); });

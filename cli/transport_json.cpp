@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/json.hpp"
-#include "cli/json_list.hpp"
+#include "cli/json_file.hpp"
 #include "cli/transport_report.hpp"
 #include "cli/turnstile_report.hpp"
 
@@ -75,30 +74,18 @@ void format_step(std::string& text, const TransportStep& step) {
 
 void write_transport_json(const std::string& path, const TransportReport& report,
                           const std::function<double()>& seconds_so_far) {
-  OutputFile file(path);
-  const auto member = [&](const char* key, const Json& value) {
-    file.write(std::string("\"") + key + "\": " + dumped(value) + ",\n");
-  };
-  file.write("{");
-  member("program", program_json());
-  member("command", "transport");
-  member("system", system_json(report.system, report.integration));
-  member("options", options_json(report));
-  member("saddles", saddles_json(report.manifolds()));
-  member("region", region_json(report));
-  member("turnstile", all_turnstile_json(report));
-  file.write("\"steps\": ");
-  write_list(file, report.result.steps.size(),
-             [&](std::string& text, std::size_t k) { format_step(text, report.result.steps[k]); });
-  file.write(",\n");
-  member("remarks", report.tangle().remarks);
-  member("error", error_json(report.result));
-  member("statistics", statistics_json(report));
-  file.write(
-      "\"timing\": " +
-      dumped({{"transport", report.timing.transport}, {"write", report.timing.write}, {"total", seconds_so_far()}}) +
-      "}\n");
-  file.commit();
+  JsonFile json(path, "transport");
+  json.member("system", system_json(report.system, report.integration));
+  json.member("options", options_json(report));
+  json.member("saddles", saddles_json(report.manifolds()));
+  json.member("region", region_json(report));
+  json.member("turnstile", all_turnstile_json(report));
+  json.list("steps", report.result.steps.size(),
+            [&](std::string& text, std::size_t k) { format_step(text, report.result.steps[k]); });
+  json.member("remarks", report.tangle().remarks);
+  json.member("error", error_json(report.result));
+  json.member("statistics", statistics_json(report));
+  json.finish({{"transport", report.timing.transport}, {"write", report.timing.write}, {"total", seconds_so_far()}});
 }
 
 }  // namespace lober::cli
