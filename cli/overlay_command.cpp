@@ -74,9 +74,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   if (!parse_arguments(app, arguments)) return std::nullopt;
   request.options.pieces = !areas_only;
   request.options.check_simple = !no_check;
-  for (const IndexKind kind : {IndexKind::automatic, IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
-    if (name(kind) == index) request.options.index = kind;
-  }
+  request.options.index = index_kind(index);
   for (const WindingRule any : all_winding_rules) {
     if (name(any) == rule) request.rule = any;
   }

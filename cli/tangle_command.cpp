@@ -90,9 +90,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   if (!bip.empty()) set_bip(bip, request.options);
   request.reverse = {reverse == "u" || reverse == "both", reverse == "s" || reverse == "both"};
   request.options.check_simple = !no_check;
-  for (const IndexKind kind : {IndexKind::automatic, IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
-    if (name(kind) == index) request.options.index = kind;
-  }
+  request.options.index = index_kind(index);
   return request;
 }
 

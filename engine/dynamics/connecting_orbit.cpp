@@ -11,47 +11,20 @@
 namespace lober {
 namespace {
 
-// Steps of the map and the factor in s that one image on a manifold stands for.
-struct Image {
-  int steps;
-  double factor;
-};
-Image image_on(const LocalManifold& local) {
-  if (local.multiplier < 0) return {2 * local.steps, local.multiplier * local.multiplier};
-  return {local.steps, local.multiplier};
-}
-
-// P'(s), by the derivative of Chebyshev polynomials.
-Point slope(const LocalManifold& local, double s) {
-  const double x = s / local.reach;
-  double value_before = 1, value = x, slope_before = 0, slope_here = 1;
-  Point sum{};
-  for (std::size_t k = 1; k < local.coefficients.size(); ++k) {
-    sum.x += local.coefficients[k].x * slope_here / local.reach;
-    sum.y += local.coefficients[k].y * slope_here / local.reach;
-    const double next = 2 * x * value - value_before, next_slope = 2 * value + 2 * x * slope_here - slope_before;
-    value_before = value;
-    value = next;
-    slope_before = slope_here;
-    slope_here = next_slope;
-  }
-  return sum;
-}
-
 // A point of a manifold and the direction in which it moves with the parameter.
 struct Moving {
   Point at, velocity;
 };
 Moving follow(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
   Matrix2 d;
-  const Point start = local.at(place.parameter), v = slope(local, place.parameter);
-  const Point at = map.iterate_with_derivative(start, place.images * image_on(local).steps, d);
+  const Point start = local.at(place.parameter), v = local.slope(place.parameter);
+  const Point at = map.iterate_with_derivative(start, place.images * local.image().steps, d);
   return {at, {d.xx * v.x + d.xy * v.y, d.yx * v.x + d.yy * v.y}};
 }
 
 // Brings the parameter into the outermost fundamental segment, so that as few steps of the map as possible remain.
 ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place) {
-  const double factor = image_on(local).factor;
+  const double factor = local.image().factor;
   while (std::fabs(place.parameter) > local.reach) {
     place.parameter /= factor;
     ++place.images;
@@ -66,7 +39,7 @@ ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place) {
 // The points of an orbit on one manifold from `place` towards the saddle, until they are the saddle: one step of the
 // map (forward or back) apart.
 std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
-  const Image image = image_on(local);
+  const LocalManifold::Image image = local.image();
   const int direction = image.steps > 0 ? 1 : -1, stride = image.steps * direction;
   std::vector<Point> points;
   // From P(parameter) outwards to the point itself.
@@ -135,7 +108,7 @@ ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local, P
   };
   const std::size_t first = position.segment, second = std::min(first + 1, grown.parameters.size() - 1);
   const int generation = generation_of(first), next = generation_of(second);
-  const double factor = image_on(local).factor;
+  const double factor = local.image().factor;
   const double from = grown.parameters[first];
   const double to = grown.parameters[second] * (next > generation ? std::pow(factor, next - generation) : 1);
   return normalised(local, {generation, from + position.t * (to - from)});

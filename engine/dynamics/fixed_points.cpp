@@ -12,19 +12,11 @@
 #include "engine/dynamics/plane.hpp"
 #include "engine/error.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "engine/text.hpp"
 
 namespace lober {
 
 namespace {
-
-std::string shortest(double value) {
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
-std::string text(Point z) {
-  return "(" + shortest(z.x) + ", " + shortest(z.y) + ")";
-}
 
 void require(const FixedPointOptions& options) {
   if (options.period < 1) throw UsageError("the period of a fixed point must be at least 1");
@@ -124,9 +116,9 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
   require(options);
   const NewtonEnd end = newton(map, guess, options, 0.5 * size_at(guess));
   if (!end.converged) {
-    throw DataError("no point of period " + std::to_string(options.period) + " found from " + text(guess) +
+    throw DataError("no point of period " + std::to_string(options.period) + " found from " + place_text(guess) +
                     (std::isfinite(end.residual)
-                         ? ": Newton's method ended at " + text(end.at) + ", off by " + shortest(end.residual)
+                         ? ": Newton's method ended at " + place_text(end.at) + ", off by " + shortest(end.residual)
                          : ": it has no image under the map"));
   }
   return describe(map, end.at, options);
@@ -160,8 +152,9 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Box& box, 
     const auto [place, least] = grid.nearest();
     throw DataError("no point of period " + std::to_string(options.period) + " in [" + shortest(box.min_x()) + ", " +
                     shortest(box.max_x()) + "] x [" + shortest(box.min_y()) + ", " + shortest(box.max_y()) + "]: " +
-                    (std::isnan(least) ? "no point of the box has an image"
-                                       : "the displacement is least, " + shortest(least) + ", at " + text(place)));
+                    (std::isnan(least)
+                         ? "no point of the box has an image"
+                         : "the displacement is least, " + shortest(least) + ", at " + place_text(place)));
   }
   std::sort(result.begin(), result.end(), [](const FixedPoint& a, const FixedPoint& b) {
     return std::tuple(a.period, a.at.x, a.at.y) < std::tuple(b.period, b.at.x, b.at.y);

@@ -22,8 +22,8 @@ class Growth {
   Growth(const PlanarMap& map, const LocalManifold& local, Branch branch, const GrowthOptions& options)
       : map_(map), local_(local), options_(options), side_(static_cast<double>(branch)) {
     inverse_ = local.multiplier < 0;
-    steps_ = inverse_ ? 2 * local.steps : local.steps;
-    ratio_ = std::fabs(local.multiplier) * (inverse_ ? std::fabs(local.multiplier) : 1);
+    steps_ = local.image().steps;
+    ratio_ = local.image().factor;
     set_up_tracing();
   }
 

@@ -9,26 +9,14 @@
 #include <optional>
 #include <string>
 
+#include "engine/dynamics/plane.hpp"
 #include "engine/error.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "engine/text.hpp"
 #include "kernels/chebyshev.hpp"
 
 namespace lober {
 namespace {
-
-bool finite(Point point) {
-  return std::isfinite(point.x) && std::isfinite(point.y);
-}
-
-std::string place(Point point) {
-  std::array<char, 64> buffer{};
-  char* const end = buffer.data() + buffer.size();
-  char* at = std::to_chars(buffer.data(), end, point.x).ptr;
-  *at++ = ',';
-  *at++ = ' ';
-  at = std::to_chars(at, end, point.y).ptr;
-  return "(" + std::string(buffer.data(), at) + ")";
-}
 
 struct Image {
   Point point;
@@ -67,7 +55,7 @@ Point refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
     const Point image = map.iterate_with_derivative(at, steps, a);
     const Point r{image.x - at.x, image.y - at.y};
     const double size = std::hypot(r.x, r.y);
-    if (!finite(image)) break;
+    if (!is_finite(image)) break;
     if (!(size < least)) {
       if (round > 8 || least == 0) break;
     } else {
@@ -80,7 +68,7 @@ Point refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
     at.y -= ((a.xx - 1) * r.y - a.yx * r.x) / determinant;
   }
   if (!(least <= 1e-7 * (1 + std::hypot(best.x, best.y)))) {
-    throw DataError("no fixed point of the map was found near " + place(guess));
+    throw DataError("no fixed point of the map was found near " + place_text(guess));
   }
   return best;
 }
@@ -88,8 +76,8 @@ Point refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
 Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
   const Point at = refined_fixed_point(map, steps, guess);
   Matrix2 a;
-  if (!finite(map.iterate_with_derivative(at, steps, a))) {
-    throw DataError("the map cannot be evaluated at its fixed point " + place(at));
+  if (!is_finite(map.iterate_with_derivative(at, steps, a))) {
+    throw DataError("the map cannot be evaluated at its fixed point " + place_text(at));
   }
   // Half the trace, and a determinant free of cancellation: eigenvalues m +- sqrt(((axx - ayy) / 2)^2 + axy ayx).
   const double mean = (a.xx + a.yy) / 2, half = (a.xx - a.yy) / 2;
@@ -98,7 +86,7 @@ Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
   const double large = mean + std::copysign(root, mean);
   const double small = (a.xx * a.yy - a.xy * a.yx) / large;
   if (!(discriminant > 0) || !(std::fabs(large) > 1) || !(std::fabs(small) < 1)) {
-    throw DataError("the fixed point " + place(at) + " is not a saddle");
+    throw DataError("the fixed point " + place_text(at) + " is not a saddle");
   }
   // Either row of A - large gives the eigenvector; the longer one is safe.
   Point v{a.xy, large - a.xx}, w{large - a.yy, a.yx};
@@ -251,7 +239,7 @@ class Solver {
     const std::vector<Point> expected = candidate.at(ahead);
     candidate.defect = candidate.defect_across = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      if (!finite(images[k])) {
+      if (!is_finite(images[k])) {
         candidate.defect = candidate.defect_across = std::numeric_limits<double>::infinity();
         return;
       }
@@ -289,7 +277,7 @@ Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifo
     best = solver.solved(solver.linear(reach));
     if (best && !(best->defect_across <= 1e-9 * scale)) best.reset();
   }
-  if (!best) throw DataError("no invariant curve was found through the saddle " + place(saddle.at));
+  if (!best) throw DataError("no invariant curve was found through the saddle " + place_text(saddle.at));
   const double noise = 4 * best->defect_across, noise_along = 4 * best->defect;
   for (double factor = 4; factor > 1.1;) {
     const double next = best->reach * factor;
@@ -320,10 +308,26 @@ void LocalManifold::points_at(std::span<const double> parameters, std::span<Poin
   chebyshev_points(coefficients, 0, reach, parameters, points);
 }
 
+Point LocalManifold::slope(double s) const {
+  std::vector<double> values(coefficients.size()), slopes(coefficients.size());
+  chebyshev_basis(s / reach, values, slopes);
+  Point sum;
+  for (std::size_t k = 1; k < coefficients.size(); ++k) {
+    sum.x += coefficients[k].x * slopes[k] / reach;
+    sum.y += coefficients[k].y * slopes[k] / reach;
+  }
+  return sum;
+}
+
+LocalManifold::Image LocalManifold::image() const {
+  if (multiplier < 0) return {2 * steps, multiplier * multiplier};
+  return {steps, multiplier};
+}
+
 LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,
                              const LocalManifoldOptions& options) {
   require_sensible(options);
-  if (!finite(guess)) throw UsageError("local manifold: the fixed point has to be finite");
+  if (!is_finite(guess)) throw UsageError("local manifold: the fixed point has to be finite");
   const int steps = side == ManifoldSide::stable ? -options.period : options.period;
   const Saddle saddle = saddle_near(map, steps, guess);
   Candidate best = farthest(Solver(map, steps, saddle, options.degree), saddle, options);

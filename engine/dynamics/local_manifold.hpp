@@ -47,6 +47,15 @@ struct LocalManifold {
   [[nodiscard]] Point at(double s) const;
   /// points[k] = P(parameters[k]), |parameters[k]| <= reach; the same bits in whatever span.
   void points_at(std::span<const double> parameters, std::span<Point> points) const;
+  [[nodiscard]] Point slope(double s) const;  ///< P'(s)
+
+  /// What takes each branch to itself: `steps` of F, or twice as many where a negative multiplier exchanges the
+  /// branches; and the factor > 1 in s that they stand for.
+  struct Image {
+    int steps;
+    double factor;
+  };
+  [[nodiscard]] Image image() const;
 };
 
 /// The manifold of the saddle near `guess`, which is refined by Newton's method first. r is the largest (to a factor

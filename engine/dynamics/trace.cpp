@@ -6,6 +6,7 @@
 
 #include "engine/densify/insertion.hpp"
 #include "engine/densify/running_sums.hpp"
+#include "engine/dynamics/plane.hpp"
 #include "kernels/turning.hpp"
 
 namespace lober {
@@ -27,10 +28,6 @@ constexpr double most_parts = 16;
 // Where the map fails on one side, the edge is sought to this fraction of the range of the parameter.
 constexpr double edge_resolution = 1e-7;
 constexpr std::size_t chunk = std::size_t{1} << 16;  // evaluations between two reports of progress
-
-bool finite(Point point) {
-  return std::isfinite(point.x) && std::isfinite(point.y);
-}
 
 double distance(Point a, Point b) {
   const double x = b.x - a.x, y = b.y - a.y;
@@ -84,7 +81,7 @@ class Tracer {
   enum class Kind : std::uint8_t { ordinary, edge, failed, outside };
   [[nodiscard]] Kind kind(std::size_t k) const {
     const Point a = samples_.points[k], b = samples_.points[k + 1];
-    const bool a_finite = finite(a), b_finite = finite(b);
+    const bool a_finite = is_finite(a), b_finite = is_finite(b);
     if (a_finite && b_finite) return inside(a, b) ? Kind::ordinary : Kind::outside;
     if (!a_finite && !b_finite) return Kind::failed;
     const Point last = a_finite ? a : b;

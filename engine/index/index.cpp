@@ -18,6 +18,13 @@ std::string_view name(IndexKind kind) {
   return "";
 }
 
+IndexKind index_kind(std::string_view wanted) {
+  for (const IndexKind kind : {IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
+    if (name(kind) == wanted) return kind;
+  }
+  return IndexKind::automatic;
+}
+
 SearchCounts find_pairs(const IndexedCurve& first, const IndexedCurve& second, IndexKind kind, PairConsumer& consumer) {
   switch (kind) {
     case IndexKind::grid:

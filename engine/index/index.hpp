@@ -20,6 +20,8 @@ namespace lober {
 
 enum class IndexKind : std::uint8_t { automatic, tree, grid, kd };
 [[nodiscard]] std::string_view name(IndexKind kind);
+/// The kind of that name; `automatic` if there is none.
+[[nodiscard]] IndexKind index_kind(std::string_view name);
 
 /// A curve with its box tree: what every search starts from. Build it once for a curve that occurs in many pairs.
 /// The points must stay alive. O(N), parallel.

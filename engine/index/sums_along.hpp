@@ -26,6 +26,14 @@ struct SumAlong {
   double largest = 0;  ///< of the sums at every 1024th vertex, in size: what roundings are relative to
 };
 
+/// Bound on what double-double loses in twice an area made of such sums in a scene of this extent (Box::extent): the
+/// gap at each of the nodes where curves meet (crossing_parameters.hpp) times the extent, and the additions of
+/// RunningSum.
+[[nodiscard]] inline double lost_in_sums(double extent, std::size_t nodes, std::size_t segments) {
+  const double additions = static_cast<double>(segments) / 1024 + 4096;
+  return extent * extent * (static_cast<double>(nodes) * 0x1p-91 + additions * 0x1p-104);
+}
+
 /// Calls take(k, sum) for each k < count, in parallel, with the sum of cross(v_i - o, v_{i+1} - o) up to place(k), the
 /// PlaceAlong number k; places come in order along the curve. A place inside a segment counts t times the term of the
 /// segment. O(count + leaves that hold a place + n / 1024).

@@ -1,18 +1,12 @@
 // Small pieces of text (private to jobs/).
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <string>
 #include <string_view>
 
-namespace lober {
+#include "engine/text.hpp"
 
-/// The shortest form that reads back to the same bits.
-inline std::string shortest(double value) {
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
+namespace lober {
 
 /// A quoted JSON string; bytes that are not printable ASCII or UTF-8 come through as they are.
 inline std::string json_string(std::string_view text) {

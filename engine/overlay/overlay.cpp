@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/curve/scaled.hpp"
+#include "engine/index/sums_along.hpp"
 #include "engine/overlay/arc_sums.hpp"
 #include "engine/overlay/faces.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -20,13 +21,6 @@ double half(DD twice) {
 }
 DD absolute(DD value) {
   return value.hi < 0 ? -value : value;
-}
-
-// Bound on what double-double loses in any area of the scene: the gap at each crossing (crossing_parameters.hpp) times
-// the size of the scene, and the additions of RunningSum.
-double double_double_bound(double extent, std::size_t nodes, std::size_t segments) {
-  const double additions = static_cast<double>(segments) / 1024 + 4096;
-  return extent * extent * (static_cast<double>(nodes) * 0x1p-91 + additions * 0x1p-104);
 }
 
 }  // namespace
@@ -140,7 +134,7 @@ class OverlayBuilder {
   using TwiceArea = std::optional<DD>;
   void set_areas(const TwiceArea& minus12, const TwiceArea& minus21, const TwiceArea& common) {
     const double extent = unite(c1_.tree().box(), c2_.tree().box()).extent();
-    const double lost = double_double_bound(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
+    const double lost = lost_in_sums(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
     const auto set = [&](double Areas::*area, DD twice, bool some = true) {
       result_.areas.*area = half(twice);
       result_.rounding.*area = some ? result_.areas.*area * 0x1p-53 + lost : 0;

@@ -1,16 +1,17 @@
 #include "engine/tangle/pips.hpp"
 
-#include <limits>
-
 namespace lober {
 
-std::vector<std::uint32_t> find_pips(const Crossings& nodes) {
+std::vector<std::uint32_t> find_pips(const Crossings& nodes, bool turn_u, bool turn_s) {
   const NodeGraph& graph = nodes.graph();
+  const std::uint32_t count = graph.size();
   std::vector<std::uint32_t> pips;
-  std::uint32_t nearest = std::numeric_limits<std::uint32_t>::max();
-  for (std::uint32_t node = 0; node < graph.size(); ++node) {
-    if (graph.order[node] >= first_touch || graph.rank2[node] >= nearest) continue;
-    nearest = graph.rank2[node];
+  std::uint32_t nearest = count;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t node = turn_u ? count - 1 - k : k;
+    const std::uint32_t rank = turn_s ? count - 1 - graph.rank2[node] : graph.rank2[node];
+    if (graph.order[node] >= first_touch || rank >= nearest) continue;
+    nearest = rank;
     pips.push_back(node);
   }
   return pips;

@@ -9,7 +9,8 @@
 
 namespace lober {
 
-/// Node numbers of the pips in order along U. One sweep: records of nearness along S. O(nodes).
-[[nodiscard]] std::vector<std::uint32_t> find_pips(const Crossings& nodes);
+/// Node numbers of the pips in order along U. One sweep: records of nearness along S. O(nodes). With `turn_u`,
+/// `turn_s`, what they would be if that curve ran the other way.
+[[nodiscard]] std::vector<std::uint32_t> find_pips(const Crossings& nodes, bool turn_u = false, bool turn_s = false);
 
 }  // namespace lober

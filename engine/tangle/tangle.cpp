@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/index/sums_along.hpp"
 #include "engine/smooth/smooth_gaps.hpp"
 #include "engine/stopwatch.hpp"
 #include "engine/tangle/boundary.hpp"
@@ -67,28 +68,17 @@ void smooth_lobes(Tangle& tangle) {
 
 // How many pips there would be if one of the curves, or both, were given from the other end.
 void remark_direction(Tangle& tangle) {
-  const NodeGraph& graph = tangle.nodes.graph();
-  const std::uint32_t count = graph.size();
-  const auto pips_if = [&](bool turn_u, bool turn_s) {
-    std::size_t pips = 0;
-    std::uint32_t nearest = count;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t node = turn_u ? count - 1 - k : k;
-      const std::uint32_t rank = turn_s ? count - 1 - graph.rank2[node] : graph.rank2[node];
-      if (graph.order[node] >= first_touch || rank >= nearest) continue;
-      nearest = rank;
-      ++pips;
-    }
-    return pips;
-  };
+  constexpr std::size_t fewest = 5, times = 3;
+  const std::size_t suspicious = std::max(fewest, times * tangle.pips.size());
+  if (tangle.nodes.crossings() < suspicious) return;
   const auto remark = [&](const char* which, std::size_t pips) {
-    if (pips < 5 || pips < 3 * tangle.pips.size()) return;
+    if (pips < suspicious) return;
     tangle.remarks.push_back(std::string(which) + " given inward? The other way round there would be " +
                              std::to_string(pips) + " pips instead of " + std::to_string(tangle.pips.size()));
   };
-  remark("is U", pips_if(true, false));
-  remark("is S", pips_if(false, true));
-  remark("are U and S", pips_if(true, true));
+  remark("is U", find_pips(tangle.nodes, true, false).size());
+  remark("is S", find_pips(tangle.nodes, false, true).size());
+  remark("are U and S", find_pips(tangle.nodes, true, true).size());
 }
 
 // `index` makes the curves ready.
@@ -157,9 +147,7 @@ Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const
 double Tangle::rounding(double area) const {
   const Box box = unite(curves->u().tree().box(), curves->s().tree().box());
   const double extent = std::ldexp(box.extent(), -curves->exponent);
-  const double additions = static_cast<double>(u().segments() + s().segments()) / 1024 + 4096;
-  return std::fabs(area) * 0x1p-53 +
-         extent * extent * (static_cast<double>(nodes.size()) * 0x1p-91 + additions * 0x1p-104);
+  return std::fabs(area) * 0x1p-53 + lost_in_sums(extent, nodes.size(), u().segments() + s().segments());
 }
 
 Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {

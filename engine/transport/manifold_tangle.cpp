@@ -145,9 +145,8 @@ class TangleGrower {
   [[nodiscard]] Time time_of(std::size_t pip) const {
     const auto along = [](const Growing& manifold, Position position) {
       const ManifoldPlace place = place_on(manifold.grown, manifold.local, position);
-      const double factor = std::fabs(manifold.local.multiplier) *
-                            (manifold.local.multiplier < 0 ? std::fabs(manifold.local.multiplier) : 1);
-      return place.images + std::log(std::fabs(place.parameter) / manifold.local.reach) / std::log(factor);
+      return place.images +
+             std::log(std::fabs(place.parameter) / manifold.local.reach) / std::log(manifold.local.image().factor);
     };
     return {along(u_, found_.pips[pip].u), along(s_, found_.pips[pip].s)};
   }

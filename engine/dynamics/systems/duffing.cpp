@@ -1,25 +1,16 @@
 // The forced Duffing oscillator.
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "engine/dynamics/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
+#include "engine/dynamics/systems/forced_oscillator.hpp"
 
 namespace lober {
 
 namespace {
 
 /// x' = y, y' = x - x^3 - delta y + eps cos(omega t).
-struct Duffing {
-  static constexpr int dimension = 2;
-  double eps, omega, delta;
-
-  [[nodiscard]] double period() const { return 2 * std::numbers::pi / omega; }
-  [[nodiscard]] std::span<const ConjugatePair> pairs() const {
-    static constexpr std::array<ConjugatePair, 1> pair{{{0, 1, 1}}};
-    return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);
-  }
+struct Duffing : ForcedOscillator {
   template <typename T>
   void velocity(const T* x, T* dxdt, double t) const {
     dxdt[0] = x[1];
@@ -45,7 +36,7 @@ SystemEntry duffing_entry() {
             System system;
             system.window = window(-2, -1.5, 2, 1.5);
             system.connection = Connection{{0, 0}, {1, 1}, {0, 0}, {1, -1}};
-            system.flow = std::make_shared<FlowOf<Duffing>>(Duffing{values[0], values[1], values[2]});
+            system.flow = std::make_shared<FlowOf<Duffing>>(Duffing{{values[0], values[1], values[2]}});
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;
           }};

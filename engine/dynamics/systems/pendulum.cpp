@@ -1,25 +1,17 @@
 // The forced pendulum.
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "engine/dynamics/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
+#include "engine/dynamics/systems/forced_oscillator.hpp"
 
 namespace lober {
 
 namespace {
 
 /// x' = y, y' = -sin x - delta y + eps cos(omega t); the angle x is lifted.
-struct Pendulum {
-  static constexpr int dimension = 2;
-  double eps, omega, delta;
-
-  [[nodiscard]] double period() const { return 2 * std::numbers::pi / omega; }
-  [[nodiscard]] std::span<const ConjugatePair> pairs() const {
-    static constexpr std::array<ConjugatePair, 1> pair{{{0, 1, 1}}};
-    return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);
-  }
+struct Pendulum : ForcedOscillator {
   template <typename T>
   void velocity(const T* x, T* dxdt, double t) const {
     using std::sin;
@@ -46,7 +38,7 @@ SystemEntry pendulum_entry() {
             system.window = window(-4, -2.5, 4, 2.5);
             system.lattice = {2 * std::numbers::pi, 0};
             system.connection = Connection{{-std::numbers::pi, 0}, {1, 1}, {std::numbers::pi, 0}, {-1, 1}};
-            system.flow = std::make_shared<FlowOf<Pendulum>>(Pendulum{values[0], values[1], values[2]});
+            system.flow = std::make_shared<FlowOf<Pendulum>>(Pendulum{{values[0], values[1], values[2]}});
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;
           }};

@@ -49,10 +49,7 @@ OptionSpec index_option() {
 }
 
 IndexKind index_kind(const Options& options) {
-  for (const IndexKind kind : {IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
-    if (name(kind) == options.text("index")) return kind;
-  }
-  return IndexKind::automatic;
+  return lober::index_kind(options.text("index"));
 }
 
 }  // namespace lober
