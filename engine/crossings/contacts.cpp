@@ -78,13 +78,16 @@ class ContactFinder final : public PairConsumer {
     block.verdicts = {};
   }
 
-  // Turns the hits of all blocks into contacts, in order along C1.
-  Contacts gather() {
+  // Turns the hits of all blocks into contacts, in order along C1, with what is wanted of them later on while they are
+  // at hand: `by_segment2`.
+  Contacts gather(Buffer<KeyedNumber>& by_segment2) {
     Contacts result;
     std::vector<std::size_t> begin(blocks_.size() + 1, 0);
     for (std::size_t k = 0; k < blocks_.size(); ++k)
       begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->hits.size() : 0);
     result.list.resize(begin.back());
+    result.rho.resize(begin.back());
+    by_segment2.resize(begin.back());
     std::atomic<bool> all_proper{true};
     for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
       if (!blocks_[k]) return;
@@ -92,6 +95,10 @@ class ContactFinder final : public PairConsumer {
       const std::span<Contact> contacts(result.list.data() + begin[k], block.hits.size());
       if (!place(block, contacts)) all_proper = false;
       order_on_segments(contacts, block);
+      for (std::size_t m = 0; m < contacts.size(); ++m) {
+        result.rho[begin[k] + m] = contacts[m].rho;
+        by_segment2[begin[k] + m] = {contacts[m].segment2, static_cast<std::uint32_t>(begin[k] + m)};
+      }
       block.hits = {};
     });
     result.all_proper = all_proper;
@@ -283,10 +290,12 @@ Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind
   const Stopwatch watch;
   ContactFinder finder(c1.view(), c2.view(), scale);
   const SearchCounts search = find_pairs(c1, c2, kind, finder);
-  Contacts contacts = finder.gather();
+  Buffer<KeyedNumber> by_segment2;
+  Contacts contacts = finder.gather(by_segment2);
   contacts.search_seconds = watch.seconds();
   contacts.counts.search = search;
-  sort_along_second(contacts.list, c1.view(), c2.view(), contacts.order2, contacts.counts.exact_orders);
+  contacts.order2 =
+      sort_along_second(contacts.list, std::move(by_segment2), c1.view(), c2.view(), contacts.counts.exact_orders);
   contacts.order_seconds = watch.seconds() - contacts.search_seconds;
   return contacts;
 }

@@ -13,6 +13,7 @@
 
 #include "engine/index/index.hpp"
 #include "engine/memory.hpp"
+#include "engine/parallel/counting_sort.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/predicates.hpp"
 
@@ -43,6 +44,7 @@ struct ContactCounts {
 
 struct Contacts {
   Buffer<Contact> list;          ///< in order along C1
+  Buffer<std::int8_t> rho;       ///< of each in `list`, which need not be read for it
   Buffer<std::uint32_t> order2;  ///< indices into `list` in order along C2
   bool all_proper = true;
   ContactCounts counts;
@@ -53,9 +55,10 @@ struct Contacts {
 /// same except inside runs of common vertices.
 [[nodiscard]] Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind);
 
-/// Writes the numbers of the contacts to `order`, sorted by segment of C2 and along each segment, exactly. Parallel,
-/// deterministic; about two passes of counting sort.
-void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, const CurveView& c2,
-                       Buffer<std::uint32_t>& order, std::uint64_t& exact_orders);
+/// The numbers of the contacts, sorted by segment of C2 and along each segment, exactly. `by_segment2` has the segment
+/// of C2 and the number of each in any order. Parallel, deterministic; about two passes of counting sort.
+[[nodiscard]] Buffer<std::uint32_t> sort_along_second(const Buffer<Contact>& contacts, Buffer<KeyedNumber> by_segment2,
+                                                      const CurveView& c1, const CurveView& c2,
+                                                      std::uint64_t& exact_orders);
 
 }  // namespace lober

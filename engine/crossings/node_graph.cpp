@@ -122,7 +122,7 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
     graph.order.resize(contact_count);
     for_each_block(contact_count, grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        graph.order[k] = graph.contacts[k].rho > 0 ? rightward_to_left : leftward_to_right;
+        graph.order[k] = contacts.rho[k] > 0 ? rightward_to_left : leftward_to_right;
       }
     });
   } else {

@@ -14,14 +14,11 @@ constexpr std::size_t grain = std::size_t{1} << 15;
 
 }  // namespace
 
-void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, const CurveView& c2,
-                       Buffer<std::uint32_t>& order, std::uint64_t& exact_orders) {
+Buffer<std::uint32_t> sort_along_second(const Buffer<Contact>& contacts, Buffer<KeyedNumber> by_segment2,
+                                        const CurveView& c1, const CurveView& c2, std::uint64_t& exact_orders) {
   const std::size_t count = contacts.size();
-  Buffer<KeyedNumber> items(count);
-  for_each_block(count, grain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) items[k] = {contacts[k].segment2, static_cast<std::uint32_t>(k)};
-  });
-  sort_by_key(items, static_cast<std::uint32_t>(c2.segments() - 1));
+  sort_by_key(by_segment2, static_cast<std::uint32_t>(c2.segments() - 1));
+  const Buffer<KeyedNumber>& items = by_segment2;
 
   const auto implicit = [&](const Contact& contact) -> ImplicitPoint {
     if (contact.vertex2) {
@@ -32,7 +29,7 @@ void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, con
     return contact.proper ? ImplicitPoint{a, b} : ImplicitPoint{a, a, true};
   };
   std::atomic<std::uint64_t> exact{0};
-  order.resize(count);
+  Buffer<std::uint32_t> order(count);
   for_each_block(count, grain, [&](std::size_t first, std::size_t last) {
     std::uint64_t exact_here = 0;
     const auto before = [&](std::uint32_t x, std::uint32_t y) {
@@ -60,6 +57,7 @@ void sort_along_second(const Buffer<Contact>& contacts, const CurveView& c1, con
     exact += exact_here;
   });
   exact_orders += exact;
+  return order;
 }
 
 }  // namespace lober

@@ -96,20 +96,22 @@ int sectors_at(std::uint8_t arm_order, Handedness hands, Membership wanted) {
 
 namespace {
 
-// Walks all faces that have an arrival in `open`. Where all nodes are points, which is nearly always, what is collected
-// at a node is its gap or nothing.
+// Walks all faces that have an arrival in `open`; those that begin with an arrival in `second` are the second kind.
+// Where all nodes are points, which is nearly always, what is collected at a node is its gap or nothing.
 template <bool points_only>
-void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open, Faces& faces) {
+void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
+              const std::array<std::uint8_t, 6>& second, std::array<Faces, 2>& faces) {
   const std::uint32_t count = graph.size();
   const std::uint32_t *along2 = graph.along2().data(), *rank2 = graph.rank2.data();
   const std::uint8_t* order = graph.order.data();
   const DD* gap = sums.gap.data();
-  std::uint32_t* steps = faces.steps.data();
-  std::uint32_t step = 0;
+  std::array<std::uint32_t*, 2> next_step{faces[0].steps.data(), faces[1].steps.data()};
   for (std::uint32_t start = 0; start < count; ++start) {
     while (open[start] != 0) {
       std::uint32_t node = start;
       auto arrive = static_cast<Arm>(__builtin_ctz(open[start]));
+      const std::size_t kind = second[order[start]] >> arrive & 1U;
+      std::uint32_t* step = next_step[kind];
       RunningSum twice_area;
       Turns rounds;
       do {
@@ -121,7 +123,7 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open, F
         } else {
           twice_area.add(at_node(graph, sums, node, arrive, leave));
         }
-        steps[step++] = pack({node, goes2});
+        *step++ = pack({node, goes2});
         switch (leave) {
           case out1:
             rounds.round1 += node == sums.wraps1;
@@ -151,36 +153,44 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open, F
       } while ((open[node] & 1U << arrive) != 0);
       if (rounds.round1 != 0 || rounds.round2 != 0) twice_area.add(rounds.sum(sums));
       const DD sum = twice_area.value();
-      faces.area.push_back(0.5 * (sum.hi + sum.lo));
-      faces.begin.push_back(step);
+      faces[kind].area.push_back(0.5 * (sum.hi + sum.lo));
+      faces[kind].begin.push_back(static_cast<std::uint32_t>(step - faces[kind].steps.data()));
+      next_step[kind] = step;
     }
   }
 }
 
 }  // namespace
 
-Faces walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands, Membership wanted) {
+std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands,
+                                const std::array<Membership, 2>& wanted) {
   const std::uint32_t count = graph.size();
-  const std::array<std::uint8_t, 6> wanted_arrivals = arrivals(hands, wanted);
+  const std::array arrive{arrivals(hands, wanted[0]), arrivals(hands, wanted[1])};
+  std::array<std::uint8_t, 6> arrive_either{};
+  for (std::size_t order = 0; order < 6; ++order)
+    arrive_either[order] = static_cast<std::uint8_t>(arrive[0][order] | arrive[1][order]);
+
   Buffer<std::uint8_t> open(count);  // arrivals that no walk has used yet
   std::array<std::size_t, 6> nodes_of_order{};
   for (std::uint32_t node = 0; node < count; ++node) {
-    open[node] = wanted_arrivals[graph.order[node]];
+    open[node] = arrive_either[graph.order[node]];
     ++nodes_of_order[graph.order[node]];
   }
-  std::size_t corners = 0;
-  for (std::size_t order = 0; order < 6; ++order) {
-    corners += nodes_of_order[order] * static_cast<std::size_t>(std::popcount(wanted_arrivals[order]));
+  std::array<Faces, 2> faces;
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    std::size_t corners = 0;
+    for (std::size_t order = 0; order < 6; ++order) {
+      corners += nodes_of_order[order] * static_cast<std::size_t>(std::popcount(arrive[kind][order]));
+    }
+    faces[kind].steps.resize(corners);
+    faces[kind].area.reserve(corners / 2 + 1);
+    faces[kind].begin.reserve(corners / 2 + 2);
+    faces[kind].begin.push_back(0);
   }
-  Faces faces;
-  faces.steps.resize(corners);
-  faces.area.reserve(corners / 2 + 1);
-  faces.begin.reserve(corners / 2 + 2);
-  faces.begin.push_back(0);
   if (graph.spans.empty()) {
-    walk_all<true>(graph, sums, open.data(), faces);
+    walk_all<true>(graph, sums, open.data(), arrive[1], faces);
   } else {
-    walk_all<false>(graph, sums, open.data(), faces);
+    walk_all<false>(graph, sums, open.data(), arrive[1], faces);
   }
   return faces;
 }
@@ -199,32 +209,45 @@ int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
   return times;
 }
 
-// Sums of the gaps over the nodes of each arm order.
-std::array<DD, 6> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
-  const std::size_t count = graph.size();
-  std::vector<std::array<DD, 6>> partial((count + grain - 1) / grain);
+// sum(begin, end) of all blocks of nodes, joined in their order.
+template <typename SumOfBlock>
+DD sum_over_nodes(std::size_t count, const SumOfBlock& sum_of_block) {
+  std::vector<DD> partial((count + grain - 1) / grain);
   for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
-    std::array<RunningSum, 6> sum;
-    for (std::size_t node = begin; node < end; ++node) sum[graph.order[node]].add(sums.gap[node]);
-    for (std::size_t order = 0; order < 6; ++order) partial[begin / grain][order] = sum[order].value();
+    partial[begin / grain] = sum_of_block(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
   });
-  std::array<DD, 6> total{};
-  for (const auto& part : partial) {
-    for (std::size_t order = 0; order < 6; ++order) total[order] += part[order];
-  }
+  DD total;
+  for (const DD& part : partial) total += part;
   return total;
+}
+
+// Sums of the gaps over the nodes of either order of a proper crossing: curves that meet in points that need no span
+// have no others.
+std::array<DD, 2> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
+  const auto of_order = [&](std::uint8_t order) {
+    return sum_over_nodes(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
+      RunningSum sum;
+      for (std::uint32_t node = begin; node < end; ++node) {
+        if (graph.order[node] == order) sum.add(sums.gap[node]);
+      }
+      return sum.value();
+    });
+  };
+  return {of_order(rightward_to_left), of_order(leftward_to_right)};
 }
 
 // The same with shared arcs, node by node, for one membership.
 DD collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const std::array<std::uint8_t, 6>& wanted) {
-  RunningSum sum;
-  for (std::uint32_t node = 0; node < graph.size(); ++node) {
-    for (unsigned bits = wanted[graph.order[node]]; bits != 0; bits &= bits - 1) {
-      const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
-      sum.add(at_node(graph, sums, node, arrive, turns[graph.order[node]][arrive].leave));
+  return sum_over_nodes(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
+    RunningSum sum;
+    for (std::uint32_t node = begin; node < end; ++node) {
+      for (unsigned bits = wanted[graph.order[node]]; bits != 0; bits &= bits - 1) {
+        const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
+        sum.add(at_node(graph, sums, node, arrive, turns[graph.order[node]][arrive].leave));
+      }
     }
-  }
-  return sum.value();
+    return sum.value();
+  });
 }
 
 }  // namespace
@@ -233,15 +256,13 @@ FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handednes
   constexpr std::array<Membership, 3> memberships{{{true, false}, {false, true}, {true, true}}};
   const std::uint32_t count = graph.size();
   const bool points_only = graph.spans.empty();
-  const std::array<DD, 6> gaps = points_only ? gaps_by_order(graph, sums) : std::array<DD, 6>{};
+  const std::array<DD, 2> gaps = points_only ? gaps_by_order(graph, sums) : std::array<DD, 2>{};
   std::array<DD, 3> total{};
   for (std::size_t m = 0; m < 3; ++m) {
     const std::array<std::uint8_t, 6> wanted = arrivals(hands, memberships[m]);
     if (points_only) {
-      for (std::size_t order = 0; order < 6; ++order) {
-        total[m] +=
-            DD{static_cast<double>(times_gap(static_cast<std::uint8_t>(order), wanted[order])), 0} * gaps[order];
-      }
+      for (const std::uint8_t order : {rightward_to_left, leftward_to_right})
+        total[m] += DD{static_cast<double>(times_gap(order, wanted[order])), 0} * gaps[order];
     } else {
       total[m] = collected_at_nodes(graph, sums, wanted);
     }

@@ -6,6 +6,7 @@
 // where it keeps apart what only touches.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "engine/crossings/node_graph.hpp"
@@ -45,8 +46,10 @@ struct Handedness {
   bool clockwise1, clockwise2;
 };
 
-/// Walks every face with the given membership, in order of their first node. O(nodes).
-[[nodiscard]] Faces walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands, Membership wanted);
+/// Walks every face of the two memberships, each in order of their first nodes: two at a time, because what costs is
+/// to bring the nodes from memory. O(nodes).
+[[nodiscard]] std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands,
+                                              const std::array<Membership, 2>& wanted);
 
 /// Twice the total areas of all faces of a membership.
 struct FaceTotals {

@@ -153,7 +153,6 @@ class OverlayBuilder {
 
   void overlay_connected() {
     const NodeGraph& graph = result_.nodes.graph();
-    const bool large = graph.size() > 4096;
     const FaceTotals totals = total_of_faces(graph, sums_, hands());
     // The arrangement is connected: every face has a corner at some node.
     const auto unless_empty = [&](Membership wanted, DD twice) {
@@ -164,13 +163,21 @@ class OverlayBuilder {
     set_areas(unless_empty(only1, totals.only1), unless_empty(only2, totals.only2), unless_empty(both, totals.both));
     if (!options_.pieces) return;
     run_together(
-        large, [&] { take_faces(only1, Pairing::c1_minus_c2); }, [&] { take_faces(only2, Pairing::c2_minus_c1); },
-        [&] { take_faces(both, Pairing::intersection); }, [&] { unite_connected(); });
+        graph.size() > 4096,
+        [&] {
+          auto [in1, in_both] = walk_faces(graph, sums_, hands(), {only1, both});
+          take_faces(std::move(in1), Pairing::c1_minus_c2);
+          take_faces(std::move(in_both), Pairing::intersection);
+        },
+        [&] {
+          auto [in2, outside] = walk_faces(graph, sums_, hands(), {only2, neither});
+          take_faces(std::move(in2), Pairing::c2_minus_c1);
+          unite_connected(outside);
+        });
     classify();
   }
 
-  void take_faces(Membership wanted, Pairing pairing) {
-    Faces faces = walk_faces(result_.nodes.graph(), sums_, hands(), wanted);
+  void take_faces(Faces faces, Pairing pairing) {
     Pieces& target = pieces(pairing);
     for (double& area : faces.area) area = std::max(area, 0.0);
     target.areas_ = std::move(faces.area);
@@ -188,7 +195,7 @@ class OverlayBuilder {
 
   // The union is what the faces outside both curves leave. It is in one piece, unless the curves only touch from
   // outside.
-  void unite_connected() {
+  void unite_connected(const Faces& faces) {
     const NodeGraph& graph = result_.nodes.graph();
     Pieces& target = pieces(Pairing::unite);
     bool one_piece = false;
@@ -206,7 +213,6 @@ class OverlayBuilder {
       add_piece(target, result_.areas.c2, round(1, hands().clockwise2));
       return;
     }
-    const Faces faces = walk_faces(graph, sums_, hands(), neither);
     const auto outside =
         static_cast<std::size_t>(std::min_element(faces.area.begin(), faces.area.end()) - faces.area.begin());
     for (std::size_t k = 0; k < faces.size(); ++k) {
