@@ -4,11 +4,14 @@
 # fixed sequence of roundings. A compiler that fuses a*b - c*d into an FMA changes that sequence, and
 # with it signs that must be exact and bits that must not depend on the machine. Where an FMA is
 # wanted it is written out (kernels/simd.hpp). There is no -ffast-math anywhere, for the same reason.
+#
+# -fno-math-errno, -fno-trapping-math: nobody reads errno or the exception flags. No result changes, and loops with
+# square roots and choices become vectors.
 function(lober_own_code target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     $<$<BOOL:${LOBER_WERROR}>:-Werror>
-    -ffp-contract=off)
+    -ffp-contract=off -fno-math-errno -fno-trapping-math)
   # -Wno-psabi: compilers warn that vector types are passed differently by builds with and without AVX; ours
   # never cross a translation unit. -Wno-restrict: a false alarm of GCC 12 on std::string (its bug 105651).
   target_compile_options(${target} PRIVATE -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)

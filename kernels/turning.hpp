@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "kernels/point.hpp"
 
@@ -24,10 +25,22 @@ namespace lober {
   return angle > 0 ? 2 * angle / (ab + bc) : 0.0;
 }
 
+/// The lengths of `segments` segments in a row, which have segments + 1 points, and the curvatures at the vertices
+/// between them: curvatures[k] at points[k + 1]. The same bits as vertex_curvature, several times faster.
+void turns_along(const Point* points, std::size_t segments, double* lengths, double* curvatures);
+
 /// The largest distance between a segment of this length and the smooth curve over it: kappa h^2 / 8, the sagitta, with
 /// kappa the larger of the curvatures at its ends. Never more than half the length, because `turning` is cut off.
 [[nodiscard]] inline double sagitta(double length, double curvature_before, double curvature_after) {
   return std::max(curvature_before, curvature_after) * length * length / 8;
 }
+
+/// What parts of a segment must keep to: the sagitta and the length, and how many parts are counted at most.
+struct PartsAsked {
+  double tolerance, longest, most;
+};
+/// Into how many parts, a real number, segments of these lengths and curvatures have to be cut; `most` where that is no
+/// number.
+void parts_needed(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts);
 
 }  // namespace lober

@@ -7,7 +7,7 @@
 #include "engine/densify/insertion.hpp"
 #include "engine/densify/running_sums.hpp"
 #include "engine/dynamics/plane.hpp"
-#include "kernels/turning.hpp"
+#include "engine/dynamics/segment_needs.hpp"
 
 namespace lober {
 namespace {
@@ -21,10 +21,6 @@ constexpr double most_stretching = 0.04;
 // The guide has to be no coarser than so many parts of a segment, and to turn by no more than so much (radians).
 constexpr double coarsest_guide = 5;
 constexpr double sharpest_guide = 0.7;
-// Neighbouring segments differ in length per parameter by no more than this factor.
-constexpr double most_uneven = 4;
-// No segment is cut into more parts at once: estimates that ask for more know too little.
-constexpr double most_parts = 16;
 // Where the map fails on one side, the edge is sought to this fraction of the range of the parameter.
 constexpr double edge_resolution = 1e-7;
 constexpr std::size_t chunk = std::size_t{1} << 16;  // evaluations between two reports of progress
@@ -50,11 +46,11 @@ class Tracer {
   }
 
   Trace run() {
-    while (rounds_ < options_.most_rounds && insert_where([&](const Segment& s) { return parts_for_guide(s); })) {
+    while (rounds_ < options_.most_rounds && insert_where([&](const TracedSegment& s) { return parts_for_guide(s); })) {
     }
     place_evenly();
-    settled_.assign(segments(), 0);
-    while (rounds_ < options_.most_rounds && insert_where([&](const Segment& s) { return parts_for_tolerance(s); })) {
+    verdicts_.assign(segments(), open);
+    while (rounds_ < options_.most_rounds && insert_where([&](const TracedSegment& s) { return judged(s); })) {
     }
     collect_flaws();
     trace_.samples = std::move(samples_);
@@ -63,15 +59,6 @@ class Tracer {
   }
 
  private:
-  struct Segment {
-    std::size_t number;
-    double length;
-    double curvature_before, curvature_after;
-    double need;   // parts, a real number; at most most_parts
-    bool unknown;  // both ends are corners, so that nothing tells how the curve bends in between
-    bool uneven;   // the curve is run through at a very different speed next to it: a fold may hide there
-  };
-
   [[nodiscard]] std::size_t segments() const { return samples_.points.size() - 1; }
   [[nodiscard]] bool inside(Point a, Point b) const { return meet(Box::of(a, b), options_.box); }
   [[nodiscard]] double gap(std::size_t k) const { return samples_.parameters[k + 1] - samples_.parameters[k]; }
@@ -88,69 +75,64 @@ class Tracer {
     return inside(last, last) && gap(k) > edge_ ? Kind::edge : Kind::failed;
   }
 
-  [[nodiscard]] bool is_kept(std::size_t k) const {
+  // Points that stay, without those at the ends.
+  [[nodiscard]] std::span<const std::uint32_t> corners() const { return std::span(kept_).subspan(1, kept_.size() - 2); }
+  [[nodiscard]] bool is_corner(std::size_t k) const {
     return kept_.size() > 2 && std::binary_search(kept_.begin(), kept_.end(), static_cast<std::uint32_t>(k));
   }
 
-  [[nodiscard]] double curvature(std::size_t k, double before, double after) const {
-    return vertex_curvature(samples_.points[k - 1], samples_.points[k], samples_.points[k + 1], before, after);
-  }
-
-  // Whether one of the two segments is that much shorter than the other for its parameters, and that not below what
-  // the tolerance makes invisible.
-  [[nodiscard]] bool speeds_differ(std::size_t i, double length_i, std::size_t j, double length_j) const {
-    if (std::max(length_i, length_j) < 4 * options_.tolerance) return false;
-    const double a = length_i * gap(j), b = length_j * gap(i);
-    return a > most_uneven * b || b > most_uneven * a;
-  }
-
-  // Calls body(segment) for begin <= k < end in order. At a corner and at the ends curvature is taken from the other
-  // end of the segment.
+  // Calls body(segment) for begin <= k < end in order.
   template <typename Body>
   void for_segments(std::size_t begin, std::size_t end, const Body& body) const {
-    const std::size_t last = segments();
-    const auto length = [&](std::size_t k) { return distance(samples_.points[k], samples_.points[k + 1]); };
-    constexpr double unknown = -1;
-    double before = begin > 0 ? length(begin - 1) : 0, here = length(begin);
-    double kappa = begin > 0 && !is_kept(begin) ? curvature(begin, before, here) : unknown;
-    for (std::size_t k = begin; k < end; ++k) {
-      const double next = k + 1 < last ? length(k + 1) : 0;
-      const double kappa_next = k + 1 < last && !is_kept(k + 1) ? curvature(k + 1, here, next) : unknown;
-      Segment segment{k, here, kappa, kappa_next, 1, kappa < 0 && kappa_next < 0, false};
-      if (kappa < 0) segment.curvature_before = std::max(kappa_next, 0.0);
-      if (kappa_next < 0) segment.curvature_after = std::max(kappa, 0.0);
-      const double bulge = sagitta(here, segment.curvature_before, segment.curvature_after);
-      segment.need = std::max(std::sqrt(bulge / options_.tolerance), here / options_.longest);
-      if (!(segment.need < most_parts)) segment.need = most_parts;
-      segment.uneven = (kappa >= 0 && speeds_differ(k - 1, before, k, here)) ||
-                       (kappa_next >= 0 && speeds_differ(k, here, k + 1, next));
-      body(segment);
-      before = here;
-      here = next;
-      kappa = kappa_next;
+    SegmentNeeds needs;
+    for (; begin < end; begin = std::min(begin + SegmentNeeds::most, end)) {
+      const std::size_t until = std::min(begin + SegmentNeeds::most, end);
+      needs.measure(samples_, corners(), options_, begin, until);
+      for (std::size_t k = begin; k < until; ++k) body(needs[k]);
     }
   }
 
-  [[nodiscard]] std::uint32_t allowed(const Segment& segment, double parts) const {
+  [[nodiscard]] std::uint32_t allowed(const TracedSegment& segment, double parts) const {
     const double most = std::floor(gap(segment.number) / std::max(options_.least_spacing, 1e-300));
     return static_cast<std::uint32_t>(std::max(1.0, std::min({std::ceil(parts), most_parts, most})));
   }
 
-  [[nodiscard]] std::uint32_t parts_for_guide(const Segment& segment) const {
+  [[nodiscard]] std::uint32_t parts_for_guide(const TracedSegment& segment) const {
     const Kind what = kind(segment.number);
     if (what == Kind::edge) return 2;
     if (what != Kind::ordinary) return 1;
     if (segment.unknown) return allowed(segment, 4);
-    const bool sharp = std::max(segment.curvature_before, segment.curvature_after) * segment.length > sharpest_guide;
+    const bool sharp = segment.curvature * segment.length > sharpest_guide;
     if (segment.need > coarsest_guide) return allowed(segment, 2 * segment.need / coarsest_guide);
     return sharp && segment.need > 1 ? allowed(segment, 2) : 1;
   }
 
-  [[nodiscard]] std::uint32_t parts_for_tolerance(const Segment& segment) const {
-    const Kind what = kind(segment.number);
+  [[nodiscard]] std::uint32_t parts_for_tolerance(const TracedSegment& segment, Kind what) const {
     if (what == Kind::edge) return 2;
     if (what != Kind::ordinary) return 1;
     return segment.need > caution ? allowed(segment, segment.need * reserve) : segment.uneven ? allowed(segment, 2) : 1;
+  }
+
+  // What is known of a segment once points are placed: nothing, that it is fine, or else fine + 1 + why it is not.
+  using Verdict = std::uint8_t;
+  static constexpr Verdict open = 0, fine = 1;
+  [[nodiscard]] Verdict verdict(const TracedSegment& segment, Kind what) const {
+    GrowthFlawCause cause = GrowthFlawCause::most_rounds;
+    if (what == Kind::ordinary) {
+      if (!(segment.need > 1)) return fine;
+      if (gap(segment.number) < 2 * options_.least_spacing) cause = GrowthFlawCause::spacing;
+    } else {
+      cause = what == Kind::outside ? GrowthFlawCause::left_box : GrowthFlawCause::failed;
+    }
+    return static_cast<Verdict>(fine + 1 + static_cast<int>(cause));
+  }
+
+  // Parts for the tolerance; where one is enough, or the end, the verdict is set.
+  [[nodiscard]] std::uint32_t judged(const TracedSegment& segment) {
+    const Kind what = kind(segment.number);
+    const std::uint32_t parts = parts_for_tolerance(segment, what);
+    if (parts == 1) verdicts_[segment.number] = verdict(segment, what);
+    return parts;
   }
 
   // Images of parameters that are not known yet, chunk by chunk.
@@ -173,14 +155,14 @@ class Tracer {
   template <typename Parts>
   bool insert_where(const Parts& parts) {
     Buffer<std::uint32_t> more(segments());  // points to put into each segment
-    const auto settled = [&](std::size_t k) { return !settled_.empty() && settled_[k] != 0; };
+    const auto settled = [&](std::size_t k) { return !verdicts_.empty() && verdicts_[k] != open; };
     for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         more[k] = 0;
         if (settled(k)) continue;
         const std::size_t begin = k;
         while (k + 1 < last && !settled(k + 1)) ++k;
-        for_segments(begin, k + 1, [&](const Segment& segment) { more[segment.number] = parts(segment) - 1; });
+        for_segments(begin, k + 1, [&](const TracedSegment& segment) { more[segment.number] = parts(segment) - 1; });
       }
     });
     const auto broken = gathered<std::uint32_t>(
@@ -225,19 +207,19 @@ class Tracer {
     } else {
       kept_.back() = static_cast<std::uint32_t>(segments());
     }
-    if (settled_.empty()) return;
+    if (verdicts_.empty()) return;
     // What is near a new point is judged again.
-    settled_ = Buffer<std::uint8_t>(segments(), 1);
+    verdicts_ = with_inserted(std::span<const Verdict>(verdicts_), insertions, [](const Insertion&) { return open; });
     for (std::size_t k = 0; k < insertions.size(); ++k) {
       const std::size_t at = insertions[k].segment + k;  // of the part before the new point
-      for (std::size_t j = at > 1 ? at - 2 : 0; j < std::min(at + 4, segments()); ++j) settled_[j] = 0;
+      for (std::size_t j = at > 1 ? at - 2 : 0; j < std::min(at + 4, segments()); ++j) verdicts_[j] = open;
     }
   }
 
   void truncate(std::size_t size) {
     samples_.points.resize(size);
     samples_.parameters.resize(size);
-    if (!settled_.empty()) settled_.resize(size - 1);
+    if (!verdicts_.empty()) verdicts_.resize(size - 1);
     while (!kept_.empty() && kept_.back() >= size - 1) kept_.pop_back();
     kept_.push_back(static_cast<std::uint32_t>(size - 1));
   }
@@ -257,7 +239,7 @@ class Tracer {
   void place_evenly() {
     Buffer<double> need(segments());
     for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
-      for_segments(first, last, [&](const Segment& segment) {
+      for_segments(first, last, [&](const TracedSegment& segment) {
         const Kind what = kind(segment.number);
         // Outside the box nothing is asked for: the guide itself, thinned.
         double parts = what == Kind::ordinary ? segment.need * reserve : what == Kind::edge ? 1 : 0.5;
@@ -344,8 +326,8 @@ class Tracer {
     const auto density = [&](std::size_t i, std::size_t j) { return (need[i] + need[j]) / (gap(i) + gap(j)); };
     const double own = density(k, k);
     const double low = own / 4, high = own * 4;
-    const double a = k > 0 && !is_kept(k) ? std::clamp(density(k - 1, k), low, high) : own;
-    const double b = k + 1 < segments() && !is_kept(k + 1) ? std::clamp(density(k, k + 1), low, high) : own;
+    const double a = k > 0 && !is_corner(k) ? std::clamp(density(k - 1, k), low, high) : own;
+    const double b = k + 1 < segments() && !is_corner(k + 1) ? std::clamp(density(k, k + 1), low, high) : own;
     const double width = end - place[k];
     for (double number = begin; number < end; ++number) {
       const double part = (number - place[k]) / width;
@@ -369,27 +351,17 @@ class Tracer {
   }
 
   void collect_flaws() {
-    const Buffer<GrowthFlaw> flaws = [&] {
-      Buffer<std::uint8_t> cause(segments(), 0);
+    if (rounds_ == options_.most_rounds || trace_.out_of_points) {  // some may be open still
+      verdicts_.resize(segments());
       for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
-        for_segments(first, last, [&](const Segment& segment) {
-          const Kind what = kind(segment.number);
-          GrowthFlawCause found = GrowthFlawCause::most_rounds;
-          if (what == Kind::ordinary) {
-            if (!(segment.need > 1)) return;
-            if (gap(segment.number) < 2 * options_.least_spacing) found = GrowthFlawCause::spacing;
-          } else {
-            found = what == Kind::outside ? GrowthFlawCause::left_box : GrowthFlawCause::failed;
-          }
-          cause[segment.number] = static_cast<std::uint8_t>(static_cast<int>(found) + 1);
-        });
+        for_segments(first, last, [&](const TracedSegment& s) { verdicts_[s.number] = verdict(s, kind(s.number)); });
       });
-      return gathered<GrowthFlaw>(
-          segments(), [&](std::size_t k) { return cause[k] != 0; },
-          [&](std::size_t k) {
-            return GrowthFlaw{k, 1, static_cast<GrowthFlawCause>(cause[k] - 1)};
-          });
-    }();
+    }
+    const Buffer<GrowthFlaw> flaws = gathered<GrowthFlaw>(
+        segments(), [&](std::size_t k) { return verdicts_[k] > fine; },
+        [&](std::size_t k) {
+          return GrowthFlaw{k, 1, static_cast<GrowthFlawCause>(verdicts_[k] - fine - 1)};
+        });
     trace_.flaws.assign(flaws.begin(), flaws.end());
   }
 
@@ -398,7 +370,7 @@ class Tracer {
   const CurveFunction& function_;
   const TraceOptions& options_;
   double edge_ = 0;
-  Buffer<std::uint8_t> settled_;  // segments known to be fine, once points are placed
+  Buffer<Verdict> verdicts_;  // on segments, once points are placed
   std::uint32_t rounds_ = 0;
   Trace trace_;
 };

@@ -1,0 +1,45 @@
+// Body of turns_along and parts_needed, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
+
+namespace {
+
+using namespace lober;
+
+constexpr std::size_t turns_at_once = 256;
+
+// Step by step over arrays and without a branch, so that compilers make vectors of it.
+inline void turns_of_few(const Point* points, std::size_t segments, double* lengths, double* curvatures) {
+  double x[turns_at_once + 1], y[turns_at_once + 1];
+  for (std::size_t k = 0; k < segments; ++k) {
+    x[k] = points[k + 1].x - points[k].x;
+    y[k] = points[k + 1].y - points[k].y;
+    lengths[k] = std::sqrt(x[k] * x[k] + y[k] * y[k]);
+  }
+  for (std::size_t k = 0; k + 1 < segments; ++k) {
+    const double sine = std::fabs(x[k] * y[k + 1] - y[k] * x[k + 1]), both = lengths[k] * lengths[k + 1];
+    const double below = both + (x[k] * x[k + 1] + y[k] * y[k + 1]);
+    const double soft = 2 * sine / below, sharp = both > 0 ? 4.0 : 0.0;
+    const double angle = 2 * sine < 4 * below ? soft : sharp;
+    const double curvature = 2 * angle / (lengths[k] + lengths[k + 1]);
+    curvatures[k] = angle > 0 ? curvature : 0.0;
+  }
+}
+
+// In steps that share a segment, for the vertex between them.
+inline void turns(const Point* points, std::size_t segments, double* lengths, double* curvatures) {
+  for (std::size_t k = 0; k < segments; k += turns_at_once) {
+    const std::size_t rest = segments - k;
+    turns_of_few(points + k, rest < turns_at_once + 1 ? rest : turns_at_once + 1, lengths + k, curvatures + k);
+  }
+}
+
+inline void parts(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts) {
+  const double per_tolerance = 1 / (8 * asked.tolerance), per_longest = 1 / asked.longest;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double by_bulge = std::sqrt(curvatures[k] * lengths[k] * lengths[k] * per_tolerance);
+    const double by_length = lengths[k] * per_longest;
+    const double needed = by_bulge > by_length ? by_bulge : by_length;
+    parts[k] = needed < asked.most ? needed : asked.most;
+  }
+}
+
+}  // namespace
