@@ -120,6 +120,8 @@ class Growth {
       guide.parameters[k] = end_of(0) * static_cast<double>(k) / static_cast<double>(size - 1);
     }
     image(0)(guide.parameters, guide.points);
+    guide.points[0] =
+        local_.saddle;  // P(0) but for rounding; the other manifold of a homoclinic tangle begins there too
     return guide;
   }
 

@@ -81,7 +81,7 @@ struct GrowthOptions {
 };
 
 struct GrownManifold {
-  Buffer<Point> points;                       ///< from the saddle on
+  Buffer<Point> points;                       ///< from LocalManifold::saddle itself on
   Buffer<double> parameters;                  ///< s: vertex i is F^(k steps)(P(s)), k its generation
   std::vector<std::size_t> generation_begin;  ///< of each generation its first vertex, and the number of points
   std::vector<GrowthFlaw> flaws;              ///< in order

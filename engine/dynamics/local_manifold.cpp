@@ -73,8 +73,22 @@ Point refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
   return best;
 }
 
+// The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. It
+// may see less than its inverse from where it has to start.
+Point saddle_place(const PlanarMap& map, int steps, Point guess) {
+  const Point own = refined_fixed_point(map, steps, guess);
+  if (steps > 0) return own;
+  try {
+    const Point other = refined_fixed_point(map, -steps, guess);
+    const bool same = std::hypot(other.x - own.x, other.y - own.y) <= 1e-8 * (1 + std::hypot(own.x, own.y));
+    return same ? other : own;
+  } catch (const DataError&) {
+    return own;
+  }
+}
+
 Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
-  const Point at = refined_fixed_point(map, steps, guess);
+  const Point at = saddle_place(map, steps, guess);
   Matrix2 a;
   if (!is_finite(map.iterate_with_derivative(at, steps, a))) {
     throw DataError("the map cannot be evaluated at its fixed point " + place_text(at));

@@ -52,6 +52,9 @@ class TangleGrower {
       : map_(map), options_(options), near_(options.bip_near ? options.bip_near : connection.bip) {
     u_.local = local_manifold(map, connection.from, ManifoldSide::unstable);
     s_.local = local_manifold(map, connection.to, ManifoldSide::stable);
+    // Of a homoclinic tangle both begin in one point, to the bit: else they might cross there.
+    if (distance(u_.local.saddle, s_.local.saddle) <= 1e-8 * (1 + std::hypot(u_.local.saddle.x, u_.local.saddle.y)))
+      s_.local.saddle = u_.local.saddle;
     u_.branch = branch_towards(u_.local, connection.u_direction);
     s_.branch = branch_towards(s_.local, connection.s_direction);
     box_ = scene(u_.local, s_.local);

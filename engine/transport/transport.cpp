@@ -35,7 +35,9 @@ struct CommonArea {
   double area, error;
 };
 
-// Of two regions that share arcs and differ by lobes. Smooth where the polygons are simple.
+// Of two regions that share arcs and differ by lobes, whose outlines are closed by the same chord or, without one, end
+// where they began. Smooth where the polygons are simple; unknown where the chord meets the manifolds, because what is
+// enclosed has no meaning then.
 CommonArea common_area(const std::vector<Point>& first, const std::vector<Point>& second) {
   const CurveView c1{first}, c2{second};
   try {
@@ -43,7 +45,10 @@ CommonArea common_area(const std::vector<Point>& first, const std::vector<Point>
     options.pieces = false;
     const SmoothAreas smooth = smooth_areas(overlay(c1, c2, options));
     return {smooth.areas.intersection, smooth.error.intersection};
-  } catch (const NotSimpleError&) {
+  } catch (const NotSimpleError& error) {
+    const std::vector<Point>& outline = error.curve == 1 ? first : second;
+    const bool has_chord = !(outline.front() == outline.back());
+    if (has_chord && std::max(error.segment1, error.segment2) + 1 == outline.size()) return {unknown, unknown};
     const Areas areas = regions(c1, c2).areas(WindingRule::nonzero);
     return {areas.intersection, unknown};
   }
@@ -139,7 +144,7 @@ Transport transport(const PlanarMap& map, const Connection& connection, const Tr
     const int before = step.n / 2;
     const CommonArea stays = common_area(boundary_outline(tangle, manifolds.image_of_bip(-before)),
                                          boundary_outline(tangle, manifolds.image_of_bip(step.n - before)));
-    step.by_boundaries = result.region - stays.area;
+    step.by_boundaries = result.region - stays.area;  // unknown if that is
     step.boundary_error = stays.error;
     step.consistency = std::fabs(step.total - step.by_boundaries);
   });

@@ -35,8 +35,10 @@ SystemEntry duffing_entry() {
             require_positive(info, "omega", values[1]);
             System system;
             system.window = window(-2, -1.5, 2, 1.5);
-            system.connection = Connection{{0, 0}, {1, 1}, {0, 0}, {1, -1}};
-            system.flow = std::make_shared<FlowOf<Duffing>>(Duffing{{values[0], values[1], values[2]}});
+            const Duffing flow{{values[0], values[1], values[2]}};
+            const Point saddle = flow.saddle_response(values[3]);
+            system.connection = Connection{saddle, {1, 1}, saddle, {1, -1}};
+            system.flow = std::make_shared<FlowOf<Duffing>>(flow);
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;
           }};

@@ -89,9 +89,9 @@ TEST(Grow, VerticesAreExactImages) {
   const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
   const GrownManifold grown = grow(map, local, Branch::minus, {.tolerance = 1e-4, .iterates = 5});
   ASSERT_EQ(grown.generation_begin.size(), 7U);
-  EXPECT_EQ(grown.points[0], local.at(0));
+  EXPECT_EQ(grown.points[0], local.saddle);
   for (std::size_t k = 0; k + 1 < grown.generation_begin.size(); ++k) {
-    for (std::size_t i = grown.generation_begin[k]; i < grown.generation_begin[k + 1]; ++i) {
+    for (std::size_t i = std::max<std::size_t>(grown.generation_begin[k], 1); i < grown.generation_begin[k + 1]; ++i) {
       Point point = local.at(grown.parameters[i]);
       map.iterate({&point, 1}, static_cast<int>(k));
       ASSERT_EQ(grown.points[i], point) << i;
@@ -100,6 +100,16 @@ TEST(Grow, VerticesAreExactImages) {
       }
     }
   }
+}
+
+TEST(Grow, ManifoldsOfOneSaddleBeginInOnePoint) {
+  const System duffing = make_system("duffing", {{"omega", 2}});
+  const Point guess = duffing.connection->from;
+  const LocalManifold u = local_manifold(*duffing.map, guess, ManifoldSide::unstable);
+  const LocalManifold s = local_manifold(*duffing.map, guess, ManifoldSide::stable);
+  const GrowthOptions options{.tolerance = 1e-4, .iterates = 1};
+  EXPECT_EQ(grow(*duffing.map, u, Branch::plus, options).points[0],
+            grow(*duffing.map, s, Branch::plus, options).points[0]);
 }
 
 TEST(Grow, ImagesAreNotComputedTwice) {

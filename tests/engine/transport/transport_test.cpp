@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "engine/error.hpp"
@@ -183,10 +185,61 @@ TEST(Transport, SameBitsForAnyNumberOfThreads) {
     const Transport other = run(threads);
     for (std::size_t k = 0; k < one.steps.size(); ++k) {
       EXPECT_EQ(one.steps[k].flux, other.steps[k].flux);
-      EXPECT_EQ(one.steps[k].by_boundaries, other.steps[k].by_boundaries);
+      // The last one is not known: the chord is in the way.
+      EXPECT_EQ(std::isnan(one.steps[k].by_boundaries), k == 3);
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(one.steps[k].by_boundaries),
+                std::bit_cast<std::uint64_t>(other.steps[k].by_boundaries));
     }
     EXPECT_EQ(one.action12, other.action12);
   }
+}
+
+// Of the forced oscillators, whose saddles move with the force, against Melnikov's method: the area between two zeros
+// of its integral over the unperturbed separatrix, for small eps.
+TEST(TangleOfMap, LobesOfForcedOscillators) {
+  const double pi = std::numbers::pi;
+  for (const double omega : {1.0, 2.0, 3.0}) {
+    for (const double eps : {0.01, 0.02}) {
+      for (const char* name : {"duffing", "pendulum"}) {
+        SCOPED_TRACE(std::string(name) + " omega " + std::to_string(omega) + " eps " + std::to_string(eps));
+        const double homoclinic = 2 * std::numbers::sqrt2 * pi * eps / std::cosh(pi * omega / 2);
+        const double heteroclinic = 4 * pi * eps / (omega * std::cosh(pi * omega / 2));
+        const double melnikov = name == std::string("duffing") ? homoclinic : heteroclinic;
+        const System system = make_system(name, {{"omega", omega}, {"eps", eps}});
+        const auto found = grown(system, 1e-6);
+        ASSERT_EQ(found->period(), 2U);
+        ASSERT_EQ(found->areas_by_action.size(), 2U);
+        for (std::size_t k = 0; k < 2; ++k) {
+          const Lobe& lobe = found->tangle.lobes[found->bip - 2 + k];
+          EXPECT_NEAR(std::fabs(found->areas_by_action[k]), melnikov, 10 * eps * eps * melnikov);
+          EXPECT_NEAR(lobe.area, found->areas_by_action[k], 1e-6 * melnikov);
+        }
+      }
+    }
+  }
+}
+
+TEST(TangleOfMap, ForcesThatMoveTheSaddleFar) {
+  for (const ParameterValues& parameters :
+       {ParameterValues{{"eps", 0.3}}, ParameterValues{{"eps", 0.3}, {"phase", 0.4}},
+        ParameterValues{{"omega", 1.5}}}) {
+    for (const char* name : {"duffing", "pendulum"}) {
+      const auto found = grown(make_system(name, parameters), 1e-5);
+      EXPECT_EQ(found->period(), 2U) << name;
+      EXPECT_NEAR(found->areas_by_action[0], -found->areas_by_action[1], 1e-9) << name;
+    }
+  }
+}
+
+// The chord that closes the pendulum's region meets its manifolds: what boundaries enclose then says nothing.
+TEST(Transport, BoundariesWithAChordInTheWay) {
+  const System system = make_system("pendulum");
+  TransportOptions options;
+  options.iterates = 1;
+  const Transport result = transport(*system.map, *system.connection, options);
+  EXPECT_TRUE(std::isnan(result.steps[0].by_boundaries));
+  EXPECT_TRUE(std::isnan(result.steps[0].consistency));
+  EXPECT_GT(result.steps[0].total, 0);
 }
 
 TEST(TangleOfMap, SaysWhatIsMissing) {
