@@ -146,6 +146,28 @@ double peak_megabytes(const fs::path& folder, const std::string& memory) {
   return status == 0 ? static_cast<double>(usage.ru_maxrss) * 1024 / 1e6 : 0;
 }
 
+// What runs under a memory budget take at most. A process starts with the peak of the one that it was forked from, so
+// this comes first, and the set is made in a process of its own.
+void print_peaks(const fs::path& root, std::size_t points) {
+  const fs::path folder = root / "limited";
+  fs::create_directory(folder);
+  std::fflush(stdout);
+  const pid_t process = fork();
+  if (process == 0) {
+    write_set(iterates("iterates", 10, points), folder);
+    _exit(0);
+  }
+  int status = 0;
+  if (waitpid(process, &status, 0) != process || status != 0) return;
+  for (const char* const memory : {"1G", "400M", "200M", "100M", "40M"}) {
+    const double megabytes = peak_megabytes(folder, memory);
+    std::printf("<!-- 45 overlaps of 10 iterates of %zu points with --memory %s: peak RSS %.0f MB -->\n", points,
+                memory, megabytes);
+  }
+  std::fflush(stdout);
+  fs::remove_all(folder);
+}
+
 void print_set(const CurveSet& set, const fs::path& root, int repeat, std::size_t single_calls,
                std::size_t geos_pairs) {
   const fs::path folder = root / "set";
@@ -187,11 +209,6 @@ void print_set(const CurveSet& set, const fs::path& root, int repeat, std::size_
   note(", the whole run %.4f s, %.2f times", two.report.wall_seconds, two.report.wall_seconds / bare.searches);
   std::fprintf(stderr, "%s\n", notes.c_str());
   std::printf("<!-- %s -->\n", notes.c_str());
-  if (set.name == "iterates") {
-    for (const char* const memory : {"1G", "100M", "60M"}) {
-      std::printf("<!-- --memory %s: peak RSS %.0f MB -->\n", memory, peak_megabytes(folder, memory));
-    }
-  }
   std::fflush(stdout);
   fs::remove_all(folder);
 }
@@ -204,6 +221,7 @@ int main(int count, char** arguments) {
   const bool quick = count > 1 && std::string(arguments[1]) == "--quick";
   std::string root = (std::filesystem::temp_directory_path() / "lober-bench-XXXXXX").string();
   if (mkdtemp(root.data()) == nullptr) return 1;
+  print_peaks(root, quick ? 100'000 : 1'000'000);
   std::printf(
       "| set | pairs | threads | s | pairs/s | points/s | times one thread | processor time | reading %% | indexing %% "
       "| "
