@@ -3,6 +3,7 @@
 #include "cli/grow_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "cli/command_line.hpp"
 #include "cli/grow_report.hpp"
@@ -21,7 +22,7 @@ struct Request {
   std::vector<std::string> parameters;
   std::vector<double> fixed_point, box;
   bool unstable = false, stable = false;
-  std::string branch = "+", output, json;
+  std::string branch, output, json;
   int period = 1, threads = 0;
   IntegrationOptions integration;
   GrowthOptions growth;
@@ -33,8 +34,9 @@ void add_options(CLI::App& app, Request& request) {
   app.add_option("SYSTEM,--system", request.system, "name of a built-in system, or the path of a shared library")
       ->required();
   app.add_option("--param", request.parameters, "parameters of the system")->type_name("NAME=VALUE");
-  app.add_option("--fixed-point", request.fixed_point,
-                 "where the saddle is, roughly (default: the only one in the system's window)")
+  app.add_option(
+         "--fixed-point", request.fixed_point,
+         "where the saddle is, roughly (default: that of the system's tangle, or else the only one in its window)")
       ->delimiter(',')
       ->expected(2)
       ->type_name("X,Y");
@@ -43,7 +45,9 @@ void add_options(CLI::App& app, Request& request) {
       ->type_name("P");
   CLI::Option* unstable = app.add_flag("--unstable", request.unstable, "grow the unstable manifold");
   app.add_flag("--stable", request.stable, "grow the stable manifold")->excludes(unstable);
-  app.add_option("--branch", request.branch, "the branch to the right (+) or left (-) of the saddle, or up and down")
+  app.add_option("--branch", request.branch,
+                 "the branch to the right (+) or left (-) of the saddle, or up and down (default: that of the system's "
+                 "tangle, or else the right one)")
       ->check(CLI::IsMember({"+", "-", "plus", "minus"}))
       ->type_name("+|-");
   app.add_option("--tol", growth.tolerance, "how far the curve may lie from its polygon")
@@ -99,9 +103,16 @@ double fraction(const GrowthProgress& progress, const GrowthOptions& options) {
   return std::clamp(std::max(by_length, by_iterates), 0.0, 1.0);
 }
 
+// Where the manifold begins in the tangle that the system is known for, if the user names no other saddle.
+std::optional<Point> saddle_of_tangle(const Request& request, const System& system) {
+  if (!request.fixed_point.empty() || request.period != 1 || !system.connection) return std::nullopt;
+  return request.stable ? system.connection->to : system.connection->from;
+}
+
 // The one that the user named, or the only one in the system's window.
 Point saddle_of(const Request& request, const System& system) {
   if (request.fixed_point.size() == 2) return {request.fixed_point[0], request.fixed_point[1]};
+  if (const std::optional<Point> saddle = saddle_of_tangle(request, system)) return *saddle;
   std::vector<Point> saddles;
   std::string places;
   for (const FixedPoint& point : find_fixed_points(*system.map, system.window, {.period = request.period})) {
@@ -117,6 +128,12 @@ Point saddle_of(const Request& request, const System& system) {
   return saddles.front();
 }
 
+Branch branch_of(const Request& request, const System& system, const LocalManifold& local) {
+  if (request.branch == "-" || request.branch == "minus") return Branch::minus;
+  if (!request.branch.empty() || !saddle_of_tangle(request, system)) return Branch::plus;
+  return branch_towards(local, request.stable ? system.connection->s_direction : system.connection->u_direction);
+}
+
 void run(const Request& request) {
   const Stopwatch watch;
   std::vector<Output> outputs;
@@ -127,7 +144,6 @@ void run(const Request& request) {
   report.system = make_system(request.system, parameter_values(request.parameters), request.integration);
   if (!report.system.map) throw UsageError(request.system + " has no planar map");
   report.integration = request.integration;
-  report.branch = request.branch == "+" || request.branch == "plus" ? Branch::plus : Branch::minus;
   report.options = request.growth;
   {
     Progress progress;
@@ -137,6 +153,7 @@ void run(const Request& request) {
     local.period = request.period;
     report.local = local_manifold(*report.system.map, saddle_of(request, report.system),
                                   request.stable ? ManifoldSide::stable : ManifoldSide::unstable, local);
+    report.branch = branch_of(request, report.system, report.local);
     report.timing.local = local_watch.seconds();
     progress.phase("growing", 0.1, 0.9);
     const Stopwatch growth_watch;

@@ -73,17 +73,23 @@ Point refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
   return best;
 }
 
-// The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. It
-// may see less than its inverse from where it has to start.
+// The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. Of
+// the map and its inverse one may see it from where the other does not.
 Point saddle_place(const PlanarMap& map, int steps, Point guess) {
-  const Point own = refined_fixed_point(map, steps, guess);
-  if (steps > 0) return own;
+  if (steps > 0) return refined_fixed_point(map, steps, guess);
+  std::optional<Point> forward;
   try {
-    const Point other = refined_fixed_point(map, -steps, guess);
-    const bool same = std::hypot(other.x - own.x, other.y - own.y) <= 1e-8 * (1 + std::hypot(own.x, own.y));
-    return same ? other : own;
+    forward = refined_fixed_point(map, -steps, guess);
+  } catch (const DataError&) {  // its inverse will say so
+  }
+  try {
+    const Point own = refined_fixed_point(map, steps, guess);
+    const bool same =
+        forward && std::hypot(forward->x - own.x, forward->y - own.y) <= 1e-8 * (1 + std::hypot(own.x, own.y));
+    return same ? *forward : own;
   } catch (const DataError&) {
-    return own;
+    if (!forward) throw;
+    return *forward;
   }
 }
 

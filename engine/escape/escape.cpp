@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/error.hpp"
-#include "engine/escape/common_area.hpp"
+#include "engine/escape/winding_product.hpp"
 #include "engine/escape/necks.hpp"
 #include "engine/parallel/parallel.hpp"
 

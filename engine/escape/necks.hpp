@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "engine/error.hpp"
-#include "engine/escape/common_area.hpp"
 #include "engine/escape/escape.hpp"
 #include "engine/escape/torn_images.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "engine/smooth/smooth.hpp"
 
 namespace lober {
 

@@ -45,4 +45,12 @@ struct SmoothArea {
 /// DataError as `validate` does. O(n), parallel.
 [[nodiscard]] SmoothArea smooth_area(CurveView curve);
 
+struct CommonArea {
+  double area = 0, error = 0;
+};
+
+/// What two closed curves have in common. Of order h^6 where the polygons are simple; else by winding numbers, of the
+/// polygons, with an error bar of what the smooth curves enclose more or less. As smooth_areas and regions.
+[[nodiscard]] CommonArea common_area(CurveView first, CurveView second);
+
 }  // namespace lober

@@ -138,7 +138,8 @@ void bound_lobes(Tangle& tangle) {
   for (std::size_t m = 0; m < tangle.lobes.size(); ++m) {
     Lobe& lobe = tangle.lobes[m];
     const double area = std::fabs(lobe.area);
-    if (boundary.crosses_itself || chord.lobes[m] || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
+    lobe.meets_chord = chord.lobes[m];
+    if (boundary.crosses_itself || lobe.meets_chord || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
       const double common = common_area(lobe_outline(tangle, m), polygon());
       const bool speck = common <= tangle.rounding(area);  // corners of outlines are rounded
       lobe.inside = speck ? 0 : std::min(area, common);

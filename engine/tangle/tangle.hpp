@@ -59,6 +59,7 @@ struct Lobe {
   /// Whether U_k and S_k meet nowhere but at the pips. They cannot cross there; where they touch or share an arc the
   /// lobe falls into pieces.
   bool simple = true;
+  bool meets_chord = false;  ///< the chord that closes the boundary meets U_k or S_k
   [[nodiscard]] int orientation() const { return area > 0 ? 1 : -1; }
 };
 

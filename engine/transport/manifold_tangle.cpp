@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/error.hpp"
+#include "engine/text.hpp"
 
 namespace lober {
 namespace {
@@ -117,7 +118,7 @@ class TangleGrower {
     options.check_simple = false;
     options.period = period_;
     found_ = tangle(u_.grown, s_.grown, options);
-    if (found_.pips.empty()) return u_.iterates <= s_.iterates ? Wanted{1, 0} : Wanted{0, 1};
+    if (found_.pips.empty()) return towards_a_crossing();
     if (!near_) near_ = found_.pips[found_.pips.size() / 2].at;
     bip_ = nearest(*near_);
     if (period_ == 0) {
@@ -131,6 +132,34 @@ class TangleGrower {
       return needed <= there ? 0 : static_cast<int>((needed - there + period_ - 1) / period_);
     };
     return {missing(options_.after, found_.pips.size() - 1 - bip_), missing(options_.before, bip_)};
+  }
+
+  // Which manifold to go on with as long as they do not cross: not one that has left the other behind, unless both
+  // have.
+  [[nodiscard]] Wanted towards_a_crossing() const {
+    if (u_.grown.stop == GrowthStop::ended || s_.grown.stop == GrowthStop::ended) {
+      throw DataError(std::string("the manifolds do not cross: ") + (u_.grown.stop == GrowthStop::ended ? "U" : "S") +
+                      " ends in another fixed point");
+    }
+    const bool u_near = newest_meets(u_.grown, s_.grown), s_near = newest_meets(s_.grown, u_.grown);
+    if (u_near != s_near) return u_near ? Wanted{1, 0} : Wanted{0, 1};
+    return u_.iterates <= s_.iterates ? Wanted{1, 0} : Wanted{0, 1};
+  }
+
+  // Whether the last generation of one manifold comes to where the other one is.
+  [[nodiscard]] static bool newest_meets(const GrownManifold& one, const GrownManifold& other) {
+    const auto box_from = [](const GrownManifold& manifold, std::size_t first) {
+      Box box;
+      for (std::size_t k = first; k < manifold.points.size(); ++k)
+        box = unite(box, Box::of(manifold.points[k], manifold.points[k]));
+      return box;
+    };
+    const Box box = box_from(other, 0);
+    const std::size_t generations = one.generation_begin.size() - 1;
+    for (std::size_t k = one.generation_begin[generations - 1]; k + 1 < one.points.size(); ++k) {
+      if (meet(Box::of(one.points[k], one.points[k + 1]), box)) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] std::size_t nearest(Point place) const {
@@ -179,7 +208,11 @@ class TangleGrower {
     try {
       result->tangle = tangle(result->u, result->s, options);
     } catch (const NotSimpleError& error) {
-      if (meet(Box::of(error.at, error.at), box_)) throw;
+      if (meet(Box::of(error.at, error.at), box_)) {
+        throw DataError(std::string("the polygon of ") + (error.curve == 1 ? "U" : "S") + " crosses itself at " +
+                        place_text(error.at) + ": the manifold runs closer to itself there than the tolerance " +
+                        shortest(options_.tolerance) + "; a finer one or fewer iterates are needed");
+      }
       options.check_simple = false;
       result->tangle = tangle(result->u, result->s, options);
       result->tangle.remarks.push_back("far outside, where manifolds are followed coarsely, " +

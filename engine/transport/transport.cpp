@@ -7,8 +7,8 @@
 
 #include "engine/error.hpp"
 #include "engine/parallel/parallel.hpp"
-#include "engine/regions/regions.hpp"
 #include "engine/smooth/smooth.hpp"
+#include "engine/text.hpp"
 
 namespace lober {
 namespace {
@@ -30,29 +30,6 @@ class OverlapTable {
  private:
   std::vector<LobeOverlap> list_;
 };
-
-struct CommonArea {
-  double area, error;
-};
-
-// Of two regions that share arcs and differ by lobes, whose outlines are closed by the same chord or, without one, end
-// where they began. Smooth where the polygons are simple; unknown where the chord meets the manifolds, because what is
-// enclosed has no meaning then.
-CommonArea common_area(const std::vector<Point>& first, const std::vector<Point>& second) {
-  const CurveView c1{first}, c2{second};
-  try {
-    OverlayOptions options;
-    options.pieces = false;
-    const SmoothAreas smooth = smooth_areas(overlay(c1, c2, options));
-    return {smooth.areas.intersection, smooth.error.intersection};
-  } catch (const NotSimpleError& error) {
-    const std::vector<Point>& outline = error.curve == 1 ? first : second;
-    const bool has_chord = !(outline.front() == outline.back());
-    if (has_chord && std::max(error.segment1, error.segment2) + 1 == outline.size()) return {unknown, unknown};
-    const Areas areas = regions(c1, c2).areas(WindingRule::nonzero);
-    return {areas.intersection, unknown};
-  }
-}
 
 class Turnstile {
  public:
@@ -92,6 +69,25 @@ class Turnstile {
   std::vector<std::size_t> lobes12_, lobes21_;
 };
 
+// Whether the chord meets a region between the boundaries at two pips. What they enclose has no meaning then.
+bool chord_in_the_way(const Tangle& tangle, std::size_t first, std::size_t last) {
+  bool met = tangle.boundary->crosses_itself;
+  for (std::size_t lobe = first; lobe < last; ++lobe) met = met || tangle.lobes[lobe].meets_chord;
+  return met;
+}
+
+// The formulas hold for maps that preserve area. The determinant of the derivative at a saddle tells, to what its
+// cancellation leaves of it.
+void require_areas_preserved(const PlanarMap& map, Point saddle) {
+  Matrix2 a;
+  map.iterate_with_derivative(saddle, 1, a);
+  const double largest = std::max({std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
+  const double factor = std::fabs(a.xx * a.yy - a.xy * a.yx);
+  if (std::fabs(factor - 1) <= 1e-3 + 1e-10 * largest * largest) return;
+  throw DataError("transport: the map does not preserve area, it multiplies it by " + shortest(factor) +
+                  " at the saddle " + place_text(saddle) + "; lober tangle lists its lobes");
+}
+
 double sum_of_areas(const Tangle& tangle, const std::vector<std::size_t>& lobes) {
   double sum = 0;
   for (const std::size_t k : lobes) sum += std::fabs(tangle.lobes[k].area);
@@ -113,6 +109,7 @@ Transport transport(const PlanarMap& map, const Connection& connection, const Tr
   Transport result;
   result.manifolds = grow_tangle(map, connection, growth);
   const ManifoldTangle& manifolds = *result.manifolds;
+  require_areas_preserved(map, manifolds.local_u.saddle);
   const Tangle& tangle = manifolds.tangle;
   const Turnstile turnstile(manifolds);
   result.region = tangle.boundary->area;
@@ -137,14 +134,14 @@ Transport transport(const PlanarMap& map, const Connection& connection, const Tr
   }
   for_each_block(result.steps.size(), 1, [&](std::size_t k, std::size_t) {
     TransportStep& step = result.steps[k];
-    if (tangle.boundary->crosses_itself) {
+    const std::size_t first = manifolds.image_of_bip(-(step.n / 2)), last = manifolds.image_of_bip(step.n - step.n / 2);
+    if (chord_in_the_way(tangle, first, last)) {
       step.by_boundaries = step.boundary_error = step.consistency = unknown;
       return;
     }
-    const int before = step.n / 2;
-    const CommonArea stays = common_area(boundary_outline(tangle, manifolds.image_of_bip(-before)),
-                                         boundary_outline(tangle, manifolds.image_of_bip(step.n - before)));
-    step.by_boundaries = result.region - stays.area;  // unknown if that is
+    const std::vector<Point> earlier = boundary_outline(tangle, first), later = boundary_outline(tangle, last);
+    const CommonArea stays = common_area(CurveView{earlier}, CurveView{later});
+    step.by_boundaries = result.region - stays.area;
     step.boundary_error = stays.error;
     step.consistency = std::fabs(step.total - step.by_boundaries);
   });

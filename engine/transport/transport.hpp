@@ -37,7 +37,7 @@ struct TransportStep {
   /// T(n) = area of R1 less that of R1 n f^n(R1). NaN, with its error and the consistency, where the chord that closes
   /// R1 meets the manifolds: the region is then bounded by more than the chord, and this cannot know by what.
   double by_boundaries = 0;
-  double boundary_error = 0;  ///< estimated error of that; NaN where only polygons could be compared
+  double boundary_error = 0;  ///< estimated error of that
   double consistency = 0;     ///< |total - by_boundaries|
   /// Estimated error of T(n): what the smooth curves may be wrong by, summed over the lobes that enter.
   double discretisation = 0;
@@ -52,7 +52,8 @@ struct Transport {
 };
 
 /// Everything from a map: grows the manifolds, finds the turnstile and computes a(n) and T(n) for n up to
-/// options.iterates. Lobes of the turnstile that overlap each other count with their difference. Throws as grow_tangle.
+/// options.iterates. Lobes of the turnstile that overlap each other count with their difference. Throws as grow_tangle,
+/// and DataError where the map does not preserve area.
 [[nodiscard]] Transport transport(const PlanarMap& map, const Connection& connection,
                                   const TransportOptions& options = {});
 

@@ -76,9 +76,33 @@ TEST_F(Grow, FlowsAndThreads) {
 }
 
 TEST_F(Grow, FindsTheSaddleItself) {
-  const nlohmann::json result = json({"henon", "--unstable", "--branch", "-", "--iterates", "0", "--tol", "1e-4"});
+  const nlohmann::json result = json({"henon", "--unstable", "--iterates", "0", "--tol", "1e-4"});
   EXPECT_NEAR(result["local_manifold"]["saddle"][0].get<double>(), 1 + std::sqrt(1.5), 1e-14);
-  expect_failure({"ovp", "--unstable", "--iterates", "0", "--tol", "1e-4"}, 2, "several saddles");
+  expect_failure({"double-gyre", "--period", "2", "--unstable", "--iterates", "0", "--tol", "1e-4"}, 2,
+                 "several saddles");
+}
+
+// By default the two sides are those of one tangle: heteroclinic, and homoclinic from files of which each says by
+// itself where the saddle is.
+TEST_F(Grow, BothSidesOfATangleByNameAlone) {
+  struct Case {
+    const char *system, *parameter;
+    double lobe;
+  };
+  for (const Case& known : {Case{"ovp", "gamma=0.5", 0.2541062770995}, Case{"duffing", "omega=2", 0.0764657750801}}) {
+    for (const char* side : {"--unstable", "--stable"}) {
+      const Outcome outcome = grow({known.system, "--param", known.parameter, side, "--iterates", "2", "--tol", "1e-5",
+                                    "-o", std::string("curve") + side + ".npy"});
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+    }
+    const Outcome outcome = run({"tangle", "curve--unstable.npy", "curve--stable.npy", "--json", "-"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const nlohmann::json lobes = nlohmann::json::parse(outcome.out)["lobes"];
+    ASSERT_GE(lobes.size(), 2U) << known.system;
+    for (const nlohmann::json& lobe : lobes) {
+      EXPECT_NEAR(std::fabs(lobe["area"].get<double>()), known.lobe, 1e-5) << known.system;
+    }
+  }
 }
 
 TEST_F(Grow, Refuses) {

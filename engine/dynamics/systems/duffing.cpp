@@ -36,7 +36,7 @@ SystemEntry duffing_entry() {
             System system;
             system.window = window(-2, -1.5, 2, 1.5);
             const Duffing flow{{values[0], values[1], values[2]}};
-            const Point saddle = flow.saddle_response(values[3]);
+            const Point saddle = flow.saddle_on_section(values[3], [](double u) { return -u * u * u; });
             system.connection = Connection{saddle, {1, 1}, saddle, {1, -1}};
             system.flow = std::make_shared<FlowOf<Duffing>>(flow);
             system.map = system.flow->stroboscopic_map(values[3], options);

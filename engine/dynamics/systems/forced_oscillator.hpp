@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <complex>
+#include <functional>
 #include <numbers>
 #include <span>
 
@@ -21,15 +21,10 @@ struct ForcedOscillator {
     return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);
   }
 
-  /// Where the periodic orbit that a saddle of the unforced system becomes lies on the section at `phase`, from there
-  /// on, to first order in eps: the response of u'' + delta u' - u = eps cos(omega t). Both systems have saddles with
-  /// this linear part.
-  [[nodiscard]] Point saddle_response(double phase) const {
-    const std::complex<double> i{0, 1};
-    const std::complex<double> amplitude = eps / (-1 - omega * omega + i * delta * omega);
-    const std::complex<double> u = amplitude * std::exp(i * (2 * std::numbers::pi * phase));
-    return {u.real(), (i * omega * u).real()};
-  }
+  /// The periodic orbit that a saddle of the unforced system becomes, u'' + delta u' = u + rest(u) + eps cos(omega t)
+  /// with u measured from that saddle, where it meets the section at `phase`. By harmonic balance, which does not feel
+  /// how fast orbits leave the saddle; the response to first order in eps where its iteration does not converge.
+  [[nodiscard]] Point saddle_on_section(double phase, const std::function<double(double)>& rest) const;
 };
 
 }  // namespace lober

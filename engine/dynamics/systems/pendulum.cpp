@@ -32,19 +32,19 @@ SystemEntry pendulum_entry() {
                          {"omega", 1, "frequency of the torque"},
                          {"delta", 0, "damping; 0 for a Hamiltonian system"},
                          {"phase", 0, "of the section, as a fraction of the period"}}};
-  return {
-      info, [info](std::span<const double> values, const IntegrationOptions& options) {
-        require_positive(info, "omega", values[1]);
-        System system;
-        system.window = window(-4, -2.5, 4, 2.5);
-        system.lattice = {2 * std::numbers::pi, 0};
-        const Pendulum flow{{values[0], values[1], values[2]}};
-        const Point u = flow.saddle_response(values[3]);
-        system.connection = Connection{{u.x - std::numbers::pi, u.y}, {1, 1}, {u.x + std::numbers::pi, u.y}, {-1, 1}};
-        system.flow = std::make_shared<FlowOf<Pendulum>>(flow);
-        system.map = system.flow->stroboscopic_map(values[3], options);
-        return system;
-      }};
+  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
+            require_positive(info, "omega", values[1]);
+            System system;
+            system.window = window(-4, -2.5, 4, 2.5);
+            system.lattice = {2 * std::numbers::pi, 0};
+            const Pendulum flow{{values[0], values[1], values[2]}};
+            const Point saddle = flow.saddle_on_section(values[3], [](double u) { return std::sin(u) - u; });
+            system.connection = Connection{
+                {saddle.x - std::numbers::pi, saddle.y}, {1, 1}, {saddle.x + std::numbers::pi, saddle.y}, {-1, 1}};
+            system.flow = std::make_shared<FlowOf<Pendulum>>(flow);
+            system.map = system.flow->stroboscopic_map(values[3], options);
+            return system;
+          }};
 }
 
 }  // namespace lober

@@ -221,14 +221,33 @@ TEST(TangleOfMap, LobesOfForcedOscillators) {
 
 TEST(TangleOfMap, ForcesThatMoveTheSaddleFar) {
   for (const ParameterValues& parameters :
-       {ParameterValues{{"eps", 0.3}}, ParameterValues{{"eps", 0.3}, {"phase", 0.4}},
-        ParameterValues{{"omega", 1.5}}}) {
+       {ParameterValues{{"eps", 0.3}}, ParameterValues{{"eps", 0.3}, {"phase", 0.4}}, ParameterValues{{"omega", 1.5}},
+        ParameterValues{{"eps", 0.45}}}) {
     for (const char* name : {"duffing", "pendulum"}) {
       const auto found = grown(make_system(name, parameters), 1e-5);
       EXPECT_EQ(found->period(), 2U) << name;
       EXPECT_NEAR(found->areas_by_action[0], -found->areas_by_action[1], 1e-9) << name;
     }
   }
+}
+
+// Where damping wins U ends in a sink before it could meet S; where it does not, lobes are found, but areas shrink and
+// say nothing of transport.
+TEST(TangleOfMap, DampedOscillators) {
+  const auto message = [](const ParameterValues& parameters, const auto& job) -> std::string {
+    const System system = make_system("duffing", parameters);
+    try {
+      job(system);
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto tangle = [](const System& system) { EXPECT_EQ(grown(system, 1e-5)->period(), 2U); };
+  const auto all = [](const System& system) { (void)transport(*system.map, *system.connection, {.iterates = 1}); };
+  EXPECT_NE(message({{"delta", 0.3}}, tangle).find("do not cross"), std::string::npos);
+  EXPECT_EQ(message({{"delta", 0.1}}, tangle), "");
+  EXPECT_NE(message({{"delta", 0.1}}, all).find("does not preserve area"), std::string::npos);
 }
 
 // The chord that closes the pendulum's region meets its manifolds: what boundaries enclose then says nothing.

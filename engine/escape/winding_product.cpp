@@ -1,11 +1,8 @@
-#include "engine/escape/common_area.hpp"
+#include "engine/escape/winding_product.hpp"
 
 #include <cmath>
 
-#include "engine/error.hpp"
-#include "engine/overlay/overlay.hpp"
 #include "engine/regions/regions.hpp"
-#include "engine/smooth/smooth.hpp"
 
 namespace lober {
 namespace {
@@ -31,20 +28,6 @@ CommonArea common_area_by_winding(CurveView first, CurveView second) {
   const double coarse = winding_product(CurveView{coarse1, true}, CurveView{coarse2, true});
   // Richardson extrapolation; as error the whole difference, because curves that coarse do not quite obey h^2.
   return {std::fabs(fine + (fine - coarse) / 3), std::fabs(fine - coarse)};
-}
-
-CommonArea common_area(CurveView first, CurveView second) {
-  try {
-    OverlayOptions options;
-    options.pieces = false;
-    const SmoothAreas smooth = smooth_areas(overlay(first, second, options));
-    return {smooth.areas.intersection, smooth.error.intersection};
-  } catch (const NotSimpleError&) {
-    const Areas areas = regions(first, second).areas(WindingRule::nonzero);
-    const double doubt = std::fabs(areas.c1 - std::fabs(smooth_area(first).area)) +
-                         std::fabs(areas.c2 - std::fabs(smooth_area(second).area));
-    return {areas.intersection, doubt};
-  }
 }
 
 }  // namespace lober
