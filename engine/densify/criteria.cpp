@@ -105,6 +105,7 @@ Need Judge::estimate(std::size_t k) const {
   const Point a = vertex(k), b = vertex(k + 1);
   const double chord = distance(a, b);
   VertexNeed need{parts_by_bounds(interpolant_.piece(k), chord), false};
+  const auto enough = static_cast<std::uint32_t>(need.growth < many_parts ? whole(need.growth) : many_parts);
   if (!(need.growth < Criteria::off)) need.growth = 0;  // nothing is known but the angles at the ends
   if (angles_) {
     // The parts of a chord keep the angles at its ends, those of a cubic share them. A bound that is near the angle
@@ -124,7 +125,9 @@ Need Judge::estimate(std::size_t k) const {
       at_vertex(a, b, after_b, distance(b, after_b));
     }
   }
-  return grown(1, need, chord);
+  Need result = grown(1, need, chord);
+  result.enough = enough;
+  return result;
 }
 
 // The angle between the tangents with which the pieces before and after a vertex meet there.
@@ -149,7 +152,7 @@ Point Judge::after(std::size_t segment, const Buffer<std::uint32_t>& parts) cons
   return count == 1 ? vertex(next + 1) : interpolant_.piece(next).at(1.0 / count);
 }
 
-VertexNeed Judge::need_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts) const {
+VertexNeed Judge::need_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const {
   const std::uint32_t count = parts[segment];
   const CubicPiece piece = interpolant_.piece(segment);
   const double step = 1.0 / count;
@@ -169,7 +172,7 @@ VertexNeed Judge::need_by_points(std::size_t segment, const Buffer<std::uint32_t
     const Point next = after(segment, parts);
     at_end(segment + 1, last_but_one, end, next, distance(last_but_one, end), distance(end, next));
   }
-  if (count >= parts_by_bounds(piece, distance(piece.a, end))) return need;
+  if (count >= enough) return need;
   Point a = piece.a, b = second;
   double length = distance(a, b);
   need.growth = std::max(need.growth, length / criteria_.longest);
@@ -187,9 +190,9 @@ VertexNeed Judge::need_by_points(std::size_t segment, const Buffer<std::uint32_t
   return need;
 }
 
-Need Judge::judge(std::size_t segment, const Buffer<std::uint32_t>& parts) const {
+Need Judge::judge(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const {
   const double chord = distance(vertex(segment), vertex(segment + 1));
-  return grown(parts[segment], need_by_points(segment, parts), chord);
+  return grown(parts[segment], need_by_points(segment, parts, enough), chord);
 }
 
 }  // namespace lober

@@ -40,6 +40,8 @@ struct Need {
   std::uint32_t parts = 1;
   bool too_short = false;  ///< more parts would be shorter than Criteria::shortest
   bool corner = false;     ///< at one of its ends is a corner, which no number of parts makes as flat as asked for
+  /// Of an estimate: with so many parts bounds speak for all points but those next to the ends.
+  std::uint32_t enough = 0;
 };
 
 /// Judges the segments of an interpolated curve.
@@ -54,13 +56,15 @@ class Judge {
   [[nodiscard]] bool estimate_is_final() const { return !angles_ || interpolant_.kind() == Interpolation::linear; }
 
   /// By looking at the points that come from `parts` of this segment and of its neighbours; at those next to its ends
-  /// only, where bounds speak for the others. Never less than parts[segment]. O(parts[segment]).
-  [[nodiscard]] Need judge(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
+  /// only, where bounds speak for the others: from `enough` parts on (see Need). Never less than parts[segment].
+  /// O(parts[segment]).
+  [[nodiscard]] Need judge(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const;
 
  private:
   [[nodiscard]] Need grown(std::uint32_t parts, VertexNeed need, double chord) const;
   [[nodiscard]] double parts_by_bounds(const CubicPiece& piece, double chord) const;
-  [[nodiscard]] VertexNeed need_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts) const;
+  [[nodiscard]] VertexNeed need_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts,
+                                          std::uint32_t enough) const;
   [[nodiscard]] double corner_at(std::size_t vertex) const;
   [[nodiscard]] Point vertex(std::size_t k) const { return curve_.points[k == curve_.points.size() ? 0 : k]; }
   [[nodiscard]] Point before(std::size_t segment, const Buffer<std::uint32_t>& parts) const;

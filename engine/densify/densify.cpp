@@ -48,11 +48,18 @@ class Rounds {
       std::fill(parts_.begin() + static_cast<std::ptrdiff_t>(first), parts_.begin() + static_cast<std::ptrdiff_t>(last),
                 1U);
     });
-    round([&](std::size_t k) { return judge_.estimate(k); }, [](State) { return true; });
+    if (!judge_.estimate_is_final()) enough_.resize(parts_.size());
+    round(
+        [&](std::size_t k) {
+          const Need need = judge_.estimate(k);
+          if (!enough_.empty()) enough_[k] = need.enough;
+          return need;
+        },
+        [](State) { return true; });
     if (judge_.estimate_is_final() || !fits_) return;
     std::fill(state_.begin(), state_.end(), State::waiting);
     while (rounds_ < most_rounds) {
-      const bool changed = round([&](std::size_t k) { return judge_.judge(k, parts_); },
+      const bool changed = round([&](std::size_t k) { return judge_.judge(k, parts_, enough_[k]); },
                                  [](State state) { return state == State::waiting; });
       if (!changed || !fits_) return;
       wake_neighbours(closed);
@@ -137,7 +144,7 @@ class Rounds {
     for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         if (state_[k] != State::waiting) continue;
-        const Need need = judge_.judge(k, parts_);
+        const Need need = judge_.judge(k, parts_, enough_[k]);
         state_[k] = need.parts > parts_[k] ? State::unmet : state_of(need);
       }
     });
@@ -147,6 +154,7 @@ class Rounds {
   std::uint64_t extra_;  // the last vertex of an open curve
   std::uint64_t most_points_;
   Buffer<std::uint32_t> parts_, next_;
+  Buffer<std::uint32_t> enough_;  // see Need; only where estimates are not final
   Buffer<State> state_;
   std::uint32_t rounds_ = 0;
   bool fits_ = true;

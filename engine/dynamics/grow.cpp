@@ -174,21 +174,45 @@ class Growth {
     result_.generation_begin.push_back(result_.points.size());
     append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.flaws);
     const std::size_t begin = result_.generation_begin.back();
-    for (std::size_t k = begin; k < result_.parameters.size(); ++k) result_.parameters[k] *= side_;
-    cut_at_length(begin);
+    if (side_ < 0) {
+      for_each_block(result_.parameters.size() - begin, densify_grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) result_.parameters[begin + k] *= side_;
+      });
+    }
+    add_length(begin);
     iterates_ = std::min(iterates_of(generation), options_.iterates >= 0 ? options_.iterates : iterates_of(generation));
   }
 
-  // Adds the length of the new segments, and ends the curve at the vertex where it is long enough.
-  void cut_at_length(std::size_t begin) {
-    for (std::size_t k = std::max<std::size_t>(begin, 1); k < result_.points.size(); ++k) {
-      const Point a = result_.points[k - 1], b = result_.points[k];
-      if (!meet(Box::of(a, b), trace_options_.box)) continue;
-      result_.length += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
-      if (result_.length >= options_.length) {
-        result_.points.resize(k + 1);
-        result_.parameters.resize(k + 1);
-        cut_flaws(result_.flaws, k);
+  // The length of the segment behind point k, as far as it counts.
+  [[nodiscard]] double length_behind(std::size_t k) const {
+    const Point a = result_.points[k], b = result_.points[k + 1];
+    if (!meet(Box::of(a, b), trace_options_.box)) return 0;
+    return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+  }
+
+  // Adds the length of the segments up to the points from number `begin` on, and ends the curve at the vertex where it
+  // is long enough.
+  void add_length(std::size_t begin) {
+    const std::size_t first_segment = begin > 0 ? begin - 1 : 0;
+    const std::size_t count = result_.points.empty() ? 0 : result_.points.size() - 1 - first_segment;
+    std::vector<double> sums((count + densify_grain - 1) / densify_grain, 0);
+    for_each_block(count, densify_grain, [&](std::size_t first, std::size_t last) {
+      double sum = 0;
+      for (std::size_t k = first; k < last; ++k) sum += length_behind(first_segment + k);
+      sums[first / densify_grain] = sum;
+    });
+    for (std::size_t block = 0; block < sums.size(); ++block) {
+      if (result_.length + sums[block] < options_.length) {
+        result_.length += sums[block];
+        continue;
+      }
+      const std::size_t last = first_segment + std::min(count, (block + 1) * densify_grain);
+      for (std::size_t k = first_segment + block * densify_grain; k < last; ++k) {
+        result_.length += length_behind(k);
+        if (result_.length < options_.length) continue;
+        result_.points.resize(k + 2);
+        result_.parameters.resize(k + 2);
+        cut_flaws(result_.flaws, k + 1);
         return;
       }
     }

@@ -46,7 +46,8 @@ class Tracer {
   }
 
   Trace run() {
-    while (rounds_ < options_.most_rounds && insert_where([&](const TracedSegment& s) { return parts_for_guide(s); })) {
+    verdicts_.assign(segments(), open);
+    while (rounds_ < options_.most_rounds && insert_where([&](const TracedSegment& s) { return guided(s); })) {
     }
     place_evenly();
     verdicts_.assign(segments(), open);
@@ -113,7 +114,8 @@ class Tracer {
     return segment.need > caution ? allowed(segment, segment.need * reserve) : segment.uneven ? allowed(segment, 2) : 1;
   }
 
-  // What is known of a segment once points are placed: nothing, that it is fine, or else fine + 1 + why it is not.
+  // What is known of a segment: nothing, that it is fine (for the guide, or once points are placed), or else fine + 1 +
+  // why it is not.
   using Verdict = std::uint8_t;
   static constexpr Verdict open = 0, fine = 1;
   [[nodiscard]] Verdict verdict(const TracedSegment& segment, Kind what) const {
@@ -127,7 +129,12 @@ class Tracer {
     return static_cast<Verdict>(fine + 1 + static_cast<int>(cause));
   }
 
-  // Parts for the tolerance; where one is enough, or the end, the verdict is set.
+  // Parts for the guide and for the tolerance; where one is enough, or the end, the verdict is set.
+  [[nodiscard]] std::uint32_t guided(const TracedSegment& segment) {
+    const std::uint32_t parts = parts_for_guide(segment);
+    if (parts == 1) verdicts_[segment.number] = fine;
+    return parts;
+  }
   [[nodiscard]] std::uint32_t judged(const TracedSegment& segment) {
     const Kind what = kind(segment.number);
     const std::uint32_t parts = parts_for_tolerance(segment, what);
@@ -155,7 +162,7 @@ class Tracer {
   template <typename Parts>
   bool insert_where(const Parts& parts) {
     Buffer<std::uint32_t> more(segments());  // points to put into each segment
-    const auto settled = [&](std::size_t k) { return !verdicts_.empty() && verdicts_[k] != open; };
+    const auto settled = [&](std::size_t k) { return verdicts_[k] != open; };
     for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         more[k] = 0;
@@ -207,7 +214,6 @@ class Tracer {
     } else {
       kept_.back() = static_cast<std::uint32_t>(segments());
     }
-    if (verdicts_.empty()) return;
     // What is near a new point is judged again.
     verdicts_ = with_inserted(std::span<const Verdict>(verdicts_), insertions, [](const Insertion&) { return open; });
     for (std::size_t k = 0; k < insertions.size(); ++k) {
@@ -219,7 +225,7 @@ class Tracer {
   void truncate(std::size_t size) {
     samples_.points.resize(size);
     samples_.parameters.resize(size);
-    if (!verdicts_.empty()) verdicts_.resize(size - 1);
+    verdicts_.resize(size - 1);
     while (!kept_.empty() && kept_.back() >= size - 1) kept_.pop_back();
     kept_.push_back(static_cast<std::uint32_t>(size - 1));
   }
@@ -370,7 +376,7 @@ class Tracer {
   const CurveFunction& function_;
   const TraceOptions& options_;
   double edge_ = 0;
-  Buffer<Verdict> verdicts_;  // on segments, once points are placed
+  Buffer<Verdict> verdicts_;  // on segments
   std::uint32_t rounds_ = 0;
   Trace trace_;
 };

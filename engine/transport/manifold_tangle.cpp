@@ -50,7 +50,10 @@ struct Growing {
 class TangleGrower {
  public:
   TangleGrower(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options)
-      : map_(map), options_(options), near_(options.bip_near ? options.bip_near : connection.bip) {
+      : map_(map),
+        options_(options),
+        bip_near_(options.bip_near ? options.bip_near : connection.bip),
+        tolerance_(options.tolerance) {
     u_.local = local_manifold(map, connection.from, ManifoldSide::unstable);
     s_.local = local_manifold(map, connection.to, ManifoldSide::stable);
     // Of a homoclinic tangle both begin in one point, to the bit: else they might cross there.
@@ -62,8 +65,31 @@ class TangleGrower {
   }
 
   std::unique_ptr<ManifoldTangle> build() {
-    grow_to(u_, 1);
-    grow_to(s_, 1);
+    grow_all();
+    for (int time = 0; tolerance_ > finest * box_.extent(); ++time) {
+      const bool refine = odd() ? time < most_refinements + 1 : time < most_refinements && lobes_are_thin();
+      if (!refine) break;
+      tolerance_ /= 10;
+      grow_all();
+    }
+    if (odd()) {
+      throw DataError(std::to_string(period_) + " pips a period, an odd number: polygons cross where the manifolds, to " +
+                      shortest(tolerance_) + ", do not; a finer tolerance of them or of the integration is needed");
+    }
+    return finish();
+  }
+
+ private:
+  // Lobes thinner than so many tolerances may be made of the polygons rather than of the manifolds.
+  static constexpr double thin = 10;
+  static constexpr int most_refinements = 2;
+  static constexpr double finest = 1e-12;  // tolerance, relative to the scene
+
+  void grow_all() {
+    near_ = bip_near_;
+    period_ = 0;
+    grow_to(u_, std::max(u_.iterates, 1));
+    grow_to(s_, std::max(s_.iterates, 1));
     for (;;) {
       report();
       const Wanted wanted = look();
@@ -71,10 +97,22 @@ class TangleGrower {
       if (wanted.images_u > 0) grow_to(u_, u_.iterates + wanted.images_u);
       if (wanted.images_s > 0) grow_to(s_, s_.iterates + wanted.images_s);
     }
-    return finish();
   }
 
- private:
+  // A map takes pips to pips with the same rho, and those alternate.
+  [[nodiscard]] bool odd() const { return period_ % 2 == 1; }
+
+  // Whether a lobe of the turnstile is thin.
+  [[nodiscard]] bool lobes_are_thin() const {
+    for (std::size_t k = bip_ - std::min<std::size_t>(period_, bip_); k < bip_; ++k) {
+      double length = 0;
+      for (std::size_t i = found_.pips[k].u.segment; i <= found_.pips[k + 1].u.segment; ++i)
+        length += distance(u_.grown.points[i], u_.grown.points[i + 1]);
+      if (std::fabs(found_.lobes[k].area) < thin * tolerance_ * length) return true;
+    }
+    return false;
+  }
+
   struct Wanted {
     int images_u = 0, images_s = 0;
   };
@@ -94,7 +132,7 @@ class TangleGrower {
           " within " + std::to_string(options_.most_iterates) + " iterates of " + name);
     }
     GrowthOptions growth;
-    growth.tolerance = options_.tolerance;
+    growth.tolerance = tolerance_;
     growth.iterates = iterates;
     growth.most_points = options_.most_points;
     growth.box = box_;
@@ -196,6 +234,7 @@ class TangleGrower {
 
   std::unique_ptr<ManifoldTangle> finish() {
     auto result = std::make_unique<ManifoldTangle>();
+    result->tolerance = tolerance_;
     result->local_u = std::move(u_.local);
     result->local_s = std::move(s_.local);
     result->u = std::move(u_.grown);
@@ -211,12 +250,16 @@ class TangleGrower {
       if (meet(Box::of(error.at, error.at), box_)) {
         throw DataError(std::string("the polygon of ") + (error.curve == 1 ? "U" : "S") + " crosses itself at " +
                         place_text(error.at) + ": the manifold runs closer to itself there than the tolerance " +
-                        shortest(options_.tolerance) + "; a finer one or fewer iterates are needed");
+                        shortest(tolerance_) + "; a finer one or fewer iterates are needed");
       }
       options.check_simple = false;
       result->tangle = tangle(result->u, result->s, options);
       result->tangle.remarks.push_back("far outside, where manifolds are followed coarsely, " +
                                        std::string(error.what()));
+    }
+    if (tolerance_ < options_.tolerance) {
+      result->tangle.remarks.push_back("grown to the tolerance " + shortest(tolerance_) +
+                                       ", because a lobe of the turnstile is thin");
     }
     for (std::size_t k = bip_ - std::min<std::size_t>(period_, bip_); k <= bip_; ++k) {
       const Pip& pip = result->tangle.pips[k];
@@ -234,7 +277,8 @@ class TangleGrower {
 
   const PlanarMap& map_;
   const ManifoldTangleOptions& options_;
-  std::optional<Point> near_;
+  std::optional<Point> bip_near_, near_;
+  double tolerance_;
   Growing u_, s_;
   Box box_;
   Tangle found_;

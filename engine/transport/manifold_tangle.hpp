@@ -17,6 +17,9 @@ namespace lober {
 
 struct ManifoldTangleOptions {
   /// Distance that polygon and manifold may have. With smooth areas their error is far smaller (order h^6 against h^2).
+  /// It is divided by 10, twice at most, as long as a lobe of the turnstile is on average thinner than ten times
+  /// this: polygons that lie so close to each other may cross where manifolds do not. An odd number of pips a period
+  /// shows that they do: three times then.
   double tolerance = 1e-5;
   int before = 1;                   ///< images of the bip q that are wanted: from f^-before(q)
   int after = 0;                    ///< to f^after(q)
@@ -35,8 +38,9 @@ struct ManifoldTangleOptions {
 struct ManifoldTangle {
   LocalManifold local_u, local_s;
   GrownManifold u, s;
-  Tangle tangle;        ///< of u and s
-  std::size_t bip = 0;  ///< number of the pip q
+  Tangle tangle;         ///< of u and s
+  std::size_t bip = 0;   ///< number of the pip q
+  double tolerance = 0;  ///< that the manifolds were grown to in the end
   /// Orbits of the pips from bip - period to bip: of the lobes of the turnstile.
   std::vector<ConnectingOrbit> orbits;
   /// Signed areas of the turnstile lobes by action, in the order of the lobes; empty if the map has no action.
@@ -51,7 +55,8 @@ struct ManifoldTangle {
 
 /// Grows U from the saddle near connection.from and S from that near connection.to, by one iterate after the other,
 /// until the pips from f^-before(q) to f^after(q) are there. Which pip is the image of which the map itself tells.
-/// Throws DataError with what is missing when the manifolds do not cross within the limits, or the saddles are none;
+/// Throws DataError with what is missing when the manifolds do not cross within the limits, the number of pips a period
+/// remains odd, or the saddles are none;
 /// UsageError; Cancelled.
 [[nodiscard]] std::unique_ptr<ManifoldTangle> grow_tangle(const PlanarMap& map, const Connection& connection,
                                                           const ManifoldTangleOptions& options = {});

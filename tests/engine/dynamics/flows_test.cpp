@@ -124,10 +124,10 @@ TEST(Trajectories, OfTheShipsBrakeOrbit) {
 }
 
 TEST(Trajectories, ErrFallsWithTheTolerance) {
-  const Flow& flow = *make_system("duffing").flow;
+  const System duffing = make_system("duffing");
   const auto end = [&](double tolerance) {
     std::vector<FlowState> state{{0.5, 0.5}};
-    flow.integrate(state, 0, 10, {.tolerance = tolerance});
+    duffing.flow->integrate(state, 0, 10, {.tolerance = tolerance});
     return state[0];
   };
   const FlowState best = end(1e-15);

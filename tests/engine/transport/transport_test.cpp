@@ -231,6 +231,19 @@ TEST(TangleOfMap, ForcesThatMoveTheSaddleFar) {
   }
 }
 
+// Manifolds that lie closer than the tolerance asked for: their polygons cross where they do not.
+TEST(TangleOfMap, ThinLobesAreGrownFiner) {
+  const auto chirikov = grown(make_system("standard", {{"K", 0.3}}), 1e-5);
+  EXPECT_EQ(chirikov->period(), 2U);
+  EXPECT_LE(chirikov->tolerance, 1e-6);
+  const auto finer = grown(make_system("standard", {{"K", 0.3}}), 1e-8);
+  EXPECT_NEAR(chirikov->areas_by_action[0], finer->areas_by_action[0], 1e-17);
+  EXPECT_NEAR(chirikov->areas_by_action[0], -chirikov->areas_by_action[1], 1e-17);
+  const auto birth = grown(make_system("ovp", {{"gamma", 1.35}}), 1e-5, 1, 1);  // two of the pips are just born
+  EXPECT_EQ(birth->period(), 4U);
+  EXPECT_EQ(grown(make_system("standard", {{"K", 1.2}}), 1e-5)->tolerance, 1e-5);
+}
+
 // Where damping wins U ends in a sink before it could meet S; where it does not, lobes are found, but areas shrink and
 // say nothing of transport.
 TEST(TangleOfMap, DampedOscillators) {
