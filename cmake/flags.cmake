@@ -13,8 +13,10 @@ function(lober_own_code target)
     $<$<BOOL:${LOBER_WERROR}>:-Werror>
     -ffp-contract=off -fno-math-errno -fno-trapping-math)
   # -Wno-psabi: compilers warn that vector types are passed differently by builds with and without AVX; ours
-  # never cross a translation unit. -Wno-restrict: a false alarm of GCC 12 on std::string (its bug 105651).
-  target_compile_options(${target} PRIVATE -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+  # never cross a translation unit. -Wno-restrict: a false alarm of GCC 12 on std::string (its bug 105651). To Clang
+  # -Wconversion means changes of sign too, to GCC it does not.
+  target_compile_options(${target} PRIVATE -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+                                           $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
   if(LOBER_BUILD_FUZZ)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()

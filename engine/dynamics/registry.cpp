@@ -35,7 +35,9 @@ void require_positive(const SystemInfo& info, std::string_view name, double valu
 System make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options) {
   SystemInfo info = entry.info;
   std::vector<bool> given(info.parameters.size(), false);
-  for (const auto& [name, value] : values) {
+  for (const auto& setting : values) {
+    const std::string& name = setting.first;
+    const double value = setting.second;
     const auto found = std::find_if(info.parameters.begin(), info.parameters.end(),
                                     [&](const Parameter& parameter) { return parameter.name == name; });
     if (found == info.parameters.end()) {

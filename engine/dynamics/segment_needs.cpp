@@ -39,12 +39,13 @@ void SegmentNeeds::measure(const Samples& samples, std::span<const std::uint32_t
     const double a = length_[k] * gap[k + 1], b = length_[k + 1] * gap[k];
     const double longer = length_[k] > length_[k + 1] ? length_[k] : length_[k + 1];
     const double larger = a > b ? a : b, smaller = a > b ? b : a;
-    differ[k] = (bend[k] >= 0) & (longer >= visible) & (larger > most_uneven * smaller) ? 1 : 0;
+    const bool smooth = bend[k] >= 0, seen = longer >= visible, far = larger > most_uneven * smaller;
+    differ[k] = static_cast<std::uint8_t>(smooth & seen & far);
   }
   for (std::size_t k = 0; k < count; ++k) {
     const double larger = bend[k] > bend[k + 1] ? bend[k] : bend[k + 1];
     curvature_[k] = larger > 0 ? larger : 0.0;
-    unknown_[k] = static_cast<std::uint8_t>((bend[k] < 0) & (bend[k + 1] < 0));
+    unknown_[k] = larger < 0 ? 1 : 0;
     uneven_[k] = static_cast<std::uint8_t>(differ[k] | differ[k + 1]);
   }
   parts_needed(&length_[1], curvature_.data(), count, {options.tolerance, options.longest, most_parts}, need_.data());

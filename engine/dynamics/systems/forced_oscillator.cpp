@@ -9,19 +9,17 @@ namespace lober {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr int harmonics = 40;
-constexpr int samples = 128;
-
-Complex turn(long parts, long whole) {
-  return std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(parts % whole) / static_cast<double>(whole));
-}
+constexpr std::size_t harmonics = 40;
+constexpr std::size_t samples = 128;
 
 // The harmonics 0 .. `harmonics` of a real periodic function.
 std::vector<Complex> spectrum(const std::vector<double>& values) {
   std::vector<Complex> result(harmonics + 1);
-  for (int k = 0; k <= harmonics; ++k) {
-    for (int j = 0; j < samples; ++j) result[k] += values[j] * turn(-static_cast<long>(j) * k, samples);
-    result[k] /= samples;
+  for (std::size_t k = 0; k <= harmonics; ++k) {
+    for (std::size_t j = 0; j < samples; ++j) {
+      const double turns = static_cast<double>(j * k % samples) / samples;
+      result[k] += values[j] * std::polar(1.0 / samples, -2 * std::numbers::pi * turns);
+    }
   }
   return result;
 }
@@ -31,13 +29,17 @@ std::vector<Complex> spectrum(const std::vector<double>& values) {
 Point ForcedOscillator::saddle_on_section(double phase, const std::function<double(double)>& rest) const {
   const Complex i{0, 1};
   // (L u)_k = g_k with L u = u'' + delta u' - u; no harmonic is resonant, so that |1 / L_k| <= 1.
-  const auto divisor = [&](int k) { return -k * k * omega * omega - 1.0 + i * (delta * omega * k); };
+  const auto divisor = [&](std::size_t k) {
+    const double frequency = omega * static_cast<double>(k);
+    return -frequency * frequency - 1.0 + i * (delta * frequency);
+  };
   std::vector<Complex> u(harmonics + 1);
   const auto at = [&](double turns, bool derivative) {
     double sum = derivative ? 0 : u[0].real();
-    for (int k = 1; k <= harmonics; ++k) {
-      const Complex factor = derivative ? i * (omega * k) : Complex{1};
-      sum += 2 * (factor * u[k] * std::polar(1.0, 2 * std::numbers::pi * k * turns)).real();
+    for (std::size_t k = 1; k <= harmonics; ++k) {
+      const double number = static_cast<double>(k);
+      const Complex factor = derivative ? i * (omega * number) : Complex{1};
+      sum += 2 * (factor * u[k] * std::polar(1.0, 2 * std::numbers::pi * number * turns)).real();
     }
     return sum;
   };
@@ -46,12 +48,12 @@ Point ForcedOscillator::saddle_on_section(double phase, const std::function<doub
   double change = 1;
   for (int round = 0; round < 500 && change > 1e-15; ++round) {
     std::vector<double> values(samples);
-    for (int j = 0; j < samples; ++j) values[j] = rest(at(static_cast<double>(j) / samples, false));
+    for (std::size_t j = 0; j < samples; ++j) values[j] = rest(at(static_cast<double>(j) / samples, false));
     std::vector<Complex> next = spectrum(values);
     next[1] += 0.5 * eps;
     const double before = change;
     change = 0;
-    for (int k = 0; k <= harmonics; ++k) {
+    for (std::size_t k = 0; k <= harmonics; ++k) {
       next[k] /= divisor(k);
       change = std::max(change, std::abs(next[k] - u[k]));
     }
