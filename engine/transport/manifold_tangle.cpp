@@ -67,14 +67,15 @@ class TangleGrower {
   std::unique_ptr<ManifoldTangle> build() {
     grow_all();
     for (int time = 0; tolerance_ > finest * box_.extent(); ++time) {
-      const bool refine = odd() ? time < most_refinements + 1 : time < most_refinements && lobes_are_thin();
+      const bool refine = odd() ? time < most_if_odd : time < most_refinements && lobes_are_thin();
       if (!refine) break;
-      tolerance_ /= 10;
+      tolerance_ = options_.tolerance / std::pow(10, time + 1);
       grow_all();
     }
     if (odd()) {
-      throw DataError(std::to_string(period_) + " pips a period, an odd number: polygons cross where the manifolds, to " +
-                      shortest(tolerance_) + ", do not; a finer tolerance of them or of the integration is needed");
+      throw DataError(std::to_string(period_) +
+                      " pips a period, an odd number: polygons cross where the manifolds, to " + shortest(tolerance_) +
+                      ", do not; a finer tolerance of them or of the integration is needed");
     }
     return finish();
   }
@@ -82,7 +83,7 @@ class TangleGrower {
  private:
   // Lobes thinner than so many tolerances may be made of the polygons rather than of the manifolds.
   static constexpr double thin = 10;
-  static constexpr int most_refinements = 2;
+  static constexpr int most_refinements = 2, most_if_odd = 5;
   static constexpr double finest = 1e-12;  // tolerance, relative to the scene
 
   void grow_all() {

@@ -19,7 +19,7 @@ struct ManifoldTangleOptions {
   /// Distance that polygon and manifold may have. With smooth areas their error is far smaller (order h^6 against h^2).
   /// It is divided by 10, twice at most, as long as a lobe of the turnstile is on average thinner than ten times
   /// this: polygons that lie so close to each other may cross where manifolds do not. An odd number of pips a period
-  /// shows that they do: three times then.
+  /// shows that they do: five times then.
   double tolerance = 1e-5;
   int before = 1;                   ///< images of the bip q that are wanted: from f^-before(q)
   int after = 0;                    ///< to f^after(q)
