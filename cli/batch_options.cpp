@@ -54,9 +54,7 @@ std::optional<BatchRequest> parse_batch(const std::vector<std::string>& argument
   app.add_option("MANIFEST", request.manifest, "what to compute (TOML)")->required();
   app.add_option("--store", request.store, "where results go (default: MANIFEST with .results for .toml)")
       ->type_name("FILE");
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+  add_threads_option(app, request.threads);
   app.add_option("--memory", memory, "for curves and the work on them, like 4G (default: half of the machine's)")
       ->type_name("SIZE");
   app.add_option("--shard", shard, "only part I of N; join the stores with lober batch merge")->type_name("I/N");

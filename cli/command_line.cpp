@@ -82,6 +82,20 @@ bool parse_arguments(CLI::App& app, const std::vector<std::string>& arguments) {
   }
 }
 
+void add_threads_option(CLI::App& app, int& threads) {
+  app.add_option("--threads", threads, "how many (default: all); the results are the same bits")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+}
+
+void add_index_option(CLI::App& app, IndexKind& kind) {
+  app.add_option_function<std::string>(
+         "--index", [&kind](const std::string& name) { kind = index_kind(name); },
+         "auto (default), tree, grid or kd; the results are the same bits")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"auto", "tree", "grid", "kd"}));
+}
+
 void with_thread_limit(int threads, const std::function<void()>& function) {
   // The arena sets how many threads work; the global limit lets there be more of them than the machine has cores.
   std::optional<tbb::global_control> limit;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/index/index.hpp"
+
 namespace CLI {
 class App;
 }
@@ -31,6 +33,11 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
 
 /// Parses the arguments of a command. Returns false when they asked for help, which is then printed; throws UsageError.
 [[nodiscard]] bool parse_arguments(CLI::App& app, const std::vector<std::string>& arguments);
+
+/// --threads N, for with_thread_limit.
+void add_threads_option(CLI::App& app, int& threads);
+/// --index KIND.
+void add_index_option(CLI::App& app, IndexKind& kind);
 
 /// Runs the function with so many threads, also more than the machine has cores; 0: one for each.
 void with_thread_limit(int threads, const std::function<void()>& function);

@@ -78,9 +78,7 @@ void add_options(CLI::App& app, Request& request, std::string& interpolation) {
       ->type_name("M");
   app.add_option("--json", request.json, "write what was done as one JSON object (- for standard output)")
       ->type_name("FILE");
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->check(CLI::Range(1, 4096))
-      ->type_name("N");
+  add_threads_option(app, request.threads);
 }
 
 // What the parser cannot see.

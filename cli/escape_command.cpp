@@ -71,9 +71,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
       ->type_name("FILE");
   app.add_option("--svg", request.svg, "draw the curves on the section")->type_name("FILE");
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+  add_threads_option(app, request.threads);
   if (!parse_arguments(app, arguments)) return std::nullopt;
   if (given->count() > 0) request.energy = energy;
   if (request.options.crossings == 0 && request.trajectories > 0) {

@@ -3,7 +3,6 @@
 #include "cli/grow_command.hpp"
 
 #include <CLI/CLI.hpp>
-#include <optional>
 
 #include "cli/command_line.hpp"
 #include "cli/grow_report.hpp"
@@ -76,9 +75,7 @@ void add_options(CLI::App& app, Request& request) {
       ->type_name("FILE");
   app.add_option("--json", request.json, "write what was done as one JSON object (- for standard output)")
       ->type_name("FILE");
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->check(CLI::Range(1, 4096))
-      ->type_name("N");
+  add_threads_option(app, request.threads);
 }
 
 // What the parser cannot see.
@@ -103,16 +100,19 @@ double fraction(const GrowthProgress& progress, const GrowthOptions& options) {
   return std::clamp(std::max(by_length, by_iterates), 0.0, 1.0);
 }
 
-// Where the manifold begins in the tangle that the system is known for, if the user names no other saddle.
-std::optional<Point> saddle_of_tangle(const Request& request, const System& system) {
-  if (!request.fixed_point.empty() || request.period != 1 || !system.connection) return std::nullopt;
-  return request.stable ? system.connection->to : system.connection->from;
+ManifoldSide side_of(const Request& request) {
+  return request.stable ? ManifoldSide::stable : ManifoldSide::unstable;
 }
 
-// The one that the user named, or the only one in the system's window.
+// Whether it is the manifold of the tangle that the system is known for: the user names no other saddle.
+bool of_tangle(const Request& request, const System& system) {
+  return request.fixed_point.empty() && request.period == 1 && system.connection;
+}
+
+// The one that the user named, that of the tangle, or the only one in the system's window.
 Point saddle_of(const Request& request, const System& system) {
   if (request.fixed_point.size() == 2) return {request.fixed_point[0], request.fixed_point[1]};
-  if (const std::optional<Point> saddle = saddle_of_tangle(request, system)) return *saddle;
+  if (of_tangle(request, system)) return system.connection->saddle(side_of(request));
   std::vector<Point> saddles;
   std::string places;
   for (const FixedPoint& point : find_fixed_points(*system.map, system.window, {.period = request.period})) {
@@ -130,8 +130,8 @@ Point saddle_of(const Request& request, const System& system) {
 
 Branch branch_of(const Request& request, const System& system, const LocalManifold& local) {
   if (request.branch == "-" || request.branch == "minus") return Branch::minus;
-  if (!request.branch.empty() || !saddle_of_tangle(request, system)) return Branch::plus;
-  return branch_towards(local, request.stable ? system.connection->s_direction : system.connection->u_direction);
+  if (!request.branch.empty() || !of_tangle(request, system)) return Branch::plus;
+  return branch_towards(local, system.connection->direction(side_of(request)));
 }
 
 void run(const Request& request) {
@@ -151,8 +151,7 @@ void run(const Request& request) {
     const Stopwatch local_watch;
     LocalManifoldOptions local;
     local.period = request.period;
-    report.local = local_manifold(*report.system.map, saddle_of(request, report.system),
-                                  request.stable ? ManifoldSide::stable : ManifoldSide::unstable, local);
+    report.local = local_manifold(*report.system.map, saddle_of(request, report.system), side_of(request), local);
     report.branch = branch_of(request, report.system, report.local);
     report.timing.local = local_watch.seconds();
     progress.phase("growing", 0.1, 0.9);

@@ -41,9 +41,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       ->excludes(insert);
   app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
       ->type_name("FILE");
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+  add_threads_option(app, request.threads);
   app.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
   app.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
   if (!parse_arguments(app, arguments)) return std::nullopt;

@@ -32,7 +32,7 @@ struct Request {
 std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   bool areas_only = false, no_check = false;
-  std::string index = "auto", rule;
+  std::string rule;
   CLI::App app("Crossings, lobes and areas of two closed curves, simple ones unless --rule is given.", "lober overlay");
   app.add_option("C1", request.curves[0], "the first curve: FILE, or FILE#ZONE for one zone (from 0, or by title)")
       ->required();
@@ -47,12 +47,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
           ->type_name("FILE");
   CLI::Option* svg = app.add_option("--svg", request.svg, "draw the curves and the lobes")->type_name("FILE");
   app.add_flag("--areas-only", areas_only, "totals only, no pieces: faster")->excludes(lobes)->excludes(svg);
-  app.add_option("--index", index, "auto (default), tree, grid or kd; the results are the same bits")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"auto", "tree", "grid", "kd"}));
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+  add_index_option(app, request.options.index);
+  add_threads_option(app, request.threads);
   CLI::Option* unchecked =
       app.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
   CLI::Option* verify =
@@ -74,7 +70,6 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   if (!parse_arguments(app, arguments)) return std::nullopt;
   request.options.pieces = !areas_only;
   request.options.check_simple = !no_check;
-  request.options.index = index_kind(index);
   for (const WindingRule any : all_winding_rules) {
     if (name(any) == rule) request.rule = any;
   }

@@ -63,9 +63,7 @@ int subpixel(double pixels) {
 }
 
 Box include(const Box& box, std::span<const Point> points) {
-  Box all = box;
-  for (const Point& p : points) all = unite(all, Box::of(p, p));
-  return all;
+  return unite(box, box_of(points));
 }
 
 View::View(const Box& window) : low_{window.min_x(), window.min_y()} {

@@ -93,9 +93,7 @@ void run_system_tangle(const std::vector<std::string>& arguments) {
       ->check(CLI::Range(std::size_t{2}, std::size_t{2'147'483'646}))
       ->type_name("N");
   request.outputs.add_options(app);
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+  add_threads_option(app, request.threads);
   if (!parse_arguments(app, arguments)) return;
   with_thread_limit(request.threads, [&] { run(request); });
 }

@@ -55,7 +55,7 @@ void set_bip(const std::string& text, TangleOptions& options) {
 std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   bool no_check = false;
-  std::string index = "auto", bip, reverse;
+  std::string bip, reverse;
   CLI::App app(
       "Tangle of an unstable manifold U and a stable manifold S, open curves ordered outward from their fixed points: "
       "primary intersections (pips), lobes, boundary, turnstile. With --system NAME, of manifolds grown from "
@@ -77,12 +77,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   app.add_option("--reverse", reverse, "u, s or both: the file runs inward, toward the fixed point; turn it round")
       ->type_name("WHICH")
       ->check(CLI::IsMember({"u", "s", "both"}));
-  app.add_option("--index", index, "auto (default), tree, grid or kd; the results are the same bits")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"auto", "tree", "grid", "kd"}));
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+  add_index_option(app, request.options.index);
+  add_threads_option(app, request.threads);
   app.add_flag("--no-simple-check", no_check,
                "do not check that the manifolds are simple, when you know what that means");
   app.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
@@ -90,7 +86,6 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   if (!bip.empty()) set_bip(bip, request.options);
   request.reverse = {reverse == "u" || reverse == "both", reverse == "s" || reverse == "both"};
   request.options.check_simple = !no_check;
-  request.options.index = index_kind(index);
   return request;
 }
 

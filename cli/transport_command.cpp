@@ -139,9 +139,7 @@ void run_transport(const std::vector<std::string>& arguments) {
   app.add_option("--picture", request.picture, "draw manifolds, boundary, turnstile and its images")
       ->type_name("FILE")
       ->excludes(sweep_option);
-  app.add_option("--threads", request.threads, "how many (default: all); the results are the same bits")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+  add_threads_option(app, request.threads);
   if (!parse_arguments(app, arguments)) return;
   with_thread_limit(request.threads, [&] { request.sweep.empty() ? run_one(request) : run_sweep(request); });
 }

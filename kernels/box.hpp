@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "kernels/point.hpp"
 
@@ -38,6 +39,13 @@ inline Box unite(const Box& a, const Box& b) {
 
 inline bool meet(const Box& a, const Box& b) {
   return a.lane[0] <= -b.lane[2] && a.lane[1] <= -b.lane[3] && a.lane[2] <= -b.lane[0] && a.lane[3] <= -b.lane[1];
+}
+
+/// The box of all points; empty, meeting none, when there are none.
+inline Box box_of(std::span<const Point> points) {
+  Box box;
+  for (const Point& point : points) box = unite(box, Box::of(point, point));
+  return box;
 }
 
 /// A box prepared for being tested against many: the right-hand sides of the four comparisons of `meet`.

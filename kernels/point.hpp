@@ -1,6 +1,8 @@
 // The one geometric value that everything else is made of.
 #pragma once
 
+#include <cmath>
+
 namespace lober {
 
 /// A point of the plane in the user's units. Layout is two packed doubles, so an array of points is an
@@ -11,5 +13,11 @@ struct Point {
   friend constexpr bool operator==(const Point&, const Point&) = default;
 };
 static_assert(sizeof(Point) == 2 * sizeof(double));
+
+/// Rounded; squares may overflow beyond 1e154. Always inlined, because kernels are compiled for several processors.
+[[gnu::always_inline, nodiscard]] inline double distance(Point a, Point b) {
+  const double x = b.x - a.x, y = b.y - a.y;
+  return std::sqrt(x * x + y * y);
+}
 
 }  // namespace lober

@@ -48,10 +48,6 @@ Turns equal_turns(std::size_t count) {
   return turns;
 }
 
-double distance(Point a, Point b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 double turning(Point a, Point b, Point c) {
   const Point u{b.x - a.x, b.y - a.y};
   const Point v{c.x - b.x, c.y - b.y};

@@ -10,11 +10,6 @@ namespace {
 
 constexpr double many_parts = 0x1p31;  // beyond, no result could be stored
 
-double distance(Point a, Point b) {
-  const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
-}
-
 bool counts_angles(const Criteria& criteria) {
   return criteria.angle < Criteria::off || criteria.distance_angle < Criteria::off;
 }

@@ -11,11 +11,6 @@
 namespace lober {
 namespace {
 
-double distance(Point a, Point b) {
-  const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
-}
-
 bool finite(Point point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }

@@ -10,11 +10,6 @@
 namespace lober {
 namespace {
 
-double distance(Point a, Point b) {
-  const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
-}
-
 double distance_to_segment(Point p, Point a, Point b) {
   const Point e{b.x - a.x, b.y - a.y};
   const double square = e.x * e.x + e.y * e.y;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/error.hpp"
+#include "engine/text.hpp"
 
 namespace lober {
 namespace {
@@ -142,8 +143,8 @@ ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unst
   }
   const double distance = std::hypot(best.at.x - unstable.saddle.x, best.at.y - unstable.saddle.y);
   if (!(best.residual <= 1e-6 * distance)) {
-    throw DataError("no orbit between the saddles was found near (" + std::to_string(best.at.x) + ", " +
-                    std::to_string(best.at.y) + "): the manifolds do not cross there, or touch");
+    throw DataError("no orbit between the saddles was found near " + place_text(best.at) +
+                    ": the manifolds do not cross there, or touch");
   }
   const std::vector<Point> before = towards_saddle(map, unstable, best.u);
   std::vector<Point> after = towards_saddle(map, stable, best.s);

@@ -120,8 +120,8 @@ class Growth {
       guide.parameters[k] = end_of(0) * static_cast<double>(k) / static_cast<double>(size - 1);
     }
     image(0)(guide.parameters, guide.points);
-    guide.points[0] =
-        local_.saddle;  // P(0) but for rounding; the other manifold of a homoclinic tangle begins there too
+    // P(0) but for rounding; the other manifold of a homoclinic tangle begins there too.
+    guide.points[0] = local_.saddle;
     return guide;
   }
 
@@ -187,7 +187,7 @@ class Growth {
   [[nodiscard]] double length_behind(std::size_t k) const {
     const Point a = result_.points[k], b = result_.points[k + 1];
     if (!meet(Box::of(a, b), trace_options_.box)) return 0;
-    return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+    return distance(a, b);
   }
 
   // Adds the length of the segments up to the points from number `begin` on, and ends the curve at the vertex where it

@@ -46,8 +46,8 @@ struct Saddle {
   Point tangent;
 };
 
-// Newton's method for F(z) = z, until it no longer comes closer.
-Point refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
+// Newton's method for F(z) = z, until it no longer comes closer; none if that is not close.
+std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
   Point best = guess, at = guess;
   double least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 50; ++round) {
@@ -67,30 +67,19 @@ Point refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
     at.x -= (r.x * (a.yy - 1) - a.xy * r.y) / determinant;
     at.y -= ((a.xx - 1) * r.y - a.yx * r.x) / determinant;
   }
-  if (!(least <= 1e-7 * (1 + std::hypot(best.x, best.y)))) {
-    throw DataError("no fixed point of the map was found near " + place_text(guess));
-  }
+  if (!(least <= 1e-7 * (1 + length(best)))) return std::nullopt;
   return best;
 }
 
 // The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. Of
 // the map and its inverse one may see it from where the other does not.
 Point saddle_place(const PlanarMap& map, int steps, Point guess) {
-  if (steps > 0) return refined_fixed_point(map, steps, guess);
-  std::optional<Point> forward;
-  try {
-    forward = refined_fixed_point(map, -steps, guess);
-  } catch (const DataError&) {  // its inverse will say so
-  }
-  try {
-    const Point own = refined_fixed_point(map, steps, guess);
-    const bool same =
-        forward && std::hypot(forward->x - own.x, forward->y - own.y) <= 1e-8 * (1 + std::hypot(own.x, own.y));
-    return same ? *forward : own;
-  } catch (const DataError&) {
-    if (!forward) throw;
-    return *forward;
-  }
+  const std::optional<Point> own = refined_fixed_point(map, steps, guess);
+  const std::optional<Point> forward = steps > 0 ? own : refined_fixed_point(map, -steps, guess);
+  if (!own && !forward) throw DataError("no fixed point of the map was found near " + place_text(guess));
+  if (!own) return *forward;
+  const bool same = forward && distance(*forward, *own) <= 1e-8 * (1 + length(*own));
+  return same ? *forward : *own;
 }
 
 Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {

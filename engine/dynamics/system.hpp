@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/dynamics/flow.hpp"
+#include "engine/dynamics/local_manifold.hpp"
 #include "engine/dynamics/planar_map.hpp"
 #include "kernels/box.hpp"
 
@@ -34,6 +35,11 @@ struct Connection {
   Point from, u_direction;
   Point to, s_direction;
   std::optional<Point> bip{};  ///< near a pip that is a good one to bound a region with
+
+  [[nodiscard]] Point saddle(ManifoldSide side) const { return side == ManifoldSide::unstable ? from : to; }
+  [[nodiscard]] Point direction(ManifoldSide side) const {
+    return side == ManifoldSide::unstable ? u_direction : s_direction;
+  }
 };
 
 /// A system with its parameters chosen.

@@ -25,11 +25,6 @@ constexpr double sharpest_guide = 0.7;
 constexpr double edge_resolution = 1e-7;
 constexpr std::size_t chunk = std::size_t{1} << 16;  // evaluations between two reports of progress
 
-double distance(Point a, Point b) {
-  const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
-}
-
 // What is to be inserted behind element `segment`.
 struct Insertion {
   std::uint32_t segment;

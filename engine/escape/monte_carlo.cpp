@@ -26,17 +26,11 @@ double unit(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-Box box_of(CurveView curve) {
-  Box box;
-  for (const Point& p : curve.points) box = unite(box, Box::of(p, p));
-  return box;
-}
-
 struct Gate {
   IndexedCurve curve;
   Box box;
   int direction;
-  explicit Gate(const TubeCurve& c) : curve(c.view()), box(box_of(c.view())), direction(c.direction) {}
+  explicit Gate(const TubeCurve& c) : curve(c.view()), box(box_of(c.view().points)), direction(c.direction) {}
   [[nodiscard]] bool holds(Point p) const { return meet(box, Box::of(p, p)) && encloses(curve, p); }
 };
 

@@ -19,15 +19,11 @@ System made_system(const CurveRecipe& recipe) {
 
 Curve grown(const CurveRecipe& recipe) {
   const System system = made_system(recipe);
-  const bool stable = recipe.kind == CurveRecipe::Kind::stable;
+  const ManifoldSide side = recipe.kind == CurveRecipe::Kind::stable ? ManifoldSide::stable : ManifoldSide::unstable;
   const Connection connection = system.connection.value_or(Connection{});
-  const Point saddle = recipe.saddle.value_or(stable ? connection.to : connection.from);
-  const LocalManifold local =
-      local_manifold(*system.map, saddle, stable ? ManifoldSide::stable : ManifoldSide::unstable);
+  const LocalManifold local = local_manifold(*system.map, recipe.saddle.value_or(connection.saddle(side)), side);
   Branch branch = recipe.branch < 0 ? Branch::minus : Branch::plus;
-  if (recipe.branch == 0 && !recipe.saddle) {
-    branch = branch_towards(local, stable ? connection.s_direction : connection.u_direction);
-  }
+  if (recipe.branch == 0 && !recipe.saddle) branch = branch_towards(local, connection.direction(side));
   GrowthOptions options;
   options.tolerance = recipe.tolerance;
   options.iterates = recipe.iterates;

@@ -161,17 +161,11 @@ class Builder {
   std::uint64_t fallback_segments_ = 0, fallback_crossings_ = 0;
 };
 
-Box box_of(const CurveView& curve) {
-  Box box;
-  for (const Point& p : curve.points) box = unite(box, Box::of(p, p));
-  return box;
-}
-
 }  // namespace
 
 SmoothAreas smooth_areas(const Overlay& result) {
   const CurveView &c1 = result.nodes.curve1(), &c2 = result.nodes.curve2();
-  const int exponent = comfortable_exponent(unite(box_of(c1), box_of(c2)));
+  const int exponent = comfortable_exponent(unite(box_of(c1.points), box_of(c2.points)));
   if (exponent == 0) return Builder(result, c1, c2, 0).build();
   const std::vector<Point> first = scaled(c1, exponent), second = scaled(c2, exponent);
   return Builder(result, CurveView{first}, CurveView{second}, -2 * exponent).build();

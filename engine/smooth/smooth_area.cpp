@@ -11,9 +11,7 @@ namespace lober {
 
 SmoothArea smooth_area(CurveView curve) {
   validate(curve, "smooth area");
-  Box box;
-  for (const Point& p : curve.points) box = unite(box, Box::of(p, p));
-  const int exponent = comfortable_exponent(box);
+  const int exponent = comfortable_exponent(box_of(curve.points));
   std::vector<Point> points;
   if (exponent != 0) points = scaled(curve, exponent);
   const CurveView comfortable = exponent != 0 ? CurveView{points, true} : CurveView{curve.points, true};

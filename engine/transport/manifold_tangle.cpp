@@ -9,10 +9,6 @@
 namespace lober {
 namespace {
 
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 // Where manifolds have to be as fine as asked: the saddles, their local manifolds, and eight times as far. What goes
 // farther is on its way out and followed coarsely.
 Box scene(const LocalManifold& u, const LocalManifold& s) {
@@ -187,13 +183,7 @@ class TangleGrower {
 
   // Whether the last generation of one manifold comes to where the other one is.
   [[nodiscard]] static bool newest_meets(const GrownManifold& one, const GrownManifold& other) {
-    const auto box_from = [](const GrownManifold& manifold, std::size_t first) {
-      Box box;
-      for (std::size_t k = first; k < manifold.points.size(); ++k)
-        box = unite(box, Box::of(manifold.points[k], manifold.points[k]));
-      return box;
-    };
-    const Box box = box_from(other, 0);
+    const Box box = box_of(other.points);
     const std::size_t generations = one.generation_begin.size() - 1;
     for (std::size_t k = one.generation_begin[generations - 1]; k + 1 < one.points.size(); ++k) {
       if (meet(Box::of(one.points[k], one.points[k + 1]), box)) return true;

@@ -12,6 +12,15 @@
 namespace lober {
 namespace {
 
+// The definition, one vertex at a time.
+double vertex_curvature(Point a, Point b, Point c, double ab, double bc) {
+  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
+  const double sine = std::fabs(ux * vy - uy * vx);    // times both lengths, as is
+  const double below = ab * bc + (ux * vx + uy * vy);  // 1 + cosine
+  const double angle = 2 * sine < 4 * below ? 2 * sine / below : ab * bc > 0 ? 4.0 : 0.0;
+  return angle > 0 ? 2 * angle / (ab + bc) : 0.0;
+}
+
 std::vector<Point> polyline(std::uint64_t seed, std::size_t size) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> step(0, 1);

@@ -10,10 +10,6 @@
 namespace lober::oracle {
 namespace {
 
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 using Cell = std::pair<int, int>;
 
 // The edges between a set of cells and the rest, counter-clockwise; empty if two of them start in one vertex.

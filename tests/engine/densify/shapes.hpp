@@ -34,10 +34,6 @@ inline double off_ellipse(Point p) {
   return std::fabs((x * x + y * y - 1) / (2 * std::hypot(gx, gy)));
 }
 
-inline double distance(Point a, Point b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 inline double angle_at(Point a, Point b, Point c) {
   const double e = std::atan2(b.y - a.y, b.x - a.x), f = std::atan2(c.y - b.y, c.x - b.x);
   return std::fabs(std::remainder(f - e, 2 * std::numbers::pi));

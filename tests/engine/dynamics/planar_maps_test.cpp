@@ -33,10 +33,6 @@ Point image(const PlanarMap& map, Point z, int iterates) {
   return z;
 }
 
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 double determinant_of(const Matrix2& a) {
   return a.xx * a.yy - a.xy * a.yx;
 }
