@@ -7,8 +7,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=${1:-full}
 case $mode in
-  full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 30) kernels=(--benchmark_min_time=0.5) ;;
-  quick) results=build/bench-quick.md overlay=(--n 100000 --rivals fast --limit 20 --no-growth) kernels=(--benchmark_min_time=0.1) ;;
+  full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 30) kernels=(--benchmark_min_time=0.5) batch=() ;;
+  quick) results=build/bench-quick.md overlay=(--n 100000 --rivals fast --limit 20 --no-growth) kernels=(--benchmark_min_time=0.1) batch=(--quick) ;;
   *) echo "usage: bench.sh [full|quick]" >&2; exit 2 ;;
 esac
 tables=$(mktemp)
@@ -32,7 +32,7 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, at so many points a curve.'
   echo
   build/bin/bench_accuracy --svg docs/accuracy.svg
-  for suite in kernels reading interior densify; do
+  for suite in kernels reading interior densify tangle grow; do
     [ -x "build/bin/bench_$suite" ] || continue
     echo "### ${suite^}"
     echo
@@ -41,6 +41,11 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
     echo '```'
     echo
   done
+  echo '### Batches'
+  echo
+  echo 'Whole runs of `lober batch run`, store included. One thread is kept to one core, which the thread that stores shares.'
+  echo
+  build/bin/bench_batch "${batch[@]}"
 } >"$draft"
 cp "$draft" "$results"
 echo "wrote $results"

@@ -54,6 +54,7 @@ void ResultWriter::work() {
   for (bool last = false; !last;) {
     std::vector<StoredResult> results;  // freed, like the digests, when nobody waits for the lock
     InputDigests digests;
+    results.reserve(many);  // what `add` fills next
     {
       std::unique_lock lock(mutex_);
       wake_.wait_for(lock, interval, [&] { return finish_ || results_.size() >= many; });
