@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "kernels/double_double.hpp"
 #include "kernels/leaf.hpp"
@@ -43,6 +44,9 @@ struct alignas(64) LeafPrefixes {
 /// sum behind the last one. extra[k], unless extra is null, is added behind segment k. Error of a term below 2^-102
 /// times |a - origin| |b - a|; of a sum, 40 times 2^-106 of the largest sum of up to leaf_size terms.
 DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
+
+/// sums[k] = prefixes.at(segments[k] % leaf_size, t[k]) for k < count: the same bits, several times faster.
+void sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count, DD* sums);
 
 /// A running sum of double-doubles: the high parts exactly, the low parts rounded. Error after n additions at most
 /// n 2^-106 times the largest partial sum; several times faster than adding double-doubles, because steps overlap.

@@ -1,4 +1,4 @@
-// Body of shoelace_prefixes, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
+// Bodies of shoelace_prefixes and sums_at, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
 
 namespace {
 
@@ -55,6 +55,42 @@ inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* ext
     store(result.before_low + at, sum.lo + (start_low + load(result.before_low + at)));
   }
   return start;
+}
+
+// Loads four double-doubles, lanes in the order 0, 2, 1, 3, and stores them so.
+inline BasicDD<Lanes> load_four(const DD* from) {
+  const Lanes first = load(&from[0].hi), second = load(&from[2].hi);
+  return {__builtin_shufflevector(first, second, 0, 4, 2, 6), __builtin_shufflevector(first, second, 1, 5, 3, 7)};
+}
+inline void store_four(DD* to, BasicDD<Lanes> value) {
+  store(&to[0].hi, __builtin_shufflevector(value.hi, value.lo, 0, 4, 2, 6));
+  store(&to[2].hi, __builtin_shufflevector(value.hi, value.lo, 1, 5, 3, 7));
+}
+
+inline void four_sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, DD* sums) {
+  const auto place = [&](std::size_t k) { return LeafPrefixes::place(segments[k] % leaf_size); };
+  const std::size_t a = place(0), b = place(2), c = place(1), d = place(3);
+  const auto gather = [&](const double* from) { return Lanes{from[a], from[b], from[c], from[d]}; };
+  const BasicDD<Lanes> term{gather(prefixes.term_high), gather(prefixes.term_low)};
+  const BasicDD<Lanes> part = load_four(t) * term;
+  const BasicDD<Lanes> sum = two_sum(gather(prefixes.before_high), part.hi);
+  store_four(sums, fast_two_sum(sum.hi, sum.lo + (gather(prefixes.before_low) + part.lo)));
+}
+
+inline void all_sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count,
+                        DD* sums) {
+  std::size_t k = 0;
+  for (; k + lanes <= count; k += lanes) four_sums_at(prefixes, segments + k, t + k, sums + k);
+  if (k == count) return;
+  std::uint32_t rest_segments[lanes];
+  DD rest_t[lanes], rest_sums[lanes];
+  for (std::size_t l = 0; l < lanes; ++l) {
+    const std::size_t from = k + l < count ? k + l : count - 1;
+    rest_segments[l] = segments[from];
+    rest_t[l] = t[from];
+  }
+  four_sums_at(prefixes, rest_segments, rest_t, rest_sums);
+  for (std::size_t l = 0; k + l < count; ++l) sums[k + l] = rest_sums[l];
 }
 
 }  // namespace

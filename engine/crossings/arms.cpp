@@ -62,7 +62,7 @@ bool turns_first(Point at, Point from, Point x, Point y, PredicateCounts& counts
 
 std::uint8_t arm_order_at_point(const Contact& contact, const CurveView& c1, const CurveView& c2,
                                 PredicateCounts& counts) {
-  if (contact.proper) return contact.rho > 0 ? rightward_to_left : leftward_to_right;
+  if (contact.proper()) return contact.rho > 0 ? rightward_to_left : leftward_to_right;
   const Arms arms = arms_of(contact, c1, c2);
   for (const Arm own : {out1, in1}) {
     for (const Arm other : {out2, in2}) {

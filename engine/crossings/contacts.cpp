@@ -20,15 +20,15 @@ struct Run {
 };
 
 // A contact before its parameters are known.
-struct Hit {
-  std::uint32_t segment1;
-  std::uint32_t segment2;
-  std::int8_t rho;
-  std::int8_t run;
-  bool proper;
-  bool vertex1;  // at the first end of segment1
-  bool vertex2;
+struct Hit : ContactKind {
+  std::uint32_t segment1, segment2;
 };
+Hit crossing(std::uint32_t i, std::uint32_t j, int rho) {
+  return {{static_cast<std::int8_t>(rho), 0, false, false}, i, j};
+}
+Hit at_vertex(std::uint32_t i, std::uint32_t j, bool of1, bool of2) {
+  return {{0, 0, of1, of2}, i, j};
+}
 
 struct Block {
   Buffer<PairVerdict> verdicts;
@@ -63,8 +63,7 @@ class ContactFinder final : public PairConsumer {
       if (verdict == PairVerdict::doubtful) {
         classify(i, j, end, *block);
       } else {
-        const std::int8_t rho = verdict == PairVerdict::crosses_to_left ? 1 : -1;
-        block->hits.push_back({i, j, rho, 0, true, false, false});
+        block->hits.push_back(crossing(i, j, verdict == PairVerdict::crosses_to_left ? 1 : -1));
       }
     }
     return block->covered_end;
@@ -78,27 +77,21 @@ class ContactFinder final : public PairConsumer {
     block.verdicts = {};
   }
 
-  // Turns the hits of all blocks into contacts, in order along C1, with what is wanted of them later on while they are
-  // at hand: `by_segment2`.
-  Contacts gather(Buffer<KeyedNumber>& by_segment2) {
+  // Turns the hits of all blocks into contacts, in order along C1.
+  Contacts gather() {
     Contacts result;
     std::vector<std::size_t> begin(blocks_.size() + 1, 0);
     for (std::size_t k = 0; k < blocks_.size(); ++k)
       begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->hits.size() : 0);
-    result.list.resize(begin.back());
-    result.rho.resize(begin.back());
-    by_segment2.resize(begin.back());
+    result.list = ContactList(begin.back());
     std::atomic<bool> all_proper{true};
     for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
       if (!blocks_[k]) return;
       Block& block = *blocks_[k];
-      const std::span<Contact> contacts(result.list.data() + begin[k], block.hits.size());
+      Buffer<Contact> contacts(block.hits.size());
       if (!place(block, contacts)) all_proper = false;
       order_on_segments(contacts, block);
-      for (std::size_t m = 0; m < contacts.size(); ++m) {
-        result.rho[begin[k] + m] = contacts[m].rho;
-        by_segment2[begin[k] + m] = {contacts[m].segment2, static_cast<std::uint32_t>(begin[k] + m)};
-      }
+      for (std::size_t m = 0; m < contacts.size(); ++m) result.list.set(begin[k] + m, contacts[m]);
       block.hits = {};
     });
     result.all_proper = all_proper;
@@ -122,17 +115,17 @@ class ContactFinder final : public PairConsumer {
     const int side_a = orient2d(c, d, a, counts), side_b = orient2d(c, d, b, counts);
     if (side_a * side_b > 0) return;
     if (side_a * side_b < 0 && side_c * side_d < 0) {
-      block.hits.push_back({i, j, static_cast<std::int8_t>(side_d), 0, true, false, false});
+      block.hits.push_back(crossing(i, j, side_d));
       return;
     }
     if (a == b || c == d) return;  // repeated vertices carry no segment
     if (a == c) {
-      block.hits.push_back({i, j, 0, 0, false, true, true});
+      block.hits.push_back(at_vertex(i, j, true, true));
       follow_run(i, j, block_end, block);
       return;
     }
-    if (side_a == 0 && a != d && on_segment(c, d, a, counts)) block.hits.push_back({i, j, 0, 0, false, true, false});
-    if (side_c == 0 && c != b && on_segment(a, b, c, counts)) block.hits.push_back({i, j, 0, 0, false, false, true});
+    if (side_a == 0 && a != d && on_segment(c, d, a, counts)) block.hits.push_back(at_vertex(i, j, true, false));
+    if (side_c == 0 && c != b && on_segment(a, b, c, counts)) block.hits.push_back(at_vertex(i, j, false, true));
   }
 
   // Vertex i of C1 is vertex j of C2: follows both as long as they have the same vertices, inside the block.
@@ -222,8 +215,8 @@ class ContactFinder final : public PairConsumer {
       const auto [a, b] = c1_.segment(hit.segment1);
       const auto [c, d] = c2_.segment(hit.segment2);
       Contact& contact = contacts[k];
-      contact = {hit.segment1, hit.segment2, {}, {}, hit.rho, hit.run, hit.proper, hit.vertex1, hit.vertex2};
-      if (hit.proper) {
+      contact = {hit, hit.segment1, hit.segment2, {}, {}};
+      if (hit.proper()) {
         crossings[waiting] = {a, b, c, d};
         target[waiting++] = k;
         if (waiting == batch) flush();
@@ -263,7 +256,7 @@ class ContactFinder final : public PairConsumer {
       return {vertex, vertex, true};
     }
     const auto [c, d] = c2_.segment(contact.segment2);
-    return contact.proper ? ImplicitPoint{c, d} : ImplicitPoint{c, c, true};
+    return contact.proper() ? ImplicitPoint{c, d} : ImplicitPoint{c, c, true};
   }
 
   CurveView c1_, c2_;
@@ -290,12 +283,10 @@ Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind
   const Stopwatch watch;
   ContactFinder finder(c1.view(), c2.view(), scale);
   const SearchCounts search = find_pairs(c1, c2, kind, finder);
-  Buffer<KeyedNumber> by_segment2;
-  Contacts contacts = finder.gather(by_segment2);
+  Contacts contacts = finder.gather();
   contacts.search_seconds = watch.seconds();
   contacts.counts.search = search;
-  contacts.order2 =
-      sort_along_second(contacts.list, std::move(by_segment2), c1.view(), c2.view(), contacts.counts.exact_orders);
+  contacts.order2 = sort_along_second(contacts.list, c1.view(), c2.view(), contacts.counts.exact_orders);
   contacts.order_seconds = watch.seconds() - contacts.search_seconds;
   return contacts;
 }

@@ -13,22 +13,47 @@
 
 #include "engine/index/index.hpp"
 #include "engine/memory.hpp"
-#include "engine/parallel/counting_sort.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/predicates.hpp"
 
 namespace lober {
 
-struct Contact {
-  std::uint32_t segment1;
-  std::uint32_t segment2;
-  DD t1, t2;        ///< parameters in [0, 1), rounded
+struct ContactKind {
   std::int8_t rho;  ///< proper crossing: +1 if C2 passes from right to left of C1 as the input runs; else 0
   std::int8_t
       run;  ///< +1 / -1: from here to the next contact along C1 the curves share their vertices (C2 forward / back)
-  bool proper;
   bool vertex1;  ///< at the first end of segment1 (then t1 is zero, but t1 may also have underflowed to it)
   bool vertex2;
+  [[nodiscard]] bool proper() const { return rho != 0; }
+};
+
+struct Contact : ContactKind {
+  std::uint32_t segment1, segment2;
+  DD t1, t2;  ///< parameters in [0, 1), rounded
+};
+
+/// Contacts, each property in an array of its own: most passes read one or two of them.
+class ContactList {
+ public:
+  ContactList() = default;
+  explicit ContactList(std::size_t size) : kind_(size), segment1_(size), segment2_(size), t1_(size), t2_(size) {}
+
+  [[nodiscard]] std::size_t size() const { return kind_.size(); }
+  [[nodiscard]] Contact operator[](std::size_t k) const {
+    return {kind_[k], segment1_[k], segment2_[k], t1_[k], t2_[k]};
+  }
+  void set(std::size_t k, const Contact& contact) {
+    kind_[k] = contact;
+    segment1_[k] = contact.segment1;
+    segment2_[k] = contact.segment2;
+    t1_[k] = contact.t1;
+    t2_[k] = contact.t2;
+  }
+
+ private:
+  Buffer<ContactKind> kind_;
+  Buffer<std::uint32_t> segment1_, segment2_;
+  Buffer<DD> t1_, t2_;
 };
 
 /// The contact rounded to double: exact at a vertex, else right to about an ulp.
@@ -43,8 +68,7 @@ struct ContactCounts {
 };
 
 struct Contacts {
-  Buffer<Contact> list;          ///< in order along C1
-  Buffer<std::int8_t> rho;       ///< of each in `list`, which need not be read for it
+  ContactList list;              ///< in order along C1
   Buffer<std::uint32_t> order2;  ///< indices into `list` in order along C2
   bool all_proper = true;
   ContactCounts counts;
@@ -55,10 +79,9 @@ struct Contacts {
 /// same except inside runs of common vertices.
 [[nodiscard]] Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind);
 
-/// The numbers of the contacts, sorted by segment of C2 and along each segment, exactly. `by_segment2` has the segment
-/// of C2 and the number of each in any order. Parallel, deterministic; about two passes of counting sort.
-[[nodiscard]] Buffer<std::uint32_t> sort_along_second(const Buffer<Contact>& contacts, Buffer<KeyedNumber> by_segment2,
-                                                      const CurveView& c1, const CurveView& c2,
-                                                      std::uint64_t& exact_orders);
+/// The numbers of the contacts, sorted by segment of C2 and along each segment, exactly. Parallel, deterministic; about
+/// two passes of counting sort.
+[[nodiscard]] Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const CurveView& c1,
+                                                      const CurveView& c2, std::uint64_t& exact_orders);
 
 }  // namespace lober

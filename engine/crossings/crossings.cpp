@@ -30,7 +30,7 @@ Point Crossings::place(const Contact& contact) const {
 
 Node Crossings::operator[](std::size_t number) const {
   const NodeSpan span = graph_.span(static_cast<std::uint32_t>(number));
-  const Contact &first = graph_.contacts[span.first], &last = graph_.contacts[span.last];
+  const Contact first = graph_.contacts[span.first], last = graph_.contacts[span.last];
   Node node;
   node.begin1 = {first.segment1, first.t1.hi};
   node.end1 = {last.segment1, last.t1.hi};

@@ -33,7 +33,7 @@ bool straight_forward(const CurveView& curve, Spot from, Spot to) {
 
 class Joiner {
  public:
-  Joiner(const CurveView& c1, const CurveView& c2, const Buffer<Contact>& contacts, const Buffer<std::uint32_t>& order2)
+  Joiner(const CurveView& c1, const CurveView& c2, const ContactList& contacts, const Buffer<std::uint32_t>& order2)
       : c1_(c1), c2_(c2), contacts_(contacts), rank2_(contacts.size()), joined_(contacts.size()) {
     const auto count = static_cast<std::uint32_t>(contacts.size());
     for (std::uint32_t k = 0; k < count; ++k) rank2_[order2[k]] = k;
@@ -47,13 +47,13 @@ class Joiner {
 
  private:
   [[nodiscard]] std::int8_t direction_to_next(std::uint32_t k) const {
-    const Contact& here = contacts_[k];
+    const Contact here = contacts_[k];
     if (here.run != 0 && c1_.closed && c2_.closed) return here.run;
     const auto count = static_cast<std::uint32_t>(contacts_.size());
     if (k + 1 == count && !c1_.closed) return 0;
     const std::uint32_t next = k + 1 == count ? 0 : k + 1;
     if (next == k) return 0;
-    const Contact& there = contacts_[next];
+    const Contact there = contacts_[next];
     // A run that an open curve ends has no contact at its end, so the next one is another.
     if (here.run != 0) {
       const std::uint32_t from = here.run > 0 ? rank2_[k] : rank2_[next], to = here.run > 0 ? rank2_[next] : rank2_[k];
@@ -76,7 +76,7 @@ class Joiner {
   }
 
   const CurveView &c1_, &c2_;
-  const Buffer<Contact>& contacts_;
+  const ContactList& contacts_;
   Buffer<std::uint32_t> rank2_;
   Buffer<std::int8_t> joined_;
 };
@@ -122,7 +122,7 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
     graph.order.resize(contact_count);
     for_each_block(contact_count, grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        graph.order[k] = contacts.rho[k] > 0 ? rightward_to_left : leftward_to_right;
+        graph.order[k] = graph.contacts[k].rho > 0 ? rightward_to_left : leftward_to_right;
       }
     });
   } else {
@@ -137,7 +137,7 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
     std::fill(node_of.begin(), node_of.end(), 0xffffffffU);
     for (std::size_t k = 0; k < nodes; ++k) {
       const NodeSpan& span = graph.spans[k];
-      const Contact &first = graph.contacts[span.first], &last = graph.contacts[span.last];
+      const Contact first = graph.contacts[span.first], last = graph.contacts[span.last];
       PredicateCounts& counts = graph.counts.predicates;
       graph.order[k] = span.direction == 0
                            ? arm_order_at_point(first, c1.view(), c2.view(), counts)

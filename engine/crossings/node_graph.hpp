@@ -34,7 +34,7 @@ struct NodeSpan {
 };
 
 struct NodeGraph {
-  Buffer<Contact> contacts;         ///< in order along C1
+  ContactList contacts;             ///< in order along C1
   Buffer<NodeSpan> spans;           ///< in order along C1; empty when every node is the contact of the same number
   Buffer<std::uint8_t> order;       ///< ArmOrder of each node
   Buffer<std::uint32_t> contacts2;  ///< contact numbers in order along C2

@@ -14,26 +14,25 @@ constexpr std::size_t grain = std::size_t{1} << 15;
 
 }  // namespace
 
-Buffer<std::uint32_t> sort_along_second(const Buffer<Contact>& contacts, Buffer<KeyedNumber> by_segment2,
-                                        const CurveView& c1, const CurveView& c2, std::uint64_t& exact_orders) {
+Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const CurveView& c1, const CurveView& c2,
+                                        std::uint64_t& exact_orders) {
   const std::size_t count = contacts.size();
-  sort_by_key(by_segment2, static_cast<std::uint32_t>(c2.segments() - 1));
-  const Buffer<KeyedNumber>& items = by_segment2;
-
+  const Buffer<KeyedNumber> items = sorted_by_key(count, static_cast<std::uint32_t>(c2.segments() - 1),
+                                                  [&](std::size_t k) { return contacts[k].segment2; });
   const auto implicit = [&](const Contact& contact) -> ImplicitPoint {
     if (contact.vertex2) {
       const Point vertex = c2.points[contact.segment2];
       return {vertex, vertex, true};
     }
     const auto [a, b] = c1.segment(contact.segment1);
-    return contact.proper ? ImplicitPoint{a, b} : ImplicitPoint{a, a, true};
+    return contact.proper() ? ImplicitPoint{a, b} : ImplicitPoint{a, a, true};
   };
   std::atomic<std::uint64_t> exact{0};
   Buffer<std::uint32_t> order(count);
   for_each_block(count, grain, [&](std::size_t first, std::size_t last) {
     std::uint64_t exact_here = 0;
     const auto before = [&](std::uint32_t x, std::uint32_t y) {
-      const Contact &cx = contacts[x], &cy = contacts[y];
+      const Contact cx = contacts[x], cy = contacts[y];
       if (cx.vertex2 != cy.vertex2) return cx.vertex2;
       const double difference = (cx.t2.hi - cy.t2.hi) + (cx.t2.lo - cy.t2.lo);
       if (difference < -parameter_doubt) return true;

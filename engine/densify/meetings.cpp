@@ -23,7 +23,8 @@ void add_end(const IndexedCurve& own, const IndexedCurve& other, Buffer<Meeting>
   const std::array<Point, 2> last{points.back(), points[points.size() - 2]};
   const Contacts contacts = find_contacts(IndexedCurve({last, false}), other, IndexKind::tree);
   bool found = false;
-  for (const Contact& contact : contacts.list) {
+  for (std::size_t k = 0; k < contacts.list.size(); ++k) {
+    const Contact contact = contacts.list[k];
     if (!contact.vertex1) continue;
     found = true;
     if (!contact.vertex2) insert(on_other, {{contact.segment2, contact.t2.hi}, last[0], false});
@@ -41,9 +42,9 @@ std::array<Buffer<Meeting>, 2> find_meetings(CurveView first, CurveView second) 
   std::array<Buffer<Meeting>, 2> meetings{Buffer<Meeting>(size), Buffer<Meeting>(size)};
   for_each_block(size, densify_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const Contact& along1 = contacts.list[k];
+      const Contact along1 = contacts.list[k];
       meetings[0][k] = {{along1.segment1, along1.t1.hi}, place_of(along1, first, second), along1.vertex1};
-      const Contact& along2 = contacts.list[contacts.order2[k]];
+      const Contact along2 = contacts.list[contacts.order2[k]];
       meetings[1][k] = {{along2.segment2, along2.t2.hi}, place_of(along2, first, second), along2.vertex2};
     }
   });

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -63,27 +64,36 @@ SumAlong sum_along(const BoxTree& tree, Point origin, std::size_t count, const P
     return low;
   };
   // Leaves with places lie anywhere in memory; those of some places further on are asked for in time.
-  constexpr std::size_t ahead = 6, points_per_line = 64 / sizeof(Point);
+  constexpr std::uint32_t nowhere = 0xffffffff;
+  constexpr std::size_t batch = 64, ahead = 6, points_per_line = 64 / sizeof(Point);
   const auto fetch = [](const Point* leaf) {
     for (std::size_t k = 0; k < leaf_size; k += points_per_line) __builtin_prefetch(leaf + k);
   };
   for_each_block(stretches.size(), 4, [&](std::size_t first_stretch, std::size_t last_stretch) {
-    LeafPrefixes leaves, segments;
+    LeafPrefixes leaves, prefixes;
+    std::array<std::uint32_t, batch> segments;  // of places on one leaf
+    std::array<DD, batch> t, sums;
     std::size_t k = first_from(first_stretch);
     for (std::size_t stretch = first_stretch; stretch < last_stretch && k < count; ++stretch) {
-      std::size_t segment = place(k).segment;
+      std::uint32_t segment = place(k).segment;
       if (segment / leaf_size / leaf_size != stretch) continue;
       shoelace_prefixes(tree.stretch_points(stretch), origin, before[stretch], tree.leaf_sums() + stretch * leaf_size,
                         leaves);
       while (segment / leaf_size / leaf_size == stretch) {
         const std::size_t leaf = segment / leaf_size;
         if (k + ahead < count) fetch(tree.leaf_points(place(k + ahead).segment / leaf_size));
-        shoelace_prefixes(tree.leaf_points(leaf), origin, leaves.before(leaf % leaf_size), nullptr, segments);
-        do {
-          take(k, segments.at(segment % leaf_size, place(k).t));
-          if (++k == count) return;
-          segment = place(k).segment;
-        } while (segment / leaf_size == leaf);
+        shoelace_prefixes(tree.leaf_points(leaf), origin, leaves.before(leaf % leaf_size), nullptr, prefixes);
+        while (segment / leaf_size == leaf) {
+          const std::size_t first = k;
+          std::size_t filled = 0;
+          do {
+            segments[filled] = segment;
+            t[filled++] = place(k).t;
+            segment = ++k < count ? place(k).segment : nowhere;
+          } while (segment / leaf_size == leaf && filled < batch);
+          sums_at(prefixes, segments.data(), t.data(), filled, sums.data());
+          for (std::size_t i = 0; i < filled; ++i) take(first + i, sums[i]);
+        }
       }
     }
   });

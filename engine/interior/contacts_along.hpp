@@ -28,9 +28,9 @@ class ContactsAlong {
     return first_ ? graph_.contacts[k].segment1 : graph_.contacts[graph_.contacts2[k]].segment2;
   }
   [[nodiscard]] SeenContact operator[](std::size_t k) const {
-    const Contact& c = graph_.contacts[first_ ? k : graph_.contacts2[k]];
-    if (first_) return {c.segment1, c.segment2, c.t1, c.vertex1, c.vertex2, c.proper, c.rho > 0};
-    return {c.segment2, c.segment1, c.t2, c.vertex2, c.vertex1, c.proper, c.rho < 0};
+    const Contact c = graph_.contacts[first_ ? k : graph_.contacts2[k]];
+    if (first_) return {c.segment1, c.segment2, c.t1, c.vertex1, c.vertex2, c.proper(), c.rho > 0};
+    return {c.segment2, c.segment1, c.t2, c.vertex2, c.vertex1, c.proper(), c.rho < 0};
   }
   /// The number of the first contact on segment `begin` or a later one; size() if there is none.
   [[nodiscard]] std::size_t first_from(std::size_t begin) const {

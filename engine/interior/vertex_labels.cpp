@@ -39,7 +39,7 @@ std::vector<SideChange> side_changes(const Crossings& nodes, int curve) {
   for (std::uint32_t place = 0; place < graph.contacts.size(); ++place) {
     const std::uint32_t number = curve == 1 ? place : graph.contacts2[place];
     if (after[number] == unchanged) continue;
-    const Contact& contact = graph.contacts[number];
+    const Contact contact = graph.contacts[number];
     const auto side = static_cast<Side>(after[number]);
     if (curve == 1) {
       changes.push_back({{contact.segment1, contact.t1.hi}, contact.vertex1, nodes.place(contact), side});

@@ -55,8 +55,8 @@ void append_points(const Overlay& result, const Stretch& stretch, std::vector<Po
     if (!stretch.forward) std::reverse(points.end() - static_cast<std::ptrdiff_t>(size), points.end());
     return;
   }
-  const Buffer<Contact>& contacts = result.nodes.graph().contacts;
-  const Contact &from = contacts[stretch.from], &to = contacts[stretch.to];
+  const ContactList& contacts = result.nodes.graph().contacts;
+  const Contact from = contacts[stretch.from], to = contacts[stretch.to];
   const auto segment_of = [&](const Contact& c) { return stretch.curve == 1 ? c.segment1 : c.segment2; };
   const auto at_vertex = [&](const Contact& c) { return stretch.curve == 1 ? c.vertex1 : c.vertex2; };
   const auto parameter = [&](const Contact& c) { return stretch.curve == 1 ? c.t1 : c.t2; };

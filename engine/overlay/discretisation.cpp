@@ -97,7 +97,7 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
   bulges_at_contacts(
       second, count,
       [&](std::size_t k) {
-        const Contact& contact = graph.contacts[graph.contacts2[k]];
+        const Contact contact = graph.contacts[graph.contacts2[k]];
         return Place{contact.segment2, contact.t2.hi};
       },
       [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= sum; });

@@ -209,44 +209,50 @@ int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
   return times;
 }
 
-// sum(begin, end) of all blocks of nodes, joined in their order.
-template <typename SumOfBlock>
-DD sum_over_nodes(std::size_t count, const SumOfBlock& sum_of_block) {
-  std::vector<DD> partial((count + grain - 1) / grain);
+// Several sums over the nodes at once: of_block(begin, end) adds them up over a block, and blocks are joined in order.
+template <std::size_t sums, typename SumsOfBlock>
+std::array<DD, sums> sums_over_nodes(std::size_t count, const SumsOfBlock& of_block) {
+  std::vector<std::array<DD, sums>> partial((count + grain - 1) / grain);
   for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
-    partial[begin / grain] = sum_of_block(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+    const std::array<RunningSum, sums> block =
+        of_block(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+    for (std::size_t k = 0; k < sums; ++k) partial[begin / grain][k] = block[k].value();
   });
-  DD total;
-  for (const DD& part : partial) total += part;
+  std::array<DD, sums> total{};
+  for (const std::array<DD, sums>& part : partial) {
+    for (std::size_t k = 0; k < sums; ++k) total[k] += part[k];
+  }
   return total;
 }
 
 // Sums of the gaps over the nodes of either order of a proper crossing: curves that meet in points that need no span
 // have no others.
 std::array<DD, 2> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
-  const auto of_order = [&](std::uint8_t order) {
-    return sum_over_nodes(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
-      RunningSum sum;
-      for (std::uint32_t node = begin; node < end; ++node) {
-        if (graph.order[node] == order) sum.add(sums.gap[node]);
-      }
-      return sum.value();
-    });
-  };
-  return {of_order(rightward_to_left), of_order(leftward_to_right)};
+  return sums_over_nodes<2>(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
+    RunningSum to_left, to_right;
+    for (std::uint32_t node = begin; node < end; ++node) {
+      (graph.order[node] == rightward_to_left ? to_left : to_right).add(sums.gap[node]);
+    }
+    return std::array{to_left, to_right};
+  });
 }
 
-// The same with shared arcs, node by node, for one membership.
-DD collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const std::array<std::uint8_t, 6>& wanted) {
-  return sum_over_nodes(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
-    RunningSum sum;
+using ArrivalsWanted = std::array<std::array<std::uint8_t, 6>, 3>;  ///< of three memberships, by arm order
+
+// The same with shared arcs, node by node, for each membership.
+std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const ArrivalsWanted& wanted) {
+  return sums_over_nodes<3>(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
+    std::array<RunningSum, 3> sum;
     for (std::uint32_t node = begin; node < end; ++node) {
-      for (unsigned bits = wanted[graph.order[node]]; bits != 0; bits &= bits - 1) {
-        const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
-        sum.add(at_node(graph, sums, node, arrive, turns[graph.order[node]][arrive].leave));
+      const std::uint8_t order = graph.order[node];
+      for (std::size_t m = 0; m < 3; ++m) {
+        for (unsigned bits = wanted[m][order]; bits != 0; bits &= bits - 1) {
+          const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
+          sum[m].add(at_node(graph, sums, node, arrive, turns[order][arrive].leave));
+        }
       }
     }
-    return sum.value();
+    return sum;
   });
 }
 
@@ -255,22 +261,24 @@ DD collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const std::ar
 FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands) {
   constexpr std::array<Membership, 3> memberships{{{true, false}, {false, true}, {true, true}}};
   const std::uint32_t count = graph.size();
-  const bool points_only = graph.spans.empty();
-  const std::array<DD, 2> gaps = points_only ? gaps_by_order(graph, sums) : std::array<DD, 2>{};
+  ArrivalsWanted wanted;
+  for (std::size_t m = 0; m < 3; ++m) wanted[m] = arrivals(hands, memberships[m]);
   std::array<DD, 3> total{};
-  for (std::size_t m = 0; m < 3; ++m) {
-    const std::array<std::uint8_t, 6> wanted = arrivals(hands, memberships[m]);
-    if (points_only) {
+  if (graph.spans.empty()) {
+    const std::array<DD, 2> gaps = gaps_by_order(graph, sums);
+    for (std::size_t m = 0; m < 3; ++m) {
       for (const std::uint8_t order : {rightward_to_left, leftward_to_right})
-        total[m] += DD{static_cast<double>(times_gap(order, wanted[order])), 0} * gaps[order];
-    } else {
-      total[m] = collected_at_nodes(graph, sums, wanted);
+        total[m] += DD{static_cast<double>(times_gap(order, wanted[m][order])), 0} * gaps[order];
     }
+  } else {
+    total = collected_at_nodes(graph, sums, wanted);
+  }
+  for (std::size_t m = 0; m < 3; ++m) {
     // Whole turns: a walk goes along the way past the first vertex if it leaves the node before by that way, and back
     // if it leaves the node after.
     const auto leaving = [&](std::uint32_t node, Arm by) {
       int times = 0;
-      for (unsigned bits = wanted[graph.order[node]]; bits != 0; bits &= bits - 1) {
+      for (unsigned bits = wanted[m][graph.order[node]]; bits != 0; bits &= bits - 1) {
         times += turns[graph.order[node]][static_cast<unsigned>(__builtin_ctz(bits))].leave == by;
       }
       return times;

@@ -2,26 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <vector>
-
-#include "engine/parallel/parallel.hpp"
 
 namespace lober {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 15;
+using detail::sort_grain;
 constexpr std::uint32_t digit_bits = 11;
 constexpr std::size_t digits = std::size_t{1} << digit_bits;
 
 // One stable pass of counting sort by the digit at `shift`. The grain fixes the pieces, so the result does not depend
 // on threads (a stable sort has one result anyway).
 void sort_by_digit(const Buffer<KeyedNumber>& from, Buffer<KeyedNumber>& to, std::uint32_t shift) {
-  const std::size_t pieces = (from.size() + grain - 1) / grain;
+  const std::size_t pieces = (from.size() + sort_grain - 1) / sort_grain;
   std::vector<std::array<std::uint32_t, digits>> begin(pieces);
   const auto digit = [shift](const KeyedNumber& item) { return (item.key >> shift) & (digits - 1); };
-  for_each_block(from.size(), grain, [&](std::size_t first, std::size_t last) {
-    auto& count = begin[first / grain];
+  for_each_block(from.size(), sort_grain, [&](std::size_t first, std::size_t last) {
+    auto& count = begin[first / sort_grain];
     count.fill(0);
     for (std::size_t k = first; k < last; ++k) ++count[digit(from[k])];
   });
@@ -33,15 +30,15 @@ void sort_by_digit(const Buffer<KeyedNumber>& from, Buffer<KeyedNumber>& to, std
       total += count;
     }
   }
-  for_each_block(from.size(), grain, [&](std::size_t first, std::size_t last) {
-    auto& next = begin[first / grain];
+  for_each_block(from.size(), sort_grain, [&](std::size_t first, std::size_t last) {
+    auto& next = begin[first / sort_grain];
     for (std::size_t k = first; k < last; ++k) to[next[digit(from[k])]++] = from[k];
   });
 }
 
 // Moves items[k] down to its place among the items before it, which are sorted; not further than a few places.
 // Returns whether that was enough.
-bool settle(KeyedNumber* items, std::size_t k) {
+bool settle_one(KeyedNumber* items, std::size_t k) {
   constexpr std::size_t furthest = 8;
   const KeyedNumber item = items[k];
   const std::size_t lowest = k < furthest ? 0 : k - furthest;
@@ -51,27 +48,27 @@ bool settle(KeyedNumber* items, std::size_t k) {
   return m == 0 || items[m - 1].key <= item.key;
 }
 
-// Sorts by insertion as long as items have to move by a few places only (as those of curves that run
-// side by side do). Gives up otherwise; then equal items are in their order still.
-bool sort_if_nearly_sorted(Buffer<KeyedNumber>& items) {
-  std::atomic<bool> sorted{true};
-  for_each_block(items.size(), grain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = 1; k < last - first && sorted.load(std::memory_order_relaxed); ++k) {
-      if (!settle(&items[first], k)) sorted = false;
-    }
-  });
-  for (std::size_t border = grain; border < items.size() && sorted; border += grain) {
+// Joins sorted blocks as long as items have to move by a few places only, as those of curves that run side by side do.
+bool join_blocks(Buffer<KeyedNumber>& items) {
+  for (std::size_t border = sort_grain; border < items.size(); border += sort_grain) {
     for (std::size_t k = border; k < items.size() && items[k].key < items[k - 1].key; ++k) {
-      if (!settle(items.data(), k)) return false;
+      if (!settle_one(items.data(), k)) return false;
     }
   }
-  return sorted;
+  return true;
 }
 
 }  // namespace
 
-void sort_by_key(Buffer<KeyedNumber>& items, std::uint32_t largest) {
-  if (sort_if_nearly_sorted(items)) return;
+bool detail::settle(KeyedNumber* items, std::size_t count) {
+  for (std::size_t k = 1; k < count; ++k) {
+    if (!settle_one(items, k)) return false;
+  }
+  return true;
+}
+
+void detail::finish_sort(Buffer<KeyedNumber>& items, std::uint32_t largest, bool blocks_are_sorted) {
+  if (blocks_are_sorted && join_blocks(items)) return;
   const auto less = [](const KeyedNumber& x, const KeyedNumber& y) { return x.key < y.key; };
   if (items.size() < digits) {
     std::stable_sort(items.begin(), items.end(), less);

@@ -71,14 +71,8 @@ class MarkMaker {
   // Brings all sites in order along the curves and finds out where a new mark begins.
   void sort_sites() {
     const std::size_t count = sites();
-    Buffer<KeyedNumber> items(count);
-    for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const auto site = static_cast<std::uint32_t>(k);
-        items[k] = {mark_at(site).segment, site};
-      }
-    });
-    sort_by_key(items, strands_.segments() - 1);
+    const Buffer<KeyedNumber> items = sorted_by_key(
+        count, strands_.segments() - 1, [&](std::size_t k) { return mark_at(static_cast<std::uint32_t>(k)).segment; });
     order_.resize(count);
     fresh_.resize(count);
     std::atomic<std::uint64_t> exact_orders{0};

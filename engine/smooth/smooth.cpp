@@ -94,7 +94,7 @@ class Builder {
     constexpr bool first = on == &SmoothCrossing::place1;
     const auto position = [](const SmoothPlace& place) { return static_cast<double>(place.segment) + place.u; };
     const auto before = [&](std::uint32_t k) {
-      const Contact& at = graph_.contacts[k];
+      const Contact at = graph_.contacts[k];
       return position(first ? SmoothPlace{at.segment1, at.t1.hi} : SmoothPlace{at.segment2, at.t2.hi});
     };
     const double turn =

@@ -61,7 +61,7 @@ class GapFinder {
   }
 
  private:
-  [[nodiscard]] const Contact& contact(std::size_t k) const { return graph_.contacts[graph_.span(nodes_[k]).first]; }
+  [[nodiscard]] Contact contact(std::size_t k) const { return graph_.contacts[graph_.span(nodes_[k]).first]; }
   [[nodiscard]] Point place(const SmoothPlace& at) const {
     const Point from = c1_.vertex(at.segment), offset = c1_.segment(at.segment).at(at.u);
     return {from.x + offset.x, from.y + offset.y};
@@ -69,7 +69,7 @@ class GapFinder {
   [[nodiscard]] double position(std::size_t k, bool on_first) const {
     const auto sum = [](const SmoothPlace& at) { return static_cast<double>(at.segment) + at.u; };
     if (moved_[k]) return sum(on_first ? moved_[k]->place1 : moved_[k]->place2);
-    const Contact& here = contact(k);
+    const Contact here = contact(k);
     return on_first ? sum({here.segment1, here.t1.hi}) : sum({here.segment2, here.t2.hi});
   }
 

@@ -15,7 +15,9 @@ namespace {
 std::vector<Position> chord_meetings(const IndexedCurve& chord, const IndexedCurve& curve) {
   const Point start = curve.view().points[0];
   std::vector<Position> meetings;
-  for (const Contact& contact : find_contacts(chord, curve, IndexKind::tree).list) {
+  const ContactList contacts = find_contacts(chord, curve, IndexKind::tree).list;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact contact = contacts[k];
     const auto points = curve.view().points.first(contact.segment2 + 1);
     const bool at_start = contact.vertex1 && contact.vertex2 &&
                           std::all_of(points.begin(), points.end(), [&](Point p) { return p == start; });

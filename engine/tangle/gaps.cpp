@@ -20,7 +20,7 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
   for (const std::uint32_t node : along2) {
     if (slots[node] != unwanted) order[place++] = slots[node];
   }
-  const auto contact = [&](std::size_t k) -> const Contact& { return graph.contacts[graph.span(nodes[k]).first]; };
+  const auto contact = [&](std::size_t k) { return graph.contacts[graph.span(nodes[k]).first]; };
   run_together(
       curves.u().segments() + curves.s().segments() > 100'000,
       [&] {

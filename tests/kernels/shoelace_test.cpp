@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstring>
+#include <vector>
 
 #include "kernels/cpu.hpp"
 #include "kernels/shoelace.inl"
@@ -13,7 +14,9 @@
 
 namespace lober {
 DD shoelace_prefixes_avx2(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
-}
+void sums_at_avx2(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count,
+                  DD* sums);
+}  // namespace lober
 
 namespace lober::testing {
 namespace {
@@ -96,6 +99,39 @@ TEST(Shoelace, BothCopiesGiveTheSameBits) {
     ASSERT_EQ(std::memcmp(&plain, &wide, sizeof plain), 0) << "try " << k;
     ASSERT_EQ(plain_end.hi, wide_end.hi);
     ASSERT_EQ(plain_end.lo, wide_end.lo);
+  }
+}
+
+TEST(SumsAt, GivesTheBitsOfOneAtATime) {
+  Random random(seed());
+  for (int k = 0; k < 2000; ++k) {
+    const Leaf leaf = random_leaf(random);
+    LeafPrefixes prefixes;
+    shoelace_prefixes(leaf.data(), leaf[random.index(leaf.size())], {1, 0}, nullptr, prefixes);
+    const std::size_t count = random.index(20);
+    std::vector<std::uint32_t> segments(count);
+    std::vector<DD> t(count), plain(count + 1, DD{-1, -2}), wide = plain;
+    for (std::size_t i = 0; i < count; ++i) {
+      segments[i] = static_cast<std::uint32_t>(7 * leaf_size + random.index(leaf_size));
+      t[i] = random.chance(0.1) ? DD{} : two_product(random.unit(), random.unit());
+    }
+    all_sums_at(prefixes, segments.data(), t.data(), count, plain.data());
+    if (has_avx2()) {
+      sums_at_avx2(prefixes, segments.data(), t.data(), count, wide.data());
+    } else {
+      wide = plain;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const DD expected = prefixes.at(segments[i] % leaf_size, t[i]);
+      for (const DD found : {plain[i], wide[i]}) {
+        ASSERT_EQ(found.hi, expected.hi) << "place " << i << " of " << count << ", try " << k;
+        ASSERT_EQ(found.lo, expected.lo) << "place " << i << " of " << count << ", try " << k;
+      }
+    }
+    for (const DD behind : {plain[count], wide[count]}) {
+      ASSERT_EQ(behind.hi, -1) << "written past the end";
+      ASSERT_EQ(behind.lo, -2) << "written past the end";
+    }
   }
 }
 

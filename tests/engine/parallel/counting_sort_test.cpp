@@ -15,14 +15,15 @@ TEST(CountingSort, SortsStablyByKey) {
   Random random(seed());
   for (const std::size_t size : {0U, 1U, 2U, 2047U, 2048U, 40000U, 100000U}) {
     for (const std::uint32_t largest : {0U, 1U, 2047U, 2048U, 100000U, 0xfffffffeU}) {
-      Buffer<KeyedNumber> items(size);
+      Buffer<KeyedNumber> expected(size);
       for (std::uint32_t k = 0; k < size; ++k) {
-        items[k] = {static_cast<std::uint32_t>(random.unit() * (largest + 1.0)), k};
+        expected[k] = {static_cast<std::uint32_t>(random.unit() * (largest + 1.0)), k};
       }
-      Buffer<KeyedNumber> expected = items;
+      const Buffer<KeyedNumber> unsorted = expected;
       std::stable_sort(expected.begin(), expected.end(),
                        [](const KeyedNumber& x, const KeyedNumber& y) { return x.key < y.key; });
-      with_threads(7, [&] { sort_by_key(items, largest); });
+      Buffer<KeyedNumber> items;
+      with_threads(7, [&] { items = sorted_by_key(size, largest, [&](std::size_t k) { return unsorted[k].key; }); });
       const bool same =
           std::equal(items.begin(), items.end(), expected.begin(), expected.end(),
                      [](const KeyedNumber& x, const KeyedNumber& y) { return x.key == y.key && x.number == y.number; });
