@@ -39,8 +39,8 @@ bench-batch: bench-deps
 	cmake --build --preset bench --target bench_batch
 	build/bin/bench_batch
 
-# A million random pairs with new seeds, ten times what the tests run, and the coverage of the error bars: about a quarter
-# of an hour on two cores.
+# A million random pairs with new seeds, ten times what the tests run, tangles and winding regions, the coverage of the
+# error bars, batches that are killed: about eight minutes on two cores.
 stress: deps mpi-deps
 	cmake --preset release
 	cmake --build --preset release

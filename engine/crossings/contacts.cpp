@@ -215,7 +215,7 @@ class ContactFinder final : public PairConsumer {
       const auto [a, b] = c1_.segment(hit.segment1);
       const auto [c, d] = c2_.segment(hit.segment2);
       Contact& contact = contacts[k];
-      contact = {hit, hit.segment1, hit.segment2, {}, {}};
+      contact = {hit.kind(), hit.segment1, hit.segment2, {}, {}};
       if (hit.proper()) {
         crossings[waiting] = {a, b, c, d};
         target[waiting++] = k;

@@ -25,6 +25,7 @@ struct ContactKind {
   bool vertex1;  ///< at the first end of segment1 (then t1 is zero, but t1 may also have underflowed to it)
   bool vertex2;
   [[nodiscard]] bool proper() const { return rho != 0; }
+  [[nodiscard]] const ContactKind& kind() const { return *this; }
 };
 
 struct Contact : ContactKind {
@@ -43,7 +44,7 @@ class ContactList {
     return {kind_[k], segment1_[k], segment2_[k], t1_[k], t2_[k]};
   }
   void set(std::size_t k, const Contact& contact) {
-    kind_[k] = contact;
+    kind_[k] = contact.kind();
     segment1_[k] = contact.segment1;
     segment2_[k] = contact.segment2;
     t1_[k] = contact.t1;

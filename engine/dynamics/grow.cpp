@@ -31,7 +31,7 @@ class Growth {
     try {
       Samples guide = first_guide();
       int short_generations = 0;
-      for (int generation = 0; !done(generation); ++generation) {
+      for (int generation = 0; !done(generation);) {
         Trace trace = traced_generation(std::move(guide), generation);
         const bool out_of_points = trace.out_of_points;
         const double length = result_.length;
@@ -41,7 +41,8 @@ class Growth {
         if (result_.length >= options_.length) return stopped(GrowthStop::length);
         if (!alive(trace.samples)) return stopped(GrowthStop::failed);
         if (short_generations >= 2) return stopped(GrowthStop::ended);
-        if (!done(generation + 1)) guide = carried(std::move(trace.samples), generation);
+        if (done(++generation)) break;
+        guide = carried(std::move(trace.samples), generation - 1);
       }
       return stopped(GrowthStop::iterates);
     } catch (const Cancelled&) {

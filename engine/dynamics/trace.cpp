@@ -330,10 +330,10 @@ class Tracer {
     const double a = k > 0 && !is_corner(k) ? std::clamp(density(k - 1, k), low, high) : own;
     const double b = k + 1 < segments() && !is_corner(k + 1) ? std::clamp(density(k, k + 1), low, high) : own;
     const double width = end - place[k];
-    for (double number = begin; number < end; ++number) {
-      const double part = (number - place[k]) / width;
+    for (auto number = static_cast<std::size_t>(begin); static_cast<double>(number) < end; ++number) {
+      const double part = (static_cast<double>(number) - place[k]) / width;
       const double t = own > 0 ? part * (a + b) / (a + std::sqrt(a * a + (b - a) * (b + a) * part)) : part;
-      parameters[static_cast<std::size_t>(number)] = samples_.parameters[k] + gap(k) * t;
+      parameters[number] = samples_.parameters[k] + gap(k) * t;
     }
   }
 

@@ -1,7 +1,7 @@
 // Winding regions against the exact slabs on random pairs of every family.
 //
-// LOBER_RANDOM_PAIRS  how many pairs, over all families (default 12000)
-// LOBER_SEED          the first seed (default 0)
+// LOBER_RANDOM_REGIONS  how many pairs, over all families (default 12000)
+// LOBER_SEED            the first seed (default 0)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -195,7 +195,7 @@ class RandomRegions : public testing::TestWithParam<CrossingFamily> {};
 
 TEST_P(RandomRegions, AgreeWithExactSlabs) {
   const std::uint64_t first = from_environment("LOBER_SEED", 0);
-  const std::uint64_t wanted = from_environment("LOBER_RANDOM_PAIRS", 12000);
+  const std::uint64_t wanted = from_environment("LOBER_RANDOM_REGIONS", 12000);
   const std::uint64_t count = (wanted + crossing_families().size() - 1) / crossing_families().size();
   std::mutex mutex;
   std::size_t failed = 0, pieces = 0;

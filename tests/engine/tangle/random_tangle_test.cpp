@@ -1,4 +1,7 @@
 // Random tangles against definitions: pips by comparing all crossings, areas by overlaying polygons.
+//
+// LOBER_RANDOM_TANGLES  how many (default 400)
+// LOBER_SEED            of the random numbers (default 20261121)
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -116,7 +119,7 @@ void check(const ManifoldPair& pair, Tally& tally) {
 
 TEST(RandomTangle, AgreesWithDefinitions) {
   oracle::Random random(from_environment("LOBER_SEED", 20261121));
-  const std::uint64_t pairs = from_environment("LOBER_RANDOM_PAIRS", 400);
+  const std::uint64_t pairs = from_environment("LOBER_RANDOM_TANGLES", 400);
   Tally tally;
   for (std::uint64_t k = 0; k < pairs && !HasFailure(); ++k) {
     check(random_manifolds(random, 300, random.integer(3, 9)), tally);
