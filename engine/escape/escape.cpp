@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/error.hpp"
-#include "engine/escape/winding_product.hpp"
 #include "engine/escape/necks.hpp"
+#include "engine/escape/winding_product.hpp"
 #include "engine/parallel/parallel.hpp"
 
 namespace lober {
