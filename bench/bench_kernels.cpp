@@ -133,8 +133,7 @@ void meeting_segments_of_leaves(benchmark::State& state) {
     a[k] = {t * std::cos(0.3), t * std::sin(0.3)};
     b[k] = {t * std::cos(angle), t * std::sin(angle)};
   }
-  Box box;
-  for (const Point& point : b) box = unite(box, Box::of(point, point));
+  const Box box = box_of(b);
   SegmentBoxes boxes;
   segment_boxes(a.data(), boxes);
   std::vector<SegmentPair> pairs(leaf_size * leaf_size);

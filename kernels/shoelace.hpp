@@ -32,12 +32,6 @@ struct alignas(64) LeafPrefixes {
   [[nodiscard]] LOBER_INLINE DD before(std::size_t segment) const {
     return {before_high[place(segment)], before_low[place(segment)]};
   }
-  /// The sum up to the point with parameter t of the segment.
-  [[nodiscard]] LOBER_INLINE DD at(std::size_t segment, DD t) const {
-    const DD part = t * term(segment), start = before(segment);
-    const DD sum = two_sum(start.hi, part.hi);
-    return fast_two_sum(sum.hi, sum.lo + (start.lo + part.lo));
-  }
 };
 
 /// Fills `prefixes` for the leaf_size segments of a leaf about `origin`, the first sum being `start`, and returns the
@@ -45,7 +39,8 @@ struct alignas(64) LeafPrefixes {
 /// times |a - origin| |b - a|; of a sum, 40 times 2^-106 of the largest sum of up to leaf_size terms.
 DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
 
-/// sums[k] = prefixes.at(segments[k] % leaf_size, t[k]) for k < count: the same bits, several times faster.
+/// The sums up to `count` places on the leaf: sums[k] = before(s) + t[k] term(s), s = segments[k] % leaf_size. The
+/// error of each keeps to the bound of a sum above.
 void sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count, DD* sums);
 
 /// A running sum of double-doubles: the high parts exactly, the low parts rounded. Error after n additions at most

@@ -24,7 +24,7 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo '# Results of the benchmarks'
   echo
   echo "Written by \`scripts/bench.sh $mode\`. $processor, $(nproc) cores; $compiler; commit $commit."
-  echo 'Times are medians. Where others share the machine, the floors tell how quiet it was.'
+  echo 'Where others share the machine, the floors tell how quiet it was.'
   echo 'Scenes, what is measured and what the rivals are asked for: `bench/scenes`, `bench/harness`, `bench/rivals`.'
   echo
   cat "$tables"
@@ -44,7 +44,7 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   done
   echo '### Batches'
   echo
-  echo 'Whole runs of `lober batch run`, store included. One thread is kept to one core, which the thread that stores shares.'
+  echo 'Whole runs of `lober batch run`, store included, the best of several. One thread is kept to one core, which the thread that stores shares.'
   echo
   build/bin/bench_batch "${batch[@]}"
 } >"$draft"

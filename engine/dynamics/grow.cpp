@@ -29,9 +29,10 @@ class Growth {
 
   GrownManifold run() {
     try {
-      Samples guide = first_guide();
+      Samples samples;  // of the generation before
       int short_generations = 0;
-      for (int generation = 0; !done(generation);) {
+      for (int generation = 0; !done(generation); ++generation) {
+        Samples guide = generation == 0 ? first_guide() : carried(std::move(samples), generation - 1);
         Trace trace = traced_generation(std::move(guide), generation);
         const bool out_of_points = trace.out_of_points;
         const double length = result_.length;
@@ -41,8 +42,7 @@ class Growth {
         if (result_.length >= options_.length) return stopped(GrowthStop::length);
         if (!alive(trace.samples)) return stopped(GrowthStop::failed);
         if (short_generations >= 2) return stopped(GrowthStop::ended);
-        if (done(++generation)) break;
-        guide = carried(std::move(trace.samples), generation - 1);
+        samples = std::move(trace.samples);
       }
       return stopped(GrowthStop::iterates);
     } catch (const Cancelled&) {
@@ -58,22 +58,19 @@ class Growth {
     }
     std::vector<Point> points(parameters.size());
     local_.points_at(parameters, points);
-    Box extent;
+    const double extent = box_of(points).extent();
     double largest = 0;
-    for (const Point point : points) {
-      extent = unite(extent, Box::of(point, point));
-      largest = std::max({largest, std::fabs(point.x), std::fabs(point.y)});
-    }
+    for (const Point point : points) largest = std::max({largest, std::fabs(point.x), std::fabs(point.y)});
     const double rounding = largest * std::numeric_limits<double>::epsilon();
     if (!(options_.tolerance > 8 * rounding)) {
       throw UsageError("grow: the tolerance is below what coordinates of this size resolve");
     }
     trace_options_.tolerance = options_.tolerance;
-    trace_options_.longest = options_.longest > 0 ? options_.longest : extent.extent() / 50;
+    trace_options_.longest = options_.longest > 0 ? options_.longest : extent / 50;
     trace_options_.least_spacing = ulps_apart * std::max(rounding, local_.reach * 1e-16);
     trace_options_.box = options_.box;
     if (!(options_.box.width() >= 0)) {
-      const double reach = 100 * extent.extent();
+      const double reach = 100 * extent;
       trace_options_.box = Box::of({local_.saddle.x - reach, local_.saddle.y - reach},
                                    {local_.saddle.x + reach, local_.saddle.y + reach});
     }

@@ -49,7 +49,8 @@ Store::Store(const std::string& path, bool create) : path_(path), database_(std:
   if (found != format && !fresh) {
     throw DataError(path + ": was written by a version with another format");
   }
-  // An empty store need not survive a power cut; all that is in it is synchronised with the first results.
+  // An empty store need not survive a power cut; all that is in it is synchronised with the first results. Pages are
+  // large because each that is written is a system call or two; the log comes into the file after 4 MiB, as by default.
   if (fresh) database_->execute("PRAGMA synchronous = OFF; PRAGMA page_size = 16384");
   database_->use_write_ahead_log();
   if (fresh) {

@@ -37,12 +37,6 @@ Points random_leaf(Random& random) {
   return points;
 }
 
-Box box_of(const Points& points) {
-  Box box;
-  for (const Point& point : points) box = unite(box, Box::of(point, point));
-  return box;
-}
-
 // Two segments whose boxes meet have a common point iff neither lies on one side of the other.
 bool have_common_point(Point a, Point b, Point c, Point d) {
   PredicateCounts counts;
