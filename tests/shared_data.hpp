@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "tests/paths.hpp"
+
 namespace lober {
 
 /// Path of a file below `data/` of the shared folder, or nothing when it is not there. The folder is the

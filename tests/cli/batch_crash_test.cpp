@@ -10,6 +10,7 @@
 
 #include "tests/cli/background.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/cli/programs.hpp"
 
 namespace lober::cli {
 namespace {

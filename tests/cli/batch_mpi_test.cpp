@@ -9,11 +9,7 @@
 
 #include "tests/cli/background.hpp"
 #include "tests/cli/program.hpp"
-
-#ifndef LOBER_MPI_PROGRAM
-#define LOBER_MPI_PROGRAM ""
-#define LOBER_MPIRUN ""
-#endif
+#include "tests/cli/programs.hpp"
 
 namespace lober::cli {
 namespace {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/cli/program.hpp"
+#include "tests/paths.hpp"
 
 namespace lober::cli {
 namespace {

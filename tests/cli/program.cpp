@@ -1,4 +1,5 @@
 #include "tests/cli/program.hpp"
+#include "tests/cli/programs.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/cli/program.hpp"
+#include "tests/paths.hpp"
 
 namespace lober::cli {
 namespace {

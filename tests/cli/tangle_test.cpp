@@ -5,6 +5,7 @@
 
 #include "engine/curve/curve.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/paths.hpp"
 
 namespace lober::cli {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "engine/dynamics/dynamics.hpp"
 #include "engine/error.hpp"
+#include "tests/paths.hpp"
 
 namespace lober {
 namespace {
