@@ -9,6 +9,7 @@
 
 #include "cli/agreement_report.hpp"
 #include "cli/command_line.hpp"
+#include "cli/curves_transport_command.hpp"
 #include "cli/progress.hpp"
 #include "cli/svg.hpp"
 #include "cli/sweep_report.hpp"
@@ -123,10 +124,12 @@ void run_sweep(const Request& request) {
 }  // namespace
 
 void run_transport(const std::vector<std::string>& arguments) {
+  if (names_manifolds(arguments)) return run_curves_transport(arguments);
   Request request;
   CLI::App app(
       "Transport across the boundary that a stable and an unstable manifold of a map make: grows them, finds the "
-      "turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries.",
+      "turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries. With --manifolds FILE, of curves "
+      "(lober transport --manifolds --help).",
       "lober transport");
   add_system_options(app, request.system, true);
   CLI::Option* const iterates = app.add_option("--iterates", request.options.iterates, "n = 1, ... so many (default 7)")
