@@ -12,6 +12,7 @@
 #include "engine/error.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/transport/transport.hpp"
+#include "tests/paths.hpp"
 
 namespace lober {
 namespace {
@@ -214,7 +215,7 @@ TEST(Transport, StripOfTheCylinder) {
   EXPECT_TRUE(found.regions[0].bounded);
   EXPECT_FALSE(found.regions[1].bounded || found.regions[2].bounded);
   const double lobe = 0.39492059602290671294237539733539969903;
-  EXPECT_NEAR(found.steps[2].total(0, 1).value, 3 * lobe, 1e-8);
+  EXPECT_NEAR(found.steps[1].total(0, 1).value, 2 * lobe, 1e-7);
   EXPECT_NEAR(found.steps[3].total(0, 1).value, 1.513, 0.006);
   EXPECT_NEAR(found.steps[4].total(0, 1).value, 1.710, 0.006);
   EXPECT_NEAR(found.steps[4].total(2, 1).value, 0.1114, 0.002);  // from below the strip to above it
@@ -284,6 +285,36 @@ TEST(Transport, ParticlesAreAThirdRoute) {
     EXPECT_EQ(counted.value, again.steps[k].by_particles(0, 1).value);
     EXPECT_FALSE(std::isnan(found.steps[k].by_particles(1, 0).value));
   }
+}
+
+// A map that preserves area at the saddle, where it is asked, but nowhere else: routes disagree, and the result says
+// so.
+TEST(Transport, SaysThatRoutesDisagree) {
+  const System system = make_system(LOBER_TEST_LIBRARIES "/leaky.so");
+  const Transport found = transport_of(system, 2, 1e-5);
+  EXPECT_FALSE(found.agreement.agrees());
+  const auto apart = found.agreement.disagreements();
+  EXPECT_TRUE(std::any_of(apart.begin(), apart.end(), [](const Comparison& c) { return c.what == "a(1)"; }));
+  EXPECT_TRUE(transport_of(make_system(LOBER_TEST_LIBRARIES "/leaky.so", {{"c", 0}}), 2, 1e-5).agreement.agrees());
+}
+
+// Two curves are enough: as far as they reach, the same numbers as from the map.
+TEST(Transport, OfCurvesAlone) {
+  const Transport found = transport_of(make_system("henon", {{"k", 0.5}}), 5, 1e-5);
+  const ManifoldTangle& manifolds = found.manifolds();
+  TangleOptions options;
+  options.smooth = true;
+  options.bip_near = manifolds.orbits.back().at;
+  const Tangle alone = tangle(manifolds.u, manifolds.s, options);
+  ASSERT_EQ(alone.images.period, 2U);  // inferred from the areas
+  const TransportOfCurves curves = transport(alone, 100);
+  EXPECT_TRUE(curves.agreement.agrees());
+  ASSERT_GE(curves.steps.size(), found.steps.size());
+  for (std::size_t k = 0; k < found.steps.size(); ++k) {
+    EXPECT_NEAR(curves.steps[k].total(0, 1).value, found.steps[k].total(0, 1).value, 1e-8);
+    EXPECT_NEAR(curves.steps[k].by_boundaries(0, 1).value, found.steps[k].by_boundaries(0, 1).value, 1e-4);
+  }
+  EXPECT_LT(curves.steps.size(), 100U);
 }
 
 TEST(Transport, SameBitsForAnyNumberOfThreads) {
