@@ -90,7 +90,7 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   const ManifoldTangle& manifolds = report.manifolds();
   const Tangle& tangle = manifolds.tangle;
   // As the overlaps are computed: nothing is followed for longer than half of the iterates.
-  const int n = report.options.iterates, before = 1 + (n - 1) / 2, after = std::max(0, n - 1 - (n - 1) / 2);
+  const int n = static_cast<int>(report.result.steps.size()), before = 1 + (n - 1) / 2, after = std::max(0, n - 1 - (n - 1) / 2);
   const auto leaving = lobes_between(manifolds, before, 0, true), entering = lobes_between(manifolds, 1, after, false);
   const auto outwards = lobes_between(manifolds, 1, 0, true), inwards = lobes_between(manifolds, 1, 0, false);
   const auto common = common_pieces(tangle, leaving, entering);
