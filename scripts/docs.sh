@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The figures and the numbers of the documents, made anew from the program and from bench/RESULTS.md.
-# usage: docs.sh make           writes docs/*.svg, docs/figures/*, the blocks of numbers and what ```console blocks show
-#        docs.sh check [cheap]  makes them elsewhere, and fails when a committed one differs; cheap: those that take seconds
+# usage: docs.sh make [cheap]   writes docs/*.svg, docs/figures/*, the blocks of numbers and what ```console blocks show
+#        docs.sh check [cheap]  makes them elsewhere, and fails when a committed one differs
+# cheap: only those that take seconds.
 #
 # A block of numbers lies between <!-- begin NAME --> and <!-- end NAME -->; scripts/docs-blocks/NAME.sh prints it.
 set -uo pipefail
@@ -57,15 +58,16 @@ make_figures() {
 make_blocks() {
   local document=$1 name
   cp "$document" "$work/document"
-  grep -o '^<!-- begin [a-z-]* -->' "$document" | cut -d' ' -f3 | while read -r name; do
+  for name in $(sed -n 's/^<!-- begin \([a-z-]*\) -->$/\1/p' "$document"); do
     [ "$cost" = all ] || [[ " $costly_blocks " != *" $name "* ]] || continue
-    "scripts/docs-blocks/$name.sh" >"$work/block" || { echo "$document: block $name cannot be made"; return 1; }
+    "scripts/docs-blocks/$name.sh" >"$work/block" ||
+      { echo "$document: block $name cannot be made"; stale=$((stale + 1)); continue; }
     awk -v block="$work/block" -v name="$name" '
       $0 == "<!-- end " name " -->" { inside = 0 }
       !inside { print }
       $0 == "<!-- begin " name " -->" { inside = 1; while ((getline line < block) > 0) print line }
     ' "$work/document" >"$work/next" && mv "$work/next" "$work/document"
-  done || stale=$((stale + 1))
+  done
 }
 
 # The blocks of kind console: as many lines of what the command prints as are shown now, `...` for the rest. With check they
@@ -76,6 +78,7 @@ make_consoles() {
   awk -v out="$work/blocks" -f scripts/blocks.awk "$work/document" >"$work/index"
   while read -r number kind line info; do
     [ "$kind" = console ] || continue
+    [ "$cost" = all ] || [ "$info" != slow ] || continue
     command=$(sed -n '1s/^\$ //p' "$work/blocks/$number.body")
     shown=$(($(wc -l <"$work/blocks/$number.body") - 1))
     (PATH=$(dirname "$lober"):$PATH; eval "$command") >"$work/printed" 2>/dev/null </dev/null ||
@@ -94,7 +97,7 @@ make_consoles() {
   done <"$work/index"
 }
 
-case $mode in make | check) ;; *) sed -n 3,6p "$0" >&2; exit 2 ;; esac
+case $mode in make | check) ;; *) sed -n 3,5p "$0" >&2; exit 2 ;; esac
 make_figures
 for document in $documents; do
   [ -f "$document" ] || continue
