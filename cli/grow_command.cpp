@@ -140,7 +140,7 @@ void run(const Request& request) {
   std::vector<Output> outputs;
   if (!request.output.empty()) outputs.push_back({"-o", request.output});
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system));
   GrowReport report;
   report.system = make_system(request.system, parameter_values(request.parameters), request.integration);
   if (!report.system.map) throw UsageError(request.system + " has no planar map");

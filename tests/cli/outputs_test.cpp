@@ -6,6 +6,7 @@
 
 #include "tests/cli/program.hpp"
 #include "tests/cli/programs.hpp"
+#include "tests/paths.hpp"
 
 namespace lober::cli {
 namespace {
@@ -80,6 +81,22 @@ TEST_F(Outputs, AreNotAmongTheFilesOfABatch) {
   const std::string store = read("m.results");
   expect_refused({"batch", "export", "m.results", "-o", "m.csv"}, "overwrite");
   EXPECT_EQ(read("m.results"), store);
+}
+
+TEST_F(Outputs, AreNotTheLibraryOfASystem) {
+  fs::copy_file(LOBER_EXAMPLES "/quadratic_map.so", folder() / "map.so");
+  fs::create_hard_link(folder() / "map.so", folder() / "out.json");
+  const std::string library = read("map.so");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"transport", "./map.so"},
+        {"tangle", "--system", "map.so"},
+        {"escape", "map.so", "--energy", "1"},
+        {"grow", "./map.so", "--unstable", "--tol", "1", "--iterates", "1"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.insert(arguments.end(), {"--json", "out.json"});
+    expect_refused(arguments, "overwrite");
+    EXPECT_EQ(read("map.so"), library) << command[0];
+  }
 }
 
 TEST_F(Outputs, HaveTheEndingsOfTheirFormats) {
