@@ -44,8 +44,8 @@ std::array<Column, 2> as_swapped_float64(std::span<const std::byte> bytes) {
   });
 }
 
-/// Decades of the coordinates that are not zero: the tenth part, half, and nine tenths of them lie below these. A few
-/// tiny numbers beside ordinary ones are those of a curve that crosses an axis.
+/// Decades of the coordinates that are finite and not zero: the tenth part, half, and nine tenths of them lie below
+/// these. A few tiny numbers beside ordinary ones are those of a curve that crosses an axis.
 struct Decades {
   double low = 0, middle = 0, high = 0;
   [[nodiscard]] double spread() const { return high - low; }
@@ -54,7 +54,7 @@ struct Decades {
 Decades decades_of(const Column& column) {
   std::vector<double> decades;
   for (const double value : column) {
-    if (value != 0) decades.push_back(std::log10(std::fabs(value)));
+    if (value != 0 && std::isfinite(value)) decades.push_back(std::log10(std::fabs(value)));
   }
   if (decades.empty()) return {};
   std::sort(decades.begin(), decades.end());
@@ -118,7 +118,7 @@ std::string implausible_raw(const std::string& path, std::span<const std::byte> 
     const std::string_view other = std::endian::native == std::endian::little ? ">f8" : "<f8";
     return "looks like raw float64 pairs of the other byte order: " + as_npy(path, other) + or_insist;
   }
-  if (!all_finite(xy[0]) || !all_finite(xy[1])) return {};  // which point is not finite is told by who reads them
+  if (is_ordinary(xy)) return {};  // which point is not finite is told by who reads them
   const Decades x = decades_of(xy[0]), y = decades_of(xy[1]);
   const auto decade = [](double value) { return "1e" + std::to_string(std::lround(value)); };
   return "neither text nor NPY, and as raw float64 pairs most coordinates lie between " +
