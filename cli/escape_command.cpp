@@ -9,6 +9,7 @@
 #include "cli/command_line.hpp"
 #include "cli/escape_report.hpp"
 #include "cli/progress.hpp"
+#include "cli/system_options.hpp"
 #include "engine/error.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -212,7 +213,7 @@ void run(const Request& request) {
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system));
   EscapeReport report;
   {
     Progress progress;

@@ -33,7 +33,7 @@ std::vector<Output> outputs_of(const Request& request) {
        {std::pair{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}}) {
     if (!path.empty()) outputs.push_back({option, path});
   }
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system.name));
   return outputs;
 }
 

@@ -122,7 +122,8 @@ Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const
     result.lobes.back().area = result.lobes.back().polygon_area = curves.area(gaps[k + 1] - gaps[k]);
   }
   if (options.smooth && !pips.empty()) smooth_lobes(result);
-  remark_direction(result);
+  // Who names the bip by its number and the period knows the pips, as those do who grew the manifolds.
+  if (!options.bip || options.period == 0) remark_direction(result);
   result.timing.pips = area_watch.seconds();
   if (pips.empty()) {
     if (options.bip || options.bip_near) throw UsageError("a bip is given, but the manifolds do not cross");
