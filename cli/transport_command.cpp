@@ -47,8 +47,7 @@ void run_one(const Request& request) {
     Progress progress;
     progress.phase("transport", 0, 0.9);
     TransportOptions options = request.options;
-    double fraction = 0;  // nobody knows how long the manifolds have to be
-    options.progress = [&](const std::string&) { return progress.advance(fraction += 0.25 * (1 - fraction)); };
+    options.progress = [&](const std::string& line) { return progress.step(line); };
     const Stopwatch transport_watch;
     report.result = transport(*report.system.map, report.connection, options);
     report.timing.transport = transport_watch.seconds();

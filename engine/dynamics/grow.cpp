@@ -169,6 +169,7 @@ class Growth {
   }
 
   void append(const Trace& trace, int generation) {
+    const CancellationScope shield(CancellationScope::Shield{});  // half a generation could not be kept
     result_.generation_begin.push_back(result_.points.size());
     append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.flaws);
     const std::size_t begin = result_.generation_begin.back();

@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "engine/dynamics/flow.hpp"
+#include "engine/parallel/cancellation.hpp"
 
 namespace lober {
 
@@ -34,12 +35,14 @@ class Integrator {
     h_ = forward * first_step();
   }
 
-  /// One step, not beyond `limit` and exactly to it if that is within reach. False: the trajectory is lost.
+  /// One step, not beyond `limit` and exactly to it if that is within reach. False: the trajectory is lost. Throws
+  /// Cancelled.
   bool step(double limit) {
     x_before = x;
     dxdt_before = dxdt;
     t_before = t;
     for (;;) {
+      throw_if_cancelled();
       if (++tries_ > options_.max_steps) return false;
       const double rest = limit - t_before;
       // The last two steps share what is left, so that none is a mere remainder.
