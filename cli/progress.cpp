@@ -149,7 +149,7 @@ void Progress::above(const std::function<void()>& write) {
 }
 
 bool Progress::step(std::string_view what) {
-  if (line_) line_->step(what);
+  if (line_ && !what.empty()) line_->step(what);
   return !interrupted();
 }
 

@@ -47,8 +47,8 @@ class Progress {
   /// Calls write() with the line wiped away: for results that are printed before the end.
   void above(const std::function<void()>& write);
 
-  /// A step has begun, one of a sequence whose length nobody knows but whose members grow about evenly. Returns as
-  /// `advance`.
+  /// A step has begun, one of a sequence whose length nobody knows but whose members grow about evenly; nothing new
+  /// when it has no name. Returns as `advance`.
   bool step(std::string_view what);
 
  private:
