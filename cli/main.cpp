@@ -36,6 +36,7 @@ usage:
   lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds (or of --system NAME)
   lober grow SYSTEM [options]            a stable or unstable manifold of a saddle, from the system's equations
   lober transport SYSTEM [options]       from equations to lobes, turnstile, fluxes a(n) and T(n); sweeps
+                                         (or of --manifolds FILE: as far as two given curves reach)
   lober batch run MANIFEST               many curves and pairs; also batch check, status, export, merge
   lober escape SYSTEM --energy E         orbits and tubes of a potential well, and who leaves it when
   lober overlay --help                   the options of a command

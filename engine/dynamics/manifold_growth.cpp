@@ -245,7 +245,7 @@ Samples ManifoldGrowth::part_of_local(const Samples& samples, int part) const {
   std::vector<double> parameters{begin};
   parameters.insert(parameters.end(), first, last);
   parameters.push_back(end);
-  if (parameters.size() < fewest_in_piece) {
+  if (pieces_ > 1 && parameters.size() < fewest_in_piece) {
     parameters.resize(fewest_in_piece);
     for (std::size_t k = 0; k < fewest_in_piece; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(fewest_in_piece - 1);

@@ -219,10 +219,11 @@ bool TangleGrowth::refine(Side& side, std::vector<std::uint32_t> segments) {
   std::sort(segments.begin(), segments.end());
   segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
   std::erase_if(segments, [&](std::uint32_t k) {
-    const Box ends = Box::of(grown.points[k], grown.points[k + 1]);
-    return !meet(ends, box_) || std::any_of(grown.flaws.begin(), grown.flaws.end(), [&](const GrowthFlaw& flaw) {
-      return flaw.first <= k && k < flaw.first + flaw.count;
-    });
+    const auto after =
+        std::upper_bound(grown.flaws.begin(), grown.flaws.end(), k,
+                         [](std::uint32_t segment, const GrowthFlaw& flaw) { return segment < flaw.first; });
+    const bool flawed = after != grown.flaws.begin() && k < std::prev(after)->first + std::prev(after)->count;
+    return flawed || !meet(Box::of(grown.points[k], grown.points[k + 1]), box_);
   });
   const std::size_t added = side.growth->refine(segments, parts).size();
   side.drawn_in += added;  // what is drawn in lies outside the box, none of it is new
@@ -256,6 +257,21 @@ bool TangleGrowth::refine_flat_pips() {
   }
   const bool more_u = refine(u_, std::move(on_u)), more_s = refine(s_, std::move(on_s));
   return more_u || more_s;
+}
+
+// Refines a manifold where its polygon crosses itself, and only there.
+void TangleGrowth::refine_until_simple(Side& side) {
+  constexpr int max_rounds = 8;
+  constexpr std::size_t at_once = 20'000;
+  for (int round = 0; round < max_rounds; ++round) {
+    const IndexedCurve index{CurveView(side.growth->grown())};
+    std::vector<std::uint32_t> segments;
+    for (const SegmentPair& pair : self_meetings(index, at_once)) {
+      segments.push_back(pair.first);
+      segments.push_back(pair.second);
+    }
+    if (segments.empty() || !refine(side, std::move(segments))) return;
+  }
 }
 
 // The pips of what there is, and the bip among them.
@@ -332,7 +348,9 @@ bool TangleGrowth::towards_a_crossing() {
     return false;
   }
   const bool u_near = newest_meets(u_, s_), s_near = newest_meets(s_, u_);
-  Side& next = (u_near != s_near ? u_near : u_.growth->time() <= s_.growth->time()) ? u_ : s_;
+  // Else the cheaper one: under damping one of them winds into a sink, and the other one far away.
+  const bool u_next = u_near != s_near ? u_near : u_.growth->grown().images <= s_.growth->grown().images;
+  Side& next = u_next ? u_ : s_;
   return grow(next, next.growth->time() + next.growth->piece());
 }
 
@@ -495,6 +513,8 @@ bool TangleGrowth::grow_to(int before, int after) {
 bool TangleGrowth::grow_between(int before, int after) {
   const Time bip = time_of_pip(bip_);
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
+  refine_until_simple(u_);
+  refine_until_simple(s_);
   look();
   for (int k = -before; k <= after; ++k) {
     const std::optional<std::size_t> pip = image_of_bip(k);

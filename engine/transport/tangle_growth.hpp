@@ -55,6 +55,7 @@ class TangleGrowth {
   void find_pips();
   bool refine(Side& side, std::vector<std::uint32_t> segments);
   bool refine_flat_pips();
+  void refine_until_simple(Side& side);
   void look();
   bool find_crossing();
   bool box_is_too_small();
