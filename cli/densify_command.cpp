@@ -144,6 +144,7 @@ void compute(const Request& request, DensifyReport& report, Progress& progress) 
     report.done.push_back({step, result.points.size(), result.rounds});
     progress.advance(0.5);
   };
+  progress.of(static_cast<double>(given.points.size()), "points");
   progress.phase("densifying", 0.3, 0.8);
   if (steps.thin) done("remove", thin(result, *steps.thin));
   if (steps.criteria) {

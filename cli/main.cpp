@@ -16,6 +16,7 @@
 #include "cli/escape_command.hpp"
 #include "cli/grow_command.hpp"
 #include "cli/interior_command.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/overlay_command.hpp"
 #include "cli/published_form.hpp"
 #include "cli/published_tangle.hpp"
@@ -25,6 +26,7 @@
 #include "engine/curve/curve_spec.hpp"
 #include "engine/curve/input_guard.hpp"
 #include "engine/error.hpp"
+#include "engine/parallel/cancellation.hpp"
 
 namespace lober::cli {
 namespace {
@@ -132,6 +134,8 @@ int fail(std::string message, int status) {
 }
 
 int guarded(const std::vector<std::string>& arguments) {
+  watch_for_interrupt();
+  const CancellationScope cancellation(interrupt_flag());
   try {
     run(arguments);
     return 0;

@@ -30,8 +30,7 @@ TangleReport compute(const Request& request, Progress& progress) {
   origin.tolerance = request.options.tolerance;
   const Connection connection = connection_of(request.system, origin.system);
   ManifoldTangleOptions options = request.options;
-  double fraction = 0;  // nobody knows how long the manifolds have to be
-  options.progress = [&](const std::string&) { return progress.advance(fraction += 0.25 * (1 - fraction)); };
+  options.progress = [&](const std::string& line) { return progress.step(line); };
   const Stopwatch watch;
   origin.manifolds = grow_tangle(*origin.system.map, connection, options);
   report.timing.read = watch.seconds() - origin.manifolds->tangle.timing.total;

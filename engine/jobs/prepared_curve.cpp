@@ -41,6 +41,8 @@ PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Needs& ne
       }
     }
     if (needs.discretisation) sums_.emplace(CurveView(given));
+  } catch (const Cancelled&) {
+    throw;
   } catch (const Error& error) {
     error_ = error.what();
   }
