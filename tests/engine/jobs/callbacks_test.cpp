@@ -29,8 +29,8 @@ Operation summing() {
   sum.columns = {{"sum", Column::Kind::real}};
   sum.needs = [](const Options&) { return Needs{.index = true}; };
   sum.run = [](JobCurves curves, const Options&) {
-    std::vector<double> parts(512, 0);
-    for (int round = 0; round < 20; ++round) {
+    std::vector<double> parts(64, 0);
+    for (int round = 0; round < 3; ++round) {
       for_each_block(parts.size(), 1, [&](std::size_t k, std::size_t) {
         for (const Point point : curves[k % 2]->curve().points) parts[k] += point.x * point.x;
       });

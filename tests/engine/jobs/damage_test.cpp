@@ -103,7 +103,7 @@ TEST_F(DamagedStore, AChangedValueIsNamedAndComputedAgain) {
   const StoreSurvey found = survey(Store::open(path("whole")));
   ASSERT_EQ(found.counts.damaged.size(), 1U);
   const std::string& line = found.counts.damaged[0];
-  EXPECT_EQ(line.substr(0, path("whole").size() + 23), path("whole") + ": the result of job ") << line;
+  EXPECT_EQ(line.substr(0, path("whole").size() + 20), path("whole") + ": the result of job ") << line;
   EXPECT_NE(line.find("(c."), std::string::npos) << line;
   EXPECT_EQ(found.counts.missing, 1U);
   EXPECT_EQ(exported("whole").size(), rows_.size() - 1);
