@@ -26,7 +26,8 @@ class SmallAllowance final : public Allowance {
 std::shared_ptr<const Curve> first_curve(const Plan& plan, const PlannedUnit& unit, const std::string& manifest_path,
                                          const Allowance& allowance) {
   try {
-    return make_unit(plan, unit, manifest_path).load({false, allowance}).at(0).curve;
+    const LoadedCurve loaded = make_unit(plan, unit, manifest_path).load({false, allowance}).at(0);
+    return loaded.error.empty() ? loaded.curve : nullptr;
   } catch (const std::exception&) {
     return nullptr;
   }
