@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -160,5 +161,6 @@ int main(int count, char** arguments) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("lober"));
   spdlog::set_pattern("lober: %v");
   spdlog::set_level(spdlog::level::warn);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, with a message
   return lober::cli::guarded({arguments + 1, arguments + count});
 }

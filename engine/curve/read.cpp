@@ -6,8 +6,8 @@
 #include "engine/curve/binary_file.hpp"
 #include "engine/curve/curve.hpp"
 #include "engine/curve/curve_spec.hpp"
+#include "engine/curve/file_bytes.hpp"
 #include "engine/curve/foreign.hpp"
-#include "engine/curve/mapped_file.hpp"
 #include "engine/curve/plausible.hpp"
 #include "engine/curve/read_memory.hpp"
 #include "engine/curve/sniff.hpp"
@@ -107,13 +107,14 @@ CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes, s
 
 CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
   constexpr std::size_t worth_two_threads = std::size_t{1} << 16;
-  const MappedFile mapped(path);
+  const FileBytes content(path);
   CurveFile file;
   std::string hash;
   run_together(
-      options.hash && mapped.bytes().size() > worth_two_threads, [&] { file = read_curve_bytes(path, mapped.bytes()); },
+      options.hash && content.bytes().size() > worth_two_threads,
+      [&] { file = read_curve_bytes(path, content.bytes()); },
       [&] {
-        if (options.hash) hash = sha256(mapped.bytes());
+        if (options.hash) hash = sha256(content.bytes());
       });
   file.sha256 = std::move(hash);
   return file;
