@@ -22,6 +22,10 @@ using Arguments = std::vector<std::string>;
 void run_manifest(const Arguments& arguments) {
   const std::optional<BatchRequest> request = parse_batch(arguments, "lober batch run");
   if (!request) return;
+  if (!request->json.empty()) {
+    const std::vector<Output> outputs{{"--json", request->json}};
+    check_outputs(outputs, std::vector{request->manifest, request->store});
+  }
   const Manifest manifest = read_manifest(request->manifest);
   BatchReport report;
   with_thread_limit(request->threads, [&] {

@@ -10,6 +10,7 @@
 #include "cli/command_line.hpp"
 #include "cli/escape_report.hpp"
 #include "cli/progress.hpp"
+#include "cli/system_options.hpp"
 #include "engine/error.hpp"
 #include "engine/parallel/cancellation.hpp"
 #include "engine/stopwatch.hpp"
@@ -244,7 +245,7 @@ void run(const Request& request) {
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system));
   const bool printing = !takes_standard_output(outputs);
   // Rows are printed as soon as they are known. But a count of trajectories may contradict any of them at the end, and
   // then the first line has to say so.

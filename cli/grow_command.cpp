@@ -6,6 +6,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/grow_report.hpp"
+#include "cli/output_names.hpp"
 #include "cli/point_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/system_options.hpp"
@@ -157,9 +158,9 @@ Branch branch_of(const Request& request, const System& system, const LocalManifo
 void run(const Request& request) {
   const Stopwatch watch;
   std::vector<Output> outputs;
-  if (!request.output.empty()) outputs.push_back({"--output", request.output});
+  if (!request.output.empty()) outputs.push_back({"-o", request.output});
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system));
   GrowReport report;
   report.system = make_system(request.system, parameter_values(request.parameters), request.integration);
   if (!report.system.map) throw UsageError(request.system + " has no planar map");

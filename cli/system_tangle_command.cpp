@@ -51,7 +51,7 @@ TangleReport compute(const Request& request, Progress& progress) {
 
 void run(const Request& request) {
   const Stopwatch watch;
-  check_outputs(request.outputs.files(), {});
+  check_outputs(request.outputs.files(), files_of_system(request.system.name));
   TangleReport report;
   {
     Progress progress;

@@ -16,7 +16,7 @@ void check_simple(const IndexedCurve& index) {
     return;
   }
   const std::vector<Point> points = scaled(index.view(), exponent);
-  (void)require_simple(IndexedCurve(CurveView{points, index.view().closed}), 1);
+  (void)require_simple(IndexedCurve(CurveView{points, index.view().closed}), 1, exponent);
 }
 
 }  // namespace
