@@ -173,6 +173,11 @@ Section section_of(const Request& request, const System& system) {
     const auto [name, value] = assignment(request.section, "--section", "=", separator);
     section = position_section(flow, position_coordinate(flow, name, "--section"), value, 1);
   }
+  if (section.bound_side != 0 && request.bound.empty() && request.options.crossings > 0) {
+    throw UsageError("the own section of " + request.system +
+                     " counts a part of the crossings only, a table of escape needs all: give --section, or "
+                     "--iterates 0 for orbits and tubes alone");
+  }
   if (!request.direction.empty()) section.direction = request.direction == "+" ? 1 : request.direction == "-" ? -1 : 0;
   if (!request.bound.empty()) {
     const auto [name, value] = assignment(request.bound, "--bound", "<>", separator);

@@ -106,6 +106,7 @@ TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {
   fails({"capsize", "--saddle", "0.01,0.01,0,0"}, 1, "rank 1");
   fails({"capsize", "--section", "z=0"}, 2, "--section");
   fails({"capsize", "--direction", "both"}, 2, "direction");
+  fails({"pcr3bp"}, 2, "give --section");
   fails({"capsize", "--iterates", "0", "--monte-carlo", "5"}, 2, "--monte-carlo");
   fails({"capsize", "--svg", "nowhere/file"}, 1, "nowhere/file");
 }
