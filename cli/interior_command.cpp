@@ -77,7 +77,6 @@ InteriorReport compute(const Request& request, Progress& progress) {
   } catch (const NotSimpleError& error) {
     throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
   }
-  warn_of_overflow(report.result.areas);
   return report;
 }
 

@@ -18,11 +18,6 @@ Tangle tangle_of(const NamedCurve& u, const NamedCurve& s, const TangleOptions& 
   try {
     Tangle result = tangle(u.curve, s.curve, options);
     for (const std::string& remark : result.remarks) spdlog::warn("warning: {}", remark);
-    const bool finite = std::all_of(result.lobes.begin(), result.lobes.end(),
-                                    [](const Lobe& lobe) { return std::isfinite(lobe.area); });
-    if (!finite || (result.boundary && !std::isfinite(result.boundary->area))) {
-      spdlog::warn("warning: areas beyond the range of double are written as null");
-    }
     return result;
   } catch (const NotSimpleError& error) {
     const bool first = error.curve == 1;

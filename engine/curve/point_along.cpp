@@ -6,13 +6,14 @@ namespace lober {
 namespace {
 
 double along(double from, double to, DD t) {
-  if (std::isfinite(to - from)) {
+  constexpr double large = 0x1p900, down = 0x1p-200;
+  if (std::fabs(from) < large && std::fabs(to) < large) {
     const DD value = DD{from, 0} + t * two_diff(to, from);
     return value.hi;
   }
-  // Both are large, so their quarters are exact.
-  const DD value = DD{0.25 * from, 0} + t * two_diff(0.25 * to, 0.25 * from);
-  return 4 * value.hi;
+  // Products of double-doubles need some room below the largest double.
+  const DD value = DD{down * from, 0} + t * two_diff(down * to, down * from);
+  return value.hi / down;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/curve/binary_file.hpp"
+#include "engine/curve/closing.hpp"
 #include "engine/curve/curve.hpp"
 #include "engine/curve/curve_spec.hpp"
 #include "engine/curve/file_bytes.hpp"
@@ -135,7 +136,11 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : std::move(zone.title)};
   result.file = path;
   result.sha256 = std::move(file.sha256);
-  if (closed) drop_closing_vertex(result.curve.points);
+  if (closed) {
+    const std::size_t given = result.curve.points.size();
+    drop_closing_vertex(result.curve.points);
+    if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
+  }
   validate(result.curve, spec);
   return result;
 }

@@ -145,6 +145,8 @@ struct Overlay {
 /// Centroids of all pieces of a pairing, in double-double, so that thin pieces keep theirs. One pass over the points
 /// of both curves, parallel.
 [[nodiscard]] std::vector<Point> centroids(const Overlay& result, Pairing pairing);
+/// Of one piece.
+[[nodiscard]] Point centroid(const Overlay& result, Pairing pairing, std::size_t piece);
 
 /// Slivers: pieces no wider than the rounding of their vertices, area <= 2 perimeter ulp, ulp the unit in the last
 /// place of the largest coordinate of the two curves. Where curves share an arc up to rounding, these are the noise

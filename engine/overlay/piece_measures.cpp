@@ -164,6 +164,17 @@ double factor_for(const Box& box) {
   return std::ldexp(1.0, std::clamp(-std::ilogb(extent), -most, std::min(most, most - std::ilogb(size))));
 }
 
+double length(const std::vector<Point>& polygon) {
+  double sum = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point &a = polygon[k], &b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+    sum += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  return sum;
+}
+
+}  // namespace
+
 Point centroid(const Overlay& result, Pairing pairing, std::size_t piece) {
   const PieceBoundary boundary(result, pairing, piece);
   const Point first = boundary.first();
@@ -178,17 +189,6 @@ Point centroid(const Overlay& result, Pairing pairing, std::size_t piece) {
   const auto place = [&](double from, DD moment) { return (from + (moment / below).hi) / frame.factor; };
   return {place(frame.origin.x, moments.x), place(frame.origin.y, moments.y)};
 }
-
-double length(const std::vector<Point>& polygon) {
-  double sum = 0;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point &a = polygon[k], &b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
-    sum += std::hypot(b.x - a.x, b.y - a.y);
-  }
-  return sum;
-}
-
-}  // namespace
 
 std::vector<Point> centroids(const Overlay& result, Pairing pairing) {
   std::vector<Point> points(result.pieces(pairing).size());

@@ -197,13 +197,13 @@ TEST_F(TangleProgram, ListsThePiecesOfALobeThatTouchesItself) {
   EXPECT_NE(run({"tangle", "u", "touching"}).out.find("not simple"), std::string::npos);
 }
 
-TEST_F(TangleProgram, WarnsOfAreasBeyondTheRangeOfDouble) {
+TEST_F(TangleProgram, AreasBeyondTheRangeOfDoubleAreAnError) {
   write_curve("large", std::vector<Point>{{0, 0}, {1e300, 0}});
   write_curve("larger", std::vector<Point>{{1.5e300, 1e300}, {1e299, -1e300}, {-1e300, 1e300}});
   const Outcome outcome = run({"tangle", "large", "larger", "--svg", "picture", "--json", "-"});
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("beyond the range of double"), std::string::npos) << outcome.err;
-  EXPECT_TRUE(Json::parse(outcome.out)["boundary"]["area"].is_null());
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("larger than the largest double"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
 }
 
 TEST_F(TangleProgram, SaysThatThereIsNoCrossing) {

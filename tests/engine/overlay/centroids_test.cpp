@@ -115,7 +115,7 @@ TEST(Centroids, DoNotDependOnTheScale) {
 // A lobe that is small beside its scene, where third powers underflow.
 TEST(Centroids, OfTinyPiecesInAnOrdinaryScene) {
   const double size = 1e-120;
-  const Points first{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const Points first{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 8 * size}};
   const Points second{{-1, -1}, {8 * size, -2 * size}, {-4 * size, 4 * size}, {-1, 0.5}};
   const Overlay result = overlay(CurveView{first}, CurveView{second});
   const std::vector<Point> found = centroids(result, Pairing::intersection);
