@@ -2,8 +2,6 @@
 
 #include "cli/densify_command.hpp"
 
-#include <tbb/global_control.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
@@ -207,12 +205,7 @@ void run(const Request& request) {
 void run_densify(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
   if (!request) return;
-  // As in `overlay`: the global limit lets there be more threads than the machine has cores.
-  std::optional<tbb::global_control> limit;
-  if (request->threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request->threads));
-  }
-  with_threads(request->threads, [&] { run(*request); });
+  with_thread_limit(request->threads, [&] { run(*request); });
 }
 
 }  // namespace lober::cli

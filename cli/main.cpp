@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "cli/tangle_command.hpp"
 #include "cli/transport_command.hpp"
 #include "engine/error.hpp"
+#include "kernels/cpu.hpp"
 
 namespace lober::cli {
 namespace {
@@ -50,7 +52,16 @@ separated by commas or blanks, NPY, or raw float64, known by its content.
 exit status: 0 done, 1 the data cannot be used, or a job of a batch failed, 2 the command cannot be understood
 )";
 
+// A misspelt name would quietly run the best copies.
+void check_instruction_set() {
+  const char* const asked = std::getenv("LOBER_ISA");
+  const auto names = instruction_set_names();
+  if (asked == nullptr || std::find(names.begin(), names.end(), asked) != names.end()) return;
+  throw UsageError(std::string("LOBER_ISA is ") + asked + ": baseline, avx2 or avx512");
+}
+
 void run(const std::vector<std::string>& arguments) {
+  check_instruction_set();
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
   const std::string& first = arguments[0];
   if (first == "--help" || first == "-h") {

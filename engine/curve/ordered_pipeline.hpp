@@ -21,7 +21,7 @@ void ordered_pipeline(const Next& next, const Work& work, const Deliver& deliver
   // Enough to keep every thread busy while one block is late.
   const std::size_t in_flight = 3 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   std::vector<Slot> slots(in_flight);
-#ifdef __SANITIZE_THREAD__
+#if LOBER_THREAD_SANITIZER
   for (bool more = true; more;) {  // the same round by round (plain_threads.hpp)
     std::size_t taken = 0;
     while (taken < in_flight && (more = next(slots[taken]))) ++taken;

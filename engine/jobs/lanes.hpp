@@ -6,7 +6,9 @@
 
 #include <utility>
 
-#ifdef __SANITIZE_THREAD__
+#include "engine/parallel/sanitizers.hpp"
+
+#if LOBER_THREAD_SANITIZER
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -15,7 +17,7 @@
 
 namespace lober {
 
-#ifdef __SANITIZE_THREAD__
+#if LOBER_THREAD_SANITIZER
 
 // On plain threads, for the reason that engine/parallel/plain_threads.hpp gives.
 class LaneTasks {

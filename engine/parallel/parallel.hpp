@@ -4,14 +4,19 @@
 // decides, never the machine, and whatever a piece produces is joined in the order of the pieces.
 #pragma once
 
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 
-#ifdef __SANITIZE_THREAD__
+#include "engine/parallel/sanitizers.hpp"
+
+#if LOBER_THREAD_SANITIZER
 #include <array>
 #include <functional>
 
@@ -33,7 +38,7 @@ void for_each_block(std::size_t size, std::size_t grain, const Body& body) {
     const std::size_t begin = block * grain;
     body(begin, begin + grain < size ? begin + grain : size);
   };
-#ifdef __SANITIZE_THREAD__
+#if LOBER_THREAD_SANITIZER
   on_plain_threads(blocks, piece);
 #else
   tbb::parallel_for(std::size_t{0}, blocks, piece);
@@ -44,7 +49,7 @@ void for_each_block(std::size_t size, std::size_t grain, const Body& body) {
 template <typename... Functions>
 void run_together(bool worthwhile, Functions&&... functions) {
   if (worthwhile) {
-#ifdef __SANITIZE_THREAD__
+#if LOBER_THREAD_SANITIZER
     const std::array<std::function<void()>, sizeof...(functions)> tasks{std::ref(functions)...};
     on_plain_threads(tasks.size(), [&](std::size_t k) { tasks[k](); });
 #else
@@ -55,10 +60,17 @@ void run_together(bool worthwhile, Functions&&... functions) {
   }
 }
 
-/// Runs `function` with at most `threads` threads (0: as many as the machine has) and returns what it returns.
+/// Runs `function` with at most `threads` threads, also more than the machine has cores (0: one for each), and returns
+/// what it returns.
 template <typename Function>
 auto with_threads(int threads, Function&& function) {
   if (threads <= 0) return function();
+  // An arena has as many places as it is asked for, but oneTBB makes no more workers than there are cores until a limit
+  // that is higher allows it. Of several limits the lowest holds, so none is set that would hold others back.
+  std::optional<tbb::global_control> limit;
+  if (threads > tbb::info::default_concurrency()) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(threads);
   return arena.execute(std::forward<Function>(function));
 }
