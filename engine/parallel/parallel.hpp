@@ -14,14 +14,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/parallel/sanitizers.hpp"
-
-#if LOBER_THREAD_SANITIZER
-#include <array>
-#include <functional>
-
-#include "engine/parallel/plain_threads.hpp"
-#endif
+#include "engine/parallel/handover.hpp"
 
 namespace lober {
 
@@ -34,27 +27,23 @@ void for_each_block(std::size_t size, std::size_t grain, const Body& body) {
     if (size != 0) body(std::size_t{0}, size);
     return;
   }
-  const auto piece = [&](std::size_t block) {
+  HandedOver work;
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) LOBER_UNSEEN {
+    const HandedOver::Part part(work);
     const std::size_t begin = block * grain;
     body(begin, begin + grain < size ? begin + grain : size);
-  };
-#if LOBER_THREAD_SANITIZER
-  on_plain_threads(blocks, piece);
-#else
-  tbb::parallel_for(std::size_t{0}, blocks, piece);
-#endif
+  });
 }
 
 /// Runs the functions side by side when `worthwhile`, one after the other when not.
 template <typename... Functions>
 void run_together(bool worthwhile, Functions&&... functions) {
   if (worthwhile) {
-#if LOBER_THREAD_SANITIZER
-    const std::array<std::function<void()>, sizeof...(functions)> tasks{std::ref(functions)...};
-    on_plain_threads(tasks.size(), [&](std::size_t k) { tasks[k](); });
-#else
-    tbb::parallel_invoke(functions...);
-#endif
+    HandedOver work;
+    tbb::parallel_invoke([&]() LOBER_UNSEEN {
+      const HandedOver::Part part(work);
+      functions();
+    }...);
   } else {
     (functions(), ...);
   }
@@ -72,7 +61,11 @@ auto with_threads(int threads, Function&& function) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
   tbb::task_arena arena(threads);
-  return arena.execute(std::forward<Function>(function));
+  HandedOver work;
+  return arena.execute([&]() LOBER_UNSEEN {
+    const HandedOver::Part part(work);
+    return function();
+  });
 }
 
 }  // namespace lober

@@ -28,15 +28,14 @@ bool meet_at_once(std::size_t threads) {
 }
 
 TEST(Parallel, SoManyThreadsWorkAtOnceAlsoMoreThanTheMachineHas) {
-  for (const int threads : {2, 3, LOBER_THREAD_SANITIZER ? 4 : 7}) {
+  for (const int threads : {2, 3, 7}) {
     EXPECT_TRUE(with_threads(threads, [&] { return meet_at_once(static_cast<std::size_t>(threads)); }))
         << threads << " threads";
   }
 }
 
 TEST(Parallel, FewerThreadsWithinMore) {
-  EXPECT_TRUE(
-      with_threads(LOBER_THREAD_SANITIZER ? 4 : 7, [] { return with_threads(3, [] { return meet_at_once(3); }); }));
+  EXPECT_TRUE(with_threads(7, [] { return with_threads(3, [] { return meet_at_once(3); }); }));
 }
 
 }  // namespace
