@@ -12,31 +12,6 @@
 namespace lober {
 namespace {
 
-// A point of a manifold and the direction in which it moves with the parameter.
-struct Moving {
-  Point at, velocity;
-};
-Moving follow(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
-  Matrix2 d;
-  const Point start = local.at(place.parameter), v = local.slope(place.parameter);
-  const Point at = map.iterate_with_derivative(start, place.images * local.image().steps, d);
-  return {at, {d.xx * v.x + d.xy * v.y, d.yx * v.x + d.yy * v.y}};
-}
-
-// Brings the parameter into the outermost fundamental segment, so that as few steps of the map as possible remain.
-ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place) {
-  const double factor = local.image().factor;
-  while (std::fabs(place.parameter) > local.reach) {
-    place.parameter /= factor;
-    ++place.images;
-  }
-  while (place.images > 0 && std::fabs(place.parameter) * factor <= local.reach) {
-    place.parameter *= factor;
-    --place.images;
-  }
-  return place;
-}
-
 // The points of an orbit on one manifold from `place` towards the saddle, until they are the saddle: one step of the
 // map (forward or back) apart.
 std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
@@ -70,8 +45,8 @@ std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& loc
 
 // The sum of L along the points, each one step from the next, less that of the saddle's own orbit. `points[0]` is where
 // both halves of the orbit meet.
-std::optional<long double> half_action(const PlanarMap& map, const LocalManifold& local,
-                                       std::span<const Point> points) {
+std::optional<long double> half_action(const PlanarMap& map, const LocalManifold& local, std::span<const Point> points,
+                                       double& error) {
   const bool forward = local.steps > 0;  // from the saddle outwards; the points run inwards
   const auto period = static_cast<std::size_t>(std::abs(local.steps));
   const auto step = [&](Point nearer, Point farther) {
@@ -95,12 +70,34 @@ std::optional<long double> half_action(const PlanarMap& map, const LocalManifold
   for (std::size_t k = last; k-- > 0;) {
     const std::optional<long double> action = step(points[k + 1], points[k]);
     if (!action) return std::nullopt;
-    sum += *action - own[(last - k - 1) % period];
+    const long double more = *action - own[(last - k - 1) % period];
+    sum += more;
+    error += map.action_accuracy() * static_cast<double>(1 + std::fabs(*action));
   }
   return sum;
 }
 
 }  // namespace
+
+MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
+  Matrix2 d;
+  const Point start = local.at(place.parameter), v = local.slope(place.parameter);
+  const Point at = map.iterate_with_derivative(start, place.images * local.image().steps, d);
+  return {at, {d.xx * v.x + d.xy * v.y, d.yx * v.x + d.yy * v.y}};
+}
+
+ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place) {
+  const double factor = local.image().factor;
+  while (std::fabs(place.parameter) > local.reach) {
+    place.parameter /= factor;
+    ++place.images;
+  }
+  while (place.images > 0 && std::fabs(place.parameter) * factor <= local.reach) {
+    place.parameter *= factor;
+    --place.images;
+  }
+  return place;
+}
 
 ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local, Position position) {
   const auto generation_of = [&](std::size_t vertex) {
@@ -124,12 +121,12 @@ ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unst
   int without_gain = 0;
   constexpr int most_rounds = 40;
   for (int round = 0; round < most_rounds && without_gain < 3; ++round) {
-    const Moving on_u = follow(map, unstable, u), on_s = follow(map, stable, s);
+    const MovingPoint on_u = point_on(map, unstable, u), on_s = point_on(map, stable, s);
     const Point apart{on_s.at.x - on_u.at.x, on_s.at.y - on_u.at.y};
     const double residual = std::hypot(apart.x, apart.y);
     if (!std::isfinite(residual)) break;
     if (residual < best.residual) {
-      best = {on_u.at, u, s, residual, {}};
+      best = {on_u.at, u, s, residual, {}, 0};
       without_gain = 0;
     } else {
       ++without_gain;
@@ -149,8 +146,10 @@ ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unst
   const std::vector<Point> before = towards_saddle(map, unstable, best.u);
   std::vector<Point> after = towards_saddle(map, stable, best.s);
   after[0] = before[0];  // one point, so that the action is stationary in it
-  const auto back = half_action(map, unstable, before), on = half_action(map, stable, after);
+  const auto back = half_action(map, unstable, before, best.action_error);
+  const auto on = half_action(map, stable, after, best.action_error);
   if (back && on) best.action = *back + *on;
+  best.action_error += static_cast<double>(best.residual) * best.residual;
   return best;
 }
 

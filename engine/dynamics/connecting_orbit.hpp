@@ -22,6 +22,16 @@ struct ManifoldPlace {
   double parameter = 0;
 };
 
+/// A point of a manifold and the direction in which it moves with the parameter.
+struct MovingPoint {
+  Point at, velocity;
+};
+[[nodiscard]] MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place);
+
+/// The same place with its parameter in the outermost fundamental segment, so that as few steps of the map as possible
+/// remain (on the local manifold none).
+[[nodiscard]] ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place);
+
 /// About the place of a position on a grown manifold, by linear interpolation of its parameters.
 [[nodiscard]] ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local, Position position);
 
@@ -32,6 +42,8 @@ struct ConnectingOrbit {
   /// Sum over the orbit of L less that at the saddle it comes from (before `at`) or goes to (from `at` on); nothing
   /// when the map has no action.
   std::optional<long double> action;
+  /// Estimate of its error: what PlanarMap::action_accuracy makes of every step.
+  double action_error = 0;
 };
 
 /// The orbit near the point that the two places give. Newton's method; throws DataError with the place when it does not

@@ -51,7 +51,7 @@ struct GrowthFlaw {
 enum class GrowthStop : std::uint8_t {
   iterates,   ///< done
   length,     ///< done
-  points,     ///< most_points or most_memory reached
+  points,     ///< most_points, most_memory or max_images reached
   ended,      ///< two generations added less than the tolerance: the branch ends in another fixed point
   failed,     ///< no point of the last generation has an image in the box
   cancelled,  ///< by `progress`
@@ -73,7 +73,11 @@ struct GrowthOptions {
                                                             ///< counting what is outside the box
   double longest = 0;  ///< no segment longer; 0: a fiftieth of the extent of the local manifold
   std::size_t most_points = 100'000'000;
-  std::size_t most_memory = std::numeric_limits<std::size_t>::max();  ///< bytes, roughly; 120 are needed a point
+  std::size_t most_memory = std::numeric_limits<std::size_t>::max();     ///< bytes, roughly; 120 are needed a point
+  std::uint64_t max_images = std::numeric_limits<std::uint64_t>::max();  ///< steps of the map in all
+  /// Where points or images would run out within a piece (a part of a generation), nothing of it is computed; else the
+  /// part of it that fits in.
+  bool whole_pieces = false;
   /// Only what lies in it has to meet the tolerance. Default: the square around the saddle of 200 extents of
   /// the local manifold.
   Box box = {};

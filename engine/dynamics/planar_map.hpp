@@ -2,6 +2,9 @@
 // time-periodic flows and Poincare maps on a section all look like this.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -39,6 +42,20 @@ class PlanarMap {
   /// an orbit is stationary: if its points are off by d, it is off by O(d^2). Rounding: that of long double for
   /// generating functions, the tolerance for flows.
   [[nodiscard]] virtual std::optional<long double> action(Point /*from*/, Point /*to*/) const { return std::nullopt; }
+  /// What an action L may be wrong by, as a fraction of 1 + |L|: an estimate.
+  [[nodiscard]] virtual double action_accuracy() const { return 1e-18; }
+
+  /// The same map integrated to a hundredth of the tolerance; nothing for a map that is given by formulas.
+  [[nodiscard]] virtual std::unique_ptr<PlanarMap> finer() const { return nullptr; }
+  /// Evaluations of a vector field that `iterate` has taken so far, in all threads together; none for a map that is
+  /// given by formulas. The same number for the same points, however they are shared out.
+  [[nodiscard]] std::uint64_t work() const { return work_.load(std::memory_order_relaxed); }
+
+ protected:
+  void add_work(std::uint64_t evaluations) const { work_.fetch_add(evaluations, std::memory_order_relaxed); }
+
+ private:
+  mutable std::atomic<std::uint64_t> work_{0};
 };
 
 }  // namespace lober

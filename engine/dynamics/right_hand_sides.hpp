@@ -49,6 +49,7 @@ struct WithTangents {
 /// State: x, then the integral of p dq, less that of `with_energy` * H dt.
 template <typename Field>
 struct WithAction {
+  static constexpr bool ends_in_integral = true;
   static constexpr std::size_t n = Field::dimension;
   static constexpr std::size_t size = n + 1;
   const Field& field;

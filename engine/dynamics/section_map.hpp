@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include "engine/dynamics/crossing.hpp"
@@ -71,6 +72,7 @@ class SectionChart {
   }
 
   [[nodiscard]] const Section& section() const { return section_; }
+  [[nodiscard]] double energy() const { return energy_; }
   /// The factor of the chart's conjugate pair; 0 when the chart is not such a pair.
   [[nodiscard]] double chart_factor() const {
     for (const ConjugatePair& pair : field_.pairs()) {
@@ -147,6 +149,7 @@ class SectionMap final : public PlanarMap {
         point = chart_.project(finder.state.data());
       }
     }
+    add_work(integrator.evaluations());
   }
 
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
@@ -174,6 +177,10 @@ class SectionMap final : public PlanarMap {
     const Point image = chart_.project(finder.state.data());
     return finder.state[n] / static_cast<long double>(factor) +
            static_cast<long double>(to.y) * (static_cast<long double>(to.x) - image.x);
+  }
+  [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
+  [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
+    return std::make_unique<SectionMap>(field_, chart_.section(), chart_.energy(), options_.finer());
   }
 
  private:

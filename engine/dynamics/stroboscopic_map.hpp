@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include "engine/dynamics/integrator.hpp"
@@ -35,6 +36,7 @@ class StroboscopicMap final : public PlanarMap {
         point = {integrator.x[0], integrator.x[1]};
       }
     }
+    add_work(integrator.evaluations());
   }
 
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
@@ -63,6 +65,10 @@ class StroboscopicMap final : public PlanarMap {
     if (!integrator.advance(start_ + period_)) return std::nullopt;
     const long double along = integrator.x[2] / pairs[0].factor;
     return along + static_cast<long double>(to.y) * (static_cast<long double>(to.x) - integrator.x[0]);
+  }
+  [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
+  [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
+    return std::make_unique<StroboscopicMap>(field_, start_ / period_, options_.finer());
   }
 
  private:

@@ -44,11 +44,12 @@ class Tracer {
     verdicts_.assign(segments(), open);
     while (rounds_ < options_.most_rounds && insert_where([&](const TracedSegment& s) { return guided(s); })) {
     }
-    place_evenly();
+    if (!abandoned()) place_evenly();
     verdicts_.assign(segments(), open);
-    while (rounds_ < options_.most_rounds && insert_where([&](const TracedSegment& s) { return judged(s); })) {
+    while (!abandoned() && rounds_ < options_.most_rounds &&
+           insert_where([&](const TracedSegment& s) { return judged(s); })) {
     }
-    collect_flaws();
+    if (!abandoned()) collect_flaws();
     trace_.samples = std::move(samples_);
     trace_.kept = std::move(kept_);
     return std::move(trace_);
@@ -56,6 +57,7 @@ class Tracer {
 
  private:
   [[nodiscard]] std::size_t segments() const { return samples_.points.size() - 1; }
+  [[nodiscard]] bool abandoned() const { return trace_.out_of_points && !options_.cut; }
   [[nodiscard]] bool inside(Point a, Point b) const { return meet(Box::of(a, b), options_.box); }
   [[nodiscard]] double gap(std::size_t k) const { return samples_.parameters[k + 1] - samples_.parameters[k]; }
 
@@ -174,7 +176,7 @@ class Tracer {
     const auto begin = running_sums(broken.size(), [&](std::size_t k) { return more[broken[k]]; });
     if (samples_.points.size() + begin[broken.size()] > options_.most_points) {
       end_where_points_run_out(broken, begin);
-      return true;
+      return !abandoned();
     }
     Buffer<Insertion> insertions(begin[broken.size()]);
     for_each_block(broken.size(), densify_grain, [&](std::size_t first, std::size_t last) {
@@ -227,12 +229,16 @@ class Tracer {
 
   // Ends the samples where all insertions up to there still fit in.
   void end_where_points_run_out(const Buffer<std::uint32_t>& broken, const Buffer<std::uint64_t>& begin) {
+    trace_.out_of_points = true;
+    if (!options_.cut) {
+      trace_.points_needed = static_cast<double>(samples_.points.size() + begin[broken.size()]);
+      return;
+    }
     std::size_t k = 0;
     while (k < broken.size() && broken[k] + 1 + begin[k + 1] <= options_.most_points) ++k;
     // Up to broken[k] nothing exceeds; leave room for what the next rounds add there.
     const std::size_t size = std::max<std::size_t>(
         2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)], options_.most_points - begin[k]));
-    trace_.out_of_points = true;
     truncate(std::min(size, samples_.points.size() - 1));
   }
 
@@ -249,6 +255,7 @@ class Tracer {
       });
     });
     end_by_length(need);
+    if (abandoned()) return;
     std::vector<std::uint32_t> known;
     const Buffer<double> place = places(need, known);
     const auto size = static_cast<std::size_t>(place.back()) + 1;
@@ -280,6 +287,15 @@ class Tracer {
       if (k < segments()) truncate(k + 1);
     }
     double points = 1 + static_cast<double>(kept_.size());
+    if (!options_.cut) {
+      for (std::size_t k = 0; k < segments(); ++k) points += need[k];
+      if (points > static_cast<double>(options_.most_points)) {
+        trace_.out_of_points = true;
+        trace_.points_needed = points;
+      }
+      need.resize(segments());
+      return;
+    }
     for (std::size_t k = 0; k < segments(); ++k) {
       points += need[k];
       if (points > static_cast<double>(options_.most_points)) {

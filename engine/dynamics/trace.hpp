@@ -31,6 +31,7 @@ struct TraceOptions {
   double least_spacing = 0;  ///< parameters come no closer
   Box box;                   ///< only what lies in it has to meet the tolerance
   std::size_t most_points = 0;
+  bool cut = true;  ///< where points run out, the samples end there; else the trace is abandoned
   double most_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
   std::uint32_t most_rounds = 40;
   std::size_t batch = 64;
@@ -41,7 +42,8 @@ struct Trace {
   Samples samples;
   std::vector<std::uint32_t> kept;  ///< where the points that stayed are now
   std::vector<GrowthFlaw> flaws;    ///< segments of the samples, ascending; each one apart
-  bool out_of_points = false;       ///< most_points was reached: the samples end where that was
+  bool out_of_points = false;       ///< most_points was reached: the samples end where that was, or are worthless
+  double points_needed = 0;         ///< of a trace that was abandoned, about
 };
 
 /// Points of the guide with the numbers `kept` (ascending, the first and the last among them) stay; the curve may have

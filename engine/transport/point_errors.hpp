@@ -1,0 +1,17 @@
+// What rounding and integration leave of the points of grown manifolds (private to engine/).
+#pragma once
+
+#include "engine/transport/manifold_tangle.hpp"
+
+namespace lober {
+
+/// How far points of a grown manifold that lie in the box are beside the manifold: the largest distance across the
+/// curve of a sample of them from the same images computed more finely (PlanarMap::finer), twice, and a few roundings
+/// of coordinates. Errors along the curve do not move it.
+[[nodiscard]] double point_error(const PlanarMap& map, const LocalManifold& local, const GrownManifold& grown,
+                                 const Box& box);
+
+/// Adds what that makes of the areas of lobes and boundary to their errors: point_error times length.
+void add_point_errors(ManifoldTangle& manifolds);
+
+}  // namespace lober
