@@ -1,4 +1,4 @@
-// LOBER_ISA: other copies of the kernels, the same bytes.
+// LOBER_ISA and --threads: other copies of the kernels, other numbers of threads, the same bytes.
 
 #include <cstdlib>
 
@@ -16,24 +16,43 @@ class InstructionSets : public ProgramTest {
   }
   ~InstructionSets() override { unsetenv("LOBER_ISA"); }  // NOLINT(concurrency-mt-unsafe): one thread
 
-  Outcome run_with(std::string_view name) const {
+  Outcome run_with(std::string_view name, const std::vector<std::string>& arguments) const {
     setenv("LOBER_ISA", std::string(name).c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread
-    return run({"overlay", "a.dat", "b.dat", "--json", "-"});
+    return run(arguments);
+  }
+  // The JSON without its timing; `needle` has to occur in it.
+  void expect_same_bytes(std::vector<std::string> arguments, const std::string& needle) const {
+    arguments.insert(arguments.end(), {"--json", "-", "--threads", "1"});
+    const Outcome alone = run(arguments);
+    EXPECT_EQ(alone.status, 0) << alone.err;
+    EXPECT_NE(alone.out.find(needle), std::string::npos) << alone.out;
+    const char* threads = "7";
+    for (const std::string_view name : instruction_set_names()) {
+      arguments.back() = threads;
+      const Outcome outcome = run_with(name, arguments);
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_EQ(without_timing(outcome.out), without_timing(alone.out)) << name << ", " << threads << " threads";
+      threads = "2";
+    }
   }
 };
 
-TEST_F(InstructionSets, GiveTheSameBytes) {
-  const std::string expected = without_timing(run({"overlay", "a.dat", "b.dat", "--json", "-"}).out);
-  EXPECT_NE(expected.find("\"crossings\""), std::string::npos);
-  for (const std::string_view name : instruction_set_names()) {
-    const Outcome outcome = run_with(name);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(without_timing(outcome.out), expected) << name;
-  }
+TEST_F(InstructionSets, OverlayHasTheSameBytes) {
+  expect_same_bytes({"overlay", "a.dat", "b.dat"}, "\"crossings\"");
+}
+
+TEST_F(InstructionSets, TransportHasTheSameBytes) {
+  expect_same_bytes({"transport", "ovp", "--param", "gamma=0.5", "--iterates", "3", "--tolerance", "1e-4"},
+                    "\"area21\"");
+}
+
+TEST_F(InstructionSets, EscapeHasTheSameBytes) {
+  expect_same_bytes({"escape", "capsize", "--energy", "0.25307", "--iterates", "1", "--tolerance", "1e-3"},
+                    "\"energy\"");
 }
 
 TEST_F(InstructionSets, UnknownOnesAreRefused) {
-  const Outcome outcome = run_with("avx3");
+  const Outcome outcome = run_with("avx3", {"overlay", "a.dat", "b.dat"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("LOBER_ISA is avx3"), std::string::npos) << outcome.err;
 }

@@ -1,9 +1,8 @@
-// Tangles, grown manifolds, images and transport: the same bits whatever the threads, the index, the instruction set.
+// Tangles and grown manifolds: the same bits whatever the threads, the index, the instruction set.
 #include <gtest/gtest.h>
 
 #include "engine/dynamics/grow.hpp"
 #include "engine/dynamics/system.hpp"
-#include "engine/transport/transport.hpp"
 #include "tests/determinism/hash.hpp"
 #include "tests/determinism/results.hpp"
 #include "tests/determinism/variations.hpp"
@@ -52,26 +51,6 @@ TEST(DynamicsDeterminism, ManifoldOfAFlow) {
   options.tolerance = 1e-6;
   options.iterates = 5;
   expect_same_growth("ovp", {{"gamma", 0.5}, {"eps", 0.1}}, options, 3'000);
-}
-
-TEST(DynamicsDeterminism, Transport) {
-  const System system = make_system("standard", {{"K", 2.0}});
-  TransportOptions options;
-  options.iterates = 3;
-  expect_same(false, [&](IndexKind) {
-    const Transport found = transport(*system.map, *system.connection, options);
-    Hash hash;
-    for (const double number : {found.region, found.area12, found.area21, found.action12, found.action21}) {
-      hash.add(number);
-    }
-    for (const TransportStep& step : found.steps) {
-      for (const double number : {step.flux, step.total, step.overlap, step.by_boundaries, step.boundary_error,
-                                  step.consistency, step.discretisation}) {
-        hash.add(number);
-      }
-    }
-    return hash.value();
-  });
 }
 
 }  // namespace
