@@ -50,26 +50,25 @@ fi
 if [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; then failed=1; fi
 summary+=("make test: ${counts:-no result}, status $status, $(minutes) min")
 
-if step "Debian packages" 10m scripts/install-packages.sh clang clang-tidy clang-format libclang-rt-14-dev; then
-  step "format" 5m scripts/check-format.sh
-  if step "clang: all of our code, warnings as errors, with ASan and UBSan" 30m scripts/ci-build.sh asan-ubsan; then
-    step "tests under ASan and UBSan" 15m scripts/ci-sanitized.sh build-asan
-    step "fuzz targets, a minute each" 12m scripts/fuzz.sh 60 build-asan
-  else
-    leave_out "tests under ASan and UBSan, fuzz targets" "there is no build"
-  fi
-  if [ -x scripts/check-readme.sh ]; then
-    step "commands and code of the README" 12m scripts/check-readme.sh
-  else
-    leave_out "commands and code of the README" "no scripts/check-readme.sh"
-  fi
-  if step "clang with ThreadSanitizer" 20m scripts/ci-build.sh tsan lober lober_determinism_tests lober_thread_tests; then
-    step "tests under ThreadSanitizer" 12m scripts/ci-sanitized.sh build-tsan
-  else
-    leave_out "tests under ThreadSanitizer" "there is no build"
-  fi
-  step "clang-tidy on what changed" 12m scripts/tidy-changed.sh
+step "Debian packages" 10m scripts/install-packages.sh clang clang-tidy clang-format libclang-rt-14-dev
+step "format" 5m scripts/check-format.sh
+if step "clang: all of our code, warnings as errors, with ASan and UBSan" 30m scripts/ci-build.sh asan-ubsan; then
+  step "tests under ASan and UBSan" 15m scripts/ci-sanitized.sh build-asan
+  step "fuzz targets, a minute each" 12m scripts/fuzz.sh 60 build-asan
+else
+  leave_out "tests under ASan and UBSan, fuzz targets" "there is no build"
 fi
+if [ -x scripts/check-readme.sh ]; then
+  step "commands and code of the README" 12m scripts/check-readme.sh
+else
+  leave_out "commands and code of the README" "no scripts/check-readme.sh"
+fi
+if step "clang with ThreadSanitizer" 20m scripts/ci-build.sh tsan lober lober_determinism_tests lober_thread_tests; then
+  step "tests under ThreadSanitizer" 12m scripts/ci-sanitized.sh build-tsan
+else
+  leave_out "tests under ThreadSanitizer" "there is no build"
+fi
+step "clang-tidy on what changed" 12m scripts/tidy-changed.sh
 
 echo
 printf '%s\n' "${summary[@]}"

@@ -42,24 +42,21 @@ std::string text(const Variation& variation) {
 
 std::vector<Variation> variations(bool indexes) {
   const std::vector<InstructionSet> sets = instruction_sets();
-  std::vector<Variation> list;
-  const auto add = [&](InstructionSet isa, int threads, IndexKind index) {
-    if (indexes || index == IndexKind::tree) list.push_back({isa, threads, index});
-  };
-  if (std::getenv("LOBER_ALL_VARIATIONS") != nullptr) {
-    for (const InstructionSet isa : sets) {
-      for (const IndexKind index : all_indexes) {
-        for (const int threads : all_threads) add(isa, threads, index);
-      }
-    }
-    return list;
+  const InstructionSet best = sets.front(), least = sets.back(), middle = sets[sets.size() / 2];
+  if (std::getenv("LOBER_ALL_VARIATIONS") == nullptr) {
+    const auto index = [&](IndexKind kind) { return indexes ? kind : IndexKind::tree; };
+    return {{best, 1, IndexKind::tree},
+            {best, 7, IndexKind::tree},
+            {middle, 2, index(IndexKind::kd)},
+            {least, 7, index(IndexKind::grid)}};
   }
-  add(sets.front(), 1, IndexKind::tree);
-  add(sets.front(), 2, IndexKind::kd);
-  add(sets.front(), 7, IndexKind::grid);
-  add(sets.front(), indexes ? 7 : 2, IndexKind::tree);
-  for (std::size_t k = 1; k < sets.size(); ++k) add(sets[k], 7, IndexKind::tree);
-  add(sets.back(), 2, IndexKind::grid);
+  std::vector<Variation> list;
+  for (const InstructionSet isa : sets) {
+    for (const IndexKind index : all_indexes) {
+      if (!indexes && index != IndexKind::tree) continue;
+      for (const int threads : all_threads) list.push_back({isa, threads, index});
+    }
+  }
   return list;
 }
 

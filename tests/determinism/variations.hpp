@@ -19,8 +19,8 @@ struct Variation {
 [[nodiscard]] std::string text(const Variation& variation);
 
 /// The first one is what others are compared with: one thread, the tree, the best copies that the processor has. By
-/// default each number of threads (1, 2, 7), index and instruction set occurs at least once, in few combinations; all
-/// combinations when the environment variable LOBER_ALL_VARIATIONS is set. `indexes`: whether the index matters.
+/// default each number of threads (1, 2, 7), index and instruction set occurs once or twice; all combinations when the
+/// environment variable LOBER_ALL_VARIATIONS is set. `indexes`: whether the index matters.
 [[nodiscard]] std::vector<Variation> variations(bool indexes);
 
 /// Fails the test unless `hash` gives the same for all variations; its own threads and instruction set are set, the
