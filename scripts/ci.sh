@@ -51,6 +51,8 @@ if [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; then failed=1; fi
 summary+=("make test: ${counts:-no result}, status $status, $(minutes) min")
 
 step "Debian packages" 10m scripts/install-packages.sh clang clang-tidy clang-format libclang-rt-14-dev
+step "the same bits at a million points" 8m env LOBER_SCENE_POINTS=1000000 build/bin/lober_determinism_tests \
+    --gtest_brief=1 --gtest_filter='*Overlay*'
 step "format" 5m scripts/check-format.sh
 if step "clang: all of our code, warnings as errors, with ASan and UBSan" 30m scripts/ci-build.sh asan-ubsan; then
   step "tests under ASan and UBSan" 15m scripts/ci-sanitized.sh build-asan

@@ -55,7 +55,7 @@ struct Pyramid {
   std::vector<std::uint32_t> begin, size;
 };
 
-using Distribute = decltype(&distribute);
+using Distribute = decltype(&distribute_avx2);
 using Refine = decltype(&refine);
 
 void check_distribute(Distribute run) {
