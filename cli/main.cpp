@@ -20,6 +20,7 @@
 #include "cli/published_tangle.hpp"
 #include "cli/tangle_command.hpp"
 #include "cli/transport_command.hpp"
+#include "engine/agreement.hpp"
 #include "engine/error.hpp"
 #include "kernels/cpu.hpp"
 
@@ -35,6 +36,7 @@ usage:
   lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds (or of --system NAME)
   lober grow SYSTEM [options]            a stable or unstable manifold of a saddle, from the system's equations
   lober transport SYSTEM [options]       from equations to lobes, turnstile, fluxes a(n) and T(n); sweeps
+                                         (or of --manifolds FILE: as far as two given curves reach)
   lober batch run MANIFEST               many curves and pairs; also batch check, status, export, merge
   lober escape SYSTEM --energy E         orbits and tubes of a potential well, and who leaves it when
   lober overlay --help                   the options of a command
@@ -49,7 +51,8 @@ usage:
 A curve is a file of points, or FILE#ZONE for one zone of it (by number from 0, or by title): Tecplot ASCII, columns
 separated by commas or blanks, NPY, or raw float64, known by its content.
 
-exit status: 0 done, 1 the data cannot be used, or a job of a batch failed, 2 the command cannot be understood
+exit status: 0 done, 1 the data cannot be used, or a job of a batch failed, 2 the command cannot be understood,
+3 two independent routes to one quantity disagree beyond their error bars (everything is printed), 130 interrupted
 )";
 
 // A misspelt name would quietly run the best copies.
@@ -104,6 +107,8 @@ int guarded(const std::vector<std::string>& arguments) {
     return 0;
   } catch (const UsageError& error) {
     return fail(error.what(), 2);
+  } catch (const DisagreementError& error) {
+    return fail(error.what(), 3);
   } catch (const Cancelled& error) {
     return fail(error.what(), 130);
   } catch (const std::bad_alloc&) {

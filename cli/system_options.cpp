@@ -69,7 +69,10 @@ Connection connection_of(const SystemRequest& request, const System& system) {
   }
   Connection connection = system.connection.value_or(Connection{});
   // A bip that belongs to other saddles is none.
-  if (saddles_given) connection.bip.reset();
+  if (saddles_given) {
+    connection.bip.reset();
+    connection.closure.clear();
+  }
   if (!request.from.empty()) connection.from = connection.to = point_of(request.from);
   if (!request.to.empty()) connection.to = point_of(request.to);
   if (!request.u_direction.empty()) connection.u_direction = point_of(request.u_direction);

@@ -7,7 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/agreement_report.hpp"
 #include "cli/command_line.hpp"
+#include "cli/curves_transport_command.hpp"
 #include "cli/progress.hpp"
 #include "cli/svg.hpp"
 #include "cli/sweep_report.hpp"
@@ -21,7 +23,7 @@ struct Request {
   SystemRequest system;
   TransportOptions options;
   std::string sweep, json, svg, picture;
-  bool find_zero = false;
+  bool find_zero = false, all_regions = false;
   int threads = 0;
 };
 
@@ -33,6 +35,15 @@ std::vector<Output> outputs_of(const Request& request) {
   }
   check_outputs(outputs, {});
   return outputs;
+}
+
+// The other boundaries of the system, when they are asked for or the first region is not bounded without them. Other
+// saddles than the system's have none.
+std::vector<Connection> further_of(const Request& request, const System& system) {
+  const SystemRequest& given = request.system;
+  const bool own = given.from.empty() && given.to.empty() && given.u_direction.empty() && given.s_direction.empty();
+  if (!own || !(request.all_regions || system.further_needed)) return {};
+  return system.further;
 }
 
 void run_one(const Request& request) {
@@ -47,12 +58,14 @@ void run_one(const Request& request) {
     Progress progress;
     progress.phase("transport", 0, 0.9);
     TransportOptions options = request.options;
+    options.lattice = report.system.lattice;
+    options.further = further_of(request, report.system);
     double fraction = 0;  // nobody knows how long the manifolds have to be
     options.progress = [&](const std::string&) { return progress.advance(fraction += 0.25 * (1 - fraction)); };
     const Stopwatch transport_watch;
     report.result = transport(*report.system.map, report.connection, options);
     report.timing.transport = transport_watch.seconds();
-    for (const std::string& remark : report.tangle().remarks) spdlog::info("{}", remark);
+    for (const std::string& remark : report.result.remarks) spdlog::info("{}", remark);
     progress.phase("writing", 0.9, 1);
     const Stopwatch write_watch;
     if (!request.svg.empty()) write_transport_curve(request.svg, report);
@@ -61,6 +74,7 @@ void run_one(const Request& request) {
     if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
   }
   if (!takes_standard_output(outputs)) print(transport_table(report));
+  require_agreement(report.result.agreement);
 }
 
 void run_sweep(const Request& request) {
@@ -110,10 +124,12 @@ void run_sweep(const Request& request) {
 }  // namespace
 
 void run_transport(const std::vector<std::string>& arguments) {
+  if (names_manifolds(arguments)) return run_curves_transport(arguments);
   Request request;
   CLI::App app(
       "Transport across the boundary that a stable and an unstable manifold of a map make: grows them, finds the "
-      "turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries.",
+      "turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries. With --manifolds FILE, of curves "
+      "(lober transport --manifolds --help).",
       "lober transport");
   add_system_options(app, request.system, true);
   CLI::Option* const iterates = app.add_option("--iterates", request.options.iterates, "n = 1, ... so many (default 7)")
@@ -126,6 +142,19 @@ void run_transport(const std::vector<std::string>& arguments) {
   app.add_option("--max-points", request.options.most_points, "of each manifold")
       ->check(CLI::Range(std::size_t{2}, std::size_t{2'147'483'646}))
       ->type_name("N");
+  app.add_option("--budget", request.options.budget,
+                 "seconds that growing the manifolds of a boundary may take; by default their work is limited, which "
+                 "gives the same table on every machine")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
+  app.add_flag(
+      "--all-regions", request.all_regions,
+      "regions of all boundaries that the system names (ovp: the lower vortex too), with the matrices T_ij(n)");
+  app.add_option("--particles", request.options.particles,
+                 "count T(n) with so many particles in each bounded region, too (default 0)")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}))
+      ->type_name("N");
+  app.add_option("--seed", request.options.seed, "of the particles (default 1)")->type_name("N");
   CLI::Option* const sweep_option =
       app.add_option("--sweep", request.sweep, "areas of the turnstile over a parameter, instead of the fluxes")
           ->type_name("NAME=FIRST:LAST:STEP")

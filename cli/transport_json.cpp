@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/agreement_report.hpp"
 #include "cli/json_file.hpp"
 #include "cli/transport_report.hpp"
 #include "cli/turnstile_report.hpp"
@@ -20,39 +21,67 @@ Json options_json(const TransportReport& report) {
           {"bip", connection.bip ? point_json(*connection.bip) : Json()}};
 }
 
+Json measured_json(Measured value) {
+  return {{"value", value.value}, {"error", value.error}};
+}
+
 Json region_json(const TransportReport& report) {
   const Boundary& boundary = *report.tangle().boundary;
-  return {{"area", boundary.crosses_itself ? Json() : Json(report.result.region)},
+  const Region& region = report.result.regions.front();
+  return {{"area", region.area.value},
+          {"error", region.area.error},
           {"crosses_itself", boundary.crosses_itself},
           {"bip", point_json(report.manifolds().orbits.back().at)},
           {"orientation", boundary.orientation > 0 ? "counter_clockwise" : "clockwise"}};
 }
 
-Json all_turnstile_json(const TransportReport& report) {
-  Json json = turnstile_json(report.manifolds());
-  json["area12"] = report.result.area12;
-  json["area21"] = report.result.area21;
-  json["action12"] = report.result.action12;
-  json["action21"] = report.result.action21;
+Json regions_json(std::span<const Region> regions) {
+  Json list = Json::array();
+  for (const Region& region : regions) {
+    list.push_back({{"bounded", region.bounded}, {"area", region.area.value}, {"error", region.area.error}});
+  }
+  return list;
+}
+
+Json all_turnstile_json(const TransportBoundary& boundary) {
+  Json json = turnstile_json(*boundary.manifolds);
+  json["area12"] = boundary.area12.value;
+  json["area21"] = boundary.area21.value;
+  json["area12_error"] = boundary.area12.error;
+  json["area21_error"] = boundary.area21.error;
+  json["action12"] = boundary.action12;
+  json["action21"] = boundary.action21;
   return json;
 }
 
-Json error_json(const Transport& result) {
-  double discretisation = 0, boundaries = 0, consistency = 0;
-  for (const TransportStep& step : result.steps) {
-    discretisation = std::max(discretisation, step.discretisation);
-    boundaries = std::max(boundaries, step.boundary_error);
-    consistency = std::max(consistency, step.consistency);
+Json boundaries_json(const Transport& result) {
+  Json list = Json::array();
+  for (const TransportBoundary& boundary : result.boundaries) {
+    list.push_back({{"saddles", saddles_json(*boundary.manifolds)},
+                    {"turnstile", all_turnstile_json(boundary)},
+                    {"point_error", boundary.barrier.curve_error}});
   }
-  return {{"discretisation", discretisation},
-          {"boundaries", boundaries},
-          {"consistency", consistency},
-          {"area_conservation", std::abs(result.area12 - result.area21)},
-          {"meaning",
-           {{"discretisation", "estimate of |T - true T| by lobes; of the worst step"},
-            {"boundaries", "the same by boundaries"},
-            {"consistency", "|T by lobes - T by boundaries|; of the worst step"},
-            {"area_conservation", "|area12 - area21| of the turnstile, by geometry"}}}};
+  return list;
+}
+
+Json error_json(std::span<const TransportStep> steps, Measured area12, Measured area21) {
+  double discretisation = 0, boundaries = 0, consistency = 0;
+  for (const TransportStep& step : steps) {
+    const Measured lobes = step.total(0, 1), other = step.by_boundaries(0, 1);
+    discretisation = std::max(discretisation, lobes.error);
+    boundaries = std::max(boundaries, other.error);
+    consistency = std::max(consistency, std::abs(lobes.value - other.value));
+  }
+  return {
+      {"discretisation", discretisation},
+      {"boundaries", boundaries},
+      {"consistency", consistency},
+      {"area_conservation", std::abs(area12.value - area21.value)},
+      {"meaning",
+       {{"discretisation", "estimate of |T - true T| by lobes, integration and rounding included; of the worst step"},
+        {"boundaries", "the same by boundaries"},
+        {"consistency", "|T by lobes - T by boundaries|; of the worst step"},
+        {"area_conservation", "|area12 - area21| of the turnstile, by geometry"}}}};
 }
 
 Json statistics_json(const TransportReport& report) {
@@ -64,28 +93,86 @@ Json statistics_json(const TransportReport& report) {
   return json;
 }
 
+void format_matrix(std::string& text, const char* name, const RegionMatrix& matrix) {
+  put(text, ",\"", name, "\":[");
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    put(text, i == 0 ? "[" : ",[");
+    for (std::size_t j = 0; j < matrix.size(); ++j) put(text, j == 0 ? "" : ",", matrix(i, j).value);
+    put(text, "]");
+  }
+  put(text, "],\"", name, "_error\":[");
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    put(text, i == 0 ? "[" : ",[");
+    for (std::size_t j = 0; j < matrix.size(); ++j) put(text, j == 0 ? "" : ",", matrix(i, j).error);
+    put(text, "]");
+  }
+  put(text, "]");
+}
+
+// Of the first two regions, then the matrices of all.
 void format_step(std::string& text, const TransportStep& step) {
-  put(text, "{\"n\":", step.n, ",\"a\":", step.flux, ",\"T\":", step.total, ",\"overlap\":", step.overlap,
-      ",\"discretisation\":", step.discretisation, ",\"T_by_boundaries\":", step.by_boundaries,
-      ",\"boundary_error\":", step.boundary_error, ",\"consistency\":", step.consistency, "}");
+  const Measured out = step.total(0, 1), boundaries = step.by_boundaries(0, 1);
+  const auto overlap = [&](std::size_t i, std::size_t j) { return step.overlaps[i][j].value; };
+  put(text, "{\"n\":", step.n, ",\"a\":", step.flux(0, 1).value, ",\"T\":", out.value, ",\"overlap\":", overlap(0, 1),
+      ",\"discretisation\":", out.error, ",\"T_by_boundaries\":", boundaries.value,
+      ",\"boundary_error\":", boundaries.error, ",\"consistency\":", std::abs(out.value - boundaries.value));
+  put(text, ",\"a_error\":", step.flux(0, 1).error, ",\"a21\":", step.flux(1, 0).value,
+      ",\"T21\":", step.total(1, 0).value, ",\"overlaps\":{\"L12_L12\":", overlap(0, 0), ",\"L12_L21\":", overlap(0, 1),
+      ",\"L21_L12\":", overlap(1, 0), ",\"L21_L21\":", overlap(1, 1), "}");
+  if (step.by_particles.size() > 0) {
+    put(text, ",\"T_by_particles\":", step.by_particles(0, 1).value,
+        ",\"particle_error\":", step.by_particles(0, 1).error);
+  }
+  format_matrix(text, "a_ij", step.flux);
+  format_matrix(text, "T_ij", step.total);
+  format_matrix(text, "T_ij_by_boundaries", step.by_boundaries);
+  if (step.by_particles.size() > 0) format_matrix(text, "T_ij_by_particles", step.by_particles);
+  put(text, "}");
 }
 
 }  // namespace
 
 void write_transport_json(const std::string& path, const TransportReport& report,
                           const std::function<double()>& seconds_so_far) {
+  const Transport& result = report.result;
+  const TransportBoundary& first = result.boundaries.front();
   JsonFile json(path, "transport");
+  json.member("agreement", result.agreement.agrees());
+  json.member("disagreements", disagreements_json(result.agreement));
   json.member("system", system_json(report.system, report.integration));
   json.member("options", options_json(report));
   json.member("saddles", saddles_json(report.manifolds()));
   json.member("region", region_json(report));
-  json.member("turnstile", all_turnstile_json(report));
-  json.list("steps", report.result.steps.size(),
-            [&](std::string& text, std::size_t k) { format_step(text, report.result.steps[k]); });
-  json.member("remarks", report.tangle().remarks);
-  json.member("error", error_json(report.result));
+  json.member("regions", regions_json(result.regions));
+  json.member("turnstile", all_turnstile_json(first));
+  json.member("boundaries", boundaries_json(result));
+  json.member("iterates_a_step", result.iterates_a_step);
+  json.list("steps", result.steps.size(),
+            [&](std::string& text, std::size_t k) { format_step(text, result.steps[k]); });
+  json.member("remarks", result.remarks);
+  json.member("error", error_json(result.steps, first.area12, first.area21));
   json.member("statistics", statistics_json(report));
   json.finish({{"transport", report.timing.transport}, {"write", report.timing.write}, {"total", seconds_so_far()}});
+}
+
+void write_transport_json(const std::string& path, const CurvesTransportReport& report,
+                          const std::function<double()>& seconds_so_far) {
+  const TransportOfCurves& result = report.result;
+  JsonFile json(path, "transport");
+  json.member("agreement", result.agreement.agrees());
+  json.member("disagreements", disagreements_json(result.agreement));
+  Json inputs = Json::array();
+  for (const NamedCurve& input : report.inputs)
+    inputs.push_back({{"file", spec_of(input)}, {"points", input.curve.points.size()}});
+  json.member("inputs", inputs);
+  json.member("period", report.tangle->images.period);
+  json.member("regions", regions_json(result.regions));
+  json.member("turnstile", Json{{"area12", measured_json(result.area12)}, {"area21", measured_json(result.area21)}});
+  json.list("steps", result.steps.size(),
+            [&](std::string& text, std::size_t k) { format_step(text, result.steps[k]); });
+  json.member("remarks", result.remarks);
+  json.member("error", error_json(result.steps, result.area12, result.area21));
+  json.finish({{"total", seconds_so_far()}});
 }
 
 }  // namespace lober::cli

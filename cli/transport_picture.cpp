@@ -77,8 +77,8 @@ void write_transport_curve(const std::string& path, const TransportReport& repor
   PlotSeries flux{"a(n), area that crosses in step n", leaving_colour, {}, true, true};
   PlotSeries total{"T(n), in all", s_colour, {}, true, true};
   for (const TransportStep& step : report.result.steps) {
-    flux.points.push_back({static_cast<double>(step.n), step.flux});
-    total.points.push_back({static_cast<double>(step.n), step.total});
+    flux.points.push_back({static_cast<double>(step.n), step.flux(0, 1).value});
+    total.points.push_back({static_cast<double>(step.n), step.total(0, 1).value});
   }
   write_plot(path, {"Transport of " + system_text(report.system),
                     "n, iterates of the map; " + system_text(report.system),
@@ -90,7 +90,7 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   const ManifoldTangle& manifolds = report.manifolds();
   const Tangle& tangle = manifolds.tangle;
   // As the overlaps are computed: nothing is followed for longer than half of the iterates.
-  const int n = report.options.iterates, before = 1 + (n - 1) / 2, after = std::max(0, n - 1 - (n - 1) / 2);
+  const int n = static_cast<int>(report.result.steps.size()), before = 1 + (n - 1) / 2, after = std::max(0, n - 1 - (n - 1) / 2);
   const auto leaving = lobes_between(manifolds, before, 0, true), entering = lobes_between(manifolds, 1, after, false);
   const auto outwards = lobes_between(manifolds, 1, 0, true), inwards = lobes_between(manifolds, 1, 0, false);
   const auto common = common_pieces(tangle, leaving, entering);
@@ -113,12 +113,13 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   begin_legend(svg);
   add_legend_entry(svg, view, 0, 0, line_swatch(u_colour, 2), "U, unstable manifold");
   add_legend_entry(svg, view, 1, 0, line_swatch(s_colour, 2), "S, stable manifold");
-  add_legend_entry(svg, view, 0, 1, line_swatch(boundary_colour, 6), "boundary, area " + rounded(report.result.region));
+  add_legend_entry(svg, view, 0, 1, line_swatch(boundary_colour, 6),
+                   "boundary, area " + rounded(report.result.regions.front().area.value));
   add_legend_entry(svg, view, 1, 1, "<circle cx=\"13\" r=\"4\" fill=\"#222222\"/>", "pips of the turnstile");
   add_legend_entry(svg, view, 0, 2, filled_swatch(leaving_colour),
-                   "L12(1), area " + rounded(report.result.area12) + ", and pre-images");
+                   "L12(1), area " + rounded(report.result.boundaries.front().area12.value) + ", and pre-images");
   add_legend_entry(svg, view, 1, 2, filled_swatch(entering_colour),
-                   "L21(1), area " + rounded(report.result.area21) + ", and images");
+                   "L21(1), area " + rounded(report.result.boundaries.front().area21.value) + ", and images");
   add_legend_entry(svg, view, 0, 3, filled_swatch(common_colour), "what they have in common");
   add_legend_entry(svg, view, 1, 3, "", system_text(report.system));
   end_picture(svg);

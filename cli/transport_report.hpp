@@ -1,11 +1,15 @@
 // Everything that `lober transport` found, for the table, the JSON and the pictures to show.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "cli/report.hpp"
 #include "cli/system_options.hpp"
+#include "engine/curve/curve.hpp"
 #include "engine/transport/transport.hpp"
 
 namespace lober::cli {
@@ -20,15 +24,26 @@ struct TransportReport {
     double transport = 0, write = 0;  ///< seconds
   } timing;
 
-  [[nodiscard]] const ManifoldTangle& manifolds() const { return *result.manifolds; }
-  [[nodiscard]] const Tangle& tangle() const { return result.manifolds->tangle; }
+  [[nodiscard]] const ManifoldTangle& manifolds() const { return result.manifolds(); }
+  [[nodiscard]] const Tangle& tangle() const { return result.manifolds().tangle; }
+};
+
+/// The same from two curves of files.
+struct CurvesTransportReport {
+  std::array<NamedCurve, 2> inputs;
+  const Tangle* tangle = nullptr;
+  TransportOfCurves result;
 };
 
 /// The short aligned table for people.
 [[nodiscard]] std::string transport_table(const TransportReport& report);
+[[nodiscard]] std::string transport_table(const CurvesTransportReport& report);
 
 /// Writes the JSON object; `seconds_so_far` is asked when all but the timing is written.
 void write_transport_json(const std::string& path, const TransportReport& report,
+                          const std::function<double()>& seconds_so_far);
+
+void write_transport_json(const std::string& path, const CurvesTransportReport& report,
                           const std::function<double()>& seconds_so_far);
 
 /// a(n) and T(n) over n as SVG.

@@ -68,7 +68,10 @@ constexpr lober_system description{.abi = LOBER_SYSTEM_ABI,
                                    .window = {-0.5, -0.5, 0.7, 0.5},
                                    .lattice = {0, 0},
                                    .map = nullptr,
-                                   .flow = &flow};
+                                   .flow = &flow,
+                                   .connection_count = 0,
+                                   .connection = nullptr,
+                                   .all_bound_region_1 = 0};
 
 }  // namespace
 

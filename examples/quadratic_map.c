@@ -46,7 +46,10 @@ static const lober_system description = {LOBER_SYSTEM_ABI,
                                          {-2, -2, 2, 2},
                                          {0, 0},
                                          &map,
-                                         NULL};
+                                         NULL,
+                                         0,
+                                         NULL,
+                                         0};
 
 const lober_system* lober_system_describe(void) {
   return &description;

@@ -83,4 +83,8 @@ struct SimpleCheck {
 };
 SimpleCheck require_simple(const IndexedCurve& curve, int number);
 
+/// Pairs of segments that meet where a simple curve's do not, in curve order: the first `most` of each block of the
+/// search, and no more than that in all. The cost of require_simple.
+[[nodiscard]] std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t most);
+
 }  // namespace lober

@@ -13,8 +13,10 @@ namespace {
 
 class SelfChecker final : public PairConsumer {
  public:
-  explicit SelfChecker(const CurveView& curve)
+  /// Keeps the first pair that meets, and up to `most` others.
+  explicit SelfChecker(const CurveView& curve, std::size_t most = 0)
       : curve_(curve),
+        most_(most),
         source_{curve.points.data(), static_cast<std::uint32_t>(curve.points.size() - 1)},
         blocks_((curve.segments() + block_segments - 1) / block_segments) {}
 
@@ -25,8 +27,12 @@ class SelfChecker final : public PairConsumer {
     filter_pairs(source_, source_, pairs.data(), pairs.size(), block.verdicts.data());
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const SegmentPair& pair = pairs[k];
-      if (block.verdicts[k] == PairVerdict::apart || block.first_bad < pair) continue;
-      if (block.verdicts[k] != PairVerdict::doubtful || bad(pair, block.counts)) block.first_bad = pair;
+      if (block.verdicts[k] == PairVerdict::apart) continue;
+      const bool wanted = block.meetings.size() < most_;
+      if (block.first_bad < pair && !wanted) continue;
+      if (block.verdicts[k] == PairVerdict::doubtful && !bad(pair, block.counts)) continue;
+      block.first_bad = std::min(block.first_bad, pair);
+      if (wanted) block.meetings.push_back(pair);
     }
     return 0;
   }
@@ -36,6 +42,13 @@ class SelfChecker final : public PairConsumer {
     SegmentPair first = none;
     for (const Block& block : blocks_) first = std::min(first, block.first_bad);
     return first;
+  }
+  [[nodiscard]] std::vector<SegmentPair> meetings() const {
+    std::vector<SegmentPair> list;
+    for (const Block& block : blocks_) list.insert(list.end(), block.meetings.begin(), block.meetings.end());
+    std::sort(list.begin(), list.end());
+    list.resize(std::min(list.size(), most_));
+    return list;
   }
   [[nodiscard]] std::uint64_t pairs() const {
     std::uint64_t sum = 0;
@@ -51,6 +64,7 @@ class SelfChecker final : public PairConsumer {
     std::uint64_t pairs = 0;
     PredicateCounts counts;
     Buffer<PairVerdict> verdicts;
+    std::vector<SegmentPair> meetings;
   };
 
   // Whether the two segments meet where they should not.
@@ -90,6 +104,7 @@ class SelfChecker final : public PairConsumer {
   }
 
   CurveView curve_;
+  std::size_t most_;
   SegmentSource source_;
   std::vector<Block> blocks_;
 };
@@ -108,6 +123,12 @@ Point common_point(const Segment& first, const Segment& second) {
 }
 
 }  // namespace
+
+std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t most) {
+  SelfChecker checker(curve.view(), most);
+  (void)find_self_pairs(curve, checker);
+  return checker.meetings();
+}
 
 SimpleCheck require_simple(const IndexedCurve& curve, int number) {
   SelfChecker checker(curve.view());

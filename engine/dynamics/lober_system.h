@@ -18,8 +18,9 @@
 extern "C" {
 #endif
 
-/* Raised whenever the structures below change their layout. */
-#define LOBER_SYSTEM_ABI 1
+/* Raised whenever the structures below change their layout. Version 2 added the connections at the end of lober_system;
+   libraries built for version 1 are still loaded. */
+#define LOBER_SYSTEM_ABI 2
 #define LOBER_MAX_DIMENSION 6
 
 typedef enum lober_kind { LOBER_MAP = 1, LOBER_FLOW = 2 } lober_kind;
@@ -79,6 +80,21 @@ typedef struct lober_flow {
   const lober_section* section;
 } lober_flow;
 
+#define LOBER_MAX_CORNERS 16
+
+/* The manifolds that bound a region: U from the saddle near `from`, S from that near `to`, each on the branch that
+   leaves in the given direction. */
+typedef struct lober_connection {
+  double from[2], u_direction[2];
+  double to[2], s_direction[2];
+  int has_bip; /* whether `bip` is near a pip that is a good one to bound the region with */
+  double bip[2];
+  /* Corners of the path from `to` back to `from` that the map keeps (walls, an axis) and that closes the boundary; none
+     for a straight one, or where it closes itself. */
+  size_t corner_count; /* 0 .. LOBER_MAX_CORNERS */
+  double corners[LOBER_MAX_CORNERS][2];
+} lober_connection;
+
 typedef struct lober_system {
   unsigned abi; /* LOBER_SYSTEM_ABI */
   lober_kind kind;
@@ -92,6 +108,12 @@ typedef struct lober_system {
   double lattice[2];
   const lober_map* map;   /* for LOBER_MAP */
   const lober_flow* flow; /* for LOBER_FLOW */
+  /* From version 2 on. How many connections there are whose boundaries bound regions, the first one region 1; 0 and
+     NULL for none. `connection` fills in number `index`. */
+  size_t connection_count;
+  int (*connection)(const double* parameters, size_t index, lober_connection* connection);
+  /* Not 0: region 1 is bounded by all of them together, such as the strip of a cylinder between two boundaries. */
+  int all_bound_region_1;
 } lober_system;
 
 #define LOBER_EXPORT __attribute__((visibility("default")))

@@ -162,7 +162,6 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
     result_.images += static_cast<std::uint64_t>(insertion.generation) * static_cast<std::uint64_t>(std::abs(steps_));
     if (!is_finite(insertion.point)) return {};
   }
-  count(0, 0);
   std::vector<std::size_t> added;
   for (std::size_t i = 0; i < insertions.size(); ++i) added.push_back(insertions[i].segment + 1 + i);
   result_.points = with_inserted(std::span<const Point>(result_.points), insertions,
@@ -245,7 +244,7 @@ Samples ManifoldGrowth::part_of_local(const Samples& samples, int part) const {
   std::vector<double> parameters{begin};
   parameters.insert(parameters.end(), first, last);
   parameters.push_back(end);
-  if (parameters.size() < fewest_in_piece) {
+  if (pieces_ > 1 && parameters.size() < fewest_in_piece) {
     parameters.resize(fewest_in_piece);
     for (std::size_t k = 0; k < fewest_in_piece; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(fewest_in_piece - 1);

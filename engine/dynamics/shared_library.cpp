@@ -159,12 +159,39 @@ void set_map(System& made, const lober_system& system, std::span<const double> v
   }
 }
 
+Point point_of(const double (&numbers)[2]) {
+  return {numbers[0], numbers[1]};
+}
+
+/// Those that a library of version 2 describes.
+void set_connections(System& made, const lober_system& system, std::span<const double> values) {
+  if (system.abi < 2) return;
+  for (std::size_t k = 0; k < system.connection_count; ++k) {
+    lober_connection found{};
+    const std::string where = std::string("system ") + system.name + ": connection " + std::to_string(k);
+    if (system.connection(values.data(), k, &found) != 0) throw DataError(where + " is not given for these parameters");
+    if (found.corner_count > LOBER_MAX_CORNERS) throw DataError(where + " has too many corners");
+    Connection connection{point_of(found.from), point_of(found.u_direction), point_of(found.to),
+                          point_of(found.s_direction)};
+    if (found.has_bip != 0) connection.bip = point_of(found.bip);
+    for (std::size_t corner = 0; corner < found.corner_count; ++corner)
+      connection.closure.push_back(point_of(found.corners[corner]));
+    if (k == 0) {
+      made.connection = std::move(connection);
+    } else {
+      made.further.push_back(std::move(connection));
+    }
+  }
+  made.further_needed = system.all_bound_region_1 != 0;
+}
+
 System make(const Library& library, const lober_system& system, std::span<const double> values,
             const IntegrationOptions& options) {
   const Loaded loaded{library, &system, {values.begin(), values.end()}};
   System made;
   made.window = window(system.window[0], system.window[1], system.window[2], system.window[3]);
   made.lattice = {system.lattice[0], system.lattice[1]};
+  set_connections(made, system, values);
   if (system.kind == LOBER_FLOW) {
     made.flow = make_flow(loaded);
     set_map(made, system, values, options);
@@ -200,7 +227,7 @@ const char* fault(const lober_flow& flow, std::size_t parameters) {
 /// What is wrong with a description, or null.
 const char* fault(const lober_system* system) {
   if (system == nullptr) return "lober_system_describe returned null";
-  if (system->abi != LOBER_SYSTEM_ABI) return "it was built for another version of lober_system.h";
+  if (system->abi < 1 || system->abi > LOBER_SYSTEM_ABI) return "it was built for another version of lober_system.h";
   if (system->name == nullptr || system->summary == nullptr) return "the name or the summary is null";
   if (system->parameter_count != 0 && system->parameters == nullptr) return "parameters is null";
   for (std::size_t k = 0; k < system->parameter_count; ++k) {
@@ -208,6 +235,7 @@ const char* fault(const lober_system* system) {
       return "a parameter's name or meaning is null";
     }
   }
+  if (system->abi >= 2 && system->connection_count != 0 && system->connection == nullptr) return "connection is null";
   switch (system->kind) {
     case LOBER_MAP:
       if (system->map == nullptr) return "map is null";

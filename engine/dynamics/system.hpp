@@ -35,6 +35,9 @@ struct Connection {
   Point from, u_direction;
   Point to, s_direction;
   std::optional<Point> bip{};  ///< near a pip that is a good one to bound a region with
+  /// Corners of the path from `to` back to `from` that the map keeps, walls or an axis, and that closes the boundary;
+  /// without any it is straight.
+  std::vector<Point> closure{};
 
   [[nodiscard]] Point saddle(ManifoldSide side) const { return side == ManifoldSide::unstable ? from : to; }
   [[nodiscard]] Point direction(ManifoldSide side) const {
@@ -49,7 +52,10 @@ struct System {
   Box window;
   /// Shift of the plane after which the map repeats itself, (0, 0) when there is none: (2 pi, 0) for a lifted angle.
   Point lattice;
-  std::optional<Connection> connection;  ///< whose tangle is of interest
+  std::optional<Connection> connection;  ///< whose tangle is of interest; its boundary bounds region 1
+  std::vector<Connection> further{};     ///< whose boundaries bound more regions
+  /// Whether region 1 is not bounded without those: the strip of a cylinder between an upper and a lower boundary.
+  bool further_needed = false;
   std::shared_ptr<const Flow> flow;      ///< null when the system is a map
   std::vector<FlowState> saddles;        ///< near those of rank 1 that bound a well (engine/escape)
   std::optional<Section> section;        ///< of the map, when it is a return map

@@ -1,7 +1,7 @@
 // Lobes and boundary as polygons.
 
 #include "engine/regions/regions.hpp"
-#include "engine/tangle/tangle.hpp"
+#include "engine/tangle/curves.hpp"
 
 namespace lober {
 namespace {
@@ -46,6 +46,12 @@ std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t number) {
   append(points, place_of_pip(tangle, number));
   for (std::size_t k = s.size(); k-- > 0;) append(points, s[k]);
   return points;
+}
+
+SweptArea swept_area(const Tangle& tangle, std::size_t number) {
+  const Pip& pip = tangle.pips.at(number);  // p- is the origin of D, so that the chord adds nothing
+  const double area = tangle.curves->area(pip.gap);
+  return {area, tangle.curves->area({pip.gap_error, 0}) + tangle.rounding(area)};
 }
 
 std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe) {

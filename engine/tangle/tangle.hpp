@@ -164,8 +164,11 @@ struct ArcsAt {
 struct LobeOverlap {
   std::uint32_t i, j;  ///< i < j
   double area;
+  /// With TangleOptions::smooth, an estimate of the error, as Lobe::smooth_error; else a bound on rounding.
+  double error = 0;
+  double perimeter = 0;  ///< of what they have in common
 };
-/// The area that two lobes have in common, for every pair that has any; ordered by i, then j. O(crossings).
+/// The area that two lobes have in common, for every pair that has any; ordered by i, then j. O(crossings + N + M).
 [[nodiscard]] std::vector<LobeOverlap> overlaps(const Tangle& tangle);
 
 /// The boundary of a lobe as a closed polygon: pip k, along U to pip k + 1, back along S. Where S_k and U_k touch it
@@ -175,6 +178,12 @@ struct LobeOverlap {
 [[nodiscard]] std::vector<Point> boundary_outline(const Tangle& tangle);
 /// The same for another pip.
 [[nodiscard]] std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t bip);
+/// Signed area of what U[p-, q], S[q, p+] and the chord from p+ to p- enclose, q a pip, each part counted with its
+/// winding number; of the smooth curves if that is what the tangle is made of. The error is as Lobe::smooth_error. O(1).
+struct SweptArea {
+  double area = 0, error = 0;
+};
+[[nodiscard]] SweptArea swept_area(const Tangle& tangle, std::size_t pip);
 /// The simple polygons of which a lobe consists, as areas; one unless the lobe is not simple.
 [[nodiscard]] std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe);
 

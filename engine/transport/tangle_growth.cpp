@@ -219,10 +219,11 @@ bool TangleGrowth::refine(Side& side, std::vector<std::uint32_t> segments) {
   std::sort(segments.begin(), segments.end());
   segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
   std::erase_if(segments, [&](std::uint32_t k) {
-    const Box ends = Box::of(grown.points[k], grown.points[k + 1]);
-    return !meet(ends, box_) || std::any_of(grown.flaws.begin(), grown.flaws.end(), [&](const GrowthFlaw& flaw) {
-      return flaw.first <= k && k < flaw.first + flaw.count;
-    });
+    const auto after =
+        std::upper_bound(grown.flaws.begin(), grown.flaws.end(), k,
+                         [](std::uint32_t segment, const GrowthFlaw& flaw) { return segment < flaw.first; });
+    const bool flawed = after != grown.flaws.begin() && k < std::prev(after)->first + std::prev(after)->count;
+    return flawed || !meet(Box::of(grown.points[k], grown.points[k + 1]), box_);
   });
   const std::size_t added = side.growth->refine(segments, parts).size();
   side.drawn_in += added;  // what is drawn in lies outside the box, none of it is new
@@ -256,6 +257,21 @@ bool TangleGrowth::refine_flat_pips() {
   }
   const bool more_u = refine(u_, std::move(on_u)), more_s = refine(s_, std::move(on_s));
   return more_u || more_s;
+}
+
+// Refines a manifold where its polygon crosses itself, and only there.
+void TangleGrowth::refine_until_simple(Side& side) {
+  constexpr int max_rounds = 8;
+  constexpr std::size_t at_once = 20'000;
+  for (int round = 0; round < max_rounds; ++round) {
+    const IndexedCurve index{CurveView(side.growth->grown())};
+    std::vector<std::uint32_t> segments;
+    for (const SegmentPair& pair : self_meetings(index, at_once)) {
+      segments.push_back(pair.first);
+      segments.push_back(pair.second);
+    }
+    if (segments.empty() || !refine(side, std::move(segments))) return;
+  }
 }
 
 // The pips of what there is, and the bip among them.
@@ -314,7 +330,8 @@ bool TangleGrowth::find_turnstile(std::string& trouble) {
     if (s_.growth->time() >= bip.s + 1 + beyond) break;
     if (!grow(s_, bip.s + 1 + beyond)) return false;
   }
-  const std::optional<std::size_t> before = image_of_bip(-1);
+  constexpr double close = 0.02;
+  const std::optional<std::size_t> before = image_of_bip(-1, close);
   if (before) {
     period_ = static_cast<std::uint32_t>(bip_ - *before);
   } else {
@@ -332,7 +349,9 @@ bool TangleGrowth::towards_a_crossing() {
     return false;
   }
   const bool u_near = newest_meets(u_, s_), s_near = newest_meets(s_, u_);
-  Side& next = (u_near != s_near ? u_near : u_.growth->time() <= s_.growth->time()) ? u_ : s_;
+  // Else the cheaper one: under damping one of them winds into a sink, and the other one far away.
+  const bool u_next = u_near != s_near ? u_near : u_.growth->grown().images <= s_.growth->grown().images;
+  Side& next = u_next ? u_ : s_;
   return grow(next, next.growth->time() + next.growth->piece());
 }
 
@@ -367,8 +386,7 @@ TangleGrowth::Time TangleGrowth::time_of_pip(std::size_t pip) const {
 }
 
 // The pip that is the image of the bip under `steps` of the map, if it is there: the one whose times are nearest.
-std::optional<std::size_t> TangleGrowth::image_of_bip(int steps) const {
-  constexpr double close = 0.02;
+std::optional<std::size_t> TangleGrowth::image_of_bip(int steps, double close) const {
   const Time bip = time_of_pip(bip_);
   double nearest = close;
   std::optional<std::size_t> image;
@@ -487,6 +505,8 @@ bool TangleGrowth::grow_to(int before, int after) {
   if (grown) {
     before_ = before;
     after_ = after;
+  } else {
+    look();  // one of them may have been grown on
   }
   finish();
   return grown;
@@ -494,10 +514,23 @@ bool TangleGrowth::grow_to(int before, int after) {
 
 bool TangleGrowth::grow_between(int before, int after) {
   const Time bip = time_of_pip(bip_);
+  // Images of q come nearer to the saddles by the multiplier each time.
+  const auto unresolved = [&](const Side& side, double time, int images) {
+    const double apart = side.local.reach * std::pow(side.local.image().factor, time);
+    if (apart > finest_) return false;
+    limit_ = "the pip f^" + std::to_string(images) + "(q) lies only " + rounded_text(apart) +
+             " from its saddle, which coordinates in double precision do not resolve";
+    return true;
+  };
+  if (unresolved(u_, bip.u - before, -before) || unresolved(s_, bip.s - after, after)) return false;
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
+  refine_until_simple(u_);
+  refine_until_simple(s_);
   look();
+  // Times of pips that are nearer to a saddle than the tolerance are rough, but they are counted too.
+  constexpr double close = 0.1;
   for (int k = -before; k <= after; ++k) {
-    const std::optional<std::size_t> pip = image_of_bip(k);
+    const std::optional<std::size_t> pip = image_of_bip(k, close);
     const auto expected = static_cast<std::ptrdiff_t>(bip_) + static_cast<std::ptrdiff_t>(period_) * k;
     if (pip && static_cast<std::ptrdiff_t>(*pip) == expected) continue;
     limit_ = "polygons to the tolerance " + shortest(tolerance_) + " do not show the pip f^" + std::to_string(k) +

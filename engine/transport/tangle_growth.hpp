@@ -55,6 +55,7 @@ class TangleGrowth {
   void find_pips();
   bool refine(Side& side, std::vector<std::uint32_t> segments);
   bool refine_flat_pips();
+  void refine_until_simple(Side& side);
   void look();
   bool find_crossing();
   bool box_is_too_small();
@@ -64,7 +65,7 @@ class TangleGrowth {
   [[nodiscard]] std::size_t nearest(Point place) const;
   [[nodiscard]] std::pair<ManifoldPlace, ManifoldPlace> places_of(std::size_t pip) const;
   [[nodiscard]] Time time_of_pip(std::size_t pip) const;
-  [[nodiscard]] std::optional<std::size_t> image_of_bip(int steps) const;
+  [[nodiscard]] std::optional<std::size_t> image_of_bip(int steps, double close) const;
   [[nodiscard]] std::optional<double> tolerance_for_splitting();
   [[nodiscard]] std::string trouble_with_pips();
   [[nodiscard]] bool lobes_are_thin() const;

@@ -3,78 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <numeric>
 
 #include "engine/error.hpp"
-#include "engine/parallel/parallel.hpp"
-#include "engine/smooth/smooth.hpp"
 #include "engine/text.hpp"
+#include "engine/transport/particles.hpp"
+#include "engine/transport/tangle_growth.hpp"
 
 namespace lober {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-// Areas that two lobes have in common, found by their numbers.
-class OverlapTable {
- public:
-  explicit OverlapTable(const Tangle& tangle) : list_(overlaps(tangle)) {}
-  [[nodiscard]] double operator()(std::size_t i, std::size_t j) const {
-    if (i > j) std::swap(i, j);
-    const auto at = std::lower_bound(
-        list_.begin(), list_.end(), std::pair(i, j),
-        [](const LobeOverlap& x, const auto& y) { return std::pair<std::size_t, std::size_t>(x.i, x.j) < y; });
-    return at != list_.end() && at->i == i && at->j == j ? at->area : 0;
-  }
-
- private:
-  std::vector<LobeOverlap> list_;
-};
-
-class Turnstile {
- public:
-  explicit Turnstile(const ManifoldTangle& manifolds)
-      : manifolds_(manifolds), tangle_(manifolds.tangle), common_(manifolds.tangle) {
-    for (std::size_t k = manifolds.image_of_bip(-1); k < manifolds.bip; ++k) {
-      (tangle_.images.labels[k].from == 1 ? lobes12_ : lobes21_).push_back(k);
-    }
-  }
-  [[nodiscard]] const std::vector<std::size_t>& lobes12() const { return lobes12_; }
-  [[nodiscard]] const std::vector<std::size_t>& lobes21() const { return lobes21_; }
-
-  // mu(L12(1) n f^m(L21(1))), with f^-(m / 2) applied to both.
-  [[nodiscard]] double common(int m) const {
-    double sum = 0;
-    for (const std::size_t i : lobes12_) {
-      for (const std::size_t j : lobes21_) sum += common_(moved(i, -(m / 2)), moved(j, m - m / 2));
-    }
-    return sum;
-  }
-  // What the smooth areas of those lobes may be wrong by.
-  [[nodiscard]] double error(int m) const {
-    double sum = 0;
-    for (const std::size_t i : lobes12_) sum += tangle_.lobes[moved(i, -(m / 2))].smooth_error;
-    for (const std::size_t j : lobes21_) sum += tangle_.lobes[moved(j, m - m / 2)].smooth_error;
-    return sum;
-  }
-
- private:
-  [[nodiscard]] std::size_t moved(std::size_t lobe, int images) const {
-    return lobe + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(manifolds_.period()) * images);
-  }
-
-  const ManifoldTangle& manifolds_;
-  const Tangle& tangle_;
-  OverlapTable common_;
-  std::vector<std::size_t> lobes12_, lobes21_;
-};
-
-// Whether the chord meets a region between the boundaries at two pips. What they enclose has no meaning then.
-bool chord_in_the_way(const Tangle& tangle, std::size_t first, std::size_t last) {
-  bool met = tangle.boundary->crosses_itself;
-  for (std::size_t lobe = first; lobe < last; ++lobe) met = met || tangle.lobes[lobe].meets_chord;
-  return met;
-}
 
 // The formulas hold for maps that preserve area. The determinant of the derivative at a saddle tells, to what its
 // cancellation leaves of it.
@@ -88,63 +27,262 @@ void require_areas_preserved(const PlanarMap& map, Point saddle) {
                   " at the saddle " + place_text(saddle) + "; lober tangle lists its lobes");
 }
 
-double sum_of_areas(const Tangle& tangle, const std::vector<std::size_t>& lobes) {
-  double sum = 0;
-  for (const std::size_t k : lobes) sum += std::fabs(tangle.lobes[k].area);
-  return sum;
+std::string pair_text(const char* name, std::size_t i, std::size_t j, int n) {
+  return name + std::to_string(i + 1) + std::to_string(j + 1) + "(" + std::to_string(n) + ")";
 }
+
+// What the rows say of each other and of themselves.
+void compare(Agreement& agreement, const Partition& partition, const TransportStep& step) {
+  const std::size_t regions = partition.size();
+  for (std::size_t i = 0; i < regions; ++i) {
+    for (std::size_t j = 0; j < regions; ++j) {
+      const Measured lobes = step.total(i, j), boundaries = step.by_boundaries(i, j);
+      agreement.compare({pair_text("T", i, j, step.n), "lobes", "boundaries", lobes.value, boundaries.value,
+                         lobes.error + boundaries.error});
+      if (step.by_particles.size() == 0) continue;
+      const Measured particles = step.by_particles(i, j);
+      agreement.compare({pair_text("T", i, j, step.n), "lobes", "particles", lobes.value, particles.value,
+                         lobes.error + 5 * particles.error});
+    }
+    const Region& region = partition.regions()[i];
+    if (!region.bounded) continue;
+    // Species i is somewhere.
+    Measured everywhere{}, change{};
+    for (std::size_t j = 0; j < regions; ++j) {
+      everywhere = everywhere + step.total(i, j);
+      change = change + step.flux(i, j);
+    }
+    agreement.compare({"area of species " + std::to_string(i + 1) + " at n = " + std::to_string(step.n), "the region",
+                       "the sum over regions", region.area.value, everywhere.value,
+                       region.area.error + everywhere.error});
+    if (regions == 2) {
+      const Measured out = step.flux(0, 1), in = step.flux(1, 0);
+      agreement.compare({"a(" + std::to_string(step.n) + ")", "what leaves R1", "what enters R1", out.value, in.value,
+                         out.error + in.error});
+    }
+  }
+}
+
+void compare_with_actions(Agreement& agreement, const ManifoldTangle& manifolds) {
+  for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
+    const std::size_t lobe = manifolds.image_of_bip(-1) + k;
+    agreement.compare({"area of lobe " + std::to_string(lobe), "geometry", "action", manifolds.tangle.lobes[lobe].area,
+                       manifolds.areas_by_action[k],
+                       manifolds.tangle.lobes[lobe].smooth_error + manifolds.action_errors[k]});
+  }
+}
+
+class Builder {
+ public:
+  Builder(const PlanarMap& map, const TransportOptions& options) : map_(map), options_(options) {}
+
+  Transport build(const Connection& connection) {
+    begin(connection);
+    std::optional<TransportSeries> series;
+    for (int n = 1; n <= options_.iterates; ++n) {
+      report("n = " + std::to_string(n));
+      if (!grow_to(n)) break;
+      if (series) {
+        series->extend(barriers());
+      } else {
+        series.emplace(barriers(), result_.cylinder ? std::optional(Point{0, 0}) : std::nullopt);
+      }
+      result_.steps.push_back(series->next());
+      if (options_.on_step) options_.on_step(result_.steps.back());
+    }
+    finish(*series);
+    return std::move(result_);
+  }
+
+ private:
+  void report(const std::string& line) const {
+    if (options_.progress && !options_.progress(line)) throw Cancelled();
+  }
+
+  void begin(const Connection& connection) {
+    std::vector<Connection> connections{connection};
+    if (options_.bip_near) connections[0].bip = options_.bip_near;
+    connections.insert(connections.end(), options_.further.begin(), options_.further.end());
+    ManifoldTangleOptions growth;
+    growth.tolerance = options_.tolerance;
+    growth.most_points = options_.most_points;
+    growth.max_work = options_.max_work;
+    growth.budget = options_.budget;
+    growth.progress = options_.progress;
+    for (const Connection& one : connections) {
+      growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth));
+      result_.boundaries.emplace_back().connection = one;
+    }
+  }
+
+  // Whether all tangles are there as far as n takes. Sets boundaries and barriers to what is there.
+  bool grow_to(int n) {
+    std::string limit;
+    for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
+      if (limit.empty() && !growth->grow_to(std::max(1 + (n - 1) / 2, n / 2), n - n / 2)) limit = growth->limit();
+    }
+    if (!limit.empty() && n == 1) throw DataError(limit);
+    if (n == 1) {
+      for (const std::unique_ptr<TangleGrowth>& growth : growths_) check(growth->current());
+    }
+    set_barriers();
+    if (limit.empty()) return true;
+    result_.remarks.push_back("n = 1 to " + std::to_string(n - 1) + " of " + std::to_string(options_.iterates) + ": " +
+                              limit);
+    return false;
+  }
+
+  void check(const ManifoldTangle& manifolds) {
+    require_areas_preserved(map_, manifolds.local_u.saddle);
+    compare_with_actions(result_.agreement, manifolds);
+    if (result_.iterates_a_step == 2) return;
+    if (manifolds.local_u.multiplier < 0 || manifolds.local_s.multiplier < 0) {
+      result_.iterates_a_step = 2;
+      result_.remarks.emplace_back(
+          "both multipliers of a saddle are negative, so that its manifolds swap sides in every iterate: n counts "
+          "second iterates of the map");
+    }
+  }
+
+  void set_barriers() {
+    if (!(options_.lattice == Point{})) set_cylinder();
+    for (std::size_t c = 0; c < growths_.size(); ++c) {
+      TransportBoundary& boundary = result_.boundaries[c];
+      const ManifoldTangle& manifolds = growths_[c]->current();
+      Barrier& barrier = boundary.barrier;
+      barrier.tangle = &manifolds.tangle;
+      barrier.bip = manifolds.bip;
+      barrier.period = manifolds.period();
+      barrier.closure = boundary.connection.closure;
+      barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
+      barrier.lobes_include_it = !result_.cylinder;
+      if (result_.cylinder) wrap(boundary, manifolds);
+    }
+  }
+  [[nodiscard]] std::vector<Barrier> barriers() const {
+    std::vector<Barrier> list;
+    for (const TransportBoundary& boundary : result_.boundaries) list.push_back(boundary.barrier);
+    return list;
+  }
+
+  // Deep enough for all that was grown.
+  void set_cylinder() {
+    double low = 0, high = 0;
+    for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
+      for (const GrownManifold* grown : {&growth->current().u, &growth->current().s}) {
+        for (const Point& point : grown->points) {
+          const double height = Cylinder::height(options_.lattice, point);
+          low = std::min(low, height);
+          high = std::max(high, height);
+        }
+      }
+    }
+    const double period = std::hypot(options_.lattice.x, options_.lattice.y);
+    result_.cylinder.emplace(options_.lattice, -low + std::max(0.25 * (high - low), 0.25 * period));
+  }
+
+  void wrap(TransportBoundary& boundary, const ManifoldTangle& manifolds) {
+    const Cylinder& cylinder = *result_.cylinder;
+    boundary.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, manifolds.tolerance);
+    boundary.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, manifolds.tolerance);
+    // One and the same saddle, to the bit: else they might cross there.
+    if (distance(boundary.wrapped_u[0], boundary.wrapped_s[0]) <= 1e-8 * (1 + std::fabs(boundary.wrapped_u[0].x))) {
+      boundary.wrapped_s[0] = boundary.wrapped_u[0];
+    }
+    TangleOptions options;
+    options.bip_near = cylinder.wrap(manifolds.orbits.back().at);
+    options.period = static_cast<std::uint32_t>(manifolds.period());
+    options.smooth = true;
+    const CurveView u{boundary.wrapped_u, false}, s{boundary.wrapped_s, false};
+    try {
+      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
+    } catch (const NotSimpleError&) {  // strands closer to each other than polygons show
+      options.check_simple = false;
+      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
+    }
+    Barrier& barrier = boundary.barrier;
+    barrier.tangle = boundary.wrapped.get();
+    if (!boundary.wrapped->boundary) throw DataError("transport: the manifolds do not cross on the cylinder");
+    barrier.bip = boundary.wrapped->boundary->bip;
+    // The pips of the plane are those of the cylinder, or there is no such boundary on it.
+    const auto same = [&](std::size_t here, Point there) {
+      return distance(boundary.wrapped->pips[here].at, cylinder.wrap(there)) <= 1e3 * manifolds.tolerance;
+    };
+    if (barrier.bip < barrier.period || !same(barrier.bip, manifolds.orbits.back().at) ||
+        !same(barrier.bip - barrier.period, manifolds.orbits.front().at)) {
+      throw DataError("transport: manifolds cross those of the neighbouring cells before the bip " +
+                      place_text(manifolds.orbits.back().at) + ": it bounds no region of the cylinder");
+    }
+  }
+
+  void finish(const TransportSeries& series) {
+    result_.regions = series.partition().regions();
+    const std::vector<Barrier> last = barriers();
+    for (std::size_t c = 0; c < growths_.size(); ++c) {
+      TransportBoundary& boundary = result_.boundaries[c];
+      boundary.enclosed = enclosed_area(last[c], 0);
+      boundary.area12 = series.turnstiles()[c].area12();
+      boundary.area21 = series.turnstiles()[c].area21();
+      boundary.manifolds = growths_[c]->take();
+      const ManifoldTangle& manifolds = *boundary.manifolds;
+      result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
+      boundary.action12 = boundary.action21 = manifolds.areas_by_action.empty() ? unknown : 0;
+      for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
+        const bool leaves = manifolds.tangle.images.labels[manifolds.image_of_bip(-1) + k].from == 1;
+        (leaves ? boundary.action12 : boundary.action21) += std::fabs(manifolds.areas_by_action[k]);
+      }
+    }
+    if (options_.particles > 0) {
+      ParticleOptions how;
+      how.count = options_.particles;
+      how.seed = options_.seed;
+      how.progress = [&](double) { return !options_.progress || options_.progress("particles"); };
+      const auto stride = static_cast<std::size_t>(result_.iterates_a_step);
+      const std::vector<RegionMatrix> counted =
+          count_particles(map_, result_.cylinder ? &*result_.cylinder : nullptr, last, series.partition(),
+                          static_cast<int>(result_.steps.size() * stride), how);
+      for (std::size_t k = 0; k < result_.steps.size(); ++k) {
+        result_.steps[k].by_particles = counted[(k + 1) * stride - 1];
+      }
+    }
+    for (const TransportStep& step : result_.steps) compare(result_.agreement, series.partition(), step);
+  }
+
+  const PlanarMap& map_;
+  const TransportOptions& options_;
+  std::vector<std::unique_ptr<TangleGrowth>> growths_;
+  Transport result_;
+};
 
 }  // namespace
 
 Transport transport(const PlanarMap& map, const Connection& connection, const TransportOptions& options) {
   if (options.iterates < 1) throw UsageError("transport takes at least one iterate");
-  const int n = options.iterates;
-  ManifoldTangleOptions growth;
-  growth.tolerance = options.tolerance;
-  growth.bip_near = options.bip_near;
-  growth.most_points = options.most_points;
-  growth.progress = options.progress;
-  growth.before = std::max(1 + (n - 1) / 2, n / 2);
-  growth.after = n - n / 2;
-  Transport result;
-  result.manifolds = grow_tangle(map, connection, growth);
-  const ManifoldTangle& manifolds = *result.manifolds;
-  require_areas_preserved(map, manifolds.local_u.saddle);
-  const Tangle& tangle = manifolds.tangle;
-  const Turnstile turnstile(manifolds);
-  result.region = tangle.boundary->area;
-  result.area12 = sum_of_areas(tangle, turnstile.lobes12());
-  result.area21 = sum_of_areas(tangle, turnstile.lobes21());
-  result.action12 = result.action21 = manifolds.areas_by_action.empty() ? unknown : 0;
-  for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
-    const bool leaves = tangle.images.labels[manifolds.image_of_bip(-1) + k].from == 1;
-    (leaves ? result.action12 : result.action21) += std::fabs(manifolds.areas_by_action[k]);
-  }
+  return Builder(map, options).build(connection);
+}
 
-  result.steps.resize(static_cast<std::size_t>(n));
-  double overlapped = 0, total = 0, error = 0;
-  for (int k = 1; k <= n; ++k) {
-    TransportStep& step = result.steps[static_cast<std::size_t>(k - 1)];
-    step.n = k;
-    step.overlap = turnstile.common(k - 1);
-    overlapped += step.overlap;
-    step.flux = result.area21 - overlapped;
-    step.total = total += step.flux;
-    step.discretisation = error += turnstile.error(k - 1);
+TransportOfCurves transport(const Tangle& tangle, int iterates) {
+  if (iterates < 1) throw UsageError("transport takes at least one iterate");
+  if (!tangle.boundary) throw DataError("transport: the manifolds do not cross");
+  if (tangle.images.period == 0) {
+    throw DataError("transport: which pip is the image of which is not known (" + tangle.images.reason +
+                    "); give the period");
   }
-  for_each_block(result.steps.size(), 1, [&](std::size_t k, std::size_t) {
-    TransportStep& step = result.steps[k];
-    const std::size_t first = manifolds.image_of_bip(-(step.n / 2)), last = manifolds.image_of_bip(step.n - step.n / 2);
-    if (chord_in_the_way(tangle, first, last)) {
-      step.by_boundaries = step.boundary_error = step.consistency = unknown;
-      return;
-    }
-    const std::vector<Point> earlier = boundary_outline(tangle, first), later = boundary_outline(tangle, last);
-    const CommonArea stays = common_area(CurveView{earlier}, CurveView{later});
-    step.by_boundaries = result.region - stays.area;
-    step.boundary_error = stays.error;
-    step.consistency = std::fabs(step.total - step.by_boundaries);
-  });
+  Barrier barrier;
+  barrier.tangle = &tangle;
+  barrier.bip = tangle.boundary->bip;
+  barrier.period = tangle.images.period;
+  TransportSeries series({barrier});
+  TransportOfCurves result;
+  result.regions = series.partition().regions();
+  result.enclosed = enclosed_area(barrier, 0);
+  result.area12 = series.turnstiles()[0].area12();
+  result.area21 = series.turnstiles()[0].area21();
+  while (static_cast<int>(result.steps.size()) < iterates && series.reaches_next()) {
+    result.steps.push_back(series.next());
+    compare(result.agreement, series.partition(), result.steps.back());
+  }
+  result.remarks = tangle.remarks;
   return result;
 }
 

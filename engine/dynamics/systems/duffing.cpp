@@ -38,6 +38,7 @@ SystemEntry duffing_entry() {
             const Duffing flow{{values[0], values[1], values[2]}};
             const Point saddle = flow.saddle_on_section(values[3], [](double u) { return -u * u * u; });
             system.connection = Connection{saddle, {1, 1}, saddle, {1, -1}};
+            system.further = {Connection{saddle, {-1, -1}, saddle, {-1, 1}}};  // the left well
             system.flow = std::make_shared<FlowOf<Duffing>>(flow);
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;

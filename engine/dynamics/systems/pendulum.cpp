@@ -41,6 +41,10 @@ SystemEntry pendulum_entry() {
             const Point saddle = flow.saddle_on_section(values[3], [](double u) { return std::sin(u) - u; });
             system.connection = Connection{
                 {saddle.x - std::numbers::pi, saddle.y}, {1, 1}, {saddle.x + std::numbers::pi, saddle.y}, {-1, 1}};
+            // Below, from right to left: the region is the strip of the cylinder between both.
+            system.further = {Connection{
+                {saddle.x + std::numbers::pi, saddle.y}, {-1, -1}, {saddle.x - std::numbers::pi, saddle.y}, {1, -1}}};
+            system.further_needed = true;
             system.flow = std::make_shared<FlowOf<Pendulum>>(flow);
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;

@@ -69,12 +69,12 @@ SystemEntry standard_map_entry() {
             System system;
             system.window = window(-1, -3.2, 5.5, 3.2);
             system.lattice = {2 * std::numbers::pi, 0};
-            // The upper separatrix; its pip on the axis x = pi.
-            system.connection = Connection{{0, 0},
-                                           {1, 1},
-                                           {2 * std::numbers::pi, 0},
-                                           {-1, 1},
-                                           Point{std::numbers::pi, 1.7 * std::sqrt(std::abs(values[0]))}};
+            // The upper separatrix, its pip on the axis x = pi; and the lower one, from right to left. The region is
+            // the strip of the cylinder between both.
+            const double width = 2 * std::numbers::pi, height = 1.7 * std::sqrt(std::abs(values[0]));
+            system.connection = Connection{{0, 0}, {1, 1}, {width, 0}, {-1, 1}, Point{std::numbers::pi, height}};
+            system.further = {Connection{{width, 0}, {-1, -1}, {0, 0}, {1, -1}, Point{std::numbers::pi, -height}}};
+            system.further_needed = true;
             system.map = std::make_shared<FormulaMap<StandardMap>>(StandardMap{values[0]});
             return system;
           }};

@@ -1,8 +1,10 @@
 // `transport`: flux out of a region of a system, iterate by iterate, from its equations alone. No curves.
 #include "engine/transport/transport.hpp"
 
+#include "engine/error.hpp"
 #include "engine/jobs/operations/table.hpp"
 #include "engine/jobs/recipe.hpp"
+#include "engine/text.hpp"
 
 namespace lober {
 namespace {
@@ -13,23 +15,31 @@ Record run(JobCurves, const Options& options) {
   TransportOptions how;
   how.iterates = static_cast<int>(options.whole("iterates"));
   how.tolerance = options.real("tolerance");
+  how.lattice = system.lattice;
+  if (system.further_needed) how.further = system.further;
   const Transport found = transport(*system.map, *system.connection, how);
-  const ManifoldTangle& manifolds = *found.manifolds;
+  const ManifoldTangle& manifolds = found.manifolds();
+  const TransportBoundary& first = found.boundaries.front();
+  if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
+    throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
+                    apart.front().second_by + " differ by " + shortest(apart.front().difference()) +
+                    ", more than their error bars " + shortest(apart.front().bar));
+  }
   Record record;
-  record.values = {found.region,
-                   found.area12,
-                   found.area21,
-                   found.action12,
-                   found.action21,
+  record.values = {found.regions.front().area.value,
+                   first.area12.value,
+                   first.area21.value,
+                   first.action12,
+                   first.action21,
                    static_cast<double>(manifolds.period()),
                    static_cast<double>(manifolds.u.points.size()),
                    static_cast<double>(manifolds.s.points.size())};
   record.lists.resize(4);
   for (const TransportStep& step : found.steps) {
-    record.lists[0].push_back(step.flux);
-    record.lists[1].push_back(step.total);
-    record.lists[2].push_back(step.discretisation);
-    record.lists[3].push_back(step.by_boundaries);
+    record.lists[0].push_back(step.flux(0, 1).value);
+    record.lists[1].push_back(step.total(0, 1).value);
+    record.lists[2].push_back(step.total(0, 1).error);
+    record.lists[3].push_back(step.by_boundaries(0, 1).value);
   }
   return record;
 }

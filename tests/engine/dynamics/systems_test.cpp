@@ -87,6 +87,18 @@ TEST(Systems, FromSharedLibraries) {
   EXPECT_EQ(centres, 4);
 }
 
+TEST(Systems, LibrariesDescribeTheirRegions) {
+  const System second = make_system(LOBER_TEST_LIBRARIES "/with_connection.so", {{"k", 0.5}});
+  ASSERT_TRUE(second.connection);
+  EXPECT_DOUBLE_EQ(second.connection->from.x, 1 + std::sqrt(1.5));
+  ASSERT_TRUE(second.connection->bip);
+  EXPECT_EQ(second.connection->bip->y, 0.925);
+  EXPECT_TRUE(second.further.empty());
+  const System first = make_system(LOBER_TEST_LIBRARIES "/first_version.so");
+  EXPECT_FALSE(first.connection);
+  EXPECT_FALSE(first.further_needed);
+}
+
 TEST(Systems, LibrariesThatCannotBeUsedAreRefusedWithTheReason) {
   EXPECT_TRUE(mentions(refusal<DataError>("./absent.so"), "cannot load the system: ./absent.so"));
   EXPECT_TRUE(mentions(refusal<DataError>("absent.so"), "./absent.so"));

@@ -1,0 +1,101 @@
+// `lober transport --manifolds U S`: the fluxes of two manifolds that were computed elsewhere, as far as they reach.
+
+#include "cli/curves_transport_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/agreement_report.hpp"
+#include "cli/command_line.hpp"
+#include "cli/progress.hpp"
+#include "cli/tangle_report.hpp"
+#include "cli/transport_report.hpp"
+#include "engine/error.hpp"
+#include "engine/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  std::vector<std::string> files;
+  std::vector<double> bip;
+  std::uint32_t period = 0;
+  int iterates = 1000, threads = 0;
+  bool reverse_u = false, reverse_s = false;
+  std::string json;
+};
+
+void run(const Request& request) {
+  const Stopwatch watch;
+  std::vector<Output> outputs;
+  if (!request.json.empty()) outputs.push_back({"--json", request.json});
+  check_outputs(outputs, request.files);
+  std::array<std::string, 2> specs{request.files[0] + "#0", request.files[0] + "#1"};
+  if (request.files.size() == 2) specs = {request.files[0], request.files[1]};
+  CurvesTransportReport report;
+  Tangle found;
+  {
+    Progress progress;
+    progress.phase("reading", 0, 0.3);
+    report.inputs = {read_manifold(specs[0], request.reverse_u), read_manifold(specs[1], request.reverse_s)};
+    if (request.files.size() == 1 && report.inputs[0].zones != 2) {
+      throw DataError(request.files[0] + ": has " + counted(report.inputs[0].zones, "zone", "zones") +
+                      "; alone it has to have two, U and S");
+    }
+    progress.phase("tangle", 0.3, 0.8);
+    TangleOptions options;
+    options.smooth = true;
+    options.period = request.period;
+    if (!request.bip.empty()) options.bip_near = Point{request.bip[0], request.bip[1]};
+    options.progress = [&](double fraction) { return progress.advance(fraction); };
+    found = tangle_of(report.inputs[0], report.inputs[1], options);
+    report.tangle = &found;
+    progress.phase("transport", 0.8, 1);
+    report.result = transport(found, request.iterates);
+    if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (!takes_standard_output(outputs)) print(transport_table(report));
+  require_agreement(report.result.agreement);
+}
+
+}  // namespace
+
+bool names_manifolds(const std::vector<std::string>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+    return argument == "--manifolds" || argument.starts_with("--manifolds=");
+  });
+}
+
+void run_curves_transport(const std::vector<std::string>& arguments) {
+  Request request;
+  CLI::App app(
+      "Transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n) by lobes and "
+      "by "
+      "boundaries, for as many n as there are images of the bip on the curves. No map is needed.",
+      "lober transport");
+  app.add_option("--manifolds", request.files,
+                 "U and S, ordered outward from their fixed points: two files, or one with two zones")
+      ->required()
+      ->expected(1, 2)
+      ->type_name("FILE");
+  app.add_option("--period", request.period,
+                 "how many pips from one to its image under the map (default: inferred from the areas of the lobes)")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("P");
+  app.add_option("--bip", request.bip, "a place near the pip on the boundary (default: the middle pip)")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("X,Y");
+  app.add_option("--iterates", request.iterates, "the largest n (default: as far as the curves reach)")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  app.add_flag("--reverse-u", request.reverse_u, "U is given inward");
+  app.add_flag("--reverse-s", request.reverse_s, "S is given inward");
+  app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
+      ->type_name("FILE");
+  add_threads_option(app, request.threads);
+  if (!parse_arguments(app, arguments)) return;
+  with_thread_limit(request.threads, [&] { run(request); });
+}
+
+}  // namespace lober::cli
