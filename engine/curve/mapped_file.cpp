@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "engine/curve/input_guard.hpp"
 #include "engine/error.hpp"
 
 namespace lober {
@@ -44,6 +45,7 @@ MappedFile::MappedFile(const std::string& path) {
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail(path);
   if (S_ISDIR(status.st_mode)) throw DataError(path + ": is a directory");
+  note_input(path, status);
   // A regular file of size zero may still have content: those under /proc do. Standard input may be a regular
   // file of which somebody has already read a part.
   if (S_ISREG(status.st_mode) && status.st_size > 0 && path != "-") {

@@ -105,9 +105,15 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
   {
     PlanRunner queue(plan, manifest.path, session.pending(), queue_options);
     runner = &queue;
+    std::optional<Stopwatch> since_stop;
     const Watcher watcher([&] {
-      if (options.progress && !options.progress(queue.progress())) queue.stop();
+      if (!options.progress || options.progress(queue.progress())) return;
+      if (!since_stop) since_stop.emplace();
+      queue.stop();
+      if (since_stop->seconds() >= options.patience) queue.cancel();
     });
+    // Jobs that run when the caller is cancelled have their chance too.
+    const CancellationScope shield(CancellationScope::Shield{});
     report.queue = queue.run(session.pending(), [&](PlanResult result) {
       const bool failed = result.failed;
       if (!session.add(std::move(result)) && !failed) ++unusable;
@@ -115,6 +121,7 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
     runner = nullptr;
   }
   report.queue.failed += unusable;
+  const CancellationScope shield(CancellationScope::Shield{});
   report.store_seconds = session.finish(report.queue.stopped ? "stopped" : "complete");
   report.wall_seconds = watch.seconds();
   return report;

@@ -52,8 +52,9 @@ struct BatchOptions {
   Shard shard;
   QueueOptions queue;
   /// Called about ten times a second while jobs run, from a thread of its own; return false to stop: what runs is
-  /// finished and stored.
+  /// finished and stored, if it ends within `patience` seconds, and broken off else.
   std::function<bool(const QueueProgress&)> progress;
+  double patience = 1;
 };
 
 struct BatchReport {

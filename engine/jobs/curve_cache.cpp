@@ -90,6 +90,8 @@ std::shared_ptr<CurveCache::Loaded> CurveCache::read(UnitId number, bool digests
   std::vector<LoadedCurve> curves;
   try {
     curves = unit.what.load(digests);
+  } catch (const Cancelled&) {
+    throw;
   } catch (const Error& error) {
     curves.assign(unit.what.curves, LoadedCurve{nullptr, {}, error.what()});
   } catch (const std::bad_alloc&) {

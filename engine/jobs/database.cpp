@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/curve/input_guard.hpp"
+
 namespace lober {
 
 Database::Database(const std::string& path, bool create) : path_(path) {
@@ -12,6 +14,7 @@ Database::Database(const std::string& path, bool create) : path_(path) {
   handle_.reset(handle);
   if (code != SQLITE_OK) fail();
   sqlite3_busy_timeout(handle, 60'000);
+  note_input(path);
 }
 
 void Database::fail() const {

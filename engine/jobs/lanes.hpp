@@ -1,4 +1,5 @@
-// Tasks that may start further ones, on the threads of the present arena (private to jobs/).
+// Tasks that may start further ones, on the threads of the present arena (private to jobs/). They ask what the thread
+// that starts them asks whether they are cancelled.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -6,6 +7,7 @@
 
 #include <utility>
 
+#include "engine/parallel/cancellation.hpp"
 #include "engine/parallel/handover.hpp"
 
 namespace lober {
@@ -15,9 +17,10 @@ class LaneTasks {
   template <typename Task>
   void start(Task task) {
     started_.release();
-    group_.run([this, task = std::move(task)]() LOBER_UNSEEN {
+    group_.run([this, task = std::move(task), scope = CancellationScope::current()]() LOBER_UNSEEN {
       started_.acquire();
       const Ended ended{ended_};
+      const detail::InheritedCancellation inherited(scope);
       task();
     });
   }

@@ -137,6 +137,8 @@ CurveUnit manifold_unit(const CurveRecipe& recipe) {
     if (digests) loaded.digest = recipe_digest(recipe);
     try {
       loaded.curve = std::make_shared<const Curve>(grown(recipe));
+    } catch (const Cancelled&) {
+      throw;
     } catch (const Error& error) {
       loaded.error = recipe.name() + ": " + error.what();
     }
@@ -157,6 +159,8 @@ CurveUnit image_unit(const CurveRecipe& recipe, CurveUnit of) {
       if (!one.error.empty()) continue;
       try {
         one.curve = std::make_shared<const Curve>(image(recipe, *system.map, *one.curve));
+      } catch (const Cancelled&) {
+        throw;
       } catch (const Error& error) {
         one.error = recipe.name(one.curve->name) + ": " + error.what();
       }

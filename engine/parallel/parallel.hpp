@@ -14,36 +14,62 @@
 #include <optional>
 #include <utility>
 
+#include "engine/parallel/cancellation.hpp"
 #include "engine/parallel/handover.hpp"
 
 namespace lober {
 
+namespace detail {
+/// An exception in a loop around this one makes oneTBB leave out the pieces that have not begun, here too, and return
+/// as if nothing were missing. What is missing must not be used.
+inline void require_complete(tbb::task_group_context& context) {
+  if (context.is_group_execution_cancelled()) throw_cancelled();
+}
+}  // namespace detail
+
 /// Calls body(begin, end) for [0, size) cut into pieces of exactly `grain` (the last one may be shorter), in
-/// parallel when there is more than one.
+/// parallel when there is more than one. Throws Cancelled between pieces (cancellation.hpp), and what a piece throws.
 template <typename Body>
 void for_each_block(std::size_t size, std::size_t grain, const Body& body) {
   const std::size_t blocks = (size + grain - 1) / grain;
   if (blocks <= 1) {
-    if (size != 0) body(std::size_t{0}, size);
-    return;
+    if (size == 0) return;
+    throw_if_cancelled();
+    return body(std::size_t{0}, size);
   }
+  const CancellationScope* const scope = CancellationScope::current();
+  tbb::task_group_context context;
   HandedOver work;
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) LOBER_UNSEEN {
-    const HandedOver::Part part(work);
-    const std::size_t begin = block * grain;
-    body(begin, begin + grain < size ? begin + grain : size);
-  });
+  tbb::parallel_for(
+      std::size_t{0}, blocks,
+      [&](std::size_t block) LOBER_UNSEEN {
+        const HandedOver::Part part(work);
+        const detail::InheritedCancellation inherited(scope);
+        throw_if_cancelled();
+        const std::size_t begin = block * grain;
+        body(begin, begin + grain < size ? begin + grain : size);
+      },
+      context);
+  detail::require_complete(context);
 }
 
-/// Runs the functions side by side when `worthwhile`, one after the other when not.
+/// Runs the functions side by side when `worthwhile`, one after the other when not. They ask what the caller asks
+/// whether they are cancelled.
 template <typename... Functions>
 void run_together(bool worthwhile, Functions&&... functions) {
   if (worthwhile) {
+    const CancellationScope* const scope = CancellationScope::current();
     HandedOver work;
-    tbb::parallel_invoke([&]() LOBER_UNSEEN {
-      const HandedOver::Part part(work);
-      functions();
-    }...);
+    const auto inheriting = [scope, &work](auto& function) {
+      return [scope, &work, &function]() LOBER_UNSEEN {
+        const HandedOver::Part part(work);
+        const detail::InheritedCancellation inherited(scope);
+        function();
+      };
+    };
+    tbb::task_group_context context;
+    tbb::parallel_invoke(inheriting(functions)..., context);
+    detail::require_complete(context);
   } else {
     (functions(), ...);
   }
@@ -61,9 +87,11 @@ auto with_threads(int threads, Function&& function) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
   tbb::task_arena arena(threads);
+  const CancellationScope* const scope = CancellationScope::current();
   HandedOver work;
   return arena.execute([&]() LOBER_UNSEEN {
     const HandedOver::Part part(work);
+    const detail::InheritedCancellation inherited(scope);
     return function();
   });
 }
