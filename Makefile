@@ -10,7 +10,7 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev
 
-.PHONY: demo test build bench bench-batch docs-figures docs-check check-readme stress fuzz deps mpi-deps bench-deps format tidy clean
+.PHONY: demo test ci build bench bench-batch docs-figures docs-check check-readme stress fuzz deps mpi-deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
@@ -31,6 +31,10 @@ test: deps mpi-deps
 	cmake --preset release
 	cmake --build --preset release
 	@scripts/run-tests.sh build
+
+# What the project's CI runs: the tests, then clang, sanitizers, fuzz targets, README, clang-tidy; see scripts/ci.sh.
+ci:
+	@.ci/run
 
 build: deps
 	cmake --preset release

@@ -1,7 +1,5 @@
 #include "cli/command_line.hpp"
 
-#include <tbb/global_control.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -108,11 +106,6 @@ void add_index_option(CLI::App& app, IndexKind& kind) {
 }
 
 void with_thread_limit(int threads, const std::function<void()>& function) {
-  // The arena sets how many threads work; the global limit lets there be more of them than the machine has cores.
-  std::optional<tbb::global_control> limit;
-  if (threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  }
   with_threads(threads, function);
 }
 

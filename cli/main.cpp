@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -28,6 +29,7 @@
 #include "engine/curve/input_guard.hpp"
 #include "engine/error.hpp"
 #include "engine/parallel/cancellation.hpp"
+#include "kernels/cpu.hpp"
 
 namespace lober::cli {
 namespace {
@@ -59,6 +61,14 @@ separated by commas or blanks, NPY, or raw float64, known by its content.
 exit status: 0 done, 1 the data cannot be used, or a job of a batch failed, 2 the command cannot be understood,
 3 two independent routes to one quantity disagree beyond their error bars (everything is printed), 130 interrupted
 )";
+
+// A misspelt name would quietly run the best copies.
+void check_instruction_set() {
+  const char* const asked = std::getenv("LOBER_ISA");
+  const auto names = instruction_set_names();
+  if (asked == nullptr || std::find(names.begin(), names.end(), asked) != names.end()) return;
+  throw UsageError(std::string("LOBER_ISA is ") + asked + ": baseline, avx2 or avx512");
+}
 
 // How many letters have to be changed, left out, put in or exchanged with their neighbour to make one word of the
 // other.
@@ -93,6 +103,7 @@ std::string command_meant(const std::string& word) {
 }
 
 void run(const std::vector<std::string>& arguments) {
+  check_instruction_set();
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
   const InputGuard guard;
   const std::string& first = arguments[0];

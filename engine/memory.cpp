@@ -10,17 +10,11 @@
 #include <sys/mman.h>
 #endif
 
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-#define LOBER_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define LOBER_SANITIZED
-#endif
-#endif
+#include "engine/parallel/sanitizers.hpp"
 
 namespace lober {
 
-#ifdef LOBER_SANITIZED  // which must see when memory changes hands
+#if LOBER_THREAD_SANITIZER || LOBER_ADDRESS_SANITIZER  // which must see when memory changes hands
 
 void* allocate_bulk(std::size_t bytes) {
   constexpr std::size_t alignment = 64;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "kernels/inline.hpp"
 #include "kernels/point.hpp"
 
 namespace lober {
@@ -19,17 +20,17 @@ struct alignas(32) Box {
   double lane[4] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
-  static Box of(Point a, Point b) {
-    return {{std::min(a.x, b.x), std::min(a.y, b.y), -std::max(a.x, b.x), -std::max(a.y, b.y)}};
+  LOBER_INLINE static Box of(Point a, Point b) {
+    return {{b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y, -(a.x < b.x ? b.x : a.x), -(a.y < b.y ? b.y : a.y)}};
   }
-  [[nodiscard]] double min_x() const { return lane[0]; }
-  [[nodiscard]] double min_y() const { return lane[1]; }
-  [[nodiscard]] double max_x() const { return -lane[2]; }
-  [[nodiscard]] double max_y() const { return -lane[3]; }
-  [[nodiscard]] double width() const { return max_x() - min_x(); }
-  [[nodiscard]] double height() const { return max_y() - min_y(); }
+  [[nodiscard]] LOBER_INLINE double min_x() const { return lane[0]; }
+  [[nodiscard]] LOBER_INLINE double min_y() const { return lane[1]; }
+  [[nodiscard]] LOBER_INLINE double max_x() const { return -lane[2]; }
+  [[nodiscard]] LOBER_INLINE double max_y() const { return -lane[3]; }
+  [[nodiscard]] LOBER_INLINE double width() const { return max_x() - min_x(); }
+  [[nodiscard]] LOBER_INLINE double height() const { return max_y() - min_y(); }
   /// Half the perimeter: the measure of size that never vanishes for a segment.
-  [[nodiscard]] double extent() const { return width() + height(); }
+  [[nodiscard]] LOBER_INLINE double extent() const { return width() + height(); }
 };
 
 inline Box unite(const Box& a, const Box& b) {

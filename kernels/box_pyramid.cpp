@@ -8,17 +8,16 @@
 namespace lober {
 
 void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                     const std::array<TreeNode*, nodes_at_once>& met,
-                     std::array<std::size_t, nodes_at_once>& met_count);
+                     TreeNode* const* met, std::size_t* met_count);
 SplitCounts refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                         TreeNode* kept, TreeNode* split);
 
 void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                 const std::array<TreeNode*, nodes_at_once>& met, std::array<std::size_t, nodes_at_once>& met_count) {
   if (has_avx2()) {
-    distribute_avx2(four, boxes, pyramid, list, count, met, met_count);
+    distribute_avx2(four, boxes, pyramid, list, count, met.data(), met_count.data());
   } else {
-    distribute_nodes(four, boxes, pyramid, list, count, met, met_count);
+    distribute_nodes(four, boxes, pyramid, list, count, met.data(), met_count.data());
   }
 }
 

@@ -12,8 +12,7 @@ inline const Box& box_of(BoxPyramid pyramid, TreeNode node) {
 }
 
 inline void distribute_nodes(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list,
-                             std::size_t count, const std::array<TreeNode*, nodes_at_once>& met,
-                             std::array<std::size_t, nodes_at_once>& met_count) {
+                             std::size_t count, TreeNode* const* met, std::size_t* met_count) {
   static_assert(nodes_at_once == lanes);
   Lanes lane[lanes];
   for (std::size_t k = 0; k < lanes; ++k) lane[k] = load(four[k].lane);
@@ -36,7 +35,7 @@ inline void distribute_nodes(const Box* four, std::size_t boxes, BoxPyramid pyra
 inline SplitCounts refine_nodes(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list,
                                 std::size_t count, TreeNode* kept, TreeNode* split) {
   const Lanes bound = -__builtin_shufflevector(load(box.lane), load(box.lane), 2, 3, 0, 1);
-  SplitCounts end;
+  SplitCounts end{0, 0};
   for (std::size_t k = 0; k < count; ++k) {
     const TreeNode node = list[k];
     if (node.level == 0 || box_of(pyramid, node).extent() <= largest) {

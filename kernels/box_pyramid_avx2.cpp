@@ -6,8 +6,7 @@
 namespace lober {
 
 void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                     const std::array<TreeNode*, nodes_at_once>& met,
-                     std::array<std::size_t, nodes_at_once>& met_count) {
+                     TreeNode* const* met, std::size_t* met_count) {
   distribute_nodes(four, boxes, pyramid, list, count, met, met_count);
 }
 

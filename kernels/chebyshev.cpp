@@ -1,7 +1,5 @@
 #include "kernels/chebyshev.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -11,13 +9,14 @@
 #include "kernels/chebyshev.inl"
 
 namespace lober {
-void chebyshev_points_avx2(std::span<const Point> coefficients, double centre, double half_width,
-                           std::span<const double> parameters, std::span<Point> points);
+void chebyshev_points_avx2(const Point* coefficients, std::size_t degrees, double centre, double half_width,
+                           const double* parameters, std::size_t size, Point* points);
 
 void chebyshev_points(std::span<const Point> coefficients, double centre, double half_width,
                       std::span<const double> parameters, std::span<Point> points) {
-  if (has_avx2()) return chebyshev_points_avx2(coefficients, centre, half_width, parameters, points);
-  evaluate(coefficients, centre, half_width, parameters, points);
+  const auto copy = has_avx2() ? chebyshev_points_avx2 : evaluate;
+  copy(coefficients.data(), coefficients.size(), centre, half_width, parameters.data(), parameters.size(),
+       points.data());
 }
 
 void chebyshev_coefficients(std::span<const Point> points, std::span<Point> coefficients) {

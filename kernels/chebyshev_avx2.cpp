@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "kernels/chebyshev.hpp"
@@ -8,9 +6,9 @@
 
 namespace lober {
 
-void chebyshev_points_avx2(std::span<const Point> coefficients, double centre, double half_width,
-                           std::span<const double> parameters, std::span<Point> points) {
-  evaluate(coefficients, centre, half_width, parameters, points);
+void chebyshev_points_avx2(const Point* coefficients, std::size_t degrees, double centre, double half_width,
+                           const double* parameters, std::size_t size, Point* points) {
+  evaluate(coefficients, degrees, centre, half_width, parameters, size, points);
 }
 
 }  // namespace lober

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "kernels/inline.hpp"
+
 namespace lober {
 
 /// A point of the plane in the user's units. Layout is two packed doubles, so an array of points is an
@@ -14,8 +16,8 @@ struct Point {
 };
 static_assert(sizeof(Point) == 2 * sizeof(double));
 
-/// Rounded; squares may overflow beyond 1e154. Always inlined, because kernels are compiled for several processors.
-[[gnu::always_inline, nodiscard]] inline double distance(Point a, Point b) {
+/// Rounded; squares may overflow beyond 1e154.
+[[nodiscard]] LOBER_INLINE double distance(Point a, Point b) {
   const double x = b.x - a.x, y = b.y - a.y;
   return std::sqrt(x * x + y * y);
 }

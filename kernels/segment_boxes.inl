@@ -30,12 +30,12 @@ inline void by_groups(const double* values, double* result, const Pick& pick) {
 }
 
 inline void group_boxes(SegmentBoxes& boxes) {
-  const auto least = [](Lanes a, Lanes b) { return min(a, b); };
-  const auto most = [](Lanes a, Lanes b) { return max(a, b); };
-  by_groups(boxes.min_x, boxes.group_min_x, least);
-  by_groups(boxes.min_y, boxes.group_min_y, least);
-  by_groups(boxes.max_x, boxes.group_max_x, most);
-  by_groups(boxes.max_y, boxes.group_max_y, most);
+  const auto lower = [](Lanes a, Lanes b) { return min(a, b); };
+  const auto upper = [](Lanes a, Lanes b) { return max(a, b); };
+  by_groups(boxes.min_x, boxes.group_min_x, lower);
+  by_groups(boxes.min_y, boxes.group_min_y, lower);
+  by_groups(boxes.max_x, boxes.group_max_x, upper);
+  by_groups(boxes.max_y, boxes.group_max_y, upper);
 }
 
 // across . p for each of the points of a leaf, and what rounding can do to any of them.
@@ -57,13 +57,12 @@ inline void heights_of(const Point* points, Point across, Heights& heights) {
   const double by_x = points[leaf_size].x * across.x, by_y = points[leaf_size].y * across.y;
   store(heights.height + leaf_size, splat(by_x + by_y));
   size = max(size, absolute(splat(by_x)) + absolute(splat(by_y)));
-  const double largest = std::max(std::max(size[0], size[1]), std::max(size[2], size[3]));
-  heights.doubt = largest * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
+  heights.doubt = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
 }
 
 inline void strip_of(const Point* points, SegmentBoxes& boxes) {
   boxes.across = {points[0].y - points[leaf_size].y, points[leaf_size].x - points[0].x};
-  if (!std::isfinite(boxes.across.x) || !std::isfinite(boxes.across.y)) boxes.across = {0, 0};  // a strip of everything
+  if (!__builtin_isfinite(boxes.across.x) || !__builtin_isfinite(boxes.across.y)) boxes.across = {0, 0};  // a strip of everything
   Heights heights;
   heights_of(points, boxes.across, heights);
   Lanes low = load(heights.height + leaf_size), high = low;
@@ -71,8 +70,8 @@ inline void strip_of(const Point* points, SegmentBoxes& boxes) {
     low = min(low, load(heights.height + i));
     high = max(high, load(heights.height + i));
   }
-  boxes.low = std::min(std::min(low[0], low[1]), std::min(low[2], low[3])) - heights.doubt;
-  boxes.high = std::max(std::max(high[0], high[1]), std::max(high[2], high[3])) + heights.doubt;
+  boxes.low = least(low) - heights.doubt;
+  boxes.high = greatest(high) + heights.doubt;
 }
 
 // Bit j is set unless segment j of leaf b lies wholly on one side of the strip of leaf a.

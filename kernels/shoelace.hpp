@@ -23,7 +23,7 @@ struct alignas(64) LeafPrefixes {
   double before_high[leaf_size], before_low[leaf_size];
 
   /// Segments are stored in this order: four sums run side by side.
-  [[nodiscard]] static constexpr std::size_t place(std::size_t segment) {
+  [[nodiscard]] LOBER_INLINE static constexpr std::size_t place(std::size_t segment) {
     return segment % quarter * lanes + segment / quarter;
   }
   [[nodiscard]] LOBER_INLINE DD term(std::size_t segment) const {

@@ -83,7 +83,7 @@ inline void all_sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segme
   for (; k + lanes <= count; k += lanes) four_sums_at(prefixes, segments + k, t + k, sums + k);
   if (k == count) return;
   std::uint32_t rest_segments[lanes];
-  DD rest_t[lanes], rest_sums[lanes];
+  DD rest_t[lanes]{}, rest_sums[lanes]{};
   for (std::size_t l = 0; l < lanes; ++l) {
     const std::size_t from = k + l < count ? k + l : count - 1;
     rest_segments[l] = segments[from];

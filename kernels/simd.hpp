@@ -13,9 +13,7 @@
 #include <immintrin.h>
 #endif
 
-/// Kernels are compiled twice with different instruction sets; a helper that is not inlined would be emitted by both
-/// and merged by the linker into one of them, possibly the wrong one.
-#define LOBER_INLINE [[gnu::always_inline]] inline
+#include "kernels/inline.hpp"
 
 namespace lober {
 
@@ -52,6 +50,16 @@ LOBER_INLINE Lanes max(Lanes a, Lanes b) {
 
 LOBER_INLINE Lanes absolute(Lanes a) {
   return max(a, -a);
+}
+
+/// The least and the greatest of the four.
+LOBER_INLINE double least(Lanes a) {
+  const double first = a[1] < a[0] ? a[1] : a[0], second = a[3] < a[2] ? a[3] : a[2];
+  return second < first ? second : first;
+}
+LOBER_INLINE double greatest(Lanes a) {
+  const double first = a[0] < a[1] ? a[1] : a[0], second = a[2] < a[3] ? a[3] : a[2];
+  return first < second ? second : first;
 }
 
 /// Swaps rows and columns of a 4 x 4 block.

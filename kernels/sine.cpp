@@ -1,6 +1,5 @@
 #include "kernels/sine.hpp"
 
-#include <bit>
 #include <cstdint>
 
 #include "kernels/cpu.hpp"

@@ -1,4 +1,4 @@
-// Compiled once for every machine and once for AVX2.
+// Compiled once for every machine and once for AVX2 (kernels/inline.hpp).
 
 namespace {
 
@@ -20,8 +20,8 @@ inline double sine(double x) {
   sum = sum * u + 0.008333333333333316;
   sum = sum * u - 0.16666666666666666;
   const double value = r + r * (u * sum);
-  const std::uint64_t sign = std::bit_cast<std::uint64_t>(rounded) << 63U;
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) ^ sign);
+  const std::uint64_t sign = __builtin_bit_cast(std::uint64_t, rounded) << 63U;
+  return __builtin_bit_cast(double, __builtin_bit_cast(std::uint64_t, value) ^ sign);
 }
 
 inline void add(double* __restrict y, const double* __restrict x, double factor, std::size_t count) {

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # A million random pairs, with seeds that no run before has used, against the exact oracle, and ten times the tangles and
-# winding regions of the tests, transport of a hundred random maps; then a fiftieth as many pairs under every transformation of tests/stress, which ends with
-# how often the error bars hold and how loose they are; then batches that are killed.
+# winding regions of the tests, transport of a hundred random maps; then a fiftieth as many pairs under every transformation
+# of tests/stress, which ends with how often the error bars hold and how loose they are; then the scenes of the benchmark
+# with every number of threads, index and instruction set; then batches that are killed.
 # usage: stress.sh [PAIRS [SEED]]      pairs that fail are written to build/failures
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -18,6 +19,7 @@ echo "LOBER_RANDOM_PAIRS=$LOBER_RANDOM_PAIRS LOBER_SEED=$LOBER_SEED"
 status=0
 build/bin/lober_tests --gtest_filter='*Random*' || status=1
 build/bin/lober_tests --gtest_filter='*Stability*' || status=1
+LOBER_ALL_VARIATIONS=1 LOBER_SCENE_POINTS=1000000 build/bin/lober_determinism_tests --gtest_brief=1 || status=1
 # Two hundred times kill -9 in the middle of a batch, twenty times one of two MPI ranks.
 LOBER_KILLS=200 LOBER_MPI_KILLS=20 build/bin/lober_cli_tests --gtest_filter='BatchCrash.Killed*:BatchMpi.Killed*' || status=1
 exit $status

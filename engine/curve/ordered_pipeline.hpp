@@ -21,44 +21,54 @@ void ordered_pipeline(const Next& next, const Work& work, const Deliver& deliver
   // Enough to keep every thread busy while one block is late.
   const std::size_t in_flight = 3 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   std::vector<Slot> slots(in_flight);
-#ifdef __SANITIZE_THREAD__
-  for (bool more = true; more;) {  // the same round by round (plain_threads.hpp)
-    std::size_t taken = 0;
-    throw_if_cancelled();
-    while (taken < in_flight && (more = next(slots[taken]))) ++taken;
-    for_each_block(taken, 1, [&](std::size_t k, std::size_t) { work(slots[k]); });
-    for (std::size_t k = 0; k < taken; ++k) deliver(slots[k]);
-  }
-#else
   const CancellationScope* const scope = CancellationScope::current();
   // Slot k is free when block number k + in_flight starts: no more than `in_flight` blocks are under way, and
   // they end in order.
   std::size_t blocks = 0;
+  std::vector<HandOver> handed_on(in_flight);  // of each slot, from step to step
+  HandOver next_again, deliver_again;          // from one call to the next
   tbb::task_group_context context;
-  tbb::parallel_pipeline(
-      in_flight,
-      tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order,
-                                    [&](tbb::flow_control& control) -> Slot* {
-                                      const detail::InheritedCancellation inherited(scope);
-                                      throw_if_cancelled();
-                                      Slot* slot = &slots[blocks % in_flight];
-                                      if (next(*slot)) {
-                                        ++blocks;
-                                        return slot;
-                                      }
-                                      control.stop();
-                                      return nullptr;
-                                    }) &
-          tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel,
-                                         [&](Slot* slot) {
-                                           const detail::InheritedCancellation inherited(scope);
-                                           work(*slot);
-                                           return slot;
-                                         }) &
-          tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, [&](Slot* slot) { deliver(*slot); }),
-      context);
+  HandedOver pipeline;
+  const auto take = [&](tbb::flow_control& control) LOBER_UNSEEN -> Slot* {
+    const HandedOver::Part part(pipeline);
+    const detail::InheritedCancellation inherited(scope);
+    throw_if_cancelled();
+    next_again.acquire();
+    Slot* slot = &slots[blocks % in_flight];
+    HandOver& hand_over = handed_on[blocks % in_flight];
+    hand_over.acquire();
+    const bool taken = next(*slot);
+    if (taken) ++blocks;
+    hand_over.release();
+    next_again.release();
+    if (taken) return slot;
+    control.stop();
+    return nullptr;
+  };
+  const auto handle = [&](Slot* slot) LOBER_UNSEEN {
+    const HandedOver::Part part(pipeline);
+    const detail::InheritedCancellation inherited(scope);
+    HandOver& hand_over = handed_on[static_cast<std::size_t>(slot - slots.data())];
+    hand_over.acquire();
+    work(*slot);
+    hand_over.release();
+    return slot;
+  };
+  const auto use = [&](Slot* slot) LOBER_UNSEEN {
+    const HandedOver::Part part(pipeline);
+    HandOver& hand_over = handed_on[static_cast<std::size_t>(slot - slots.data())];
+    hand_over.acquire();
+    deliver_again.acquire();
+    deliver(*slot);
+    deliver_again.release();
+    hand_over.release();
+  };
+  tbb::parallel_pipeline(in_flight,
+                         tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order, take) &
+                             tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel, handle) &
+                             tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, use),
+                         context);
   detail::require_complete(context);
-#endif
 }
 
 }  // namespace lober

@@ -8,74 +8,38 @@
 #include <utility>
 
 #include "engine/parallel/cancellation.hpp"
-
-#ifdef __SANITIZE_THREAD__
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <vector>
-#endif
+#include "engine/parallel/handover.hpp"
 
 namespace lober {
 
-#ifdef __SANITIZE_THREAD__
-
-// On plain threads, for the reason that engine/parallel/plain_threads.hpp gives.
 class LaneTasks {
  public:
   template <typename Task>
   void start(Task task) {
-    const std::lock_guard lock(mutex_);
-    threads_.emplace_back([this, task, scope = CancellationScope::current()] {
-      const detail::InheritedCancellation inherited(scope);
-      try {
-        task();
-      } catch (...) {
-        const std::lock_guard error_lock(mutex_);
-        if (!error_) error_ = std::current_exception();
-      }
-    });
-  }
-  void wait() {
-    for (;;) {
-      std::thread next;
-      {
-        const std::lock_guard lock(mutex_);
-        if (threads_.empty()) break;
-        next = std::move(threads_.back());
-        threads_.pop_back();
-      }
-      next.join();
-    }
-    if (error_) std::rethrow_exception(error_);
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<std::thread> threads_;
-  std::exception_ptr error_;
-};
-
-template <typename Function>
-void isolated(const Function& function) {
-  function();
-}
-
-#else
-
-class LaneTasks {
- public:
-  template <typename Task>
-  void start(Task task) {
-    group_.run([task = std::move(task), scope = CancellationScope::current()] {
+    started_.release();
+    group_.run([this, task = std::move(task), scope = CancellationScope::current()]() LOBER_UNSEEN {
+      started_.acquire();
+      const Ended ended{ended_};
       const detail::InheritedCancellation inherited(scope);
       task();
     });
   }
   /// Passes on what a task threw.
-  void wait() { group_.wait(); }
+  void wait() {
+    const Waited waited{ended_};
+    group_.wait();
+  }
 
  private:
+  struct Ended {
+    HandOver& at;
+    ~Ended() { at.release(); }
+  };
+  struct Waited {
+    HandOver& at;
+    ~Waited() { at.acquire(); }
+  };
+  HandOver started_, ended_;
   tbb::task_group group_;
 };
 
@@ -84,7 +48,5 @@ template <typename Function>
 void isolated(const Function& function) {
   tbb::this_task_arena::isolate(function);
 }
-
-#endif
 
 }  // namespace lober

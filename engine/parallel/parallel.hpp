@@ -4,21 +4,18 @@
 // decides, never the machine, and whatever a piece produces is joined in the order of the pieces.
 #pragma once
 
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "engine/parallel/cancellation.hpp"
-
-#ifdef __SANITIZE_THREAD__
-#include <array>
-#include <functional>
-
-#include "engine/parallel/plain_threads.hpp"
-#endif
+#include "engine/parallel/handover.hpp"
 
 namespace lober {
 
@@ -41,19 +38,19 @@ void for_each_block(std::size_t size, std::size_t grain, const Body& body) {
     return body(std::size_t{0}, size);
   }
   const CancellationScope* const scope = CancellationScope::current();
-  const auto piece = [&](std::size_t block) {
-    const detail::InheritedCancellation inherited(scope);
-    throw_if_cancelled();
-    const std::size_t begin = block * grain;
-    body(begin, begin + grain < size ? begin + grain : size);
-  };
-#ifdef __SANITIZE_THREAD__
-  on_plain_threads(blocks, piece);
-#else
   tbb::task_group_context context;
-  tbb::parallel_for(std::size_t{0}, blocks, piece, context);
+  HandedOver work;
+  tbb::parallel_for(
+      std::size_t{0}, blocks,
+      [&](std::size_t block) LOBER_UNSEEN {
+        const HandedOver::Part part(work);
+        const detail::InheritedCancellation inherited(scope);
+        throw_if_cancelled();
+        const std::size_t begin = block * grain;
+        body(begin, begin + grain < size ? begin + grain : size);
+      },
+      context);
   detail::require_complete(context);
-#endif
 }
 
 /// Runs the functions side by side when `worthwhile`, one after the other when not. They ask what the caller asks
@@ -62,32 +59,38 @@ template <typename... Functions>
 void run_together(bool worthwhile, Functions&&... functions) {
   if (worthwhile) {
     const CancellationScope* const scope = CancellationScope::current();
-    const auto inheriting = [scope](auto& function) {
-      return [scope, &function] {
+    HandedOver work;
+    const auto inheriting = [scope, &work](auto& function) {
+      return [scope, &work, &function]() LOBER_UNSEEN {
+        const HandedOver::Part part(work);
         const detail::InheritedCancellation inherited(scope);
         function();
       };
     };
-#ifdef __SANITIZE_THREAD__
-    const std::array<std::function<void()>, sizeof...(functions)> tasks{inheriting(functions)...};
-    on_plain_threads(tasks.size(), [&](std::size_t k) { tasks[k](); });
-#else
     tbb::task_group_context context;
     tbb::parallel_invoke(inheriting(functions)..., context);
     detail::require_complete(context);
-#endif
   } else {
     (functions(), ...);
   }
 }
 
-/// Runs `function` with at most `threads` threads (0: as many as the machine has) and returns what it returns.
+/// Runs `function` with at most `threads` threads, also more than the machine has cores (0: one for each), and returns
+/// what it returns.
 template <typename Function>
 auto with_threads(int threads, Function&& function) {
   if (threads <= 0) return function();
+  // An arena has as many places as it is asked for, but oneTBB makes no more workers than there are cores until a limit
+  // that is higher allows it. Of several limits the lowest holds, so none is set that would hold others back.
+  std::optional<tbb::global_control> limit;
+  if (threads > tbb::info::default_concurrency()) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(threads);
   const CancellationScope* const scope = CancellationScope::current();
-  return arena.execute([&] {
+  HandedOver work;
+  return arena.execute([&]() LOBER_UNSEEN {
+    const HandedOver::Part part(work);
     const detail::InheritedCancellation inherited(scope);
     return function();
   });

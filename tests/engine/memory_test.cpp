@@ -8,16 +8,14 @@
 #include <thread>
 #include <vector>
 
+#include "engine/parallel/sanitizers.hpp"
+
 namespace lober {
 namespace {
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool keeps = false;
-#else
-constexpr bool keeps = true;
-#endif
+constexpr bool keeps = !LOBER_ADDRESS_SANITIZER && !LOBER_THREAD_SANITIZER;
 
 TEST(BulkMemory, FreedBlockServesTheNextArrayOfAboutItsSize) {
   if (!keeps) GTEST_SKIP() << "nothing is kept under a sanitizer";

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "kernels/box_pyramid.inl"
@@ -12,8 +13,7 @@
 
 namespace lober {
 void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                     const std::array<TreeNode*, nodes_at_once>& met,
-                     std::array<std::size_t, nodes_at_once>& met_count);
+                     TreeNode* const* met, std::size_t* met_count);
 SplitCounts refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                         TreeNode* kept, TreeNode* split);
 
@@ -55,7 +55,7 @@ struct Pyramid {
   std::vector<std::uint32_t> begin, size;
 };
 
-using Distribute = decltype(&distribute);
+using Distribute = decltype(&distribute_avx2);
 using Refine = decltype(&refine);
 
 void check_distribute(Distribute run) {
@@ -73,7 +73,7 @@ void check_distribute(Distribute run) {
       met[i].resize(list.size() + 1);
       room[i] = met[i].data();
     }
-    run(four.data(), boxes, pyramid.view(), list.data(), list.size(), room, count);
+    run(four.data(), boxes, pyramid.view(), list.data(), list.size(), room.data(), count.data());
     for (std::size_t i = 0; i < nodes_at_once; ++i) {
       std::vector<TreeNode> expected;
       for (const TreeNode& node : list) {

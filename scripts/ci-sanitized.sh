@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Runs a part of the tests of a sanitized build: what is not chosen are long tests of numbers, which reach no code that
+# the others do not. Each program runs as often as there are cores at once, every run with its share of the tests.
+# usage: ci-sanitized.sh build-asan|build-tsan
+set -uo pipefail
+cd "$(dirname "$0")/.."
+build=$1
+export LOBER_RANDOM_PAIRS=500 LOBER_RANDOM_REGIONS=500 LOBER_RANDOM_TANGLES=30 LOBER_STABILITY_PAIRS=20
+export LOBER_DISCRETISATION_PAIRS=20 LOBER_KILLS=2 LOBER_SCENE_POINTS=20000
+export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
+export TSAN_OPTIONS="suppressions=$PWD/scripts/tsan.supp halt_on_error=1"
+cores=${LOBER_CI_CORES:-$(nproc)}
+status=0
+
+# run PROGRAM FILTER: the whole output of what fails, one line of what does not.
+run() {
+  local program=$build/bin/$1 filter=$2 shard pids=() logs=()
+  if [ ! -x "$program" ]; then
+    echo "no $program" >&2
+    status=1
+    return
+  fi
+  for ((shard = 0; shard < cores; ++shard)); do
+    logs[shard]=$(mktemp)
+    GTEST_TOTAL_SHARDS=$cores GTEST_SHARD_INDEX=$shard "$program" --gtest_brief=1 --gtest_filter="$filter" \
+        >"${logs[shard]}" 2>&1 &
+    pids[shard]=$!
+  done
+  for ((shard = 0; shard < cores; ++shard)); do
+    if wait "${pids[shard]}"; then
+      echo "$1: $(tail -n 1 "${logs[shard]}")"
+    else
+      status=1
+      tail -n 200 "${logs[shard]}"
+    fi
+    rm -f "${logs[shard]}"
+  done
+}
+
+case $build in
+  build-asan)
+    run lober_tests '-*Transport*:*Escape*:*Large*:*Discretisation*:*Grow*:*TangleOfMap*'
+    run lober_cli_tests '*BadInput*:*Json*:*PublishedForm*:Overlay*:Interior*:Densify*:Batch.*'
+    ;;
+  build-tsan)
+    run lober_thread_tests '*'
+    LOBER_SCENE_POINTS=5000 run lober_determinism_tests 'Determinism/*'
+    ;;
+  *)
+    echo "usage: ci-sanitized.sh build-asan|build-tsan" >&2
+    exit 2
+    ;;
+esac
+exit $status

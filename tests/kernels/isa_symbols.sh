@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# No object that is compiled for a newer processor than the rest may hold a weak function: the linker keeps one of all
+# weak functions of a name and could take that one for the whole program (kernels/inline.hpp). Looks at the objects of
+# the build and at the same sources compiled without optimisation, where nothing is inlined that need not be.
+# usage: isa_symbols.sh SOURCE_FOLDER BUILD_FOLDER COMPILER
+set -euo pipefail
+source=$1 build=$2 compiler=$3
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0 looked_at=0
+
+# Functions without a type letter for locals (t) or strong globals (T).
+look_at() {
+  local weak
+  weak=$(nm -C "$1" | grep -E '^[0-9a-f]+ [Wiu] ' || true)
+  looked_at=$((looked_at + 1))
+  [ -z "$weak" ] && return
+  printf '%s has weak functions:\n%s\n' "$2" "$weak"
+  status=1
+}
+
+objects=("$build"/kernels/CMakeFiles/lober_kernels.dir/*_avx{2,512}.cpp.o)
+sources=("$source"/kernels/*_avx{2,512}.cpp)
+for object in "${objects[@]}"; do look_at "$object" "$(basename "$object") of this build"; done
+for file in "${sources[@]}"; do
+  name=$(basename "$file" .cpp)
+  flags=(-mavx2 -mfma)
+  [[ $name == *_avx512 ]] && flags+=(-mavx512f -mavx512vl -mavx512dq)
+  "$compiler" -std=c++20 -O0 -g -fPIC -ffp-contract=off -Wno-psabi "-I$source" "${flags[@]}" -c "$file" -o "$scratch/$name.o"
+  look_at "$scratch/$name.o" "$name.cpp without optimisation"
+done
+[ "$looked_at" -eq $((2 * ${#sources[@]})) ] || { echo "$looked_at objects of ${#sources[@]} sources"; status=1; }
+echo "$looked_at objects inspected"
+exit $status
