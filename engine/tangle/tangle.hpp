@@ -179,7 +179,8 @@ struct LobeOverlap {
 /// The same for another pip.
 [[nodiscard]] std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t bip);
 /// Signed area of what U[p-, q], S[q, p+] and the chord from p+ to p- enclose, q a pip, each part counted with its
-/// winding number; of the smooth curves if that is what the tangle is made of. The error is as Lobe::smooth_error. O(1).
+/// winding number; of the smooth curves if that is what the tangle is made of. The error is as Lobe::smooth_error.
+/// O(1).
 struct SweptArea {
   double area = 0, error = 0;
 };
