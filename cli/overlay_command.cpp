@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
+#include "cli/agreement_report.hpp"
 #include "cli/command_line.hpp"
 #include "cli/overlay_report.hpp"
 #include "cli/progress.hpp"
@@ -146,6 +147,12 @@ OverlayReport compute(const Request& request, Progress& progress) {
     const Stopwatch verify_watch;
     const InteriorAreas other = interior_areas(c1, c2, {.index = request.options.index, .check_simple = false});
     report.consistency = distance(report.result.areas, other.areas);
+    for (const NamedArea& area : named_areas) {
+      const auto member = area.member;
+      report.agreement.compare({std::string("area of ") + area.label, "overlay", "interior",
+                                report.result.areas.*member, other.areas.*member,
+                                report.result.rounding.*member + other.rounding.*member});
+    }
     timing.verify = verify_watch.seconds();
   }
   if (request.smooth) {
@@ -179,6 +186,7 @@ void run(const Request& request) {
       "measures {:.4f}, verify {:.4f}, smooth {:.4f}, write {:.4f}, total {:.4f}",
       timing.read, timing.index, timing.check, timing.crossings, timing.order, timing.areas, timing.measures,
       timing.verify, timing.smooth, timing.write, watch.seconds());
+  require_agreement(report.agreement);
 }
 
 RegionsReport compute_by_rule(const Request& request, Progress& progress) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/agreement_report.hpp"
 #include "cli/json_file.hpp"
 #include "cli/overlay_report.hpp"
 #include "engine/stopwatch.hpp"
@@ -111,6 +112,10 @@ void write_overlay_json(const std::string& path, OverlayReport& report, const st
                           {"verify", report.consistency.has_value()},
                           {"smooth", report.smooth.has_value()}});
   write_crossings_member(json.file(), report);
+  if (report.consistency) {
+    json.member("agreement", report.agreement.agrees());
+    json.member("disagreements", disagreements_json(report.agreement));
+  }
   json.member("areas", areas_json(result.areas));
   if (report.smooth) {
     const SmoothAreas& smooth = *report.smooth;

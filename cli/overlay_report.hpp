@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/report.hpp"
+#include "engine/agreement.hpp"
 #include "engine/overlay/overlay.hpp"
 #include "engine/smooth/smooth.hpp"
 
@@ -28,6 +29,7 @@ struct OverlayReport {
   Overlay result;
   Areas discretisation;
   std::optional<Areas> consistency;  ///< |overlay - interior method|, when that was asked for
+  Agreement agreement;               ///< of those two, then
   std::optional<SmoothAreas> smooth;
   // By Pairing. Empty for totals only, and for pairings that no output shows; centroids without JSON, too.
   std::array<std::vector<Point>, 4> centroids;

@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "cli/agreement_report.hpp"
 #include "cli/overlay_report.hpp"
 
 namespace lober::cli {
@@ -59,7 +60,8 @@ void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing,
 }  // namespace
 
 std::string overlay_table(const OverlayReport& report) {
-  std::string text = inputs_text(report.inputs, {report.result.orientation1, report.result.orientation2});
+  std::string text = agreement_text(report.agreement);
+  text += inputs_text(report.inputs, {report.result.orientation1, report.result.orientation2});
   text += "\n" + meetings_text(report.result.nodes) + "\n";
   add_areas(text, report);
   if (report.options.pieces) {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/agreement_report.hpp"
 #include "cli/command_line.hpp"
 #include "cli/progress.hpp"
 #include "cli/tangle_outputs.hpp"
@@ -35,6 +36,7 @@ TangleReport compute(const Request& request, Progress& progress) {
   origin.manifolds = grow_tangle(*origin.system.map, connection, options);
   report.timing.read = watch.seconds() - origin.manifolds->tangle.timing.total;
   report.result = origin.manifolds->tangle;
+  report.agreement = agreement_of(*origin.manifolds);
   report.options.bip = origin.manifolds->bip;
   report.options.period = report.result.images.period;
   report.options.smooth = options.smooth;
@@ -61,6 +63,7 @@ void run(const Request& request) {
     write_tangle(request.outputs, report, [&] { return watch.seconds(); });
   }
   print_tangle(request.outputs, report);
+  require_agreement(report.agreement);
 }
 
 }  // namespace
@@ -91,6 +94,10 @@ void run_system_tangle(const std::vector<std::string>& arguments) {
   app.add_option("--max-points", request.options.most_points, "of each manifold")
       ->check(CLI::Range(std::size_t{2}, std::size_t{2'147'483'646}))
       ->type_name("N");
+  app.add_option("--budget", request.options.budget,
+                 "seconds that growing may take, by the clock (default: a bound on the work instead, about 20 s)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
   request.outputs.add_options(app);
   add_threads_option(app, request.threads);
   if (!parse_arguments(app, arguments)) return;

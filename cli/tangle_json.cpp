@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "cli/agreement_report.hpp"
 #include "cli/json_file.hpp"
 #include "cli/tangle_report.hpp"
 #include "cli/turnstile_report.hpp"
@@ -161,6 +162,8 @@ void write_tangle_json(const std::string& path, TangleReport& report, const std:
     json.member("reflection", local.multiplier < 0);
     json.member("steps_of_image", std::abs(local.image().steps));
     json.member("turnstile_by_action", turnstile_json(*origin.manifolds));
+    json.member("agreement", report.agreement.agrees());
+    json.member("disagreements", disagreements_json(report.agreement));
   }
   json.member("options", options_json(report));
   json.member("crossings", meetings_json(result.nodes));

@@ -38,6 +38,7 @@ struct TangleReport {
   Tangle result;
   std::vector<LobeShape> shapes;                     ///< by lobe
   std::optional<std::vector<LobeOverlap>> overlaps;  ///< when asked for
+  Agreement agreement;                               ///< of manifolds grown from equations
   TangleReportTiming timing;
 };
 

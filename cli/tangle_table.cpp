@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "cli/agreement_report.hpp"
 #include "cli/tangle_report.hpp"
 #include "cli/turnstile_report.hpp"
 
@@ -30,8 +31,13 @@ void add_boundary(std::string& text, const TangleReport& report) {
   if (!result.boundary) return;
   const Boundary& boundary = *result.boundary;
   const Point bip = result.pips[boundary.bip].at;
-  text += fmt::format("boundary   area {:.16g} +- {:.1e} rounding, bip {} at ({:.8g}, {:.8g})\n", boundary.area,
-                      result.rounding(boundary.area), boundary.bip, bip.x, bip.y);
+  text += fmt::format("boundary   area {:.16g} +- {:.1e} rounding{}, bip {} at ({:.8g}, {:.8g})\n", boundary.area,
+                      result.rounding(boundary.area),
+                      report.options.smooth
+                          ? fmt::format(", {:.1e} {}", boundary.smooth_error,
+                                        report.origin ? "growth and integration" : "against the smooth curves")
+                          : std::string(),
+                      boundary.bip, bip.x, bip.y);
   if (boundary.crosses_itself) {
     text += "           the chord that closes it meets the manifolds: inside is where it winds\n";
   }
@@ -106,8 +112,9 @@ void add_overlaps(std::string& text, const TangleReport& report) {
 
 std::string tangle_table(const TangleReport& report) {
   const Tangle& result = report.result;
-  std::string text = report.origin ? system_text(report.origin->system) + "\n" + saddles_text(*report.origin->manifolds)
-                                   : manifolds_text(report);
+  std::string text = agreement_text(report.agreement);
+  text += report.origin ? system_text(report.origin->system) + "\n" + saddles_text(*report.origin->manifolds)
+                        : manifolds_text(report);
   text += fmt::format("\n{}; {}, {}\n", meetings_text(result.nodes), counted(result.pips.size(), "pip", "pips"),
                       counted(result.lobes.size(), "lobe", "lobes"));
   add_boundary(text, report);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/agreement.hpp"
 #include "engine/dynamics/connecting_orbit.hpp"
 #include "engine/dynamics/system.hpp"
 #include "engine/tangle/tangle.hpp"
@@ -70,5 +71,10 @@ struct ManifoldTangle {
 /// points or work run out, or the saddles are none; UsageError; Cancelled.
 [[nodiscard]] std::unique_ptr<ManifoldTangle> grow_tangle(const PlanarMap& map, const Connection& connection,
                                                           const ManifoldTangleOptions& options = {});
+
+/// What two routes say of it: the areas of the lobes of the turnstile by geometry and by action, what leaves and what
+/// enters in one step (of maps with an action, which preserve area), and the number of pips a period by polygons and by
+/// the splitting.
+[[nodiscard]] Agreement agreement_of(const ManifoldTangle& manifolds);
 
 }  // namespace lober

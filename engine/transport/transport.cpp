@@ -63,15 +63,6 @@ void compare(Agreement& agreement, const Partition& partition, const TransportSt
   }
 }
 
-void compare_with_actions(Agreement& agreement, const ManifoldTangle& manifolds) {
-  for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
-    const std::size_t lobe = manifolds.image_of_bip(-1) + k;
-    agreement.compare({"area of lobe " + std::to_string(lobe), "geometry", "action", manifolds.tangle.lobes[lobe].area,
-                       manifolds.areas_by_action[k],
-                       manifolds.tangle.lobes[lobe].smooth_error + manifolds.action_errors[k]});
-  }
-}
-
 class Builder {
  public:
   Builder(const PlanarMap& map, const TransportOptions& options) : map_(map), options_(options) {}
@@ -135,7 +126,7 @@ class Builder {
 
   void check(const ManifoldTangle& manifolds) {
     require_areas_preserved(map_, manifolds.local_u.saddle);
-    compare_with_actions(result_.agreement, manifolds);
+    for (Comparison& one : agreement_of(manifolds).comparisons) result_.agreement.compare(std::move(one));
     if (result_.iterates_a_step == 2) return;
     if (manifolds.local_u.multiplier < 0 || manifolds.local_s.multiplier < 0) {
       result_.iterates_a_step = 2;
