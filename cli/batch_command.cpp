@@ -13,6 +13,7 @@
 #include "cli/report.hpp"
 #include "engine/jobs/export.hpp"
 #include "engine/jobs/forecast.hpp"
+#include "engine/parallel/cancellation.hpp"
 
 namespace lober::cli {
 namespace {
@@ -26,10 +27,13 @@ std::string how_far(const ExportCounts& counts) {
 void run_manifest(const Arguments& arguments) {
   const std::optional<BatchRequest> request = parse_batch(arguments, "lober batch run");
   if (!request) return;
+  if (!request->json.empty()) {
+    const std::vector<Output> outputs{{"--json", request->json}};
+    check_outputs(outputs, std::vector{request->manifest, request->store});
+  }
   const Manifest manifest = read_manifest(request->manifest);
   BatchReport report;
   with_thread_limit(request->threads, [&] {
-    watch_for_interrupt();
     BatchProgress line;
     BatchOptions options;
     options.store = request->store;
@@ -42,6 +46,7 @@ void run_manifest(const Arguments& arguments) {
     };
     report = run_batch(manifest, options);
   });
+  const CancellationScope shield(CancellationScope::Shield{});  // what was done is told in any case
   warn_of(report.damaged);
   if (!request->json.empty()) write_batch_json(request->json, report, request->manifest, request->store);
   if (request->json != "-") print(batch_summary(report, request->store));
@@ -139,8 +144,9 @@ void merge_stores(const Arguments& arguments) {
 constexpr const char* usage = R"(lober batch: many curves and pairs
 
 usage:
-  lober batch run MANIFEST [options]    computes what is not in the store yet; the first interrupt lets running jobs
-                                        finish, a second one stops at once; nothing that was stored is lost
+  lober batch run MANIFEST [options]    computes what is not in the store yet; the first interrupt lets jobs that run
+                                        finish within a second, a second one stops at once; nothing that was
+                                        stored is lost
   lober batch check MANIFEST            reads the manifest and says how much work it is
   lober batch status STORE              how far a store is, who computed, what failed
   lober batch export STORE [-o FILE]    the results as CSV, JSON lines or NPY

@@ -113,6 +113,8 @@ OverlayReport compute(const Request& request, Progress& progress) {
   report.inputs = read_inputs(request, progress);
   timing.read = read_watch.seconds();
 
+  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
+              "points");
   progress.phase("overlay", 0.25, 0.8);
   const Stopwatch index_watch;
   const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
@@ -195,6 +197,8 @@ RegionsReport compute_by_rule(const Request& request, Progress& progress) {
   const Stopwatch read_watch;
   report.inputs = read_inputs(request, progress);
   report.read_seconds = read_watch.seconds();
+  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
+              "points");
   progress.phase("regions", 0.25, 0.8);
   RegionOptions options;
   options.index = report.index;

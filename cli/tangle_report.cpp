@@ -26,9 +26,10 @@ Tangle tangle_of(const NamedCurve& u, const NamedCurve& s, const TangleOptions& 
     return result;
   } catch (const NotSimpleError& error) {
     const bool first = error.curve == 1;
-    throw DataError(fmt::format(
-        "{}: {} crosses or touches itself: segments {} and {} meet at ({}, {}) (--no-simple-check takes such curves)",
-        spec_of(first ? u : s), first ? "U" : "S", error.segment1, error.segment2, error.at.x, error.at.y));
+    throw DataError(
+        fmt::format("{}: {} crosses or touches itself: segments {} and {} meet at ({}, {}) (lober tangle "
+                    "--no-simple-check takes such curves)",
+                    spec_of(first ? u : s), first ? "U" : "S", error.segment1, error.segment2, error.at.x, error.at.y));
   }
 }
 

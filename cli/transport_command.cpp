@@ -33,7 +33,7 @@ std::vector<Output> outputs_of(const Request& request) {
        {std::pair{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}}) {
     if (!path.empty()) outputs.push_back({option, path});
   }
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system.name));
   return outputs;
 }
 
@@ -60,8 +60,7 @@ void run_one(const Request& request) {
     TransportOptions options = request.options;
     options.lattice = report.system.lattice;
     options.further = further_of(request, report.system);
-    double fraction = 0;  // nobody knows how long the manifolds have to be
-    options.progress = [&](const std::string&) { return progress.advance(fraction += 0.25 * (1 - fraction)); };
+    options.progress = [&](const std::string& line) { return progress.step(line); };
     const Stopwatch transport_watch;
     report.result = transport(*report.system.map, report.connection, options);
     report.timing.transport = transport_watch.seconds();
@@ -142,6 +141,11 @@ void run_transport(const std::vector<std::string>& arguments) {
   app.add_option("--max-points", request.options.most_points, "of each manifold")
       ->check(CLI::Range(std::size_t{2}, std::size_t{2'147'483'646}))
       ->type_name("N");
+  app.add_option("--budget", request.options.budget,
+                 "seconds that growing the manifolds of a boundary may take; by default their work is limited, which "
+                 "gives the same table on every machine")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
   app.add_flag(
       "--all-regions", request.all_regions,
       "regions of all boundaries that the system names (ovp: the lower vortex too), with the matrices T_ij(n)");

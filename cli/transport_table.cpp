@@ -80,12 +80,12 @@ std::string transport_steps_table(std::span<const TransportStep> steps) {
 std::string transport_table(const TransportReport& report) {
   const Transport& result = report.result;
   std::string text = agreement_text(result.agreement) + system_text(report.system) + "\n";
-  if (result.iterates_a_step == 2) text += "n counts second iterates: both multipliers of a saddle are negative\n";
   for (const TransportBoundary& boundary : result.boundaries) {
     text += saddles_text(*boundary.manifolds) + turnstile_text(*boundary.manifolds) + "\n";
   }
-  text += regions_text(result.regions);
-  return text + transport_steps_table(result.steps);
+  text += regions_text(result.regions) + transport_steps_table(result.steps);
+  for (const std::string& remark : result.remarks) text += remark + "\n";
+  return text;
 }
 
 std::string transport_table(const CurvesTransportReport& report) {

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "engine/curve/input_guard.hpp"
 #include "engine/error.hpp"
 #include "engine/parallel/parallel.hpp"
 
@@ -110,6 +111,7 @@ FileBytes::FileBytes(const std::string& path) {
   const Descriptor file(path);
   const struct stat status = status_of(file, path);
   if (S_ISDIR(status.st_mode)) throw DataError(path + ": is a directory");
+  note_input(path, status);
   if (S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && ::isatty(file.number()) == 0)) {
     throw DataError(path + ": is a device, no file of points");
   }

@@ -162,7 +162,6 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
     result_.images += static_cast<std::uint64_t>(insertion.generation) * static_cast<std::uint64_t>(std::abs(steps_));
     if (!is_finite(insertion.point)) return {};
   }
-  count(0, 0);
   std::vector<std::size_t> added;
   for (std::size_t i = 0; i < insertions.size(); ++i) added.push_back(insertions[i].segment + 1 + i);
   result_.points = with_inserted(std::span<const Point>(result_.points), insertions,
@@ -276,6 +275,7 @@ Samples ManifoldGrowth::carried(Samples guide, int generation, double end) {
 }
 
 void ManifoldGrowth::append(const Trace& trace, int generation) {
+  const CancellationScope shield(CancellationScope::Shield{});  // half a generation could not be kept
   const std::size_t begin = result_.points.size();
   append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.flaws);
   if (side_ < 0) {

@@ -113,14 +113,20 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
   std::size_t unusable = 0;
   {
     PlanRunner queue(plan, manifest.path, session.pending(), queue_options);
+    std::optional<Stopwatch> since_stop;
     Watcher watcher([&] {
       try {
-        if (broken || (options.progress && !options.progress(queue.progress()))) queue.stop();
+        if (!broken && (!options.progress || options.progress(queue.progress()))) return;
+        if (!since_stop) since_stop.emplace();
+        queue.stop();
+        if (since_stop->seconds() >= options.patience) queue.cancel();
       } catch (...) {
         queue.stop();
         throw;
       }
     });
+    // Jobs that run when the caller is cancelled have their chance too.
+    const CancellationScope shield(CancellationScope::Shield{});
     report.queue = queue.run(session.pending(), [&](PlanResult result) {
       const bool failed = result.failed;
       if (!session.add(std::move(result)) && !failed) ++unusable;
@@ -128,6 +134,7 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
     watcher.finish();
   }
   report.queue.failed += unusable;
+  const CancellationScope shield(CancellationScope::Shield{});
   report.store_seconds = session.finish(report.queue.stopped ? "stopped" : "complete");
   report.wall_seconds = watch.seconds();
   return report;

@@ -55,8 +55,10 @@ struct BatchOptions {
   Shard shard;
   QueueOptions queue;
   /// Called about ten times a second while jobs run, from a thread of its own; return false to stop: what runs is
-  /// finished and stored, but for work that can be broken off. What it throws stops the run too and is passed on.
+  /// finished and stored, if it ends within `patience` seconds, and broken off else. What it throws stops the run too
+  /// and is passed on.
   std::function<bool(const QueueProgress&)> progress;
+  double patience = 1;
 };
 
 struct BatchReport {

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/curve/input_guard.hpp"
+
 namespace lober {
 
 Database::Database(const std::string& path, bool create) : path_(path) {
@@ -14,6 +16,7 @@ Database::Database(const std::string& path, bool create) : path_(path) {
   sqlite3_busy_timeout(handle, 60'000);
   // What a damaged or foreign file says about itself is not believed.
   execute("PRAGMA cell_size_check = ON; PRAGMA trusted_schema = OFF");
+  note_input(path);
 }
 
 void Database::fail() const {

@@ -79,6 +79,11 @@ void JobQueue::stop() {
   stop_.store(true);
 }
 
+void JobQueue::cancel() {
+  stop_.store(true);
+  cancelled_.store(true);
+}
+
 QueueProgress JobQueue::progress() const {
   return {counters_.jobs, counters_.done, counters_.failed, counters_.cost, counters_.cost_done, counters_.points};
 }
@@ -106,9 +111,8 @@ class JobQueue::Run final : public JobRunner {
     if (result.error.empty()) {
       try {
         result.record = job.operation->run({std::span(curves).first(ids.size()), allowance}, *job.options);
-      } catch (const Cancelled& error) {
-        if (queue_.stop_) throw;
-        result.error = error.what();
+      } catch (const Cancelled&) {
+        throw;
       } catch (const std::bad_alloc&) {
         result.error = "out of memory";
       } catch (const std::exception& error) {
@@ -181,6 +185,7 @@ class JobQueue::Running {
 
 QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
   const Stopwatch watch;
+  if (cancelled_) throw UsageError("the queue was cancelled: it runs nothing more");
   const Running running(*this);
   Run run(*this, done);
   const std::span<const Job> waiting = std::span(jobs_).subspan(first_waiting_);
@@ -228,7 +233,12 @@ QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
 
   const CacheCounts before = cache_->counts();
   run.report.threads = threads;
-  with_threads(threads, [&] { dispatch(dispatched, *cache_, options_.digests, threads, stop_, run); });
+  try {
+    const CancellationScope scope(cancelled_);
+    with_threads(threads, [&] { dispatch(dispatched, *cache_, options_.digests, threads, stop_, run); });
+  } catch (const Cancelled&) {
+    if (!cancelled_) throw;
+  }
   run.report.stopped = run.report.jobs < waiting.size();
   run.report.cache = cache_->counts();
   run.report.cache.units_read -= before.units_read;

@@ -105,6 +105,9 @@ class JobQueue {
   /// Starts no further job; those that run are finished, but for work that can be broken off (Allowance::check), those
   /// that wait are dropped. Between two runs: the next one does nothing. For any thread and for signal handlers.
   void stop();
+  /// The same, and what runs is broken off within a fraction of a second: those jobs have no results. The queue runs
+  /// nothing more afterwards. For any thread and for signal handlers.
+  void cancel();
 
   /// May be asked from any thread while `run` works.
   [[nodiscard]] QueueProgress progress() const;
@@ -117,7 +120,7 @@ class JobQueue {
   std::unique_ptr<CurveCache> cache_;
   std::vector<Job> jobs_;
   std::size_t first_waiting_ = 0;
-  std::atomic<bool> stop_{false}, running_{false};
+  std::atomic<bool> stop_{false}, cancelled_{false}, running_{false};
   struct Counters {
     std::atomic<std::size_t> jobs{0}, done{0}, failed{0};
     std::atomic<double> cost{0}, cost_done{0};

@@ -34,6 +34,7 @@ class PlanRunner {
   /// times; curves stay in memory.
   QueueReport run(std::span<const std::uint32_t> jobs, const std::function<void(PlanResult)>& done);
   void stop() { queue_.stop(); }
+  void cancel() { queue_.cancel(); }
   [[nodiscard]] QueueProgress progress() const { return queue_.progress(); }
 
  private:

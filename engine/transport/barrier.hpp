@@ -29,6 +29,7 @@ struct Barrier {
   /// How far the manifolds may lie from the true ones, beside what their polygons leave open: what the integration and
   /// rounding err by. An area is wrong by no more than that times the length of its boundary.
   double curve_error = 0;
+  bool lobes_include_it = false;  ///< whether Lobe::smooth_error does already
 
   /// How many images of q, forward and back, there are among the pips.
   [[nodiscard]] int images_after() const { return static_cast<int>((tangle->pips.size() - 1 - bip) / period); }

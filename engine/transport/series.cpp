@@ -1,6 +1,6 @@
 // Rows of the table of transport, one after the other.
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "engine/error.hpp"
@@ -22,17 +22,19 @@ std::vector<Turnstile> turnstiles_of(std::vector<Barrier> barriers) {
 
 TransportSeries::TransportSeries(std::vector<Barrier> barriers, std::optional<Point> hole)
     : partition_(barriers, hole ? &*hole : nullptr), total_(partition_.size()) {
-  extend(std::move(barriers));
   for (std::size_t i = 0; i < partition_.size(); ++i) total_(i, i) = partition_.regions()[i].area;
+  extend(std::move(barriers));
+}
+
+void TransportSeries::extend(std::vector<Barrier> barriers) {
+  turnstiles_ = turnstiles_of(std::move(barriers));
+  enclosed_.clear();
+  drift_.clear();
   for (const Turnstile& turnstile : turnstiles_) {
     enclosed_.push_back(enclosed_area(turnstile.barrier(), 0));
     const Measured leaving = turnstile.area12(), entering = turnstile.area21();
     drift_.push_back({leaving.value - entering.value, std::max(leaving.error, entering.error)});
   }
-}
-
-void TransportSeries::extend(std::vector<Barrier> barriers) {
-  turnstiles_ = turnstiles_of(std::move(barriers));
 }
 
 bool TransportSeries::reaches_next() const {

@@ -180,7 +180,8 @@ bool TangleGrowth::grow(Side& side, double end) {
         static_cast<double>(grown.points.size()) + growth.points_needed() > static_cast<double>(options_.most_points);
     limit_ = "U of " + std::to_string(u_.growth->grown().points.size()) + " points, S of " +
              std::to_string(s_.growth->grown().points.size()) + ": the next piece of " + name + " needs " +
-             rounded_text(growth.points_needed()) + " points or more, ";
+             (growth.points_needed() < 1 ? "more points than it seemed to, "
+                                         : rounded_text(growth.points_needed()) + " points or more, ");
     limit_ += of_points             ? "--max-points allows " + std::to_string(options_.most_points)
               : options_.budget > 0 ? "which would take longer than --budget"
                                     : "which is more work than is done unasked (--budget SECONDS allows more)";
@@ -330,7 +331,8 @@ bool TangleGrowth::find_turnstile(std::string& trouble) {
     if (s_.growth->time() >= bip.s + 1 + beyond) break;
     if (!grow(s_, bip.s + 1 + beyond)) return false;
   }
-  const std::optional<std::size_t> before = image_of_bip(-1);
+  constexpr double close = 0.02;
+  const std::optional<std::size_t> before = image_of_bip(-1, close);
   if (before) {
     period_ = static_cast<std::uint32_t>(bip_ - *before);
   } else {
@@ -385,8 +387,7 @@ TangleGrowth::Time TangleGrowth::time_of_pip(std::size_t pip) const {
 }
 
 // The pip that is the image of the bip under `steps` of the map, if it is there: the one whose times are nearest.
-std::optional<std::size_t> TangleGrowth::image_of_bip(int steps) const {
-  constexpr double close = 0.02;
+std::optional<std::size_t> TangleGrowth::image_of_bip(int steps, double close) const {
   const Time bip = time_of_pip(bip_);
   double nearest = close;
   std::optional<std::size_t> image;
@@ -505,6 +506,8 @@ bool TangleGrowth::grow_to(int before, int after) {
   if (grown) {
     before_ = before;
     after_ = after;
+  } else {
+    look();  // one of them may have been grown on
   }
   finish();
   return grown;
@@ -512,12 +515,23 @@ bool TangleGrowth::grow_to(int before, int after) {
 
 bool TangleGrowth::grow_between(int before, int after) {
   const Time bip = time_of_pip(bip_);
+  // Images of q come nearer to the saddles by the multiplier each time.
+  const auto unresolved = [&](const Side& side, double time, int images) {
+    const double apart = side.local.reach * std::pow(side.local.image().factor, time);
+    if (apart > finest_) return false;
+    limit_ = "the pip f^" + std::to_string(images) + "(q) lies only " + rounded_text(apart) +
+             " from its saddle, which coordinates in double precision do not resolve";
+    return true;
+  };
+  if (unresolved(u_, bip.u - before, -before) || unresolved(s_, bip.s - after, after)) return false;
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
   refine_until_simple(u_);
   refine_until_simple(s_);
   look();
+  // Times of pips that are nearer to a saddle than the tolerance are rough, but they are counted too.
+  constexpr double close = 0.1;
   for (int k = -before; k <= after; ++k) {
-    const std::optional<std::size_t> pip = image_of_bip(k);
+    const std::optional<std::size_t> pip = image_of_bip(k, close);
     const auto expected = static_cast<std::ptrdiff_t>(bip_) + static_cast<std::ptrdiff_t>(period_) * k;
     if (pip && static_cast<std::ptrdiff_t>(*pip) == expected) continue;
     limit_ = "polygons to the tolerance " + shortest(tolerance_) + " do not show the pip f^" + std::to_string(k) +

@@ -65,7 +65,7 @@ class TangleGrowth {
   [[nodiscard]] std::size_t nearest(Point place) const;
   [[nodiscard]] std::pair<ManifoldPlace, ManifoldPlace> places_of(std::size_t pip) const;
   [[nodiscard]] Time time_of_pip(std::size_t pip) const;
-  [[nodiscard]] std::optional<std::size_t> image_of_bip(int steps) const;
+  [[nodiscard]] std::optional<std::size_t> image_of_bip(int steps, double close) const;
   [[nodiscard]] std::optional<double> tolerance_for_splitting();
   [[nodiscard]] std::string trouble_with_pips();
   [[nodiscard]] bool lobes_are_thin() const;

@@ -7,8 +7,8 @@
 
 #include "engine/error.hpp"
 #include "engine/text.hpp"
-#include "engine/transport/curve_error.hpp"
 #include "engine/transport/particles.hpp"
+#include "engine/transport/tangle_growth.hpp"
 
 namespace lober {
 namespace {
@@ -63,15 +63,12 @@ void compare(Agreement& agreement, const Partition& partition, const TransportSt
   }
 }
 
-void compare_with_actions(Agreement& agreement, const ManifoldTangle& manifolds, double curve_error) {
+void compare_with_actions(Agreement& agreement, const ManifoldTangle& manifolds) {
   for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
     const std::size_t lobe = manifolds.image_of_bip(-1) + k;
-    const std::vector<Point> outline = lobe_outline(manifolds.tangle, lobe);
-    double length = distance(outline.back(), outline.front());
-    for (std::size_t j = 1; j < outline.size(); ++j) length += distance(outline[j - 1], outline[j]);
     agreement.compare({"area of lobe " + std::to_string(lobe), "geometry", "action", manifolds.tangle.lobes[lobe].area,
                        manifolds.areas_by_action[k],
-                       manifolds.tangle.lobes[lobe].smooth_error + 2 * curve_error * length});
+                       manifolds.tangle.lobes[lobe].smooth_error + manifolds.action_errors[k]});
   }
 }
 
@@ -80,40 +77,21 @@ class Builder {
   Builder(const PlanarMap& map, const TransportOptions& options) : map_(map), options_(options) {}
 
   Transport build(const Connection& connection) {
-    grow(connection);
-    set_barriers();
-    std::vector<Barrier> barriers;
-    for (const TransportBoundary& boundary : result_.boundaries) barriers.push_back(boundary.barrier);
-    const std::optional<Point> hole = result_.cylinder ? std::optional(Point{0, 0}) : std::nullopt;
-    TransportSeries series(barriers, hole);
-    result_.regions = series.partition().regions();
-    for (std::size_t c = 0; c < barriers.size(); ++c) {
-      TransportBoundary& boundary = result_.boundaries[c];
-      boundary.enclosed = enclosed_area(barriers[c], 0);
-      boundary.area12 = series.turnstiles()[c].area12();
-      boundary.area21 = series.turnstiles()[c].area21();
-    }
-    std::vector<RegionMatrix> particles;
+    begin(connection);
+    std::optional<TransportSeries> series;
     for (int n = 1; n <= options_.iterates; ++n) {
       report("n = " + std::to_string(n));
-      result_.steps.push_back(series.next());
+      if (!grow_to(n)) break;
+      if (series) {
+        series->extend(barriers());
+      } else {
+        series.emplace(barriers(), result_.cylinder ? std::optional(Point{0, 0}) : std::nullopt);
+      }
+      result_.steps.push_back(series->next());
       if (options_.on_step) options_.on_step(result_.steps.back());
     }
-    if (options_.particles > 0) {
-      ParticleOptions how;
-      how.count = options_.particles;
-      how.seed = options_.seed;
-      how.progress = [&](double) { return !options_.progress || options_.progress("particles"); };
-      particles = count_particles(map_, result_.cylinder ? &*result_.cylinder : nullptr, barriers, series.partition(),
-                                  options_.iterates * result_.iterates_a_step, how);
-    }
-    for (std::size_t k = 0; k < result_.steps.size(); ++k) {
-      if (!particles.empty()) {
-        const auto stride = static_cast<std::size_t>(result_.iterates_a_step);
-        result_.steps[k].by_particles = particles[(k + 1) * stride - 1];
-      }
-      compare(result_.agreement, series.partition(), result_.steps[k]);
-    }
+    series->extend(barriers());  // of what there is now: the last growth may have added to it without a row
+    finish(*series);
     return std::move(result_);
   }
 
@@ -122,60 +100,77 @@ class Builder {
     if (options_.progress && !options_.progress(line)) throw Cancelled();
   }
 
-  void grow(const Connection& connection) {
+  void begin(const Connection& connection) {
     std::vector<Connection> connections{connection};
     if (options_.bip_near) connections[0].bip = options_.bip_near;
     connections.insert(connections.end(), options_.further.begin(), options_.further.end());
-    const int n = options_.iterates;
     ManifoldTangleOptions growth;
     growth.tolerance = options_.tolerance;
     growth.most_points = options_.most_points;
+    growth.max_work = options_.max_work;
+    growth.budget = options_.budget;
     growth.progress = options_.progress;
-    growth.before = std::max(1 + (n - 1) / 2, n / 2);
-    growth.after = n - n / 2;
     for (const Connection& one : connections) {
-      TransportBoundary boundary;
-      boundary.connection = one;
-      boundary.manifolds = grow_tangle(map_, one, growth);
-      const ManifoldTangle& manifolds = *boundary.manifolds;
-      require_areas_preserved(map_, manifolds.local_u.saddle);
-      if (manifolds.local_u.multiplier < 0 || manifolds.local_s.multiplier < 0) result_.iterates_a_step = 2;
-      for (const std::string& remark : manifolds.tangle.remarks) result_.remarks.push_back(remark);
-      boundary.action12 = boundary.action21 = manifolds.areas_by_action.empty() ? unknown : 0;
-      for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
-        const bool leaves = manifolds.tangle.images.labels[manifolds.image_of_bip(-1) + k].from == 1;
-        (leaves ? boundary.action12 : boundary.action21) += std::fabs(manifolds.areas_by_action[k]);
-      }
-      result_.boundaries.push_back(std::move(boundary));
+      growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth));
+      result_.boundaries.emplace_back().connection = one;
     }
-    if (result_.iterates_a_step == 2) {
+  }
+
+  // Whether all tangles are there as far as n takes. Sets boundaries and barriers to what is there.
+  bool grow_to(int n) {
+    std::string limit;
+    for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
+      if (limit.empty() && !growth->grow_to(std::max(1 + (n - 1) / 2, n / 2), n - n / 2)) limit = growth->limit();
+    }
+    if (!limit.empty() && n == 1) throw DataError(limit);
+    if (n == 1) {
+      for (const std::unique_ptr<TangleGrowth>& growth : growths_) check(growth->current());
+    }
+    set_barriers();
+    if (limit.empty()) return true;
+    result_.remarks.push_back("n = 1 to " + std::to_string(n - 1) + " of " + std::to_string(options_.iterates) + ": " +
+                              limit);
+    return false;
+  }
+
+  void check(const ManifoldTangle& manifolds) {
+    require_areas_preserved(map_, manifolds.local_u.saddle);
+    compare_with_actions(result_.agreement, manifolds);
+    if (result_.iterates_a_step == 2) return;
+    if (manifolds.local_u.multiplier < 0 || manifolds.local_s.multiplier < 0) {
+      result_.iterates_a_step = 2;
       result_.remarks.emplace_back(
           "both multipliers of a saddle are negative, so that its manifolds swap sides in every iterate: n counts "
-          "second "
-          "iterates of the map");
+          "second iterates of the map");
     }
   }
 
   void set_barriers() {
     if (!(options_.lattice == Point{})) set_cylinder();
-    for (TransportBoundary& boundary : result_.boundaries) {
-      const ManifoldTangle& manifolds = *boundary.manifolds;
+    for (std::size_t c = 0; c < growths_.size(); ++c) {
+      TransportBoundary& boundary = result_.boundaries[c];
+      const ManifoldTangle& manifolds = growths_[c]->current();
       Barrier& barrier = boundary.barrier;
       barrier.tangle = &manifolds.tangle;
       barrier.bip = manifolds.bip;
       barrier.period = manifolds.period();
       barrier.closure = boundary.connection.closure;
-      barrier.curve_error = curve_error(map_, manifolds);
-      compare_with_actions(result_.agreement, manifolds, barrier.curve_error);
-      if (result_.cylinder) wrap(boundary);
+      barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
+      barrier.lobes_include_it = !result_.cylinder;
+      if (result_.cylinder) wrap(boundary, manifolds);
     }
+  }
+  [[nodiscard]] std::vector<Barrier> barriers() const {
+    std::vector<Barrier> list;
+    for (const TransportBoundary& boundary : result_.boundaries) list.push_back(boundary.barrier);
+    return list;
   }
 
   // Deep enough for all that was grown.
   void set_cylinder() {
     double low = 0, high = 0;
-    for (const TransportBoundary& boundary : result_.boundaries) {
-      for (const GrownManifold* grown : {&boundary.manifolds->u, &boundary.manifolds->s}) {
+    for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
+      for (const GrownManifold* grown : {&growth->current().u, &growth->current().s}) {
         for (const Point& point : grown->points) {
           const double height = Cylinder::height(options_.lattice, point);
           low = std::min(low, height);
@@ -187,8 +182,7 @@ class Builder {
     result_.cylinder.emplace(options_.lattice, -low + std::max(0.25 * (high - low), 0.25 * period));
   }
 
-  void wrap(TransportBoundary& boundary) {
-    const ManifoldTangle& manifolds = *boundary.manifolds;
+  void wrap(TransportBoundary& boundary, const ManifoldTangle& manifolds) {
     const Cylinder& cylinder = *result_.cylinder;
     boundary.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, manifolds.tolerance);
     boundary.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, manifolds.tolerance);
@@ -203,10 +197,9 @@ class Builder {
     const CurveView u{boundary.wrapped_u, false}, s{boundary.wrapped_s, false};
     try {
       boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
-    } catch (const NotSimpleError& error) {
+    } catch (const NotSimpleError&) {  // strands closer to each other than polygons show
       options.check_simple = false;
       boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
-      result_.remarks.push_back("on the cylinder, where manifolds are followed coarsely, " + std::string(error.what()));
     }
     Barrier& barrier = boundary.barrier;
     barrier.tangle = boundary.wrapped.get();
@@ -223,8 +216,42 @@ class Builder {
     }
   }
 
+  void finish(const TransportSeries& series) {
+    result_.regions = series.partition().regions();
+    const std::vector<Barrier> last = barriers();
+    for (std::size_t c = 0; c < growths_.size(); ++c) {
+      TransportBoundary& boundary = result_.boundaries[c];
+      boundary.enclosed = enclosed_area(last[c], 0);
+      boundary.area12 = series.turnstiles()[c].area12();
+      boundary.area21 = series.turnstiles()[c].area21();
+      boundary.manifolds = growths_[c]->take();
+      const ManifoldTangle& manifolds = *boundary.manifolds;
+      result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
+      boundary.action12 = boundary.action21 = manifolds.areas_by_action.empty() ? unknown : 0;
+      for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
+        const bool leaves = manifolds.tangle.images.labels[manifolds.image_of_bip(-1) + k].from == 1;
+        (leaves ? boundary.action12 : boundary.action21) += std::fabs(manifolds.areas_by_action[k]);
+      }
+    }
+    if (options_.particles > 0) {
+      ParticleOptions how;
+      how.count = options_.particles;
+      how.seed = options_.seed;
+      how.progress = [&](double) { return !options_.progress || options_.progress("particles"); };
+      const auto stride = static_cast<std::size_t>(result_.iterates_a_step);
+      const std::vector<RegionMatrix> counted =
+          count_particles(map_, result_.cylinder ? &*result_.cylinder : nullptr, last, series.partition(),
+                          static_cast<int>(result_.steps.size() * stride), how);
+      for (std::size_t k = 0; k < result_.steps.size(); ++k) {
+        result_.steps[k].by_particles = counted[(k + 1) * stride - 1];
+      }
+    }
+    for (const TransportStep& step : result_.steps) compare(result_.agreement, series.partition(), step);
+  }
+
   const PlanarMap& map_;
   const TransportOptions& options_;
+  std::vector<std::unique_ptr<TangleGrowth>> growths_;
   Transport result_;
 };
 

@@ -80,9 +80,11 @@ struct TransportOptions {
   double tolerance = 1e-5;          ///< of the manifolds, see ManifoldTangleOptions
   std::optional<Point> bip_near{};  ///< of q, of the first tangle
   std::size_t most_points = 20'000'000;
-  std::vector<Connection> further{};  ///< whose boundaries bound more regions
-  Point lattice{};                    ///< as in System: the plane repeats itself after it; (0, 0) if it does not
-  std::uint64_t particles = 0;        ///< counted in each bounded region; 0: none
+  double max_work = ManifoldTangleOptions{}.max_work;  ///< for each tangle, as in ManifoldTangleOptions
+  double budget = 0;                                   ///< likewise
+  std::vector<Connection> further{};                   ///< whose boundaries bound more regions
+  Point lattice{};              ///< as in System: the plane repeats itself after it; (0, 0) if it does not
+  std::uint64_t particles = 0;  ///< counted in each bounded region; 0: none
   std::uint64_t seed = 1;
   std::function<bool(const std::string&)> progress{};
   /// Called with each row, without particles, when it is ready, from the calling thread.
@@ -115,7 +117,8 @@ struct Transport {
 };
 
 /// Everything from a map: grows the manifolds, finds the turnstiles and computes a_ij(n) and T_ij(n) for n up to
-/// options.iterates. Throws as grow_tangle, and DataError where the map does not preserve area.
+/// options.iterates, or as far as points and work suffice: then a remark says what the next n would take. Throws as
+/// grow_tangle when there is not even n = 1, and DataError where the map does not preserve area.
 [[nodiscard]] Transport transport(const PlanarMap& map, const Connection& connection,
                                   const TransportOptions& options = {});
 

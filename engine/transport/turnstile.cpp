@@ -31,8 +31,9 @@ Turnstile::Turnstile(Barrier barrier) : barrier_(std::move(barrier)) {
 
 Measured Turnstile::area(std::size_t lobe) const {
   const Lobe& found = barrier_.tangle->lobes[lobe];
-  return {std::fabs(found.area),
-          found.smooth_error + barrier_.curve_error * perimeter(lobe_outline(*barrier_.tangle, lobe))};
+  const double beside =
+      barrier_.lobes_include_it ? 0 : barrier_.curve_error * perimeter(lobe_outline(*barrier_.tangle, lobe));
+  return {std::fabs(found.area), found.smooth_error + beside};
 }
 
 Measured Turnstile::common(std::size_t i, std::size_t j) const {
