@@ -87,7 +87,7 @@ struct ReadOptions {
 };
 
 /// Reads every zone of a file. The format is chosen by the content, never by the name. The file is
-/// memory-mapped and text is parsed in parallel. Throws DataError "path:line: what is wrong" for a file that
+/// read into memory and text is parsed in parallel. Throws DataError "path:line: what is wrong" for a file that
 /// is missing, unreadable, empty, has a zone without points, a line that is not two finite numbers, a column
 /// count other than two, a declared count (I=, N=) that contradicts the points, or a truncated binary file.
 /// What has no lines (a missing file, a binary one) is named by "path: what is wrong". A pipe is read to its

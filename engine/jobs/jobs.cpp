@@ -111,9 +111,8 @@ class JobQueue::Run final : public JobRunner {
     if (result.error.empty()) {
       try {
         result.record = job.operation->run({std::span(curves).first(ids.size()), allowance}, *job.options);
-      } catch (const Cancelled& error) {
-        if (queue_.stop_ || queue_.cancelled_) throw;
-        result.error = error.what();
+      } catch (const Cancelled&) {
+        throw;
       } catch (const std::bad_alloc&) {
         result.error = "out of memory";
       } catch (const std::exception& error) {
