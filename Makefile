@@ -10,14 +10,22 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev
 
-.PHONY: demo test build bench bench-batch figures stress fuzz deps mpi-deps bench-deps format tidy clean
+.PHONY: demo test build bench bench-batch docs-figures docs-check check-readme stress fuzz deps mpi-deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
 
-# The figures of docs/figures.md: about a minute on two cores.
-figures: build
-	@scripts/figures.sh
+# The figures and the numbers of all documents, from the program and from bench/RESULTS.md: some minutes on two cores.
+# docs-check makes them elsewhere and fails when a committed one differs; make test does so for those that take seconds.
+docs-figures: build
+	@scripts/docs.sh make
+
+docs-check: build
+	@scripts/docs.sh check
+
+# Every command and code block of README.md, executed.
+check-readme: build
+	@scripts/check-readme.sh
 
 test: deps mpi-deps
 	cmake --preset release

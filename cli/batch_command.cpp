@@ -12,19 +12,28 @@
 #include "cli/interrupt.hpp"
 #include "cli/report.hpp"
 #include "engine/jobs/export.hpp"
+#include "engine/jobs/forecast.hpp"
+#include "engine/parallel/cancellation.hpp"
 
 namespace lober::cli {
 namespace {
 
 using Arguments = std::vector<std::string>;
 
+std::string how_far(const ExportCounts& counts) {
+  return fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing);
+}
+
 void run_manifest(const Arguments& arguments) {
   const std::optional<BatchRequest> request = parse_batch(arguments, "lober batch run");
   if (!request) return;
+  if (!request->json.empty()) {
+    const std::vector<Output> outputs{{"--json", request->json}};
+    check_outputs(outputs, std::vector{request->manifest, request->store});
+  }
   const Manifest manifest = read_manifest(request->manifest);
   BatchReport report;
   with_thread_limit(request->threads, [&] {
-    watch_for_interrupt();
     BatchProgress line;
     BatchOptions options;
     options.store = request->store;
@@ -37,16 +46,20 @@ void run_manifest(const Arguments& arguments) {
     };
     report = run_batch(manifest, options);
   });
+  const CancellationScope shield(CancellationScope::Shield{});  // what was done is told in any case
+  warn_of(report.damaged);
   if (!request->json.empty()) write_batch_json(request->json, report, request->manifest, request->store);
   if (request->json != "-") print(batch_summary(report, request->store));
   judge(report, request->store);
 }
 
 void check_manifest(const Arguments& arguments) {
-  std::string path;
-  CLI::App app("Reads a manifest and says how much work it is.", "lober batch check");
+  std::string path, memory;
+  CLI::App app("Reads a manifest and says how much work it is, and what there is no memory for.", "lober batch check");
   app.add_option("MANIFEST", path, "what would be computed (TOML)")->required();
+  app.add_option("--memory", memory, "as for lober batch run (default: half of the machine's)")->type_name("SIZE");
   if (!parse_arguments(app, arguments)) return;
+  const std::size_t room = app.count("--memory") != 0 ? parse_memory(memory) : machine_memory() / 2;
   const Plan plan = make_plan(read_manifest(path));
   const Estimate sum = estimate(plan, path);
   std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
@@ -67,6 +80,7 @@ void check_manifest(const Arguments& arguments) {
   text += fmt::format("about {:.2g} s on one core if curves cross a few times; dense tangles take longer\n",
                       sum.core_seconds);
   print(text);
+  warn_of(forecast_shortage(plan, path, room));
 }
 
 void show_status(const Arguments& arguments) {
@@ -75,15 +89,16 @@ void show_status(const Arguments& arguments) {
   app.add_option("STORE", path, "as written by lober batch run")->required();
   if (!parse_arguments(app, arguments)) return;
   const Store store = Store::open(path);
-  const ExportCounts counts = count_results(store);
-  std::string text = fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing);
+  const StoreSurvey found = survey(store);
+  std::string text = how_far(found.counts);
   for (const Store::Run& run : store.runs()) {
     text += fmt::format("run {}: {} to {} {}, lober {} ({}), {}, {} ({}), shard {}\n", run.id, run.started,
                         run.ended.empty() ? "?" : run.ended, run.how.empty() ? "broken off" : run.how, run.version,
                         run.commit, run.host, run.compiler, run.flags, run.shard);
   }
-  for (const std::string& failure : failures_of(store)) text += failure + "\n";
+  for (const std::string& failure : found.failures) text += failure + "\n";
   print(text);
+  warn_of(found.counts.damaged);
 }
 
 void export_store(const Arguments& arguments) {
@@ -105,6 +120,7 @@ void export_store(const Arguments& arguments) {
   if (output != "-") {
     print(fmt::format("{} done, {} failed, {} not there yet\n", counts.done, counts.failed, counts.missing));
   }
+  warn_of(counts.damaged);
 }
 
 void merge_stores(const Arguments& arguments) {
@@ -115,16 +131,22 @@ void merge_stores(const Arguments& arguments) {
   app.add_option("STORES", sources, "what is taken over")->required();
   if (!parse_arguments(app, arguments)) return;
   Store store = Store::create(target);
-  for (const std::string& source : sources) store.merge(Store::open(source));
-  const ExportCounts counts = count_results(store);
-  print(fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing));
+  for (const std::string& source : sources) {
+    const Store other = Store::open(source);
+    store.merge(other);
+    warn_of(survey(other).counts.damaged);
+  }
+  const ExportCounts counts = survey(store).counts;
+  print(how_far(counts));
+  warn_of(counts.damaged);
 }
 
 constexpr const char* usage = R"(lober batch: many curves and pairs
 
 usage:
-  lober batch run MANIFEST [options]    computes what is not in the store yet; the first interrupt lets running jobs
-                                        finish, a second one stops at once; nothing that was stored is lost
+  lober batch run MANIFEST [options]    computes what is not in the store yet; the first interrupt lets jobs that run
+                                        finish within a second, a second one stops at once; nothing that was
+                                        stored is lost
   lober batch check MANIFEST            reads the manifest and says how much work it is
   lober batch status STORE              how far a store is, who computed, what failed
   lober batch export STORE [-o FILE]    the results as CSV, JSON lines or NPY

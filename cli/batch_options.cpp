@@ -62,8 +62,13 @@ std::optional<BatchRequest> parse_batch(const std::vector<std::string>& argument
       ->type_name("FILE");
   app.add_flag("-q,--quiet", request.quiet, "no progress on standard error");
   if (!parse_arguments(app, arguments)) return std::nullopt;
-  if (!memory.empty()) request.memory = parse_memory(memory);
-  if (!shard.empty()) request.shard = parse_shard(shard);
+  if (app.count("--memory") != 0) request.memory = parse_memory(memory);
+  if (app.count("--shard") != 0) request.shard = parse_shard(shard);
+  for (const char* const name : {"--store", "--json"}) {
+    if (app.count(name) != 0 && app[name]->as<std::string>().empty()) {
+      throw UsageError(std::string(name) + ": the name of the file is empty");
+    }
+  }
   if (request.store.empty()) request.store = default_store(request.manifest);
   return request;
 }

@@ -1,6 +1,7 @@
 #include "cli/batch_report.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -89,6 +90,7 @@ void write_batch_json(const std::string& path, const BatchReport& report, const 
                     {"run", queue.jobs},
                     {"failed", queue.failed},
                     {"stopped", queue.stopped},
+                    {"damaged", report.damaged.size()},
                     {"points", queue.points},
                     {"files_read", cache.units_read},
                     {"most_reads_of_a_file", cache.most_reads},
@@ -105,6 +107,12 @@ void write_batch_json(const std::string& path, const BatchReport& report, const 
                       {"queue", queue.wall_seconds},
                       {"total", report.wall_seconds}}}};
   write_file(path, dumped(object) + "\n");
+}
+
+void warn_of(const std::vector<std::string>& lines) {
+  constexpr std::size_t most = 20;
+  for (std::size_t k = 0; k < std::min(most, lines.size()); ++k) spdlog::warn("{}", lines[k]);
+  if (lines.size() > most) spdlog::warn("and {} more such lines", lines.size() - most);
 }
 
 void judge(const BatchReport& report, const std::string& store) {

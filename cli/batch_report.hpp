@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include "engine/jobs/batch.hpp"
 
@@ -26,6 +27,9 @@ class BatchProgress {
 [[nodiscard]] std::string batch_summary(const BatchReport& report, const std::string& store);
 void write_batch_json(const std::string& path, const BatchReport& report, const std::string& manifest,
                       const std::string& store);
+
+/// One line each on standard error, of very many the first.
+void warn_of(const std::vector<std::string>& lines);
 
 /// Throws what the exit status asks for: DataError when jobs failed, Cancelled when it was stopped.
 void judge(const BatchReport& report, const std::string& store);

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "cli/output_names.hpp"
+#include "engine/curve/curve_spec.hpp"
 #include "engine/curve/output_file.hpp"
 #include "engine/error.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -24,10 +26,9 @@ bool same_file(const std::string& first, const std::string& second) {
   return fs::weakly_canonical(fs::absolute(first), ignored) == fs::weakly_canonical(fs::absolute(second), ignored);
 }
 
-// The file of FILE or FILE#ZONE.
-std::string file_of(const std::string& spec) {
-  std::error_code ignored;
-  return fs::exists(spec, ignored) ? spec : spec.substr(0, spec.rfind('#'));
+// "-" is what standard input was redirected from.
+std::string input_path(const std::string& spec) {
+  return spec == "-" ? "/dev/stdin" : file_of_curve(spec);
 }
 
 // Pipes and devices can take several outputs, and opening them has effects.
@@ -54,10 +55,13 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
     }
     if (is_special(output.path)) continue;
     for (const std::string& input : inputs) {
-      if (same_file(file_of(input), output.path)) {
+      if (same_file(input_path(input), output.path)) {
         throw UsageError(output.option + " would overwrite the input " + output.path);
       }
     }
+  }
+  for (const Output& output : outputs) {
+    if (!is_special(output.path)) require_fitting_name(output.option, output.path);
   }
   for (const Output& output : outputs) {
     // Opens a temporary file beside it, and removes that again.
@@ -73,13 +77,20 @@ bool parse_arguments(CLI::App& app, const std::vector<std::string>& arguments) {
   try {
     std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
     app.parse(std::move(last_first));
-    return true;
   } catch (const CLI::CallForHelp&) {
     print(app.help());
     return false;
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + " (see " + app.get_name() + " --help)");
   }
+  // An empty text would mean that the option was not given: a variable of the shell that was never set.
+  for (const CLI::Option* option : app.get_options()) {
+    const auto& values = option->results();
+    if (option->count() > 0 && std::find(values.begin(), values.end(), std::string()) != values.end()) {
+      throw UsageError(option->get_name() + " is given an empty text (see " + app.get_name() + " --help)");
+    }
+  }
+  return true;
 }
 
 void add_threads_option(CLI::App& app, int& threads) {

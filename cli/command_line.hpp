@@ -24,8 +24,10 @@ struct Output {
   std::string path;
 };
 
-/// Refuses, before any work is done, outputs that would overwrite each other or an input (UsageError) and
-/// outputs that cannot be written (DataError). `inputs` may carry a zone (FILE#ZONE).
+/// Refuses, before any work is done, outputs that would overwrite each other or an input, outputs whose names say
+/// another format than is written (UsageError; output_names.hpp), and outputs that cannot be written (DataError).
+/// `inputs` may carry a zone (FILE#ZONE). What is not known yet, as the files that a manifest names, OutputFile refuses
+/// to replace (engine/curve/input_guard.hpp).
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs);
 
 /// Whether one of the files is standard output, which holds one thing only: then nothing else is printed there.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 #include "engine/densify/densify.hpp"
 
@@ -47,6 +48,11 @@ std::vector<LabelledPoint> densified_curve(const Crossings& nodes, int curve, De
       side = change.side;
     }
     insert_before(1);
+    const std::size_t max_points = InteriorOptions{}.max_points;
+    if (points.size() > max_points) {
+      throw DataError("-DENS would make a curve of more than " + std::to_string(max_points) +
+                      " points, the limit; fewer passes or fewer points will do");
+    }
   }
   return points;
 }

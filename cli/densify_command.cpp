@@ -2,16 +2,14 @@
 
 #include "cli/densify_command.hpp"
 
-#include <tbb/global_control.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "cli/command_line.hpp"
 #include "cli/densify_report.hpp"
+#include "cli/output_names.hpp"
 #include "cli/point_file.hpp"
 #include "cli/progress.hpp"
-#include "engine/parallel/parallel.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
@@ -37,7 +35,6 @@ void add_options(CLI::App& app, Request& request, std::string& interpolation) {
       ->required()
       ->expected(1, 2);
   app.add_option("-o,--output", request.output, "where the points go: .npy, .csv, .txt, .dat or .raw (- for text)")
-      ->required()
       ->type_name("FILE");
   app.add_flag("--open", request.open, "CURVE is open: its last vertex is not joined to the first");
   app.add_flag("--open-against", request.open_against, "AGAINST is open");
@@ -95,6 +92,7 @@ void check(const Request& request) {
   if (!near && !steps.criteria && !steps.thin) {
     throw UsageError("nothing to do: give --tau, --hobson, --alpha, --passes, --crossings or --remove");
   }
+  if (request.output.empty()) throw UsageError("-o FILE is needed (see lober densify --help)");
   (void)format_of(request.output);
   if (!request.against_output.empty()) (void)format_of(request.against_output);
 }
@@ -110,15 +108,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       "--crossings.",
       "lober densify");
   add_options(app, request, interpolation);
-  try {
-    std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
-    app.parse(std::move(last_first));
-  } catch (const CLI::CallForHelp&) {
-    print(app.help());
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + " (see lober densify --help)");
-  }
+  if (!parse_arguments(app, arguments)) return std::nullopt;
   const bool angles = request.hobson || request.alpha < Criteria::off || request.distance_angle < Criteria::off;
   if (angles || request.tau < Criteria::off) steps.criteria = Criteria{};
   if (request.delta >= 0 && !steps.criteria)
@@ -154,6 +144,7 @@ void compute(const Request& request, DensifyReport& report, Progress& progress) 
     report.done.push_back({step, result.points.size(), result.rounds});
     progress.advance(0.5);
   };
+  progress.of(static_cast<double>(given.points.size()), "points");
   progress.phase("densifying", 0.3, 0.8);
   if (steps.thin) done("remove", thin(result, *steps.thin));
   if (steps.criteria) {
@@ -176,7 +167,7 @@ void compute(const Request& request, DensifyReport& report, Progress& progress) 
 
 void run(const Request& request) {
   const Stopwatch watch;
-  std::vector<Output> outputs{{"--output", request.output}};
+  std::vector<Output> outputs{{"-o", request.output}};
   if (!request.against_output.empty()) outputs.push_back({"--against-output", request.against_output});
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   check_outputs(outputs, request.curves);
@@ -206,13 +197,7 @@ void run(const Request& request) {
 
 void run_densify(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
-  if (!request) return;
-  // As in `overlay`: the global limit lets there be more threads than the machine has cores.
-  std::optional<tbb::global_control> limit;
-  if (request->threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request->threads));
-  }
-  with_threads(request->threads, [&] { run(*request); });
+  if (request) with_thread_limit(request->threads, [&] { run(*request); });
 }
 
 }  // namespace lober::cli

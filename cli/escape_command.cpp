@@ -6,14 +6,19 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cli/agreement_report.hpp"
 #include "cli/command_line.hpp"
 #include "cli/escape_report.hpp"
 #include "cli/progress.hpp"
+#include "cli/system_options.hpp"
 #include "engine/error.hpp"
+#include "engine/parallel/cancellation.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
 namespace {
+
+constexpr double default_budget = 30;  // a quarter of a minute on two cores
 
 struct Request {
   std::string system;
@@ -60,9 +65,16 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
                  "of the curves, relative to the square root of their area (default 1e-6)")
       ->check(CLI::Range(1e-12, 1e-2))
       ->type_name("E");
-  app.add_option("--max-points", request.options.most_points, "of a curve")
+  app.add_option("--max-points", request.options.most_points,
+                 "of a curve (default 2000000): the table ends before an image that is expected to need more")
       ->check(CLI::Range(std::size_t{100}, std::size_t{1} << 30))
       ->type_name("M");
+  request.options.budget = default_budget;
+  app.add_option("--budget", request.options.budget,
+                 "of processor time, all threads together (default 30): the table ends before images that are expected "
+                 "to end later")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
   CLI::Option* count =
       app.add_option("--monte-carlo", request.trajectories, "also follow so many trajectories from each entrance")
           ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}))
@@ -161,6 +173,11 @@ Section section_of(const Request& request, const System& system) {
     const auto [name, value] = assignment(request.section, "--section", "=", separator);
     section = position_section(flow, position_coordinate(flow, name, "--section"), value, 1);
   }
+  if (section.bound_side != 0 && request.bound.empty() && request.options.crossings > 0) {
+    throw UsageError("the own section of " + request.system +
+                     " counts a part of the crossings only, a table of escape needs all: give --section, or "
+                     "--iterates 0 for orbits and tubes alone");
+  }
   if (!request.direction.empty()) section.direction = request.direction == "+" ? 1 : request.direction == "-" ? -1 : 0;
   if (!request.bound.empty()) {
     const auto [name, value] = assignment(request.bound, "--bound", "<>", separator);
@@ -171,7 +188,7 @@ Section section_of(const Request& request, const System& system) {
   return section;
 }
 
-void compute(const Request& request, EscapeReport& report, Progress& progress) {
+void compute(const Request& request, bool print_at_once, EscapeReport& report, Progress& progress) {
   const System system = system_of(request);
   if (!system.flow) throw UsageError("escape needs a flow; " + request.system + " is a map");
   report.system = system.info;
@@ -183,9 +200,19 @@ void compute(const Request& request, EscapeReport& report, Progress& progress) {
   const double energy = energy_of(request, system);
   const Section section = section_of(request, system);
 
-  progress.phase("tubes", 0, request.trajectories > 0 ? 0.2 : 0.9);
+  progress.phase("tubes", 0, request.trajectories > 0 ? 0.5 : 0.95);
   EscapeOptions options = request.options;
-  options.progress = [&](const std::string&) { return progress.advance(0.5); };
+  options.progress = [&](const EscapeProgress& at) { return progress.advance(at.fraction); };
+  if (print_at_once) {
+    options.rows_known = [&, warned = false](const Escape& so_far, int n) mutable {
+      progress.above([&] {
+        if (!warned) print(agreement_text(so_far.agreement));
+        warned = !so_far.agreement.agrees();
+        if (n == 1) print(escape_heading(report.system.name, so_far));
+        print(escape_rows(so_far, n));
+      });
+    };
+  }
   const Stopwatch escape_watch;
   if (options.crossings > 0) {
     report.result = escape(*system.flow, section, energy, saddles, options);
@@ -193,18 +220,24 @@ void compute(const Request& request, EscapeReport& report, Progress& progress) {
     report.result.energy = energy;
     report.result.section = section;
     report.result.bottlenecks = bottlenecks(*system.flow, section, energy, saddles, options);
+    compare_areas(report.result.bottlenecks, report.result.agreement);
   }
   report.escape_seconds = escape_watch.seconds();
-  if (request.trajectories == 0) return;
+  if (request.trajectories == 0 || report.result.stop == EscapeStop::cancelled) return;
 
-  progress.phase("Monte Carlo", 0.2, 0.9);
+  progress.phase("Monte Carlo", 0.5, 0.95);
   const Stopwatch check_watch;
   report.check_options.trajectories = request.trajectories;
   report.check_options.seed = request.seed;
   MonteCarloOptions check = report.check_options;
-  check.progress = [&](double fraction) { return progress.advance(fraction); };
+  const auto all = static_cast<double>(request.trajectories * report.result.bottlenecks.size());
+  check.progress = [&](double fraction) {
+    progress.count(fraction * all, "trajectories");
+    return progress.advance(fraction);
+  };
   report.check = monte_carlo(*system.flow, report.result, check);
   report.check_seconds = check_watch.seconds();
+  compare(report.result, *report.check, report.result.agreement);
 }
 
 void run(const Request& request) {
@@ -212,16 +245,33 @@ void run(const Request& request) {
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system));
+  const bool printing = !takes_standard_output(outputs);
+  // Rows are printed as soon as they are known. But a count of trajectories may contradict any of them at the end, and
+  // then the first line has to say so.
+  const bool print_at_once = printing && request.trajectories == 0;
   EscapeReport report;
+  std::optional<CancellationScope> shield;  // what is known is written, even after an interrupt
   {
     Progress progress;
-    compute(request, report, progress);
-    progress.phase("writing", 0.9, 1);
+    compute(request, print_at_once, report, progress);
+    if (report.result.stop == EscapeStop::cancelled) {
+      shield.emplace(CancellationScope::Shield{});
+    } else {
+      progress.phase("writing", 0.95, 1);
+    }
     if (!request.svg.empty()) write_escape_picture(request.svg, report);
     if (!request.json.empty()) write_escape_json(request.json, report, [&] { return watch.seconds(); });
   }
-  if (!takes_standard_output(outputs)) print(escape_table(report));
+  const Escape& result = report.result;
+  if (printing && (!print_at_once || result.crossings == 0)) {
+    print(agreement_text(result.agreement));
+    print(escape_heading(report.system.name, result));
+    for (int n = 1; n <= result.crossings; ++n) print(escape_rows(result, n));
+  }
+  if (printing) print(escape_summary(report));
+  if (result.stop == EscapeStop::cancelled) throw Cancelled();
+  require_agreement(result.agreement);
 }
 
 }  // namespace

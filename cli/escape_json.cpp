@@ -1,5 +1,6 @@
 // The JSON object of `lober escape`.
 
+#include "cli/agreement_report.hpp"
 #include "cli/escape_report.hpp"
 #include "cli/json.hpp"
 
@@ -68,6 +69,7 @@ Json table_json(const EscapeReport& report, const std::vector<std::string>& name
                {"torn", row.torn},
                {"split", {row.forward, row.backward}},
                {"other", number(row.other)},
+               {"other_error", number(row.other_error)},
                {"other_split", {row.other_forward, row.other_backward}}};
     if (report.check) {
       const MonteCarloFraction& counted = report.check->table[k];
@@ -77,6 +79,31 @@ Json table_json(const EscapeReport& report, const std::vector<std::string>& name
     table.push_back(std::move(entry));
   }
   return table;
+}
+
+// Null for a table that goes as far as was asked for.
+Json stop_json(const EscapeReport& report) {
+  const Escape& result = report.result;
+  Json stop{{"why", stop_text(report)}};
+  switch (result.stop) {
+    case EscapeStop::done:
+      return nullptr;
+    case EscapeStop::points:
+      stop["reason"] = "points";
+      stop["points_ahead"] = result.points_ahead;
+      break;
+    case EscapeStop::budget:
+      stop["reason"] = "budget";
+      stop["seconds_ahead"] = result.seconds_ahead;
+      break;
+    case EscapeStop::lost:
+      stop["reason"] = "lost";
+      break;
+    case EscapeStop::cancelled:
+      stop["reason"] = "interrupted";
+      break;
+  }
+  return stop;
 }
 
 Json survival_json(const EscapeReport& report, const std::vector<std::string>& names) {
@@ -112,7 +139,8 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
                {{"iterates", report.options.crossings},
                 {"tolerance", report.options.tolerance},
                 {"strip", report.options.strip},
-                {"max_points", report.options.most_points}}},
+                {"max_points", report.options.most_points},
+                {"budget", report.options.budget}}},
               {"section",
                {{"coordinate", section.coordinate},
                 {"value", section.value},
@@ -123,9 +151,12 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
                                                          {"value", section.bound},
                                                          {"side", section.bound_side}}}}},
               {"bottlenecks", necks},
+              {"crossings", result.crossings},
+              {"stop", stop_json(report)},
               {"table", table_json(report, names)},
               {"survival", survival_json(report, names)},
               {"consistency", {{"largest_split_difference", result.largest_split_difference}}}};
+  add_agreement(object, result.agreement);
   if (report.check) {
     object["monte_carlo"] = {{"trajectories", report.check->trajectories},
                              {"seed", report.check_options.seed},

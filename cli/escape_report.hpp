@@ -23,8 +23,14 @@ struct EscapeReport {
 /// "left" and "right" when there is one bottleneck on either side of the section, else "1", "2", ...
 [[nodiscard]] std::vector<std::string> bottleneck_names(const Escape& result);
 
-/// The table of the paper, exit by exit: one line a crossing, one column an entrance.
-[[nodiscard]] std::string escape_table(const EscapeReport& report);
+/// Orbits and tubes.
+[[nodiscard]] std::string escape_heading(const std::string& system, const Escape& result);
+/// The rows of n, one line for each entrance and exit; under a heading those of n = 1.
+[[nodiscard]] std::string escape_rows(const Escape& result, int n);
+/// What is known when all rows are: why the table ends, who remains, how well routes agree, what was counted.
+[[nodiscard]] std::string escape_summary(const EscapeReport& report);
+/// "n = 1..3 of 7: the next image needs 4e+07 points (--max-points 2000000)"
+[[nodiscard]] std::string stop_text(const EscapeReport& report);
 
 /// `seconds_so_far` is asked last, for the member `timing`.
 void write_escape_json(const std::string& path, const EscapeReport& report,

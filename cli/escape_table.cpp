@@ -1,4 +1,4 @@
-// The table of `lober escape`, for people.
+// The table of `lober escape`, for people: what is known first is printed first.
 
 #include <spdlog/fmt/fmt.h>
 
@@ -11,25 +11,16 @@ namespace {
 
 // As many digits as the error bar leaves, at most twelve.
 std::string percent(double fraction, double error) {
-  if (!(fraction == fraction)) return "torn";
+  if (!(fraction == fraction)) return "not known";
   if (fraction == 0 && error == 0) return "0";
   const int digits = error > 0 ? std::clamp(static_cast<int>(-std::floor(std::log10(100 * error))), 0, 12) : 12;
   return fmt::format("{:.{}f} +- {:.0e}", 100 * fraction, digits, 100 * error);
 }
 
-const EscapeFraction* row(const Escape& result, std::size_t entry, std::size_t exit, int crossings,
-                          std::size_t& number) {
-  for (number = 0; number < result.table.size(); ++number) {
-    const EscapeFraction& here = result.table[number];
-    if (here.entry == entry && here.exit == exit && here.crossings == crossings) return &here;
-  }
-  return nullptr;
-}
-
-std::string orbits_text(const EscapeReport& report, const std::vector<std::string>& names) {
+std::string orbits_text(const Escape& result, const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const Bottleneck& neck = report.result.bottlenecks[k];
+    const Bottleneck& neck = result.bottlenecks[k];
     const PeriodicOrbit& orbit = neck.orbit;
     text += fmt::format(
         "bottleneck {:<6} saddle ({:.12g}, {:.12g}), energy {:.12g}\n"
@@ -58,45 +49,71 @@ std::vector<std::string> bottleneck_names(const Escape& result) {
   return names;
 }
 
-std::string escape_table(const EscapeReport& report) {
+std::string escape_heading(const std::string& system, const Escape& result) {
+  return fmt::format("{}, energy {:.15g}\n{}", system, result.energy, orbits_text(result, bottleneck_names(result)));
+}
+
+std::string escape_rows(const Escape& result, int n) {
+  const std::vector<std::string> names = bottleneck_names(result);
+  std::string text;
+  if (n == 1) {
+    text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "leaves after crossing n, %");
+  }
+  for (const EscapeFraction& row : result.table) {
+    if (row.crossings != n) continue;
+    text += fmt::format("{:>4}  {:<10} {:<10} {:>28}{}\n", n, names[row.entry], names[row.exit],
+                        percent(row.fraction, row.error), row.torn ? "  of torn curves" : "");
+  }
+  return text;
+}
+
+std::string escape_summary(const EscapeReport& report) {
   const Escape& result = report.result;
   const std::vector<std::string> names = bottleneck_names(result);
-  std::string text =
-      fmt::format("{}, energy {:.15g}\n{}", report.system.name, result.energy, orbits_text(report, names));
-  if (result.table.empty()) return text;
-  constexpr int column = 26;
-  for (std::size_t exit = 0; exit < names.size(); ++exit) {
-    text += fmt::format("\nexit {:<7} after crossing", names[exit]);
-    for (const std::string& entrance : names) text += fmt::format("  {:>{}}", "entrance " + entrance + ", %", column);
-    text += '\n';
-    for (int n = 1; n <= report.options.crossings; ++n) {
-      text += fmt::format("{:>25} ", n);
-      std::string counted = fmt::format("{:>26}", "counted");
-      for (std::size_t entry = 0; entry < names.size(); ++entry) {
-        std::size_t number = 0;
-        const EscapeFraction* const found = row(result, entry, exit, n, number);
-        text += fmt::format("  {:>{}}", found ? percent(found->fraction, found->error) : "-", column);
-        if (!report.check || !found) continue;
-        const MonteCarloFraction& check = report.check->table[number];
-        counted += fmt::format("  {:>{}}", percent(check.fraction, check.standard_error), column);
-      }
-      text += '\n';
-      if (report.check) text += counted + '\n';
-    }
-  }
+  if (report.options.crossings == 0) return {};
+  std::string text;
+  if (result.stop != EscapeStop::done) text += "\n" + stop_text(report) + "\n";
   for (std::size_t entry = 0; entry < names.size(); ++entry) {
     text += fmt::format("\nentrance {}: still inside after crossing", names[entry]);
     for (const Survival& step : survival(result, entry)) {
-      text += fmt::format("  {}: {} %", step.crossings, fmt::format("{:.10g}", 100 * step.remains));
+      text += fmt::format("  {}: {} %", step.crossings, percent(step.remains, step.error));
     }
   }
   text += fmt::format("\nlargest difference between two splits of one fraction: {:.0e} %\n",
                       100 * result.largest_split_difference);
-  if (report.check) {
-    text += fmt::format("{} trajectories from each entrance, {} lost: largest deviation {:.2f} standard errors\n",
-                        report.check->trajectories, report.check->lost, report.check->largest_deviation);
+  if (!report.check) return text;
+  text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "counted, %");
+  for (std::size_t k = 0; k < result.table.size(); ++k) {
+    const EscapeFraction& row = result.table[k];
+    const MonteCarloFraction& counted = report.check->table[k];
+    text += fmt::format("{:>4}  {:<10} {:<10} {:>28}\n", row.crossings, names[row.entry], names[row.exit],
+                        percent(counted.fraction, counted.standard_error));
   }
+  text += fmt::format("{} trajectories from each entrance, {} lost: largest deviation {:.2f} standard errors\n",
+                      report.check->trajectories, report.check->lost, report.check->largest_deviation);
   return text;
+}
+
+std::string stop_text(const EscapeReport& report) {
+  const Escape& result = report.result;
+  const std::string how_far = result.crossings == 0
+                                  ? fmt::format("no n of {}", report.options.crossings)
+                                  : fmt::format("n = 1..{} of {}", result.crossings, report.options.crossings);
+  switch (result.stop) {
+    case EscapeStop::done:
+      return how_far;
+    case EscapeStop::points:
+      return fmt::format("{}: the next image needs {:.1g} points (--max-points {})", how_far, result.points_ahead,
+                         report.options.most_points);
+    case EscapeStop::budget:
+      return fmt::format("{}: the next images need about {:.2g} s of processor time (--budget {:.15g})", how_far,
+                         result.seconds_ahead, report.options.budget);
+    case EscapeStop::lost:
+      return how_far + ": trajectories next to a bottleneck cannot be followed further";
+    case EscapeStop::cancelled:
+      return how_far + ": interrupted";
+  }
+  return how_far;
 }
 
 }  // namespace lober::cli

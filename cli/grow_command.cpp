@@ -6,11 +6,13 @@
 
 #include "cli/command_line.hpp"
 #include "cli/grow_report.hpp"
+#include "cli/output_names.hpp"
 #include "cli/point_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/system_options.hpp"
 #include "cli/text.hpp"
 #include "engine/dynamics/fixed_points.hpp"
+#include "engine/parallel/cancellation.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace lober::cli {
@@ -92,13 +94,32 @@ void check(Request& request) {
   if (!request.output.empty()) (void)format_of(request.output);
 }
 
-// How far growth is, as far as anyone can know.
-double fraction(const GrowthProgress& progress, const GrowthOptions& options) {
-  const double by_length = progress.length / options.length;
-  const double by_iterates =
-      options.iterates > 0 ? static_cast<double>(progress.iterates) / static_cast<double>(options.iterates) : 0;
-  return std::clamp(std::max(by_length, by_iterates), 0.0, 1.0);
-}
+// How far growth is, as far as anyone can know: by its length, and by what the iterates cost so far.
+class GrowthFraction {
+ public:
+  explicit GrowthFraction(const GrowthOptions& options) : options_(options) {}
+
+  double operator()(const GrowthProgress& progress) {
+    const auto images = static_cast<double>(progress.images);
+    if (progress.iterates > iterates_) {
+      cost_.add(std::max(images - begin_, 1.0));
+      begin_ = images;
+      iterates_ = progress.iterates;
+    }
+    const double by_length = progress.length / options_.length;
+    double by_iterates = 0;
+    if (options_.iterates > 0 && cost_.count() > 1) {
+      by_iterates = images / std::max(begin_ + cost_.sum(options_.iterates - iterates_), images);
+    }
+    return std::clamp(std::max(by_length, by_iterates), 0.0, 1.0);
+  }
+
+ private:
+  const GrowthOptions& options_;
+  GrowthForecast cost_;  // images of points, iterate by iterate
+  double begin_ = 0;     // of the present iterate
+  int iterates_ = 0;
+};
 
 ManifoldSide side_of(const Request& request) {
   return request.stable ? ManifoldSide::stable : ManifoldSide::unstable;
@@ -137,9 +158,9 @@ Branch branch_of(const Request& request, const System& system, const LocalManifo
 void run(const Request& request) {
   const Stopwatch watch;
   std::vector<Output> outputs;
-  if (!request.output.empty()) outputs.push_back({"--output", request.output});
+  if (!request.output.empty()) outputs.push_back({"-o", request.output});
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system));
   GrowReport report;
   report.system = make_system(request.system, parameter_values(request.parameters), request.integration);
   if (!report.system.map) throw UsageError(request.system + " has no planar map");
@@ -156,10 +177,19 @@ void run(const Request& request) {
     report.timing.local = local_watch.seconds();
     progress.phase("growing", 0.1, 0.9);
     const Stopwatch growth_watch;
-    report.options.progress = [&](const GrowthProgress& at) { return progress.advance(fraction(at, request.growth)); };
+    GrowthFraction fraction(request.growth);
+    report.options.progress = [&](const GrowthProgress& at) {
+      progress.count(static_cast<double>(at.points), "points");
+      return progress.advance(fraction(at));
+    };
     report.manifold = grow(*report.system.map, report.local, report.branch, report.options);
     report.timing.growth = growth_watch.seconds();
-    if (report.manifold.stop != GrowthStop::cancelled) progress.phase("writing", 0.9, 1);
+    std::optional<CancellationScope> shield;  // what was grown is written, even after an interrupt
+    if (report.manifold.stop == GrowthStop::cancelled) {
+      shield.emplace(CancellationScope::Shield{});
+    } else {
+      progress.phase("writing", 0.9, 1);
+    }
     const Stopwatch write_watch;
     if (!request.output.empty()) write_points(request.output, report.manifold.points);
     report.timing.write = write_watch.seconds();

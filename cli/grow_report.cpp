@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <array>
+#include <cstdlib>
 #include <limits>
 
 #include "cli/json_file.hpp"
@@ -45,6 +46,8 @@ Json local_json(const LocalManifold& local) {
   return {{"saddle", point_json(local.saddle)},
           {"tangent", point_json(local.tangent)},
           {"multiplier", local.multiplier},
+          {"reflection", local.multiplier < 0},
+          {"steps_of_image", std::abs(local.image().steps)},
           {"degree", local.coefficients.size() - 1},
           {"reach", local.reach},
           {"defect", local.defect},
@@ -90,6 +93,11 @@ std::string grow_summary(const GrowReport& report) {
   const GrownManifold& manifold = report.manifold;
   std::string text = fmt::format("saddle               ({:.15g}, {:.15g})\n", local.saddle.x, local.saddle.y);
   text += fmt::format("multiplier           {:.15g}\n", local.multiplier);
+  if (local.multiplier < 0) {
+    text += fmt::format(
+        "reflection           both multipliers are negative: images are those of f^{}, which keeps the branch\n",
+        std::abs(local.image().steps));
+  }
   text += fmt::format("local manifold       reach {:.4g}, defect {:.2g}\n", local.reach, local.defect);
   text +=
       fmt::format("grown                {} points, length {:.10g}, {} generations, stopped by {}\n",

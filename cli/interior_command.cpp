@@ -62,6 +62,8 @@ InteriorReport compute(const Request& request, Progress& progress) {
   }
   report.read_seconds = read_watch.seconds();
 
+  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
+              "points");
   progress.phase("interior", 0.25, 0.95);
   const Stopwatch index_watch;
   const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
@@ -75,7 +77,6 @@ InteriorReport compute(const Request& request, Progress& progress) {
   } catch (const NotSimpleError& error) {
     throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
   }
-  warn_of_overflow(report.result.areas);
   return report;
 }
 

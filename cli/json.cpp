@@ -13,12 +13,14 @@ Json areas_json(const Areas& areas) {
 }
 
 Json input_json(const NamedCurve& input, double area, Orientation orientation) {
-  return {{"file", input.file},
-          {"zone", input.zone},
-          {"sha256", input.sha256},
-          {"points", input.curve.points.size()},
-          {"area", orientation == Orientation::clockwise ? -area : area},
-          {"orientation", name(orientation)}};
+  Json object{{"file", input.file},
+              {"zone", input.zone},
+              {"sha256", input.sha256},
+              {"points", input.curve.points.size()},
+              {"area", orientation == Orientation::clockwise ? -area : area},
+              {"orientation", name(orientation)}};
+  if (!input.remark.empty()) object["remark"] = input.remark;
+  return object;
 }
 
 Json counts_json(const ContactCounts& counts) {

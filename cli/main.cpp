@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/batch_command.hpp"
@@ -14,13 +17,17 @@
 #include "cli/escape_command.hpp"
 #include "cli/grow_command.hpp"
 #include "cli/interior_command.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/overlay_command.hpp"
 #include "cli/published_form.hpp"
 #include "cli/published_tangle.hpp"
 #include "cli/tangle_command.hpp"
 #include "cli/transport_command.hpp"
 #include "engine/agreement.hpp"
+#include "engine/curve/curve_spec.hpp"
+#include "engine/curve/input_guard.hpp"
 #include "engine/error.hpp"
+#include "engine/parallel/cancellation.hpp"
 
 namespace lober::cli {
 namespace {
@@ -53,8 +60,41 @@ exit status: 0 done, 1 the data cannot be used, or a job of a batch failed, 2 th
 3 two independent routes to one quantity disagree beyond their error bars (everything is printed), 130 interrupted
 )";
 
+// How many letters have to be changed, left out, put in or exchanged with their neighbour to make one word of the
+// other.
+std::size_t letters_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t k = 0; k <= b.size(); ++k) last[k] = k;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t k = 1; k <= b.size(); ++k) {
+      row[k] = std::min({last[k] + 1, row[k - 1] + 1, last[k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1)});
+      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1]) row[k] = std::min(row[k], before[k - 2] + 1);
+    }
+    before = last;
+    last = row;
+  }
+  return last.back();
+}
+
+// The command that a word is a slip of, or empty. The published forms take any word for a file, and the last one for a
+// file to write.
+std::string command_meant(const std::string& word) {
+  std::error_code ignored;
+  if (word.empty() || word.front() == '-' || std::filesystem::exists(file_of_curve(word), ignored)) return {};
+  constexpr std::array<std::string_view, 8> commands{"overlay", "interior",  "densify", "tangle",
+                                                     "grow",    "transport", "batch",   "escape"};
+  for (const std::string_view command : commands) {
+    const std::size_t most = command.size() > 4 ? 2 : 1;
+    const bool begun = word.size() > 2 && command.starts_with(word);
+    if (begun || letters_between(word, command) <= most) return std::string(command);
+  }
+  return {};
+}
+
 void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
+  const InputGuard guard;
   const std::string& first = arguments[0];
   if (first == "--help" || first == "-h") {
     print(usage);
@@ -76,6 +116,8 @@ void run(const std::vector<std::string>& arguments) {
     run_batch_command({arguments.begin() + 1, arguments.end()});
   } else if (first == "escape") {
     run_escape({arguments.begin() + 1, arguments.end()});
+  } else if (const std::string meant = command_meant(first); !meant.empty()) {
+    throw UsageError("\"" + first + "\" is no command and no file; did you mean " + meant + "? (see lober --help)");
   } else if (is_published_tangle(arguments)) {
     run_published_tangle(arguments);
   } else {
@@ -83,14 +125,18 @@ void run(const std::vector<std::string>& arguments) {
   }
 }
 
-// Exactly one line, whatever the message holds.
+// Exactly one line, whatever the message holds, and nothing that a terminal obeys.
 int fail(std::string message, int status) {
   std::replace(message.begin(), message.end(), '\n', ' ');
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
   spdlog::error("{}", message);
   return status;
 }
 
 int guarded(const std::vector<std::string>& arguments) {
+  watch_for_interrupt();
+  const CancellationScope cancellation(interrupt_flag());
   try {
     run(arguments);
     return 0;
@@ -115,5 +161,6 @@ int main(int count, char** arguments) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("lober"));
   spdlog::set_pattern("lober: %v");
   spdlog::set_level(spdlog::level::warn);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, with a message
   return lober::cli::guarded({arguments + 1, arguments + count});
 }

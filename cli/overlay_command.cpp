@@ -97,14 +97,6 @@ std::array<NamedCurve, 2> read_inputs(const Request& request, Progress& progress
   return inputs;
 }
 
-void warn_of_overflow(const Areas& areas) {
-  for (const NamedArea& area : named_areas) {
-    if (std::isfinite(areas.*area.member)) continue;
-    spdlog::warn("warning: areas beyond the range of double, such as that of {}, are written as null", area.label);
-    break;
-  }
-}
-
 OverlayReport compute(const Request& request, Progress& progress) {
   OverlayReport report;
   report.options = request.options;
@@ -113,6 +105,8 @@ OverlayReport compute(const Request& request, Progress& progress) {
   report.inputs = read_inputs(request, progress);
   timing.read = read_watch.seconds();
 
+  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
+              "points");
   progress.phase("overlay", 0.25, 0.8);
   const Stopwatch index_watch;
   const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
@@ -140,7 +134,8 @@ OverlayReport compute(const Request& request, Progress& progress) {
       const bool lobes = pairing == Pairing::c1_minus_c2 || pairing == Pairing::c2_minus_c1;
       if (!lobes && request.json.empty()) continue;
       const auto number = static_cast<std::size_t>(pairing);
-      report.centroids[number] = centroids(report.result, pairing);
+      // The table shows a few centroids, and finds those itself.
+      if (!request.json.empty()) report.centroids[number] = centroids(report.result, pairing);
       report.slivers[number] = find_slivers(report.result, pairing);
       progress.advance(0.25 * static_cast<double>(number + 1));
     }
@@ -158,7 +153,6 @@ OverlayReport compute(const Request& request, Progress& progress) {
     report.smooth = smooth_areas(report.result);
     timing.smooth = smooth_watch.seconds();
   }
-  warn_of_overflow(report.result.areas);
   return report;
 }
 
@@ -195,6 +189,8 @@ RegionsReport compute_by_rule(const Request& request, Progress& progress) {
   const Stopwatch read_watch;
   report.inputs = read_inputs(request, progress);
   report.read_seconds = read_watch.seconds();
+  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
+              "points");
   progress.phase("regions", 0.25, 0.8);
   RegionOptions options;
   options.index = report.index;
@@ -208,7 +204,6 @@ RegionsReport compute_by_rule(const Request& request, Progress& progress) {
     }
   }
   report.pieces_seconds = pieces_watch.seconds();
-  warn_of_overflow(report.result.areas(report.rule));
   return report;
 }
 

@@ -29,7 +29,7 @@ struct OverlayReport {
   Areas discretisation;
   std::optional<Areas> consistency;  ///< |overlay - interior method|, when that was asked for
   std::optional<SmoothAreas> smooth;
-  // By Pairing. Empty for totals only, and for pairings that no output shows.
+  // By Pairing. Empty for totals only, and for pairings that no output shows; centroids without JSON, too.
   std::array<std::vector<Point>, 4> centroids;
   std::array<Slivers, 4> slivers;
   ReportTiming timing;

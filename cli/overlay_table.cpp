@@ -45,9 +45,9 @@ void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing,
   const std::vector<std::uint32_t> order = largest(pieces.areas());
   for (const std::uint32_t number : order) {
     const Piece piece = pieces[number];
-    const Point centroid = report.centroids_of(pairing)[number];
-    text += fmt::format("{:>8} {:>23.16g}   ({:>11.5g}, {:>11.5g}) {:>6}  {}\n", number, piece.area, centroid.x,
-                        centroid.y, piece.holes, crossings_text(piece.crossings));
+    const Point at = centroid(report.result, pairing, number);
+    text += fmt::format("{:>8} {:>23.16g}   ({:>11.5g}, {:>11.5g}) {:>6}  {}\n", number, piece.area, at.x, at.y,
+                        piece.holes, crossings_text(piece.crossings));
   }
   if (pieces.size() > order.size()) text += fmt::format("{:>8} and {} more\n", "...", pieces.size() - order.size());
   if (!slivers.pieces.empty()) {

@@ -1,7 +1,6 @@
 // Points into a file whose ending says the format.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "engine/curve/curve.hpp"
@@ -9,10 +8,7 @@
 
 namespace lober::cli {
 
-/// Writes the points in the format that the ending of the path names: .npy, .csv, .txt, .dat (Tecplot), .raw. "-" takes
-/// text. `format_of` throws UsageError for any other ending.
-enum class PointFormat : std::uint8_t { npy, csv, text, tecplot, raw };
-[[nodiscard]] PointFormat format_of(const std::string& path);
+/// Writes the points in the format that the ending of the path names (output_names.hpp). Throws UsageError, DataError.
 void write_points(const std::string& path, const Buffer<Point>& points);
 
 }  // namespace lober::cli

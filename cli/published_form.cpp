@@ -1,14 +1,19 @@
 #include "cli/published_form.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <optional>
+#include <sstream>
 
 #include "cli/command_line.hpp"
 #include "cli/densified_curve.hpp"
 #include "cli/interior_report.hpp"
 #include "cli/progress.hpp"
 #include "cli/text.hpp"
+#include "engine/curve/number.hpp"
 #include "engine/interior/interior.hpp"
 #include "engine/overlay/overlay.hpp"
 
@@ -137,6 +142,29 @@ constexpr std::array<PointFile, 6> point_files{{
     {"c20.dat", 2, Side::on},
 }};
 
+// The result is named by its place only, so a slip names another file: `lober A.npy B.npy C.npy`. No more is replaced
+// than what this form wrote before: one line of four numbers.
+void require_earlier_result(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored) || std::filesystem::file_size(path, ignored) == 0) return;
+  constexpr std::streamsize longest = 1024;
+  std::string content(static_cast<std::size_t>(longest), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(content.data(), longest);
+  content.resize(static_cast<std::size_t>(file.gcount()));
+  std::istringstream line(content);
+  std::size_t numbers = 0;
+  bool other =
+      content.size() == static_cast<std::size_t>(longest) || std::count(content.begin(), content.end(), '\n') > 1;
+  for (std::string word; line >> word; ++numbers) {
+    double value = 0;
+    other = other || parse_number(word, value) == NumberKind::not_a_number;
+  }
+  if (!other && numbers == 4) return;
+  throw UsageError("<rslt> would overwrite " + path +
+                   ", which is no earlier result (a line of four numbers); remove it first, or name another file");
+}
+
 }  // namespace
 
 void run_published_form(const std::vector<std::string>& arguments) {
@@ -144,11 +172,13 @@ void run_published_form(const std::vector<std::string>& arguments) {
   std::vector<Output> outputs{{"<rslt>", request.result}};
   for (const PointFile& file : point_files) outputs.push_back({"this command", file.path});
   check_outputs(outputs, request.curves);
+  require_earlier_result(request.result);
 
   Progress progress;
   progress.phase("reading", 0, 0.3);
   const std::array<NamedCurve, 2> inputs{read_curve(request.curves[0], true, {.hash = false}),
                                          read_curve(request.curves[1], true, {.hash = false})};
+  progress.of(static_cast<double>(inputs[0].curve.points.size() + inputs[1].curve.points.size()), "points");
   progress.phase(request.light ? "interior" : "overlay", 0.3, 0.8);
   const auto advance = [&](double fraction) { return progress.advance(fraction); };
   Result result;

@@ -1,7 +1,11 @@
 #include "cli/published_tangle.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 
 #include "cli/command_line.hpp"
@@ -17,6 +21,8 @@ constexpr std::size_t fewest = 8;  // arguments that are no options
 constexpr const char* form =
     "lober <u> <s> <lobefile> <manifile> <pipsfile> <uskip> <sskip> <nzones> [<lobebfile> [<lobeseq>]] [-BIP k]";
 constexpr const char* boundary_file = "separ.dat";
+constexpr std::string_view raster_header = "VARIABLES=\"x\"\"y\"\"lobe\"";
+constexpr std::string_view zones_header = "VARIABLES=\"x\"\"y\"";
 
 struct Request {
   std::array<std::string, 2> manifolds;
@@ -106,14 +112,32 @@ std::vector<NamedCurve> read_zones(const Request& request, std::size_t which) {
   return curves;
 }
 
+std::string table_of(std::size_t pair, const Tangle& found) {
+  std::string text = fmt::format("zone {}: {}, {}", pair, counted(found.pips.size(), "pip", "pips"),
+                                 counted(found.lobes.size(), "lobe", "lobes"));
+  text += found.boundary ? fmt::format(", bip {}\n", found.boundary->bip) : "\n";
+  if (!found.pips.empty()) text += fmt::format("{:>6} {:>24} {:>24}\n", "pip", "x", "y");
+  for (std::size_t k = 0; k < found.pips.size(); ++k) {
+    text += fmt::format("{:>6} {:>24} {:>24}\n", k, found.pips[k].at.x, found.pips[k].at.y);
+  }
+  if (!found.lobes.empty()) text += fmt::format("{:>6} {:>24} {:>10}\n", "lobe", "signed area", "+-");
+  for (std::size_t k = 0; k < found.lobes.size(); ++k) {
+    const double area = found.lobes[k].area;
+    text += fmt::format("{:>6} {:>24} {:>10.1e}\n", k, area, found.rounding(area));
+  }
+  return text;
+}
+
 // What goes to the files, of all pairs.
 struct Zones {
-  std::string raster = "VARIABLES=\"x\"\"y\"\"lobe\"\n";
+  std::string raster = std::string(raster_header) + "\n";
   std::vector<Zone> both, pips, lobes, boundaries;
+  std::string table;  // on standard output
 
   void add(std::size_t pair, const Tangle& found) {
     std::string prefix;
     append_all(prefix, "zone=", pair);
+    table += table_of(pair, found);
     append_raster_zone(raster, rasterise(found), prefix);
     for (const CurveView& manifold : {found.u(), found.s()}) {
       both.push_back({"", {manifold.points.begin(), manifold.points.end()}});
@@ -128,6 +152,25 @@ struct Zones {
     boundaries.push_back({"", boundary_outline(found)});
   }
 };
+
+// As for <rslt> of the other forms: what is named by its place replaces only what this form writes there, Tecplot text
+// with these variables.
+void require_earlier_results(const Request& request) {
+  const auto require = [](const std::string& option, const std::string& path, std::string_view header) {
+    std::error_code ignored;
+    if (path.empty() || !std::filesystem::is_regular_file(path, ignored)) return;
+    std::ifstream file(path, std::ios::binary);
+    std::string begin(header.size(), '\0');
+    file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    if (file.gcount() == 0 || begin == header) return;
+    throw UsageError(option + " would overwrite " + path + ", which is no earlier result (" + std::string(header) +
+                     "); remove it first, or name another file");
+  };
+  require("<lobefile>", request.raster, raster_header);
+  require("<manifile>", request.both, zones_header);
+  require("<pipsfile>", request.pips, zones_header);
+  require("<lobebfile>", request.lobes, zones_header);
+}
 
 void write(const Request& request, const Zones& zones) {
   write_file(request.raster, zones.raster);
@@ -152,6 +195,7 @@ bool is_published_tangle(const std::vector<std::string>& arguments) {
 void run_published_tangle(const std::vector<std::string>& arguments) {
   const Request request = parse(arguments);
   check_outputs(outputs_of(request, 1), request.manifolds);
+  require_earlier_results(request);
   Progress progress;
   progress.phase("reading", 0, 0.3);
   const std::array<std::vector<NamedCurve>, 2> manifolds{read_zones(request, 0), read_zones(request, 1)};
@@ -168,6 +212,7 @@ void run_published_tangle(const std::vector<std::string>& arguments) {
   progress.phase("writing", 0.8, 1);
   check_outputs(outputs_of(request, zones.lobes.size()), request.manifolds);  // now their number is known
   write(request, zones);
+  if (!takes_standard_output(outputs_of(request, zones.lobes.size()))) print(zones.table);
 }
 
 }  // namespace lober::cli

@@ -14,7 +14,7 @@
 //   separ.dat      in the current directory: the boundary of each pair, an open polyline; pip k is the bip, by default
 //                  the middle one
 //
-// A pair without pips adds no zone to the files of pips and boundaries.
+// Pips and areas of lobes are printed. A pair without pips adds no zone to the files of pips and boundaries.
 #pragma once
 
 #include <string>

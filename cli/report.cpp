@@ -1,7 +1,6 @@
 #include "cli/report.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +16,6 @@ Areas distance(const Areas& a, const Areas& b) {
   Areas result;
   for (const NamedArea& area : named_areas) result.*area.member = std::fabs(a.*area.member - b.*area.member);
   return result;
-}
-
-void warn_of_overflow(const Areas& areas) {
-  for (const NamedArea& area : named_areas) {
-    if (std::isfinite(areas.*area.member)) continue;
-    spdlog::warn("warning: areas beyond the range of double, such as that of {}, are written as null", area.label);
-    break;
-  }
 }
 
 const char* name(Orientation orientation) {
@@ -58,6 +49,9 @@ std::string inputs_text(const std::array<NamedCurve, 2>& inputs, const std::arra
     text +=
         fmt::format("C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, inputs[k].curve.points.size(),
                     orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!inputs[k].remark.empty()) text += fmt::format("C{} {}\n", k + 1, inputs[k].remark);
   }
   return text;
 }

@@ -33,9 +33,6 @@ inline constexpr std::array<NamedArea, 7> named_areas{{
 /// |a - b|, area by area.
 [[nodiscard]] Areas distance(const Areas& a, const Areas& b);
 
-/// Warns, once, when areas are beyond the range of double.
-void warn_of_overflow(const Areas& areas);
-
 /// "counter_clockwise", "clockwise" or "degenerate".
 [[nodiscard]] const char* name(Orientation orientation);
 
@@ -47,7 +44,7 @@ void warn_of_overflow(const Areas& areas);
 /// How the user would name it: FILE, or FILE#ZONE where there are several.
 [[nodiscard]] std::string spec_of(const NamedCurve& input);
 
-/// Two aligned lines that say what was read.
+/// Two aligned lines that say what was read, and one for each remark.
 [[nodiscard]] std::string inputs_text(const std::array<NamedCurve, 2>& inputs,
                                       const std::array<Orientation, 2>& orientations);
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "engine/dynamics/shared_library.hpp"
 #include "engine/error.hpp"
 
 namespace lober::cli {
@@ -31,6 +32,10 @@ void add_system_options(CLI::App& app, SystemRequest& request, bool positional) 
   app.add_option("--integration-tolerance", request.integration.tolerance, "of flows (default 1e-12)")
       ->check(CLI::PositiveNumber)
       ->type_name("T");
+}
+
+std::vector<std::string> files_of_system(const std::string& name) {
+  return names_library(name) ? std::vector{name} : std::vector<std::string>{};
 }
 
 ParameterValues parameter_values(const std::vector<std::string>& texts) {

@@ -26,6 +26,9 @@ struct SystemRequest {
 /// --system, which `positional` decides.
 void add_system_options(CLI::App& app, SystemRequest& request, bool positional);
 
+/// The files that the name of a system stands for, which no output may replace: a shared library, or none.
+[[nodiscard]] std::vector<std::string> files_of_system(const std::string& name);
+
 /// Throws UsageError for a text that is not NAME=VALUE.
 [[nodiscard]] ParameterValues parameter_values(const std::vector<std::string>& texts);
 

@@ -30,8 +30,7 @@ TangleReport compute(const Request& request, Progress& progress) {
   origin.tolerance = request.options.tolerance;
   const Connection connection = connection_of(request.system, origin.system);
   ManifoldTangleOptions options = request.options;
-  double fraction = 0;  // nobody knows how long the manifolds have to be
-  options.progress = [&](const std::string&) { return progress.advance(fraction += 0.25 * (1 - fraction)); };
+  options.progress = [&](const std::string& line) { return progress.step(line); };
   const Stopwatch watch;
   origin.manifolds = grow_tangle(*origin.system.map, connection, options);
   report.timing.read = watch.seconds() - origin.manifolds->tangle.timing.total;
@@ -52,7 +51,7 @@ TangleReport compute(const Request& request, Progress& progress) {
 
 void run(const Request& request) {
   const Stopwatch watch;
-  check_outputs(request.outputs.files(), {});
+  check_outputs(request.outputs.files(), files_of_system(request.system.name));
   TangleReport report;
   {
     Progress progress;

@@ -112,6 +112,8 @@ TangleReport compute(const Request& request, Progress& progress) {
   read_inputs(request, progress, report);
   report.timing.read = read_watch.seconds();
 
+  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
+              "points");
   progress.phase("tangle", 0.3, 0.8);
   TangleOptions options = request.options;
   options.progress = [&](double fraction) { return progress.advance(fraction); };

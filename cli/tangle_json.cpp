@@ -1,5 +1,7 @@
 // The JSON object of `lober tangle`. Its members are a contract; more may be added, none renamed.
 
+#include <cstdlib>
+
 #include "cli/json_file.hpp"
 #include "cli/tangle_report.hpp"
 #include "cli/turnstile_report.hpp"
@@ -155,6 +157,9 @@ void write_tangle_json(const std::string& path, TangleReport& report, const std:
     json.member("system", system_json(origin.system, origin.integration));
     json.member("tolerance", origin.tolerance);
     json.member("saddles", saddles_json(*origin.manifolds));
+    const LocalManifold& local = origin.manifolds->local_u;
+    json.member("reflection", local.multiplier < 0);
+    json.member("steps_of_image", std::abs(local.image().steps));
     json.member("turnstile_by_action", turnstile_json(*origin.manifolds));
   }
   json.member("options", options_json(report));

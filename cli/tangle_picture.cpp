@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/palette.hpp"
 #include "cli/svg.hpp"
 #include "cli/tangle_report.hpp"
 
@@ -13,11 +14,13 @@ constexpr std::size_t most_points = 14'000;  // of a path: five paths stay below
 constexpr std::size_t most_dots = 500;
 constexpr double dot_spacing = 5;  // pixels between pips that get a dot
 
-constexpr const char* u_colour = "#b3261e";
-constexpr const char* s_colour = "#1f5fa8";
-constexpr const char* boundary_colour = "#e3b94a";
-constexpr const char* left_colour = "#c8701e";   // lobes on the left of their arcs
-constexpr const char* right_colour = "#3f8f6b";  // and on their right
+// Lobes of one orientation, and the colour that says what they do.
+const char* lobes_colour(const Tangle& tangle, int orientation) {
+  if (tangle.images.period != 0) {
+    return orientation == tangle.boundary->orientation ? palette::leaving : palette::entering;
+  }
+  return orientation > 0 ? palette::left_of_unstable : palette::right_of_unstable;
+}
 
 Box window_of(const Tangle& tangle) {
   if (!tangle.boundary) return include(include({}, tangle.u().points), tangle.s().points);
@@ -83,12 +86,12 @@ std::string lobes_text(const Tangle& tangle, int orientation) {
 }
 
 void add_legend(std::string& svg, const View& view, const Tangle& tangle) {
-  add_legend_entry(svg, view, 0, 0, line_swatch(u_colour, 2), "U, unstable manifold");
-  add_legend_entry(svg, view, 0, 1, line_swatch(s_colour, 2), "S, stable manifold");
-  add_legend_entry(svg, view, 1, 0, filled_swatch(left_colour), lobes_text(tangle, 1));
-  add_legend_entry(svg, view, 1, 1, filled_swatch(right_colour), lobes_text(tangle, -1));
+  add_legend_entry(svg, view, 0, 0, line_swatch(palette::unstable, 2), "U, unstable manifold");
+  add_legend_entry(svg, view, 0, 1, line_swatch(palette::stable, 2), "S, stable manifold");
+  add_legend_entry(svg, view, 1, 0, filled_swatch(lobes_colour(tangle, 1)), lobes_text(tangle, 1));
+  add_legend_entry(svg, view, 1, 1, filled_swatch(lobes_colour(tangle, -1)), lobes_text(tangle, -1));
   if (!tangle.boundary) return;
-  add_legend_entry(svg, view, 0, 2, line_swatch(boundary_colour, 6),
+  add_legend_entry(svg, view, 0, 2, line_swatch(palette::boundary, 6),
                    "boundary, area " + rounded(tangle.boundary->area));
   add_legend_entry(svg, view, 1, 2, R"(<circle cx="13" r="5" fill="#ffffff" stroke="#222222" stroke-width="2"/>)",
                    "bip, pip " + std::to_string(tangle.boundary->bip) + " of " + std::to_string(tangle.pips.size()));
@@ -102,12 +105,12 @@ void write_tangle_picture(const std::string& path, const TangleReport& report) {
   std::string svg;
   begin_picture(svg, view, "Tangle of two manifolds", 3);
   if (tangle.boundary) {
-    add_stroked(svg, boundary_colour, 6, line_path(view, boundary_outline(tangle)));
+    add_stroked(svg, palette::boundary, 6, line_path(view, boundary_outline(tangle)));
   }
-  add_filled(svg, left_colour, "nonzero", lobes_path(view, tangle, 1));
-  add_filled(svg, right_colour, "nonzero", lobes_path(view, tangle, -1));
-  add_stroked(svg, s_colour, 1.2, line_path(view, tangle.s().points));
-  add_stroked(svg, u_colour, 1.2, line_path(view, tangle.u().points));
+  add_filled(svg, lobes_colour(tangle, 1), "nonzero", lobes_path(view, tangle, 1));
+  add_filled(svg, lobes_colour(tangle, -1), "nonzero", lobes_path(view, tangle, -1));
+  add_stroked(svg, palette::stable, 1.2, line_path(view, tangle.s().points));
+  add_stroked(svg, palette::unstable, 1.2, line_path(view, tangle.u().points));
   add_pips(svg, view, tangle);
   begin_legend(svg);
   add_legend(svg, view, tangle);

@@ -18,17 +18,13 @@ Tangle tangle_of(const NamedCurve& u, const NamedCurve& s, const TangleOptions& 
   try {
     Tangle result = tangle(u.curve, s.curve, options);
     for (const std::string& remark : result.remarks) spdlog::warn("warning: {}", remark);
-    const bool finite = std::all_of(result.lobes.begin(), result.lobes.end(),
-                                    [](const Lobe& lobe) { return std::isfinite(lobe.area); });
-    if (!finite || (result.boundary && !std::isfinite(result.boundary->area))) {
-      spdlog::warn("warning: areas beyond the range of double are written as null");
-    }
     return result;
   } catch (const NotSimpleError& error) {
     const bool first = error.curve == 1;
-    throw DataError(fmt::format(
-        "{}: {} crosses or touches itself: segments {} and {} meet at ({}, {}) (--no-simple-check takes such curves)",
-        spec_of(first ? u : s), first ? "U" : "S", error.segment1, error.segment2, error.at.x, error.at.y));
+    throw DataError(
+        fmt::format("{}: {} crosses or touches itself: segments {} and {} meet at ({}, {}) (lober tangle "
+                    "--no-simple-check takes such curves)",
+                    spec_of(first ? u : s), first ? "U" : "S", error.segment1, error.segment2, error.at.x, error.at.y));
   }
 }
 

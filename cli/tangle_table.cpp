@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "cli/tangle_report.hpp"
 #include "cli/turnstile_report.hpp"
@@ -55,6 +56,13 @@ void add_turnstile(std::string& text, const Images& images) {
   text += fmt::format("turnstile sum {:.2g}, of the mean lobe\n", images.turnstile_sum);
 }
 
+// Where a branch returns to itself only after two iterates, images are those of the second iterate.
+std::string reflection_text(const ManifoldTangle& manifolds) {
+  if (!(manifolds.local_u.multiplier < 0)) return {};
+  return fmt::format("reflection both multipliers are negative: images, the turnstile and n are those of f^{}\n",
+                     std::abs(manifolds.local_u.image().steps));
+}
+
 void add_lobes(std::string& text, const TangleReport& report) {
   const Tangle& result = report.result;
   const std::size_t count = result.lobes.size();
@@ -103,6 +111,7 @@ std::string tangle_table(const TangleReport& report) {
   text += fmt::format("\n{}; {}, {}\n", meetings_text(result.nodes), counted(result.pips.size(), "pip", "pips"),
                       counted(result.lobes.size(), "lobe", "lobes"));
   add_boundary(text, report);
+  if (report.origin) text += reflection_text(*report.origin->manifolds);
   if (!result.lobes.empty()) add_turnstile(text, result.images);
   if (report.origin) text += turnstile_text(*report.origin->manifolds);
   add_lobes(text, report);

@@ -33,7 +33,7 @@ std::vector<Output> outputs_of(const Request& request) {
        {std::pair{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}}) {
     if (!path.empty()) outputs.push_back({option, path});
   }
-  check_outputs(outputs, {});
+  check_outputs(outputs, files_of_system(request.system.name));
   return outputs;
 }
 
@@ -60,8 +60,7 @@ void run_one(const Request& request) {
     TransportOptions options = request.options;
     options.lattice = report.system.lattice;
     options.further = further_of(request, report.system);
-    double fraction = 0;  // nobody knows how long the manifolds have to be
-    options.progress = [&](const std::string&) { return progress.advance(fraction += 0.25 * (1 - fraction)); };
+    options.progress = [&](const std::string& line) { return progress.step(line); };
     const Stopwatch transport_watch;
     report.result = transport(*report.system.map, report.connection, options);
     report.timing.transport = transport_watch.seconds();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/palette.hpp"
 #include "cli/plot.hpp"
 #include "cli/report.hpp"
 #include "cli/svg.hpp"
@@ -13,13 +14,6 @@ namespace lober::cli {
 namespace {
 
 constexpr std::size_t most_points = 5'000;  // of a path
-
-constexpr const char* u_colour = "#b3261e";
-constexpr const char* s_colour = "#1f5fa8";
-constexpr const char* boundary_colour = "#e3b94a";
-constexpr const char* leaving_colour = "#c8701e";
-constexpr const char* entering_colour = "#3f8f6b";
-constexpr const char* common_colour = "#4b1d7a";
 
 std::string line_path(const View& view, std::span<const Point> points) {
   return path_of(view, most_points, [&](PathWriter& writer) { writer.add_line(points); });
@@ -74,8 +68,8 @@ Box window_of(const Tangle& tangle, std::span<const std::size_t> leaving, std::s
 }  // namespace
 
 void write_transport_curve(const std::string& path, const TransportReport& report) {
-  PlotSeries flux{"a(n), area that crosses in step n", leaving_colour, {}, true, true};
-  PlotSeries total{"T(n), in all", s_colour, {}, true, true};
+  PlotSeries flux{"a(n), area that crosses in step n", palette::flux, {}, true, true};
+  PlotSeries total{"T(n), in all", palette::total, {}, true, true};
   for (const TransportStep& step : report.result.steps) {
     flux.points.push_back({static_cast<double>(step.n), step.flux(0, 1).value});
     total.points.push_back({static_cast<double>(step.n), step.total(0, 1).value});
@@ -90,37 +84,38 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   const ManifoldTangle& manifolds = report.manifolds();
   const Tangle& tangle = manifolds.tangle;
   // As the overlaps are computed: nothing is followed for longer than half of the iterates.
-  const int n = static_cast<int>(report.result.steps.size()), before = 1 + (n - 1) / 2, after = std::max(0, n - 1 - (n - 1) / 2);
+  const int n = static_cast<int>(report.result.steps.size()), before = 1 + (n - 1) / 2,
+            after = std::max(0, n - 1 - (n - 1) / 2);
   const auto leaving = lobes_between(manifolds, before, 0, true), entering = lobes_between(manifolds, 1, after, false);
   const auto outwards = lobes_between(manifolds, 1, 0, true), inwards = lobes_between(manifolds, 1, 0, false);
   const auto common = common_pieces(tangle, leaving, entering);
   const View view(window_of(tangle, leaving, inwards));
   std::string svg;
   begin_picture(svg, view, "Turnstile of " + system_text(report.system), 4);
-  add_stroked(svg, boundary_colour, 6, line_path(view, boundary_outline(tangle)));
-  add_filled(svg, leaving_colour, "nonzero", outlines_path(view, tangle, leaving));
-  add_filled(svg, entering_colour, "nonzero", outlines_path(view, tangle, entering));
-  add_filled(svg, leaving_colour, "nonzero", outlines_path(view, tangle, outwards));
-  add_filled(svg, entering_colour, "nonzero", outlines_path(view, tangle, inwards));
-  add_filled(svg, common_colour, "nonzero", path_of(view, most_points, [&](PathWriter& writer) {
+  add_stroked(svg, palette::boundary, 6, line_path(view, boundary_outline(tangle)));
+  add_filled(svg, palette::leaving, "nonzero", outlines_path(view, tangle, leaving));
+  add_filled(svg, palette::entering, "nonzero", outlines_path(view, tangle, entering));
+  add_filled(svg, palette::leaving, "nonzero", outlines_path(view, tangle, outwards));
+  add_filled(svg, palette::entering, "nonzero", outlines_path(view, tangle, inwards));
+  add_filled(svg, palette::common, "nonzero", path_of(view, most_points, [&](PathWriter& writer) {
                for (const std::vector<Point>& polygon : common) writer.add_polygon(polygon);
              }));
-  add_stroked(svg, s_colour, 1, line_path(view, tangle.s().points));
-  add_stroked(svg, u_colour, 1, line_path(view, tangle.u().points));
+  add_stroked(svg, palette::stable, 1, line_path(view, tangle.s().points));
+  add_stroked(svg, palette::unstable, 1, line_path(view, tangle.u().points));
   svg += "<g fill=\"#222222\">\n";
   for (const ConnectingOrbit& orbit : manifolds.orbits) add_dot(svg, view(orbit.at), 4);
   svg += "</g>\n";
   begin_legend(svg);
-  add_legend_entry(svg, view, 0, 0, line_swatch(u_colour, 2), "U, unstable manifold");
-  add_legend_entry(svg, view, 1, 0, line_swatch(s_colour, 2), "S, stable manifold");
-  add_legend_entry(svg, view, 0, 1, line_swatch(boundary_colour, 6),
+  add_legend_entry(svg, view, 0, 0, line_swatch(palette::unstable, 2), "U, unstable manifold");
+  add_legend_entry(svg, view, 1, 0, line_swatch(palette::stable, 2), "S, stable manifold");
+  add_legend_entry(svg, view, 0, 1, line_swatch(palette::boundary, 6),
                    "boundary, area " + rounded(report.result.regions.front().area.value));
   add_legend_entry(svg, view, 1, 1, "<circle cx=\"13\" r=\"4\" fill=\"#222222\"/>", "pips of the turnstile");
-  add_legend_entry(svg, view, 0, 2, filled_swatch(leaving_colour),
+  add_legend_entry(svg, view, 0, 2, filled_swatch(palette::leaving),
                    "L12(1), area " + rounded(report.result.boundaries.front().area12.value) + ", and pre-images");
-  add_legend_entry(svg, view, 1, 2, filled_swatch(entering_colour),
+  add_legend_entry(svg, view, 1, 2, filled_swatch(palette::entering),
                    "L21(1), area " + rounded(report.result.boundaries.front().area21.value) + ", and images");
-  add_legend_entry(svg, view, 0, 3, filled_swatch(common_colour), "what they have in common");
+  add_legend_entry(svg, view, 0, 3, filled_swatch(palette::common), "what they have in common");
   add_legend_entry(svg, view, 1, 3, "", system_text(report.system));
   end_picture(svg);
   write_file(path, svg);

@@ -3,7 +3,7 @@
 //   mpirun -n 8 lober_mpi job.toml --threads 4
 //
 // The plan is made on rank 0 and sent to all; files are read by the ranks that need them, from where rank 0 found them.
-// If a rank dies, MPI ends all of them; what was committed stays, and the next run goes on from there.
+// If a rank fails or dies, all of them are ended; what was committed stays, and the next run goes on from there.
 
 #include <mpi.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <thread>
 
 #include "cli/batch_options.hpp"
@@ -61,13 +62,18 @@ void run_coordinator(const BatchRequest& request, SharedWork& work, int ranks) {
   BatchReport report;
   {
     BatchProgress line;
-    report = coordinate(work, session, ranks, [&](const QueueProgress& progress) {
-      if (!request.quiet) line.show(progress);
-      return !interrupted() && !broken;
-    });
+    report = coordinate(
+        work, session, ranks,
+        [&](const QueueProgress& progress) {
+          if (!request.quiet) line.show(progress);
+          return !interrupted();
+        },
+        broken);
   }
   report.jobs = session.pending().size() + session.finished_before();
   report.finished_before = session.finished_before();
+  report.damaged = session.damaged();
+  warn_of(report.damaged);
   report.store_seconds = session.finish(report.queue.stopped ? "stopped" : "complete");
   report.wall_seconds = watch.seconds();
   report.queue.threads = work.queue.threads * ranks;
@@ -76,12 +82,33 @@ void run_coordinator(const BatchRequest& request, SharedWork& work, int ranks) {
   judge(report, request.store);
 }
 
-void run_rank(const std::vector<std::string>& arguments) {
+// The request, or none when there is nothing to do; then `status` is the exit status of all ranks, also when the
+// command line of only one of them cannot be understood. Says why on the first rank that knows.
+std::optional<BatchRequest> agreed_request(const std::vector<std::string>& arguments, int rank, int ranks,
+                                           int& status) {
+  std::optional<BatchRequest> request;
+  Failure failure{{}, 0};
+  try {
+    request = parse_batch(arguments, "lober_mpi");
+  } catch (...) {
+    failure = failure_of(std::current_exception());
+  }
+  const int speaks = failure.status != 0 ? rank : ranks, wants = request ? 1 : 0;
+  int speaker = ranks, all_want = 0;
+  MPI_Allreduce(&failure.status, &status, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  MPI_Allreduce(&speaks, &speaker, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  MPI_Allreduce(&wants, &all_want, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  if (rank == speaker) spdlog::error("{}", failure.message);
+  return all_want != 0 ? request : std::nullopt;
+}
+
+int run_rank(const std::vector<std::string>& arguments) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  const std::optional<BatchRequest> request = parse_batch(arguments, "lober_mpi");
-  if (!request) return;
+  int status = 0;
+  const std::optional<BatchRequest> request = agreed_request(arguments, rank, ranks, status);
+  if (!request) return status;
   SharedWork work;
   work.manifest_path = request->manifest;
   work.queue.threads = request->threads > 0 ? request->threads : fair_threads();
@@ -91,10 +118,9 @@ void run_rank(const std::vector<std::string>& arguments) {
     if (rank == 0) return run_coordinator(*request, work, ranks);
     std::string plan;
     broadcast(plan);
-    if (plan.empty()) return;
-    work.plan = Plan::decoded(plan);
-    work_for_coordinator(work);
+    if (!plan.empty()) work_for_coordinator(work, plan);
   });
+  return 0;
 }
 
 }  // namespace
@@ -105,19 +131,15 @@ int main(int count, char** arguments) {
   MPI_Init_thread(&count, &arguments, MPI_THREAD_SERIALIZED, &provided);
   spdlog::set_default_logger(spdlog::stderr_color_mt("lober_mpi"));
   spdlog::set_pattern("%n: %v");
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, with a message
   int status = 0;
   try {
     if (provided < MPI_THREAD_SERIALIZED) throw lober::UsageError("this MPI does not let threads send");
-    lober::cli::run_rank({arguments + 1, arguments + count});
-  } catch (const lober::UsageError& error) {
-    spdlog::error("{}", error.what());
-    status = 2;
-  } catch (const lober::Cancelled& error) {
-    spdlog::error("{}", error.what());
-    status = 130;
-  } catch (const std::exception& error) {
-    spdlog::error("{}", error.what());
-    status = 1;
+    status = lober::cli::run_rank({arguments + 1, arguments + count});
+  } catch (...) {  // where no other rank waits for this one
+    const lober::cli::Failure failure = lober::cli::failure_of(std::current_exception());
+    spdlog::error("{}", failure.message);
+    status = failure.status;
   }
   MPI_Finalize();
   return status;

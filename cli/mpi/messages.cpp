@@ -1,22 +1,61 @@
 #include "cli/mpi/messages.hpp"
 
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cstdlib>
+
 #include "engine/jobs/bytes.hpp"
 
 namespace lober::cli {
 namespace {
 
-Message take(MPI_Status& status) {
+// Receives what was probed and appends it.
+void append(MPI_Status& status, std::string& bytes) {
   int size = 0;
   MPI_Get_count(&status, MPI_BYTE, &size);
-  Message message{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG), std::string(static_cast<std::size_t>(size), 0)};
-  MPI_Recv(message.bytes.data(), size, MPI_BYTE, message.rank, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  const std::size_t before = bytes.size();
+  bytes.resize(before + static_cast<std::size_t>(size));
+  MPI_Recv(bytes.data() + before, size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+}
+
+// Pieces of one rank come in order, and no other message of that rank between them.
+Message take(MPI_Status& status) {
+  Message message{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG), {}};
+  std::string first;
+  append(status, first);
+  const auto size = ByteReader(first).get<std::uint64_t>();
+  message.bytes.reserve(size);
+  message.bytes = first.substr(sizeof(size));
+  while (message.bytes.size() < size) {
+    MPI_Probe(message.rank, static_cast<int>(Tag::more), MPI_COMM_WORLD, &status);
+    append(status, message.bytes);
+  }
   return message;
+}
+
+void send_piece(int rank, Tag tag, std::string_view bytes) {
+  MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, rank, static_cast<int>(tag), MPI_COMM_WORLD);
 }
 
 }  // namespace
 
-void send(int rank, Tag tag, const std::string& bytes) {
-  MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, rank, static_cast<int>(tag), MPI_COMM_WORLD);
+void send(int rank, Tag tag, const std::string& bytes, std::size_t piece) {
+  ByteWriter first;  // how much there is in all, and the first piece
+  first.put(std::uint64_t{bytes.size()});
+  const std::string_view all = bytes;
+  const std::size_t begin = std::min(all.size(), piece);
+  send_piece(rank, tag, first.take() + std::string(all.substr(0, begin)));
+  for (std::size_t at = begin; at < all.size(); at += piece) send_piece(rank, Tag::more, all.substr(at, piece));
+}
+
+void abandon(const std::string& message, int status) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  spdlog::error("rank {}: {}", rank, message);
+  spdlog::default_logger()->flush();
+  MPI_Abort(MPI_COMM_WORLD, status);
+  std::_Exit(status);
 }
 
 Message receive() {
@@ -49,7 +88,7 @@ std::string encoded(const std::vector<PlanResult>& results) {
   for (const PlanResult& result : results) {
     writer.put(result.job);
     writer.put(result.key);
-    writer.put(result.failed);
+    writer.put_flag(result.failed);
     writer.put(result.seconds);
     writer.put_text(result.value);
     writer.put_text(result.digest1);
@@ -60,11 +99,11 @@ std::string encoded(const std::vector<PlanResult>& results) {
 
 std::vector<PlanResult> decoded_results(const std::string& bytes) {
   ByteReader reader(bytes);
-  std::vector<PlanResult> results(reader.get<std::uint64_t>());
+  std::vector<PlanResult> results(reader.get_count());
   for (PlanResult& result : results) {
     result.job = reader.get<std::uint32_t>();
     result.key = reader.get<JobKey>();
-    result.failed = reader.get<bool>();
+    result.failed = reader.get_flag();
     result.seconds = reader.get<double>();
     result.value = reader.get_text();
     result.digest1 = reader.get_text();

@@ -1,4 +1,4 @@
-// What the ranks say to each other: bytes with a tag.
+// What the ranks say to each other: bytes with a tag, of any length.
 #pragma once
 
 #include <mpi.h>
@@ -16,6 +16,8 @@ enum class Tag : int {
   jobs,     ///< coordinator: do these; none: finish
   results,  ///< worker: these are done
   report,   ///< worker: has finished
+  stop,     ///< coordinator: finish what runs, then ask
+  more,     ///< the next piece of a message
 };
 
 struct Message {
@@ -24,11 +26,16 @@ struct Message {
   std::string bytes;
 };
 
-void send(int rank, Tag tag, const std::string& bytes);
-/// Waits for a message.
+/// MPI counts bytes in an int, so that longer messages go in pieces of at most `piece` bytes. One thread at a time.
+inline constexpr std::size_t longest_piece = std::size_t{1} << 30;
+void send(int rank, Tag tag, const std::string& bytes, std::size_t piece = longest_piece);
+/// Waits for a message, and for all of its pieces.
 [[nodiscard]] Message receive();
 /// None if there is none yet.
 [[nodiscard]] std::optional<Message> receive_if_any();
+/// The failure of one rank ends all of them, whatever they do: MPI_Abort with this exit status.
+[[noreturn]] void abandon(const std::string& message, int status);
+
 /// From rank 0 to all.
 void broadcast(std::string& bytes);
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <exception>
 #include <numeric>
+#include <utility>
 
 #include "cli/mpi/messages.hpp"
+#include "engine/error.hpp"
 #include "engine/jobs/dealer.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -13,6 +16,8 @@ namespace lober::cli {
 namespace {
 
 static_assert(std::is_trivially_copyable_v<QueueReport>, "a report is sent as it lies in memory");
+
+constexpr std::size_t most_bytes = std::size_t{32} << 20;  // of results that wait to be sent
 
 std::vector<std::uint32_t> all_jobs(const Plan& plan) {
   std::vector<std::uint32_t> jobs(plan.jobs.size());
@@ -22,29 +27,35 @@ std::vector<std::uint32_t> all_jobs(const Plan& plan) {
 
 class Coordinator {
  public:
-  Coordinator(const SharedWork& work, StoreSession& session, int ranks)
+  Coordinator(const SharedWork& work, StoreSession& session, int ranks, const std::atomic<bool>& broken)
       : session_(session),
+        broken_(broken),
         dealer_(work.plan, work.manifest_path, session.pending(), static_cast<std::size_t>(ranks)),
+        at_work_(static_cast<std::size_t>(ranks), true),
         workers_(ranks - 1),
         runner_(work.plan, work.manifest_path, session.pending(), work.queue) {}
 
   BatchReport run(const std::function<bool(const QueueProgress&)>& progress) {
     const Stopwatch watch;
-    std::thread own([this] { compute(); });
-    {
-      const Watcher watcher([&] {
+    own_ = std::thread([this] { compute(); });
+    Watcher watcher([&] {
+      try {
         if (progress && !progress(progress_so_far())) stop();
-      });
-      while (workers_ > 0) {
-        if (const std::optional<Message> message = receive_if_any()) {
-          answer(*message);
-        } else {
-          std::this_thread::sleep_for(std::chrono::microseconds(200));  // the cores are for the jobs
-        }
+      } catch (...) {
+        note(std::current_exception());
       }
-      own.join();
+    });
+    while (workers_ > 0 || !computed_) {
+      check();
+      if (const std::optional<Message> message = receive_if_any()) {
+        answer(*message);
+      } else {
+        std::this_thread::sleep_for(std::chrono::microseconds(200));  // the cores are for the jobs
+      }
     }
-    if (error_) std::rethrow_exception(error_);
+    check();
+    own_.join();
+    watcher.finish();
     report_.queue.jobs = jobs_;
     report_.queue.failed = failed_;
     report_.queue.stopped = jobs_ < session_.pending().size();
@@ -52,11 +63,17 @@ class Coordinator {
     return report_;
   }
 
+  // Commits what has come in, before all ends.
+  void save() {
+    const std::lock_guard lock(mutex_);
+    session_.finish("broken off by a failure");
+  }
+
  private:
   void answer(const Message& message) {
     switch (message.tag) {
       case Tag::ready:
-        send(message.rank, Tag::jobs, encoded(next()));
+        give_jobs(message.rank);
         break;
       case Tag::results:
         for (PlanResult& result : decoded_results(message.bytes)) take(std::move(result));
@@ -70,8 +87,38 @@ class Coordinator {
         break;
       }
       case Tag::jobs:
+      case Tag::stop:
+      case Tag::more:
         break;
     }
+  }
+
+  void give_jobs(int rank) {
+    const std::vector<std::uint32_t> jobs = next();
+    at_work_[static_cast<std::size_t>(rank)] = !jobs.empty();
+    send(rank, Tag::jobs, encoded(jobs));
+  }
+
+  // What other threads have found: only this one speaks to the other ranks.
+  void check() {
+    std::exception_ptr error;
+    bool stopped = false;
+    {
+      const std::lock_guard lock(mutex_);
+      error = error_;
+      stopped = stopped_;
+    }
+    if (error) std::rethrow_exception(error);
+    if (broken_) throw DataError("the store cannot be written any more");
+    if (!stopped || std::exchange(told_, true)) return;
+    for (std::size_t rank = 1; rank < at_work_.size(); ++rank) {
+      if (at_work_[rank]) send(static_cast<int>(rank), Tag::stop, {});
+    }
+  }
+
+  void note(const std::exception_ptr& error) {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = error;
   }
 
   void compute() {
@@ -83,9 +130,9 @@ class Coordinator {
       const std::lock_guard lock(mutex_);
       add(report_.queue, sum);
     } catch (...) {
-      stop();
-      error_ = std::current_exception();
+      note(std::current_exception());
     }
+    computed_ = true;
   }
 
   std::vector<std::uint32_t> next() {
@@ -100,7 +147,6 @@ class Coordinator {
     if (!session_.add(std::move(result)) || failed) ++failed_;
   }
 
-  // Workers finish the portion that they have.
   void stop() {
     const std::lock_guard lock(mutex_);
     stopped_ = true;
@@ -114,47 +160,104 @@ class Coordinator {
   }
 
   StoreSession& session_;
+  const std::atomic<bool>& broken_;
   Dealer dealer_;
-  int workers_;
+  std::vector<bool> at_work_;  ///< by rank: may have jobs, or ask for some
+  int workers_;                ///< that have not reported yet
   PlanRunner runner_;
   std::mutex mutex_;  ///< for all that follows, the dealer and the session
-  bool stopped_ = false;
+  bool stopped_ = false, told_ = false;
   std::size_t jobs_ = 0, failed_ = 0;
   BatchReport report_;
   std::exception_ptr error_;
+  std::atomic<bool> computed_{false};
+  std::thread own_;
 };
 
-}  // namespace
-
-BatchReport coordinate(const SharedWork& work, StoreSession& session, int ranks,
-                       const std::function<bool(const QueueProgress&)>& progress) {
-  return Coordinator(work, session, ranks).run(progress);
-}
-
-void work_for_coordinator(const SharedWork& work) {
+// All that a worker does.
+void work_until_done(const SharedWork& work) {
   PlanRunner runner(work.plan, work.manifest_path, all_jobs(work.plan), work.queue);
   QueueReport sum;
   for (;;) {
     send(0, Tag::ready, {});
-    const std::vector<std::uint32_t> jobs = decoded_jobs(receive().bytes);
+    Message answer = receive();
+    while (answer.tag != Tag::jobs) answer = receive();  // it has stopped already
+    const std::vector<std::uint32_t> jobs = decoded_jobs(answer.bytes);
     if (jobs.empty()) break;
     // Results are sent from whatever thread has them, one call at a time, while this one waits in `run`.
     std::vector<PlanResult> results;
+    std::size_t bytes = 0;
     Stopwatch since_sent;
     const auto flush = [&] {
       if (!results.empty()) send(0, Tag::results, encoded(results));
       results.clear();
+      bytes = 0;
       since_sent = Stopwatch();
     };
     add(sum, runner.run(jobs, [&](PlanResult result) {
-      results.push_back(std::move(result));
-      if (results.size() >= 1000 || since_sent.seconds() > 0.05) flush();
+      try {
+        bytes += result.value.size();
+        results.push_back(std::move(result));
+        if (results.size() >= 1000 || bytes >= most_bytes || since_sent.seconds() > 0.05) flush();
+        if (const std::optional<Message> message = receive_if_any(); message && message->tag == Tag::stop)
+          runner.stop();
+      } catch (...) {  // at once, not when the jobs that run have ended
+        const Failure failure = failure_of(std::current_exception());
+        abandon(failure.message, failure.status);
+      }
     }));
     flush();
   }
   std::string bytes(sizeof(sum), '\0');
   std::memcpy(bytes.data(), &sum, sizeof(sum));
   send(0, Tag::report, bytes);
+}
+
+}  // namespace
+
+BatchReport coordinate(const SharedWork& work, StoreSession& session, int ranks,
+                       const std::function<bool(const QueueProgress&)>& progress, const std::atomic<bool>& broken) {
+  std::optional<Coordinator> coordinator;
+  try {
+    coordinator.emplace(work, session, ranks, broken);
+    return coordinator->run(progress);
+  } catch (...) {
+    Failure failure = failure_of(std::current_exception());
+    if (coordinator) {
+      try {
+        coordinator->save();
+      } catch (const std::exception& error) {  // which says more about a broken store
+        failure = {error.what(), 1};
+      }
+    }
+    abandon(failure.message, failure.status);
+  }
+}
+
+void work_for_coordinator(SharedWork& work, const std::string& plan) {
+  try {
+    work.plan = Plan::decoded(plan);
+    work_until_done(work);
+  } catch (...) {
+    const Failure failure = failure_of(std::current_exception());
+    abandon(failure.message, failure.status);
+  }
+}
+
+Failure failure_of(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const UsageError& error) {
+    return {error.what(), 2};
+  } catch (const Cancelled& error) {
+    return {error.what(), 130};
+  } catch (const std::bad_alloc&) {
+    return {"out of memory", 1};
+  } catch (const std::exception& error) {
+    return {error.what(), 1};
+  } catch (...) {
+    return {"unknown failure", 1};
+  }
 }
 
 void add(QueueReport& sum, const QueueReport& one) {

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <memory>
 
+#include "engine/curve/countable.hpp"
+#include "engine/curve/point_along.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/stopwatch.hpp"
 #include "kernels/pair_filter.hpp"
@@ -83,6 +85,7 @@ class ContactFinder final : public PairConsumer {
     std::vector<std::size_t> begin(blocks_.size() + 1, 0);
     for (std::size_t k = 0; k < blocks_.size(); ++k)
       begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->hits.size() : 0);
+    require_countable(begin.back(), "points where the curves meet");
     result.list = ContactList(begin.back());
     std::atomic<bool> all_proper{true};
     for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
@@ -100,6 +103,7 @@ class ContactFinder final : public PairConsumer {
       result.counts.predicates += block->counts.predicates;
       result.counts.exact_parameters += block->counts.exact_parameters;
       result.counts.exact_orders += block->counts.exact_orders;
+      result.counts.comparisons += block->counts.comparisons;
       result.counts.shared_vertices += block->counts.shared_vertices;
     }
     return result;
@@ -230,17 +234,27 @@ class ContactFinder final : public PairConsumer {
     return all_proper;
   }
 
-  // Brings the contacts of each segment of C1 into their order along it.
+  // Brings the contacts of each segment of C1 into their order along it. Nearly always there are a few and they come in
+  // order or in the opposite one; where there are more, insertion would cost the square of their number.
   void order_on_segments(std::span<Contact> list, Block& block) {
-    for (std::size_t k = 1; k < list.size(); ++k) {
-      for (std::size_t m = k; m > 0 && list[m].segment1 == list[m - 1].segment1 && before(list[m], list[m - 1], block);
-           --m) {
-        std::swap(list[m], list[m - 1]);
+    constexpr std::size_t few = 16;
+    const auto less = [&](const Contact& x, const Contact& y) { return before(x, y, block); };
+    for (std::size_t first = 0; first < list.size();) {
+      std::size_t last = first + 1;
+      while (last < list.size() && list[last].segment1 == list[first].segment1) ++last;
+      if (last - first > few) {
+        std::stable_sort(&list[first], &list[first] + (last - first), less);
+      } else {
+        for (std::size_t k = first + 1; k < last; ++k) {
+          for (std::size_t m = k; m > first && less(list[m], list[m - 1]); --m) std::swap(list[m], list[m - 1]);
+        }
       }
+      first = last;
     }
   }
 
   bool before(const Contact& x, const Contact& y, Block& block) const {
+    ++block.counts.comparisons;
     if (x.vertex1 != y.vertex1) return x.vertex1;
     const double difference = (x.t1.hi - y.t1.hi) + (x.t1.lo - y.t1.lo);
     if (difference < -parameter_doubt) return true;
@@ -270,12 +284,7 @@ class ContactFinder final : public PairConsumer {
 Point place_of(const Contact& contact, const CurveView& c1, const CurveView& c2) {
   if (contact.vertex1) return c1.points[contact.segment1];
   if (contact.vertex2) return c2.points[contact.segment2];
-  const auto [a, b] = c1.segment(contact.segment1);
-  const auto along = [&](double from, double to) {
-    const DD value = DD{from, 0} + contact.t1 * two_diff(to, from);
-    return value.hi;
-  };
-  return {along(a.x, b.x), along(a.y, b.y)};
+  return point_along(c1.segment(contact.segment1), contact.t1);
 }
 
 Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind) {
@@ -286,7 +295,7 @@ Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind
   Contacts contacts = finder.gather();
   contacts.search_seconds = watch.seconds();
   contacts.counts.search = search;
-  contacts.order2 = sort_along_second(contacts.list, c1.view(), c2.view(), contacts.counts.exact_orders);
+  contacts.order2 = sort_along_second(contacts.list, c1.view(), c2.view(), contacts.counts);
   contacts.order_seconds = watch.seconds() - contacts.search_seconds;
   return contacts;
 }

@@ -65,6 +65,7 @@ struct ContactCounts {
   PredicateCounts predicates;
   std::uint64_t exact_parameters = 0;  ///< crossings too shallow for double-double
   std::uint64_t exact_orders = 0;      ///< pairs of crossings on one segment ordered by exact arithmetic
+  std::uint64_t comparisons = 0;       ///< pairs of contacts on one segment that sorting compared, along both curves
   std::uint64_t shared_vertices = 0;   ///< vertices of shared arcs recognised as runs and never tested further
 };
 
@@ -76,13 +77,13 @@ struct Contacts {
   double search_seconds = 0, order_seconds = 0;
 };
 
-/// O(n + m + candidates), parallel. Both curves are taken to be simple; if they are not, the result is complete all the
-/// same except inside runs of common vertices.
+/// O(n + m + candidates + contacts log contacts on one segment), parallel. Both curves are taken to be simple; if they
+/// are not, the result is complete all the same except inside runs of common vertices.
 [[nodiscard]] Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind);
 
-/// The numbers of the contacts, sorted by segment of C2 and along each segment, exactly. Parallel, deterministic; about
-/// two passes of counting sort.
+/// The numbers of the contacts, sorted by segment of C2 and along each segment, exactly. Adds to `counts` what that
+/// took. Parallel, deterministic; about two passes of counting sort, and n log n on a segment with n contacts.
 [[nodiscard]] Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const CurveView& c1,
-                                                      const CurveView& c2, std::uint64_t& exact_orders);
+                                                      const CurveView& c2, ContactCounts& counts);
 
 }  // namespace lober

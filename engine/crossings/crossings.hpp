@@ -76,12 +76,13 @@ class Crossings {
 
 /// Throws NotSimpleError unless the closed curve is simple: no two segments meet except neighbours in their common
 /// vertex. `number` is what the error calls the curve (1 or 2). Decided exactly; monotone runs are skipped, so a smooth
-/// curve costs next to nothing. Parallel; names the first pair of segments in curve order.
+/// curve costs next to nothing. Parallel; names the first pair of segments in curve order. `exponent`: the coordinates
+/// are the caller's times 2^exponent, who is told the place in his own.
 struct SimpleCheck {
   SearchCounts search;
   std::uint64_t pairs = 0;  ///< pairs of segments decided
 };
-SimpleCheck require_simple(const IndexedCurve& curve, int number);
+SimpleCheck require_simple(const IndexedCurve& curve, int number, int exponent = 0);
 
 /// Pairs of segments that meet where a simple curve's do not, in curve order: the first `most` of each block of the
 /// search, and no more than that in all. The cost of require_simple.

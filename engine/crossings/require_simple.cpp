@@ -1,11 +1,13 @@
 // A curve against itself.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "engine/crossings/arms.hpp"
 #include "engine/crossings/crossings.hpp"
+#include "engine/curve/point_along.hpp"
 #include "kernels/pair_filter.hpp"
 
 namespace lober {
@@ -118,8 +120,7 @@ Point common_point(const Segment& first, const Segment& second) {
   for (const Point p : {first.a, first.b}) {
     if (on_segment(second.a, second.b, p, counts)) return p;
   }
-  const double t = exact_parameter(first.a, first.b, {second.a, second.b}).hi;
-  return {first.a.x + t * (first.b.x - first.a.x), first.a.y + t * (first.b.y - first.a.y)};
+  return point_along(first, exact_parameter(first.a, first.b, {second.a, second.b}));
 }
 
 }  // namespace
@@ -130,15 +131,15 @@ std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t mo
   return checker.meetings();
 }
 
-SimpleCheck require_simple(const IndexedCurve& curve, int number) {
+SimpleCheck require_simple(const IndexedCurve& curve, int number, int exponent) {
   SelfChecker checker(curve.view());
   SimpleCheck result;
   result.search = find_self_pairs(curve, checker);
   result.pairs = checker.pairs();
   const SegmentPair bad = checker.first_bad();
   if (bad == SelfChecker::none) return result;
-  throw NotSimpleError(number, bad.first, bad.second,
-                       common_point(curve.view().segment(bad.first), curve.view().segment(bad.second)));
+  const Point at = common_point(curve.view().segment(bad.first), curve.view().segment(bad.second));
+  throw NotSimpleError(number, bad.first, bad.second, {std::ldexp(at.x, -exponent), std::ldexp(at.y, -exponent)});
 }
 
 }  // namespace lober

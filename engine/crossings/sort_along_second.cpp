@@ -15,7 +15,7 @@ constexpr std::size_t grain = std::size_t{1} << 15;
 }  // namespace
 
 Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const CurveView& c1, const CurveView& c2,
-                                        std::uint64_t& exact_orders) {
+                                        ContactCounts& counts) {
   const std::size_t count = contacts.size();
   const Buffer<KeyedNumber> items = sorted_by_key(count, static_cast<std::uint32_t>(c2.segments() - 1),
                                                   [&](std::size_t k) { return contacts[k].segment2; });
@@ -27,11 +27,12 @@ Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const Curve
     const auto [a, b] = c1.segment(contact.segment1);
     return contact.proper() ? ImplicitPoint{a, b} : ImplicitPoint{a, a, true};
   };
-  std::atomic<std::uint64_t> exact{0};
+  std::atomic<std::uint64_t> exact{0}, comparisons{0};
   Buffer<std::uint32_t> order(count);
   for_each_block(count, grain, [&](std::size_t first, std::size_t last) {
-    std::uint64_t exact_here = 0;
+    std::uint64_t exact_here = 0, comparisons_here = 0;
     const auto before = [&](std::uint32_t x, std::uint32_t y) {
+      ++comparisons_here;
       const Contact cx = contacts[x], cy = contacts[y];
       if (cx.vertex2 != cy.vertex2) return cx.vertex2;
       const double difference = (cx.t2.hi - cy.t2.hi) + (cx.t2.lo - cy.t2.lo);
@@ -54,8 +55,10 @@ Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const Curve
       k = end;
     }
     exact += exact_here;
+    comparisons += comparisons_here;
   });
-  exact_orders += exact;
+  counts.exact_orders += exact;
+  counts.comparisons += comparisons;
   return order;
 }
 

@@ -1,37 +1,46 @@
-#include <algorithm>
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "engine/curve/curve.hpp"
+#include "engine/curve/scaled.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "kernels/box.hpp"
 #include "kernels/shoelace.hpp"
 
 namespace lober {
 
-double signed_area(CurveView curve) {
+namespace {
+
+double twice_signed_area(std::span<const Point> points) {
   constexpr std::size_t grain = 128 * leaf_size;
-  const std::size_t size = curve.points.size();
+  const std::size_t size = points.size();
   if (size == 0) return 0;
-  const Point origin = curve.points[0];
+  const Point origin = points[0];
   std::vector<DD> partial((size + grain - 1) / grain);
   for_each_block(size, grain, [&](std::size_t begin, std::size_t end) {
     LeafPrefixes prefixes;
     DD sum;
     std::size_t k = begin;
     for (; k + leaf_size <= end && k + leaf_size < size; k += leaf_size) {
-      sum = shoelace_prefixes(&curve.points[k], origin, sum, nullptr, prefixes);
+      sum = shoelace_prefixes(&points[k], origin, sum, nullptr, prefixes);
     }
     // The chord that closes the curve ends at the origin and adds nothing.
-    for (; k < end && k + 1 < size; ++k) sum += shoelace(curve.points[k], curve.points[k + 1], origin);
+    for (; k < end && k + 1 < size; ++k) sum += shoelace(points[k], points[k + 1], origin);
     partial[begin / grain] = sum;
   });
   DD total;
   for (const DD& part : partial) total += part;
-  return 0.5 * (total.hi + total.lo);
+  return total.hi + total.lo;
 }
 
-Orientation orientation(CurveView curve) {
-  const double area = signed_area(curve);
-  return area > 0 ? Orientation::counter_clockwise : area < 0 ? Orientation::clockwise : Orientation::degenerate;
+}  // namespace
+
+double signed_area(CurveView curve) {
+  const double twice = twice_signed_area(curve.points);
+  if (std::isfinite(twice)) return 0.5 * twice;
+  const int exponent = comfortable_exponent(box_of(curve.points));
+  return scaled_area(twice_signed_area(scaled(curve, exponent)), -1 - 2 * exponent);
 }
 
 }  // namespace lober

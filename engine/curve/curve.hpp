@@ -51,9 +51,6 @@ enum class Orientation : std::int8_t { clockwise = -1, degenerate = 0, counter_c
 /// the square of the curve's diameter. O(N), parallel; the same bits for any number of threads.
 [[nodiscard]] double signed_area(CurveView curve);
 
-/// The sign of the area as computed by `signed_area`.
-[[nodiscard]] Orientation orientation(CurveView curve);
-
 /// Throws DataError unless the curve can be used: every coordinate finite, at least three distinct vertices
 /// when closed and two when open, fewer than 2^31 vertices. `name` begins the message. O(N).
 void validate(CurveView curve, std::string_view name);
@@ -106,6 +103,7 @@ struct NamedCurve {
   std::string sha256;  ///< of the whole file
   std::size_t zone = 0;
   std::size_t zones = 1;  ///< how many the file has
+  std::string remark;     ///< on how a curve was closed (closing_remark); empty nearly always
 };
 
 /// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/curve/input_guard.hpp"
 #include "engine/error.hpp"
 
 namespace lober {
@@ -44,15 +45,17 @@ auto uninterrupted(const Call& call) {
 }  // namespace
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
+  struct ::stat status {};
   if (const auto own = own_descriptor(path_)) {
     // What the program printed before has to come before.
     if (*own == STDOUT_FILENO) std::fflush(stdout);
     descriptor_ = ::fcntl(*own, F_DUPFD_CLOEXEC, 0);
     if (descriptor_ < 0) fail();
+    if (::fstat(descriptor_, &status) == 0) require_no_input(status);
     return;
   }
-  struct stat status {};
   const bool exists = ::stat(path_.c_str(), &status) == 0;
+  if (exists) require_no_input(status);
   if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ = uninterrupted([&] { return ::open(path_.c_str(), O_WRONLY | O_CLOEXEC); });
     if (descriptor_ < 0) fail();
@@ -73,6 +76,12 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void OutputFile::require_no_input(const struct ::stat& status) {
+  if (!is_noted_input(path_, status)) return;
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  throw UsageError(path_ + ": would overwrite an input of the same command");
 }
 
 void OutputFile::open_beside() {

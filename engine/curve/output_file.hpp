@@ -1,6 +1,8 @@
 // A file that appears under its name only when it is complete.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <string>
 #include <string_view>
 
@@ -9,7 +11,8 @@ namespace lober {
 /// Writes beside the file and renames in `commit`; what is not committed is removed and leaves an existing
 /// file as it was. A symbolic link keeps pointing where it does: its target is replaced. What is no regular
 /// file (a pipe, a device, /dev/stdout and its like, "-" for standard output) is written straight through.
-/// Every member throws DataError "path: reason".
+/// Every member throws DataError "path: reason"; the constructor throws UsageError for a file that the process has read
+/// while an InputGuard lives (input_guard.hpp).
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -21,6 +24,7 @@ class OutputFile {
   void commit();
 
  private:
+  void require_no_input(const struct ::stat& status);
   void open_beside();
   [[noreturn]] void fail() const;
 

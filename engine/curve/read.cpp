@@ -4,8 +4,12 @@
 #include <utility>
 
 #include "engine/curve/binary_file.hpp"
+#include "engine/curve/closing.hpp"
 #include "engine/curve/curve.hpp"
-#include "engine/curve/mapped_file.hpp"
+#include "engine/curve/curve_spec.hpp"
+#include "engine/curve/file_bytes.hpp"
+#include "engine/curve/foreign.hpp"
+#include "engine/curve/plausible.hpp"
 #include "engine/curve/read_memory.hpp"
 #include "engine/curve/sniff.hpp"
 #include "engine/curve/text_file.hpp"
@@ -22,18 +26,6 @@ std::string choices(const std::string& path, std::size_t zones) {
 bool exists(const std::string& path) {
   std::error_code ignored;
   return path == "-" || std::filesystem::exists(path, ignored);
-}
-
-/// Splits FILE#ZONE at the last '#' that leaves an existing file before it; the zone is empty when there is
-/// none.
-std::pair<std::string, std::string> split_spec(const std::string& spec) {
-  if (exists(spec)) return {spec, {}};
-  const std::size_t last = spec.rfind('#');
-  if (last == std::string::npos || last == 0) return {spec, {}};
-  for (std::size_t at = last; at != std::string::npos && at != 0; at = spec.rfind('#', at - 1)) {
-    if (exists(spec.substr(0, at))) return {spec.substr(0, at), spec.substr(at + 1)};
-  }
-  return {spec.substr(0, last), spec.substr(last + 1)};
 }
 
 /// The zone that `choice` names: by its index when it is a number, otherwise by its title.
@@ -58,6 +50,16 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
 
 }  // namespace
 
+std::pair<std::string, std::string> split_spec(const std::string& spec) {
+  if (exists(spec)) return {spec, {}};
+  const std::size_t last = spec.rfind('#');
+  if (last == std::string::npos || last == 0) return {spec, {}};
+  for (std::size_t at = last; at != std::string::npos && at != 0; at = spec.rfind('#', at - 1)) {
+    if (exists(spec.substr(0, at))) return {spec.substr(0, at), spec.substr(at + 1)};
+  }
+  return {spec.substr(0, last), spec.substr(last + 1)};
+}
+
 std::string_view name(Format format) {
   switch (format) {
     case Format::tecplot:
@@ -76,16 +78,29 @@ CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes, s
   CurveFile file;
   file.path = std::move(name);
   if (bytes.empty()) throw DataError(file.path + ": the file is empty");
+  if (insists_on_raw(file.path)) {
+    read_raw(bytes, file);
+    return file;
+  }
+  const auto refuse = [&](const std::string& foreign) {
+    if (!foreign.empty()) throw DataError(file.path + ": this is " + foreign);
+  };
+  refuse(foreign_format(bytes));
   switch (sniff(bytes)) {
     case Content::npy:
       read_npy(bytes, file);
       break;
     case Content::raw:
+      if (const std::string why = implausible_raw(file.path, bytes); !why.empty()) {
+        throw DataError(file.path + ": " + why);
+      }
       read_raw(bytes, file);
       break;
     case Content::text:
-      const std::span<const std::byte> text = bytes.subspan(byte_order_mark(bytes));
-      read_text({reinterpret_cast<const char*>(text.data()), text.size()}, chunk_size, file);
+      const std::span<const std::byte> unmarked = bytes.subspan(byte_order_mark(bytes));
+      const std::string_view text(reinterpret_cast<const char*>(unmarked.data()), unmarked.size());
+      refuse(foreign_text(text));
+      read_text(text, chunk_size, file);
       break;
   }
   return file;
@@ -93,13 +108,14 @@ CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes, s
 
 CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
   constexpr std::size_t worth_two_threads = std::size_t{1} << 16;
-  const MappedFile mapped(path);
+  const FileBytes content(path);
   CurveFile file;
   std::string hash;
   run_together(
-      options.hash && mapped.bytes().size() > worth_two_threads, [&] { file = read_curve_bytes(path, mapped.bytes()); },
+      options.hash && content.bytes().size() > worth_two_threads,
+      [&] { file = read_curve_bytes(path, content.bytes()); },
       [&] {
-        if (options.hash) hash = sha256(mapped.bytes());
+        if (options.hash) hash = sha256(content.bytes());
       });
   file.sha256 = std::move(hash);
   return file;
@@ -120,7 +136,11 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : std::move(zone.title)};
   result.file = path;
   result.sha256 = std::move(file.sha256);
-  if (closed) drop_closing_vertex(result.curve.points);
+  if (closed) {
+    const std::size_t given = result.curve.points.size();
+    drop_closing_vertex(result.curve.points);
+    if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
+  }
   validate(result.curve, spec);
   return result;
 }

@@ -1,4 +1,4 @@
-// Reading a file that is already in memory: what the file readers do after mapping, and what the fuzzers
+// Reading a file that is already in memory: what the file readers do after reading the bytes, and what the fuzzers
 // call.
 #pragma once
 

@@ -15,7 +15,7 @@ constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::i
 }  // namespace
 
 int comfortable_exponent(const Box& box) {
-  constexpr int comfortable = 400;
+  constexpr int comfortable = 300;  // centroids take products of three lengths, parameters of crossings those too
   int size = 0;
   for (const double lane : box.lane) size = std::max(size, std::abs(lane) == 0 ? 0 : std::ilogb(lane));
   const int extent = box.extent() == 0 ? 0 : std::ilogb(box.extent());
@@ -35,12 +35,27 @@ std::vector<Point> scaled(const CurveView& curve, int exponent) {
   return points;
 }
 
-void scale(Areas& areas, int exponent) {
-  for (double Areas::*const member : members) areas.*member = std::ldexp(areas.*member, exponent);
+double scaled_area(double area, int exponent) {
+  const double result = std::ldexp(area, exponent);
+  if (!std::isfinite(result)) {
+    throw DataError(
+        "an area is larger than the largest double, 1.8e308: coordinates in a larger unit, for which it is not, will "
+        "do");
+  }
+  return result;
 }
 
-void allow_for_underflow(Areas& bounds) {
-  for (double Areas::*const member : members) bounds.*member += std::numeric_limits<double>::denorm_min();
+void scale(Areas& areas, int exponent) {
+  for (double Areas::*const member : members) areas.*member = scaled_area(areas.*member, exponent);
+}
+
+double scaled_bound(double bound, int exponent) {
+  return std::min(std::ldexp(bound, exponent) + std::numeric_limits<double>::denorm_min(),
+                  std::numeric_limits<double>::max());
+}
+
+void scale_bounds(Areas& bounds, int exponent) {
+  for (double Areas::*const member : members) bounds.*member = scaled_bound(bounds.*member, exponent);
 }
 
 }  // namespace lober

@@ -39,6 +39,9 @@ class Assembler {
  private:
   void append(std::span<const Point> points) {
     if (points.empty()) return;
+    if (variables_line_ != 0 && variables_ != 2) {
+      Place{file_.path, variables_line_}.fail("expected two variables, found " + std::to_string(variables_));
+    }
     if (!in_zone_) begin_zone(implicit_line_);
     std::vector<Point>& all = file_.zones.back().points;
     all.insert(all.end(), points.begin(), points.end());
@@ -69,6 +72,7 @@ class Assembler {
     }
     if (record == TecplotRecord::variables) {
       variables_ = 0;
+      variables_line_ = line;
       add_variables(text, place);
     } else if (record == TecplotRecord::zone) {
       end_zone();
@@ -129,6 +133,7 @@ class Assembler {
   TecplotRecord open_record_ = TecplotRecord::none;  ///< that the next line may continue
   std::size_t implicit_line_ = 1;                    ///< where a zone begins that has no ZONE line
   std::size_t variables_ = 0;
+  std::size_t variables_line_ = 0;  ///< where they are named; 0: nowhere
   bool in_zone_ = false;
   bool header_line_seen_ = false;
   bool reserved_ = false;

@@ -96,7 +96,7 @@ struct NearOptions {
   int passes = 1;
   int points = 10;  ///< inserted into a segment in each pass
   Interpolation interpolation = Interpolation::linear;
-  std::size_t most_points = 1'000'000'000;
+  std::size_t most_points = 100'000'000;  ///< of the result; DataError beyond
 };
 
 /// Passes near the intersections with another curve (section 4 of the paper, the -DENS of the published program): each

@@ -1,6 +1,8 @@
 // Points near the intersections with another curve, and points at them.
 
 #include <algorithm>
+#include <atomic>
+#include <string>
 
 #include "engine/densify/densify.hpp"
 #include "engine/densify/distinct_curve.hpp"
@@ -13,17 +15,18 @@ namespace {
 
 constexpr double finest = 0x1p-52;  // of a segment; shorter parts would have their ends at the same point
 
+// Stops, unfinished, when there are more than `max_size` parameters.
 void insert_between(double low, double high, std::span<const double> meetings, int passes, int points,
-                    std::vector<double>& parameters) {
+                    std::size_t max_size, std::vector<double>& parameters) {
   const double step = (high - low) / (points + 1);
-  if (passes <= 0 || points <= 0 || meetings.empty() || step < finest) return;
+  if (passes <= 0 || points <= 0 || meetings.empty() || step < finest || parameters.size() > max_size) return;
   double from = low;
   for (int k = 1; k <= points + 1; ++k) {
     const bool last = k > points;
     const double to = last ? high : low + k * step;
     std::size_t here = 0;
     while (here < meetings.size() && (last || meetings[here] < to)) ++here;
-    insert_between(from, to, meetings.first(here), passes - 1, points, parameters);
+    insert_between(from, to, meetings.first(here), passes - 1, points, max_size, parameters);
     meetings = meetings.subspan(here);
     if (!last) parameters.push_back(to);
     from = to;
@@ -85,14 +88,21 @@ class Refined {
   Buffer<Position> positions_;
 };
 
-// The points that `passes` passes put into the segments that hold meetings.
+[[noreturn]] void fail_too_many(std::size_t max_points) {
+  throw DataError("points inserted near intersections would make a curve of more than " + std::to_string(max_points) +
+                  " points, the limit; fewer passes or fewer points will do");
+}
+
+// The points that `passes` passes put into the segments that hold meetings. Stops as soon as the curve would have more
+// than `max_points`.
 Buffer<Insertion> insertions_near(const Refined& refined, const Interpolant& interpolant,
-                                  const Buffer<Meeting>& meetings, int passes, int points) {
+                                  const Buffer<Meeting>& meetings, int passes, int points, std::size_t max_points) {
   const auto begins = gathered<std::size_t>(
       meetings.size(), [&](std::size_t k) { return k == 0 || meetings[k].at.segment != meetings[k - 1].at.segment; },
       [](std::size_t k) { return k; });
   constexpr std::size_t grain = 256;
   std::vector<std::vector<Insertion>> found((begins.size() + grain - 1) / grain);
+  std::atomic<std::size_t> size{refined.view().points.size()};
   for_each_block(begins.size(), grain, [&](std::size_t first, std::size_t last) {
     std::vector<double> held, parameters;
     for (std::size_t group = first; group < last; ++group) {
@@ -101,9 +111,10 @@ Buffer<Insertion> insertions_near(const Refined& refined, const Interpolant& int
       held.clear();
       for (std::size_t k = begins[group]; k < end; ++k) held.push_back(meetings[k].at.t);
       parameters.clear();
-      parameters_near(held, passes, points, parameters);
+      insert_between(0, 1, held, passes, points, max_points, parameters);
       const auto [given, from, to] = refined.stretch(segment);
       if (to - from < finest * (points + 1)) continue;
+      if ((size += parameters.size()) > max_points) fail_too_many(max_points);
       const CubicPiece piece = interpolant.piece(given);
       for (const double t : parameters) {
         const double on_given = from + t * (to - from);
@@ -141,7 +152,7 @@ DensifiedCurve with_meetings(CurveView curve, const Buffer<Meeting>& meetings) {
 }  // namespace
 
 void parameters_near(std::span<const double> meetings, int passes, int points, std::vector<double>& parameters) {
-  insert_between(0, 1, meetings, passes, points, parameters);
+  insert_between(0, 1, meetings, passes, points, parameters.max_size(), parameters);
 }
 
 DensifiedCurve densify_near(CurveView curve, CurveView other, const NearOptions& options) {
@@ -151,17 +162,14 @@ DensifiedCurve densify_near(CurveView curve, CurveView other, const NearOptions&
   Refined refined(interpolant);
   // On the chords the intersections stay where they are, so one search serves all passes.
   const bool linear = options.interpolation == Interpolation::linear;
+  const std::size_t max_points = std::min<std::size_t>(options.most_points, (std::size_t{1} << 31) - 1);
   const int searches = options.points == 0 || options.passes == 0 ? 0 : linear ? 1 : options.passes;
   DensifiedCurve result;
   for (int pass = 1; pass <= searches; ++pass) {
     const Buffer<Meeting> meetings = find_meetings(refined.view(), against.view())[0];
     const Buffer<Insertion> insertions =
-        insertions_near(refined, interpolant, meetings, linear ? options.passes : 1, options.points);
+        insertions_near(refined, interpolant, meetings, linear ? options.passes : 1, options.points, max_points);
     if (insertions.empty()) break;
-    const std::size_t size = refined.view().points.size() + insertions.size();
-    if (size > std::min<std::size_t>(options.most_points, (std::size_t{1} << 31) - 1)) {
-      throw DataError("densify: pass " + std::to_string(pass) + " would give " + std::to_string(size) + " points");
-    }
     refined.insert(insertions, pass < searches);
     ++result.rounds;
   }

@@ -13,6 +13,7 @@
 #include <functional>
 
 #include "engine/dynamics/flow.hpp"
+#include "engine/parallel/cancellation.hpp"
 
 namespace lober {
 
@@ -43,12 +44,14 @@ class Integrator {
     h_ = forward * first_step();
   }
 
-  /// One step, not beyond `limit` and exactly to it if that is within reach. False: the trajectory is lost.
+  /// One step, not beyond `limit` and exactly to it if that is within reach. False: the trajectory is lost. Throws
+  /// Cancelled.
   bool step(double limit) {
     x_before = x;
     dxdt_before = dxdt;
     t_before = t;
     for (;;) {
+      throw_if_cancelled();
       ++steps_tried_;
       if (++tries_ > options_.max_steps) return false;
       const double rest = limit - t_before;

@@ -275,6 +275,7 @@ Samples ManifoldGrowth::carried(Samples guide, int generation, double end) {
 }
 
 void ManifoldGrowth::append(const Trace& trace, int generation) {
+  const CancellationScope shield(CancellationScope::Shield{});  // half a generation could not be kept
   const std::size_t begin = result_.points.size();
   append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.flaws);
   if (side_ < 0) {

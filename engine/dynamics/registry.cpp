@@ -66,7 +66,7 @@ std::vector<SystemInfo> list_systems() {
 }
 
 System make_system(std::string_view name, const ParameterValues& values, const IntegrationOptions& options) {
-  if (name.find('/') != std::string_view::npos || name.ends_with(".so")) {
+  if (names_library(name)) {
     return make_system(load_system(std::string(name)), values, options);
   }
   const std::vector<SystemEntry> all = entries();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/curve/input_guard.hpp"
 #include "engine/dynamics/flow_of.hpp"
 #include "engine/dynamics/formula_map.hpp"
 #include "engine/dynamics/lober_system.h"
@@ -256,6 +257,7 @@ SystemEntry load_system(const std::string& path) {
   const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) throw DataError("cannot load the system: " + std::string(dlerror()));
+  note_input(file);
   const Library library(handle, [](void* opened) { dlclose(opened); });
   using Describe = const lober_system* (*)();
   const auto describe = reinterpret_cast<Describe>(dlsym(handle, "lober_system_describe"));

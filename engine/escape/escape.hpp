@@ -16,24 +16,48 @@
 //   for (const lober::EscapeFraction& entry : result.table) ...
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "engine/agreement.hpp"
 #include "engine/escape/tube.hpp"
 
 namespace lober {
+
+struct Escape;
+
+struct EscapeProgress {
+  std::string what;     ///< what is being done
+  double fraction = 0;  ///< of the whole work, as far as it can be predicted
+  int images = 0;       ///< the number of the images that are being made, of options.crossings + 1
+};
+
+enum class EscapeStop : std::uint8_t {
+  done,      ///< all n asked for
+  points,    ///< the next images need more than EscapeOptions::most_points
+  budget,    ///< they end after EscapeOptions::budget seconds
+  lost,      ///< trajectories could not be followed
+  cancelled  ///< by `progress` or a CancellationScope, after some rows were known
+};
 
 struct EscapeOptions {
   int crossings = 4;        ///< n goes up to this
   double tolerance = 1e-6;  ///< of curves, in units of the square root of the area of the smallest E_i
   double strip = 1e-6;      ///< what is cut off where an image is torn, relative to that area (torn_images.hpp)
   IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
-  std::size_t most_points = 20'000'000;  ///< of one curve
-  /// Told what is being done; false cancels. Called by one thread at a time.
-  std::function<bool(const std::string&)> progress;
+  /// Of one curve. The table ends before an image that is expected to need more, or turns out to.
+  std::size_t most_points = 2'000'000;
+  /// Seconds of processor time, of all threads together. The table ends before images that are expected to end later.
+  double budget = std::numeric_limits<double>::infinity();
+  /// False cancels. Called by one thread at a time.
+  std::function<bool(const EscapeProgress&)> progress;
+  /// Told about each n = 1, 2, ... once its rows are known: those of `table` with that number of crossings. Called from
+  /// the calling thread; Escape::table holds the rows up to n.
+  std::function<void(const Escape& so_far, int n)> rows_known;
 };
 
 /// A bottleneck and its curves on the section.
@@ -43,6 +67,7 @@ struct Bottleneck {
   double multiplier = 0;         ///< of the local manifold of the unstable tube: that of the orbit, found otherwise
   double defect_across = 0;      ///< of both local manifolds, the larger one
   double area = 0;               ///< of E and X, by action
+  double area_error = 0;         ///< error bar of that
   std::vector<TubeCurve> entry;  ///< E, f(E), f^2(E), ...
   std::vector<TubeCurve> exit;   ///< X, f^-1(X), ...
   /// The largest |area of a curve / `area` - 1|, complete curves only.
@@ -59,6 +84,7 @@ struct EscapeFraction {
   bool torn = false;                                           ///< part of one of the two had left already
   /// The same from another split; NaN if there is none.
   double other = std::numeric_limits<double>::quiet_NaN();
+  double other_error = std::numeric_limits<double>::quiet_NaN();
   int other_forward = 0, other_backward = 0;
   [[nodiscard]] bool known() const { return fraction == fraction; }
 };
@@ -68,7 +94,14 @@ struct Escape {
   Section section;                      ///< its direction is the one that n counts
   std::vector<Bottleneck> bottlenecks;  ///< by their saddle's coordinate across the section, ascending
   std::vector<EscapeFraction> table;    ///< by entry, exit, m; 1 <= n <= options.crossings
+  int crossings = 0;                    ///< n up to which the table goes
+  EscapeStop stop = EscapeStop::done;   ///< why it does not go further
+  double points_ahead = 0;              ///< where it stopped: points that the next image was expected to need
+  double seconds_ahead = 0;             ///< and the processor time of all the next images
   double largest_split_difference = 0;  ///< |fraction - other|
+  /// Areas of the tubes' curves by their points and by action; fractions by two splits; fractions that symmetries of
+  /// the well make equal.
+  Agreement agreement;
 };
 
 /// Orbits and first curves only: each Bottleneck has one curve E and one X. Here the section may count one direction
@@ -77,11 +110,19 @@ struct Escape {
                                                   std::span<const FlowState> saddles,
                                                   const EscapeOptions& options = {});
 
-/// The table. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
+/// The table, n by n, as far as it is affordable (options.most_points, options.budget) and trajectories can be
+/// followed. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
 /// that is not across a coordinate of position, has no direction or is bounded; DataError when an orbit or tube cannot
-/// be found, or a tube crosses the section in both directions. The same bits for any number of threads.
+/// be found, or a tube crosses the section in both directions; Cancelled before any row is known. The same bits for any
+/// number of threads, as long as the budget does not end it. Images multiply by about the same factor each time, and
+/// with them time and memory.
 [[nodiscard]] Escape escape(const Flow& flow, const Section& section, double energy, std::span<const FlowState> saddles,
                             const EscapeOptions& options = {});
+
+/// "the fraction from bottleneck 1 to 2 after crossing 3"
+[[nodiscard]] std::string name_of(const EscapeFraction& row);
+/// The area of each complete curve by its points and by action.
+void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement& agreement);
 
 /// The fractions of one entry, summed up to n crossings: what has left by each exit, and what has not.
 struct Survival {

@@ -145,4 +145,15 @@ MonteCarlo monte_carlo(const Flow& flow, const Escape& result, const MonteCarloO
   return check;
 }
 
+void compare(const Escape& result, const MonteCarlo& counted, Agreement& agreement) {
+  constexpr double standard_errors = 5, handful = 12;
+  const auto total = static_cast<double>(counted.trajectories);
+  for (std::size_t k = 0; k < result.table.size(); ++k) {
+    const EscapeFraction& row = result.table[k];
+    const MonteCarloFraction& here = counted.table[k];
+    const double chance = standard_errors * here.standard_error + (handful + static_cast<double>(counted.lost)) / total;
+    agreement.compare({name_of(row), "curves", "trajectories", row.fraction, here.fraction, row.error + chance});
+  }
+}
+
 }  // namespace lober

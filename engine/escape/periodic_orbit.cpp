@@ -268,6 +268,12 @@ PeriodicOrbit periodic_orbit(const Flow& flow, const SaddlePoint& saddle, double
   FlowState end = orbit.state;
   flow.to_section({&end, 1}, {&orbit.period, 1}, orbit.local, 1, near);
   flow.integrate_with_action(orbit.state, 0, orbit.period, orbit.action, near);
+  IntegrationOptions coarser = near;
+  coarser.tolerance *= 10;
+  double coarse_action = 0;
+  flow.integrate_with_action(orbit.state, 0, orbit.period, coarse_action, coarser);
+  orbit.action_error =
+      std::fabs(coarse_action - orbit.action) + 64 * std::numeric_limits<double>::epsilon() * std::fabs(orbit.action);
   flow.integrate_with_derivative(orbit.state, 0, orbit.period, orbit.monodromy, near);
   for (std::size_t k = 0; k < 4; ++k) orbit.trace_defect += orbit.monodromy[k][k];
   orbit.trace_defect -= 2 + orbit.multiplier + 1 / orbit.multiplier;

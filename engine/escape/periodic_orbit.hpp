@@ -36,6 +36,7 @@ struct PeriodicOrbit {
   double residual = 0;  ///< distance of `at` from its image
   double period = 0;
   double action = 0;                   ///< integral of p dq over the orbit, all pairs
+  double action_error = 0;             ///< error bar: what it changes by when integrated less accurately
   double multiplier = 0;               ///< Floquet multiplier > 1; the others are its inverse and 1 twice
   FlowMatrix monodromy{};              ///< derivative of the flow over one period at `state`
   double trace_defect = 0;             ///< trace of the monodromy matrix less the sum of the four multipliers

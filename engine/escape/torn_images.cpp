@@ -58,11 +58,18 @@ double cross(Point a, Point b) {
   return a.x * b.y - a.y * b.x;
 }
 
-class Tearing {
+}  // namespace
+
+class TornImages::Tearing {
  public:
   Tearing(const Flow& flow, const Section& section, std::span<const NeckTubes> necks, std::size_t neck, bool entry,
-          const IntegrationOptions& integration, const TornOptions& options)
-      : flow_(flow), section_(section), necks_(necks), entry_(entry), integration_(integration), options_(options) {
+          const TubeCurve& last, int level, const IntegrationOptions& integration, const TornOptions& options)
+      : flow_(flow),
+        section_(section),
+        necks_(necks.begin(), necks.end()),
+        entry_(entry),
+        integration_(integration),
+        options_(options) {
     tracing_.tolerance = options.tracing.tolerance;
     tracing_.most_points = options.tracing.most_points;
     if (options.tracing.progress)
@@ -70,38 +77,40 @@ class Tearing {
     arcs_.push_back({false, neck, 0, 0, 1, false});
     for (std::size_t j = 0; j < necks.size(); ++j) rims_.push_back(rim_of(j));
     for (std::size_t j = 0; j < necks.size(); ++j) gates_.push_back(gate(j));
+    level_ = level;
+    direction_ = last.direction;
+    sample(last);
   }
 
-  std::vector<TubeCurve> run(const TubeCurve& last, int level) {
-    std::vector<TubeCurve> results;
-    level_ = level;
-    sample(last);
-    int direction = last.direction;
-    double lost = 0;
-    while (level_ < options_.most) {
-      for (const Gate& gate : gates_) {
-        const NeckTubes& neck = necks_[gate.neck];
-        if ((entry_ ? neck.exit_direction : neck.entry_direction) != direction) continue;
-        if (!guide_.empty()) sample(traced());  // another gate on this side has changed the curve
-        if (cut(gate)) lost += options_.strip;
-      }
-      ++level_;
-      direction = -direction;
-      results.push_back(traced());
-      results.back().direction = direction;
-      results.back().cut_off = lost;
-      const CurveImage& image = results.back().image;
-      // Where the ends wind closely, errors of the integration make small jumps that no refinement removes.
-      const bool failed = std::any_of(image.flaws.begin(), image.flaws.end(),
-                                      [](const GrowthFlaw& flaw) { return flaw.cause == GrowthFlawCause::failed; });
-      if (failed || image.stop == GrowthStop::points) {
-        results.pop_back();
-        break;
-      }
-      sample(results.back());
+  std::size_t prepare() {
+    if (prepared_) return guide_.size();
+    for (const Gate& gate : gates_) {
+      const NeckTubes& neck = necks_[gate.neck];
+      if ((entry_ ? neck.exit_direction : neck.entry_direction) != direction_) continue;
+      if (!guide_.empty()) sample(traced());  // another gate on this side has changed the curve
+      if (cut(gate)) lost_ += options_.strip;
     }
-    return results;
+    ++level_;
+    direction_ = -direction_;
+    prepared_ = true;
+    return guide_.empty() ? parameters_.size() : guide_.size();
   }
+
+  std::optional<TubeCurve> next() {
+    prepare();
+    prepared_ = false;
+    TubeCurve result = traced();
+    result.direction = direction_;
+    result.cut_off = lost_;
+    // Where the ends wind closely, errors of the integration make small jumps that no refinement removes.
+    const bool failed = std::any_of(result.image.flaws.begin(), result.image.flaws.end(),
+                                    [](const GrowthFlaw& flaw) { return flaw.cause == GrowthFlawCause::failed; });
+    out_of_points_ = result.image.stop == GrowthStop::points;
+    if (failed || out_of_points_) return std::nullopt;
+    sample(result);
+    return result;
+  }
+  [[nodiscard]] bool out_of_points() const { return out_of_points_; }
 
  private:
   // The present curve is known at these points.
@@ -392,26 +401,40 @@ class Tearing {
 
   const Flow& flow_;
   Section section_;
-  std::span<const NeckTubes> necks_;
+  std::vector<NeckTubes> necks_;
   bool entry_;
   IntegrationOptions integration_;
-  const TornOptions& options_;
+  TornOptions options_;
   ImageOptions tracing_;
   std::vector<Rim> rims_;
   std::vector<Gate> gates_;
   // The present curve: arcs, where it was sampled, and where its image shall be.
-  int level_ = 0;
+  int level_ = 0, direction_ = 0;
+  bool out_of_points_ = false;
+  bool prepared_ = false;  // for the next image
+  double lost_ = 0;        // area that was cut off so far
   std::vector<Arc> arcs_;
   std::vector<double> parameters_, guide_;
   std::vector<Point> points_;
 };
 
-}  // namespace
+TornImages::TornImages(const Flow& flow, const Section& section, std::span<const NeckTubes> necks, std::size_t neck,
+                       bool entry, const TubeCurve& last, int level, const IntegrationOptions& integration,
+                       const TornOptions& options)
+    : tearing_(std::make_unique<Tearing>(flow, section, necks, neck, entry, last, level, integration, options)) {}
 
-std::vector<TubeCurve> torn_images(const Flow& flow, const Section& section, std::span<const NeckTubes> necks,
-                                   std::size_t neck, bool entry, const TubeCurve& last, int level,
-                                   const IntegrationOptions& integration, const TornOptions& options) {
-  return Tearing(flow, section, necks, neck, entry, integration, options).run(last, level);
+TornImages::~TornImages() = default;
+
+std::size_t TornImages::prepare() {
+  return tearing_->prepare();
+}
+
+std::optional<TubeCurve> TornImages::next() {
+  return tearing_->next();
+}
+
+bool TornImages::out_of_points() const {
+  return tearing_->out_of_points();
 }
 
 }  // namespace lober

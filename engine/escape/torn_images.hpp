@@ -11,8 +11,9 @@
 // the area of the strip, each time.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "engine/escape/tube.hpp"
 
@@ -30,15 +31,31 @@ struct NeckTubes {
 struct TornOptions {
   TubeCurveOptions tracing;
   double strip = 0;  ///< area between X and X_I
-  int most = 0;      ///< images in all, the whole ones included
 };
 
 /// Goes on where the whole images of E (`entry`) or X of bottleneck `neck` end; `last` is the last of them, number
-/// `level`, which is torn by its next step. Each result is a closed curve that may cross itself and have corners;
-/// `complete` is false and `torn` true.
-[[nodiscard]] std::vector<TubeCurve> torn_images(const Flow& flow, const Section& section,
-                                                 std::span<const NeckTubes> necks, std::size_t neck, bool entry,
-                                                 const TubeCurve& last, int level,
-                                                 const IntegrationOptions& integration, const TornOptions& options);
+/// `level`, which is torn by its next step. Each image is a closed curve that may cross itself and have corners;
+/// `complete` is false and `torn` true. Flow, section and the tubes must outlive it.
+class TornImages {
+ public:
+  /// Throws DataError when the rim of a tube cannot be followed; Cancelled.
+  TornImages(const Flow& flow, const Section& section, std::span<const NeckTubes> necks, std::size_t neck, bool entry,
+             const TubeCurve& last, int level, const IntegrationOptions& integration, const TornOptions& options);
+  ~TornImages();
+  TornImages(const TornImages&) = delete;
+  TornImages& operator=(const TornImages&) = delete;
+
+  /// Cuts the present image where it has left, and says how many trajectories the next one takes to begin with: about
+  /// half of all that it will take. Throws Cancelled.
+  std::size_t prepare();
+  /// The next image; none where trajectories cannot be followed, or at options.tracing.most_points. Throws Cancelled.
+  [[nodiscard]] std::optional<TubeCurve> next();
+  /// Whether the last `next` came to options.tracing.most_points.
+  [[nodiscard]] bool out_of_points() const;
+
+ private:
+  class Tearing;
+  std::unique_ptr<Tearing> tearing_;
+};
 
 }  // namespace lober

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/dynamics/plane.hpp"
 #include "engine/error.hpp"
 #include "engine/smooth/smooth.hpp"
 
@@ -105,11 +106,48 @@ int Tube::direction_of(Branch branch, const Section& section, int k) const {
   return direction;
 }
 
-std::vector<TubeCurve> Tube::curves(Branch branch, const Section& section, const TubeCurveOptions& options,
-                                    const std::function<bool(const TubeCurve&)>& goes_on) const {
-  const CurveSequence sequence = [&](int k, std::span<const double> u, std::span<Point> points) {
+// Which area lies between the curve and where it would be without the errors of the integration and of the local
+// manifold. The former are measured at a few points, by integrating ten times less accurately; the latter move the
+// whole tube, and the flow keeps the area between.
+double Tube::displacement_area(Branch branch, const Section& section, int k, const CurveImage& image) const {
+  constexpr std::size_t samples = 64;
+  constexpr double coarser = 10;
+  std::array<double, samples> u{};
+  std::array<std::size_t, samples> vertex{};
+  const std::size_t size = image.points.size();
+  for (std::size_t j = 0; j < samples; ++j) {
+    vertex[j] = j * size / samples;
+    u[j] = image.parameters[vertex[j]];
+  }
+  std::array<FlowState, samples> states;
+  begin(branch, u, states);
+  IntegrationOptions options = options_;
+  options.tolerance *= coarser;
+  flow_.to_section(states, {}, section, side() == ManifoldSide::unstable ? k : -k, options);
+  double area = 0;
+  for (std::size_t j = 0; j < samples; ++j) {
+    const Point here = image.points[vertex[j]], after = image.points[(vertex[j] + 1) % size];
+    const Point off{states[j][at(section.chart_x)] - here.x, states[j][at(section.chart_y)] - here.y};
+    const Point along{after.x - here.x, after.y - here.y};
+    const double across = std::fabs(off.x * along.y - off.y * along.x) / std::max(length(along), 1e-300);
+    double arc = 0;  // that this sample stands for
+    const std::size_t end = j + 1 < samples ? vertex[j + 1] : size;
+    for (std::size_t i = vertex[j]; i < end; ++i) arc += distance(image.points[i], image.points[(i + 1) % size]);
+    area += across * arc;
+  }
+  double own = 1, far = 1;
+  for (const ConjugatePair& pair : flow_.conjugate_pairs()) {
+    if (pair.q == orbit_.local.chart_x) own = std::fabs(pair.factor);
+    if (pair.q == section.chart_x) far = std::fabs(pair.factor);
+  }
+  return area + local_.defect_across * local_.reach * own / far;
+}
+
+TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCurve* before,
+                      const TubeCurveOptions& options) const {
+  const CurveSequence sequence = [&](int, std::span<const double> u, std::span<Point> points) {
     std::vector<FlowState> states(u.size());
-    crossings(branch, section, k + 1, u, states);
+    crossings(branch, section, k, u, states);
     for (std::size_t i = 0; i < u.size(); ++i) {
       points[i] = {states[i][at(section.chart_x)], states[i][at(section.chart_y)]};
     }
@@ -118,22 +156,25 @@ std::vector<TubeCurve> Tube::curves(Branch branch, const Section& section, const
   tracing.tolerance = options.tolerance;
   tracing.most_points = options.most_points;
   if (options.progress) tracing.progress = [&](const GrowthProgress&) { return options.progress(); };
-  std::vector<TubeCurve> result;
+  std::vector<double> guide;
+  if (before != nullptr) {
+    guide.assign(before->image.parameters.begin(), before->image.parameters.end());
+    guide.push_back(1);
+  }
   const std::array<double, 2> ends{0, 1};
-  (void)images_of(sequence, ends, tracing, [&](const CurveImage& image) {
-    TubeCurve curve;
-    curve.image = image;
-    curve.direction = direction_of(branch, section, static_cast<int>(result.size()) + 1);
-    curve.complete = image.flaws.empty() && image.stop != GrowthStop::points && image.points.size() >= 8;
-    if (curve.complete) {
-      const SmoothArea area = smooth_area(image);
-      curve.area = std::fabs(area.area);
-      curve.area_error = area.error;
-    }
-    result.push_back(std::move(curve));
-    return result.back().complete && goes_on(result.back());
-  });
-  return result;
+  TubeCurve curve;
+  curve.image = std::move(images_of(
+      sequence, ends, tracing, [](const CurveImage&) { return false; }, guide)[0]);
+  curve.direction = direction_of(branch, section, k);
+  curve.complete =
+      curve.image.flaws.empty() && curve.image.stop != GrowthStop::points && curve.image.points.size() >= 8;
+  if (curve.complete) {
+    const SmoothArea area = smooth_area(curve.image);
+    curve.area = std::fabs(area.area);
+    curve.displacement_area = displacement_area(branch, section, k, curve.image);
+    curve.area_error = area.error + curve.displacement_area;
+  }
+  return curve;
 }
 
 double Tube::area_by_action(const Section& section) const {

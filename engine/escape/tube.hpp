@@ -29,7 +29,10 @@ struct TubeCurve {
   double cut_off = 0;     ///< of a torn one: the area that closing it may have lost
   bool complete = false;  ///< every trajectory gets here, and the curve meets the tolerance
   double area = 0;        ///< that it encloses, of order h^6; 0 unless complete
-  double area_error = 0;  ///< estimate of its discretisation error
+  /// Error bar of `area`: of the discretisation, the integration (a few trajectories once more, less accurately) and
+  /// the local manifold.
+  double area_error = 0;
+  double displacement_area = 0;  ///< the part of it by integration and local manifold
   [[nodiscard]] CurveView view() const { return image; }
 };
 
@@ -57,15 +60,17 @@ class Tube {
                  std::span<FlowState> states) const;
   /// The branch whose trajectories reach the section, the sooner one if both do. Throws DataError when neither does.
   [[nodiscard]] Branch branch_towards(const Section& section) const;
-  /// The first crossings as closed curves, one after the other as long as they are complete and `goes_on` says so.
-  [[nodiscard]] std::vector<TubeCurve> curves(Branch branch, const Section& section, const TubeCurveOptions& options,
-                                              const std::function<bool(const TubeCurve&)>& goes_on) const;
+  /// Crossing number k = 1, 2, ... as a closed curve. `before`: crossing number k - 1, complete, which shows where this
+  /// one needs points; none for the first one. Throws Cancelled.
+  [[nodiscard]] TubeCurve curve(Branch branch, const Section& section, int k, const TubeCurve* before,
+                                const TubeCurveOptions& options) const;
   /// The area that each of those curves encloses: the orbit's action in units of the section's chart (the integral of
   /// p dq about the tube is the same wherever it is cut, and p dq of the section's own pair is 0 on it).
   [[nodiscard]] double area_by_action(const Section& section) const;
 
  private:
   [[nodiscard]] int direction_of(Branch branch, const Section& section, int k) const;
+  [[nodiscard]] double displacement_area(Branch branch, const Section& section, int k, const CurveImage& image) const;
 
   const Flow& flow_;
   PeriodicOrbit orbit_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/curve/countable.hpp"
 #include "engine/parallel/parallel.hpp"
 
 namespace lober {
@@ -13,6 +14,7 @@ constexpr std::uint32_t block_levels = 10;  // a task builds the subtree over 2^
 BoxTree::BoxTree(CurveView curve) : curve_(curve) {
   const std::size_t segment_count = curve_.segments();
   if (segment_count == 0) throw DataError("a curve without segments has no index");
+  require_countable(segment_count, "segments to index");
   const auto leaf_count = static_cast<std::uint32_t>((segment_count + leaf_size - 1) / leaf_size);
   std::uint32_t total = 0;
   for (std::uint32_t size = leaf_count;; size = (size + 1) / 2) {

@@ -1,5 +1,6 @@
 // Inside or outside, by the parity of crossings of a ray to the right.
 
+#include "engine/curve/require.hpp"
 #include "engine/index/index.hpp"
 #include "kernels/predicates.hpp"
 
@@ -40,6 +41,7 @@ bool odd_crossings(const BoxTree& tree, TreeNode node, Point point, PredicateCou
 }  // namespace
 
 bool encloses(const IndexedCurve& curve, Point point) {
+  require_closed(curve.view(), "the curve", "inside or outside");
   PredicateCounts counts;
   return odd_crossings(curve.tree(), curve.tree().root(), point, counts);
 }

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/curve/require.hpp"
 #include "engine/curve/scaled.hpp"
+#include "engine/index/orientation.hpp"
 #include "engine/interior/arc_labels.hpp"
 #include "engine/interior/insert_points.hpp"
 #include "engine/interior/interior.hpp"
 #include "engine/interior/side_sums.hpp"
 #include "engine/stopwatch.hpp"
-#include "kernels/shoelace.hpp"
 
 namespace lober {
 namespace {
@@ -22,19 +23,6 @@ double not_negative(DD value) {
   return std::max(0.0, value.hi + value.lo);
 }
 
-// From the sums that the tree brings along: O(N / 1024).
-Orientation orientation_of(const BoxTree& tree) {
-  const Point origin = tree.leaf_begin(0);
-  DD twice_area;
-  for (std::size_t k = 0; k < tree.stretch_sums().size(); ++k) {
-    const std::size_t begin = k * leaf_size, end = std::min(begin + leaf_size, tree.leaves());
-    twice_area += tree.stretch_sums()[k] + shoelace(tree.leaf_begin(begin), tree.leaf_begin(end), origin);
-  }
-  return twice_area.hi > 0   ? Orientation::counter_clockwise
-         : twice_area.hi < 0 ? Orientation::clockwise
-                             : Orientation::degenerate;
-}
-
 // Sums of a curve that runs clockwise count backwards.
 SideSums counter_clockwise(SideSums sums, bool clockwise) {
   return clockwise ? SideSums{-sums.outside, -sums.on, -sums.inside, sums.error} : sums;
@@ -43,14 +31,15 @@ SideSums counter_clockwise(SideSums sums, bool clockwise) {
 // Puts an InteriorAreas together. One for each call.
 class InteriorBuilder {
  public:
-  InteriorBuilder(const IndexedCurve& c1, const IndexedCurve& c2, const InteriorOptions& options)
-      : c1_(c1), c2_(c2), options_(options) {}
+  // The curves are the caller's times 2^exponent.
+  InteriorBuilder(const IndexedCurve& c1, const IndexedCurve& c2, const InteriorOptions& options, int exponent)
+      : c1_(c1), c2_(c2), options_(options), exponent_(exponent) {}
 
   InteriorAreas build() {
     const Stopwatch watch;
     report(0);
     if (options_.check_simple) {
-      for (const SimpleCheck& check : {require_simple(c1_, 1), require_simple(c2_, 2)}) {
+      for (const SimpleCheck& check : {require_simple(c1_, 1, exponent_), require_simple(c2_, 2, exponent_)}) {
         result_.statistics.simple_check += check.search;
         result_.statistics.simple_check_pairs += check.pairs;
       }
@@ -83,8 +72,8 @@ class InteriorBuilder {
     result_.timing.order = graph.order_seconds;
     result_.statistics.index = kind;
     result_.statistics.counts = graph.counts;
-    result_.orientation1 = orientation_of(c1_.tree());
-    result_.orientation2 = orientation_of(c2_.tree());
+    result_.orientation1 = orientation(c1_);
+    result_.orientation2 = orientation(c2_);
     result_.nodes = Crossings(std::move(graph), c1_.view(), c2_.view(), result_.orientation1, result_.orientation2);
   }
 
@@ -118,9 +107,9 @@ class InteriorBuilder {
     const bool insert = options_.passes > 0 && options_.points > 0;
     LabelledCurve dense;
     if (insert) {
-      dense = insert_points(view, labels, other(curve), options_.passes, options_.points);
+      dense = insert_points(view, labels, side_changes(result_.nodes, curve), options_.passes, options_.points,
+                            options_.max_points);
       result_.statistics.points_inserted += dense.points.size() - view.points.size();
-      result_.statistics.queries += dense.points.size() - view.points.size();
     }
     result_.timing.labels += label_watch.seconds();
     const Stopwatch sum_watch;
@@ -163,6 +152,7 @@ class InteriorBuilder {
   const IndexedCurve& c1_;
   const IndexedCurve& c2_;
   const InteriorOptions& options_;
+  int exponent_;
   InteriorAreas result_;
 };
 
@@ -170,30 +160,27 @@ InteriorAreas scaled_areas(const IndexedCurve& c1, const IndexedCurve& c2, const
                            int exponent) {
   const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
   const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
-  try {
-    InteriorAreas result = InteriorBuilder(scaled1, scaled2, options).build();
-    for (double* value : {&result.q1, &result.q2, &result.q3, &result.delta})
-      *value = std::ldexp(*value, -2 * exponent);
-    scale(result.areas, -2 * exponent);
-    scale(result.rounding, -2 * exponent);
-    allow_for_underflow(result.rounding);
-    result.nodes = std::move(result.nodes).on(c1.view(), c2.view());
-    return result;
-  } catch (const NotSimpleError& error) {
-    throw NotSimpleError(error.curve, error.segment1, error.segment2,
-                         {std::ldexp(error.at.x, -exponent), std::ldexp(error.at.y, -exponent)});
-  }
+  InteriorAreas result = InteriorBuilder(scaled1, scaled2, options, exponent).build();
+  for (double* value : {&result.q1, &result.q2, &result.q3, &result.delta}) *value = std::ldexp(*value, -2 * exponent);
+  scale(result.areas, -2 * exponent);
+  scale_bounds(result.rounding, -2 * exponent);
+  result.nodes = std::move(result.nodes).on(c1.view(), c2.view());
+  return result;
 }
 
 }  // namespace
 
 InteriorAreas interior_areas(const IndexedCurve& c1, const IndexedCurve& c2, const InteriorOptions& options) {
+  require_region(c1.view(), "curve 1", "interior");
+  require_region(c2.view(), "curve 2", "interior");
   const int exponent = comfortable_exponent(unite(c1.tree().box(), c2.tree().box()));
   if (exponent != 0) return scaled_areas(c1, c2, options, exponent);
-  return InteriorBuilder(c1, c2, options).build();
+  return InteriorBuilder(c1, c2, options, 0).build();
 }
 
 InteriorAreas interior_areas(CurveView c1, CurveView c2, const InteriorOptions& options) {
+  require_closed(c1, "curve 1", "interior");
+  require_closed(c2, "curve 2", "interior");
   validate(c1, "curve 1");
   validate(c2, "curve 2");
   const Stopwatch watch;

@@ -33,9 +33,9 @@ struct Winding {
 };
 
 /// The winding number of a closed curve of any shape, self-intersecting or not, about a point, which must be finite.
-/// Exact. A ray to the right is followed through the box tree: a box that it misses is skipped, one that lies
-/// wholly to the right of the point counts by the heights of its two ends. About log N for a curve whose boxes overlap
-/// little.
+/// Exact. Throws UsageError for an open curve, as everything that follows does. A ray to the right is followed through
+/// the box tree: a box that it misses is skipped, one that lies wholly to the right of the point counts by the heights
+/// of its two ends. About log N for a curve whose boxes overlap little.
 [[nodiscard]] Winding winding(const IndexedCurve& curve, Point point);
 
 /// The same for many points, in parallel; the same for any number of threads.
@@ -106,6 +106,7 @@ struct InteriorOptions {
   /// apart. Nothing is inserted if either is 0.
   int passes = 0;
   int points = 0;
+  std::size_t max_points = 100'000'000;  ///< of one curve with what is inserted; DataError beyond
   IndexKind index = IndexKind::automatic;
   bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
   /// Called between phases with the fraction done, from the calling thread; return false to cancel.
@@ -146,9 +147,10 @@ struct InteriorAreas {
 /// Areas of two simple closed curves of either orientation from Q1, Q2, Q3. For `split` each part of a curve between
 /// two contacts is labelled by the exact winding number of the other curve about one of its vertices; a straight part,
 /// which has none inside, by the exact side on which it leaves its first end. On shared parts I = 0, so that each curve
-/// brings half of them. Sums are in double-double about one common origin. Throws DataError (validate), NotSimpleError,
-/// Cancelled. O(n + m + contacts log N) and the search, parallel; the same bits for any number of threads. Areas are as
-/// good as those of `overlay`: relative error below 1e-15 where they exceed 1e-12 of the bounding box.
+/// brings half of them. Sums are in double-double about one common origin. Throws UsageError (an open curve), DataError
+/// (validate; also an area beyond the range of double), NotSimpleError, Cancelled. O(n + m + contacts log N) and the
+/// search, parallel; the same bits for any number of threads. Areas are as good as those of `overlay`: relative error
+/// below 1e-15 where they exceed 1e-12 of the bounding box.
 [[nodiscard]] InteriorAreas interior_areas(CurveView c1, CurveView c2, const InteriorOptions& options = {});
 
 /// The same for curves that are indexed already (and validated by the caller).

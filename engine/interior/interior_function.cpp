@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/curve/require.hpp"
 #include "engine/interior/interior.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/predicates.hpp"
@@ -117,6 +118,7 @@ class AngleWalk {
 }  // namespace
 
 InteriorValue interior_function(const IndexedCurve& curve, Point point) {
+  require_closed(curve.view(), "the curve", "interior function");
   return AngleWalk(curve.tree(), point).run();
 }
 
@@ -129,6 +131,7 @@ std::vector<InteriorValue> interior_function(const IndexedCurve& curve, std::spa
 }
 
 double interior_function_direct(CurveView curve, Point point) {
+  require_closed(curve, "the curve", "interior function");
   double sum = 0;
   for (std::size_t k = 0; k < curve.segments(); ++k) {
     const auto [a, b] = curve.segment(k);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/curve/require.hpp"
 #include "engine/interior/interior.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/predicates.hpp"
@@ -69,6 +70,7 @@ class RayWalk {
 }  // namespace
 
 Winding winding(const IndexedCurve& curve, Point point) {
+  require_closed(curve.view(), "the curve", "winding number");
   return RayWalk(curve.tree(), point).run();
 }
 

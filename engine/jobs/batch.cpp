@@ -1,9 +1,13 @@
 #include "engine/jobs/batch.hpp"
 
 #include <chrono>
+#include <optional>
+#include <utility>
 
 #include "engine/jobs/curve_set.hpp"
+#include "engine/jobs/export.hpp"
 #include "engine/jobs/file_unit.hpp"
+#include "engine/parallel/cancellation.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -56,8 +60,16 @@ void StoreSession::skip_finished(std::vector<std::string> inputs) {
       seen_[job.curves()[k]] = 1;
       digests[k] = digests_[job.curves()[k]];
     }
-    const auto known = store_->known().find(keys(job, digests[0], digests[1]));
-    if (known == store_->known().end() || known->second.failed) left.push_back(number);
+    const JobKey key = keys(job, digests[0], digests[1]);
+    const auto known = store_->known().find(key);
+    const bool there = known != store_->known().end();
+    if (there && !store_->result(known->second)) {
+      store_->discard(key);
+      damaged_.push_back(damage_line(*store_, plan_, number));
+    } else if (there && !known->second.failed) {
+      continue;
+    }
+    left.push_back(number);
   }
   finished_before_ = pending_.size() - left.size();
   pending_ = std::move(left);
@@ -95,26 +107,36 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
   const Plan plan = make_plan(manifest);
   QueueOptions queue_options = options.queue;
   queue_options.digests = true;
-  std::atomic<PlanRunner*> runner{nullptr};
-  StoreSession session(options.store, plan, manifest, options.shard, queue_options.threads, [&] {
-    if (PlanRunner* const running = runner.load()) running->stop();
-  });
+  std::atomic<bool> broken{false};
+  StoreSession session(options.store, plan, manifest, options.shard, queue_options.threads, [&] { broken = true; });
   report.jobs = session.pending().size() + session.finished_before();
   report.finished_before = session.finished_before();
+  report.damaged = session.damaged();
   std::size_t unusable = 0;
   {
     PlanRunner queue(plan, manifest.path, session.pending(), queue_options);
-    runner = &queue;
-    const Watcher watcher([&] {
-      if (options.progress && !options.progress(queue.progress())) queue.stop();
+    std::optional<Stopwatch> since_stop;
+    Watcher watcher([&] {
+      try {
+        if (!since_stop && !broken && (!options.progress || options.progress(queue.progress()))) return;
+        if (!since_stop) since_stop.emplace();
+        queue.stop();
+        if (since_stop->seconds() >= options.patience) queue.cancel();
+      } catch (...) {
+        queue.stop();
+        throw;
+      }
     });
+    // Jobs that run when the caller is cancelled have their chance too.
+    const CancellationScope shield(CancellationScope::Shield{});
     report.queue = queue.run(session.pending(), [&](PlanResult result) {
       const bool failed = result.failed;
       if (!session.add(std::move(result)) && !failed) ++unusable;
     });
-    runner = nullptr;
+    watcher.finish();
   }
   report.queue.failed += unusable;
+  const CancellationScope shield(CancellationScope::Shield{});
   report.store_seconds = session.finish(report.queue.stopped ? "stopped" : "complete");
   report.wall_seconds = watch.seconds();
   return report;
@@ -123,16 +145,28 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
 Watcher::Watcher(std::function<void()> watch)
     : thread_([this, watch = std::move(watch)] {
         std::unique_lock lock(mutex_);
-        while (!wake_.wait_for(lock, std::chrono::milliseconds(100), [&] { return done_; })) watch();
+        try {
+          while (!wake_.wait_for(lock, std::chrono::milliseconds(100), [&] { return done_; })) watch();
+        } catch (...) {
+          error_ = std::current_exception();
+        }
       }) {}
 
 Watcher::~Watcher() {
+  try {
+    finish();
+  } catch (...) {  // whoever wants to know calls `finish`
+  }
+}
+
+void Watcher::finish() {
   {
     const std::lock_guard lock(mutex_);
     done_ = true;
   }
   wake_.notify_one();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
+  if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
 }
 
 }  // namespace lober

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/error.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -83,26 +84,57 @@ void CurveCache::begin_loading(UnitId number) {
   take(unit.bytes + unit.what.reading_memory);
 }
 
-std::shared_ptr<CurveCache::Loaded> CurveCache::read(UnitId number, bool digests) const {
+void CurveCache::give_up_loading(UnitId number) {
+  Unit& unit = units_[number];
+  unit.state = State::absent;
+  used_ -= unit.bytes + unit.what.reading_memory;
+}
+
+void CurveCache::expect(UnitId number, std::size_t bytes) {
+  Unit& unit = units_[number];
+  if (unit.state == State::absent) unit.bytes = std::max(unit.bytes, bytes);
+}
+
+namespace {
+
+// Calls load(); what goes wrong is passed to failed(message), unless the work is to be dropped.
+template <typename Load, typename Failed>
+void load_or(const Load& load, const Failed& failed) {
+  try {
+    load();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    failed("out of memory");
+  } catch (const std::exception& error) {
+    failed(error.what());
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<CurveCache::Loaded> CurveCache::read(UnitId number, const Loading& loading) const {
   const Unit& unit = units_[number];
   auto loaded = std::make_shared<Loaded>();
   const Stopwatch read_watch;
   std::vector<LoadedCurve> curves;
-  try {
-    curves = unit.what.load(digests);
-  } catch (const Error& error) {
-    curves.assign(unit.what.curves, LoadedCurve{nullptr, {}, error.what()});
-  } catch (const std::bad_alloc&) {
-    curves.assign(unit.what.curves, LoadedCurve{nullptr, {}, "out of memory"});
-  }
+  load_or([&] { curves = unit.what.load(loading); },
+          [&](const char* message) {
+            curves.assign(unit.what.curves, LoadedCurve{nullptr, {}, message});
+          });
   loaded->read_seconds = read_watch.seconds();
   const Stopwatch prepare_watch;
   loaded->curves.resize(curves.size());
   for_each_block(curves.size(), 1, [&](std::size_t k, std::size_t) {
     LoadedCurve& curve = curves[k];
-    loaded->curves[k] = curve.error.empty() ? std::make_shared<const PreparedCurve>(std::move(curve.curve),
-                                                                                    members_[unit.first + k].needs)
-                                            : std::make_shared<const PreparedCurve>(std::move(curve.error));
+    const std::string name = curve.curve ? curve.curve->name : "";
+    load_or(
+        [&] {
+          loaded->curves[k] = curve.error.empty() ? std::make_shared<const PreparedCurve>(
+                                                        std::move(curve.curve), members_[unit.first + k].needs)
+                                                  : std::make_shared<const PreparedCurve>(std::move(curve.error));
+        },
+        [&](const char* message) { loaded->curves[k] = std::make_shared<const PreparedCurve>(name + ": " + message); });
   });
   for (std::size_t k = 0; k < curves.size(); ++k) {
     loaded->bytes += loaded->curves[k]->memory();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/jobs/allowance.hpp"
 #include "engine/jobs/prepared_curve.hpp"
 
 namespace lober {
@@ -40,6 +41,12 @@ struct LoadedCurve {
   std::string error;   ///< why there is no such curve; empty if there is
 };
 
+/// How a unit is to be loaded.
+struct Loading {
+  bool digests;  ///< hash what is read
+  const Allowance& allowance;
+};
+
 /// What is read at once and leaves memory at once: a file with those of its zones that jobs use, or one curve that
 /// comes from elsewhere.
 struct CurveUnit {
@@ -47,8 +54,9 @@ struct CurveUnit {
   std::size_t points = 0;          ///< an estimate for all of them together, before they are read
   std::size_t reading_memory = 0;  ///< bytes needed besides while reading
   bool keep = false;               ///< cannot be read again
-  /// Returns so many curves, in order; throws Error when nothing can be read. The same content every time.
-  std::function<std::vector<LoadedCurve>(bool digests)> load;
+  /// Returns so many curves, in order; throws what is a std::exception when nothing can be read. The same content every
+  /// time.
+  std::function<std::vector<LoadedCurve>(const Loading&)> load;
 };
 
 struct CacheCounts {
@@ -92,9 +100,14 @@ class CurveCache {
   /// Announces that the caller is going to `read` the unit, and books the memory.
   void begin_loading(UnitId unit);
   struct Loaded;
-  /// Reads and prepares, in parallel inside. Needs no lock.
-  [[nodiscard]] std::shared_ptr<Loaded> read(UnitId unit, bool digests) const;
+  /// Reads and prepares, in parallel inside. Needs no lock. A curve that cannot be read or prepared, be it for want of
+  /// memory, is one with an error; Cancelled and what is no std::exception is thrown.
+  [[nodiscard]] std::shared_ptr<Loaded> read(UnitId unit, const Loading& loading) const;
   void end_loading(UnitId unit, const Loaded& loaded);
+  /// Instead, when `read` has thrown.
+  void give_up_loading(UnitId unit);
+  /// The unit will take so many bytes at least, so far as is known now.
+  void expect(UnitId unit, std::size_t bytes);
 
   /// Of a resident unit.
   [[nodiscard]] const PreparedCurve& curve(CurveId curve) const { return *members_[curve].prepared; }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/curve/curve.hpp"
+#include "engine/jobs/file_unit.hpp"
 
 namespace lober {
 namespace {
@@ -50,6 +51,7 @@ std::vector<CurvePlace> zones_of(const Manifest& manifest, const Placed& pattern
   if (const auto [stop, error] = std::from_chars(choice.data(), end, number); stop == end && error == std::errc{}) {
     return {{file, number}};
   }
+  require_regular(located(manifest.path, file));
   const CurveFile content = read_curve_file(located(manifest.path, file), {.hash = false});
   std::vector<CurvePlace> places;
   for (std::size_t k = 0; k < content.zones.size(); ++k) {

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/curve/input_guard.hpp"
+
 namespace lober {
 
 Database::Database(const std::string& path, bool create) : path_(path) {
@@ -12,10 +14,16 @@ Database::Database(const std::string& path, bool create) : path_(path) {
   handle_.reset(handle);
   if (code != SQLITE_OK) fail();
   sqlite3_busy_timeout(handle, 60'000);
+  note_input(path);
+  // What a damaged or foreign file says about itself is not believed.
+  execute("PRAGMA cell_size_check = ON; PRAGMA trusted_schema = OFF");
 }
 
 void Database::fail() const {
-  throw DataError(path_ + ": " + (handle_ ? sqlite3_errmsg(handle_.get()) : "out of memory"));
+  const int code = handle_ ? sqlite3_errcode(handle_.get()) & 0xff : SQLITE_NOMEM;
+  const std::string message = path_ + ": " + (handle_ ? sqlite3_errmsg(handle_.get()) : "out of memory");
+  if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) throw DamagedError(message);
+  throw DataError(message);
 }
 
 void Database::execute(const char* sql) {

@@ -12,6 +12,12 @@
 
 namespace lober {
 
+/// The bytes of the file are not what SQLite has written.
+class DamagedError : public DataError {
+ public:
+  using DataError::DataError;
+};
+
 class Database {
  public:
   /// Opens a file; creates it only if asked to. Waits up to a minute for other processes.
@@ -22,7 +28,9 @@ class Database {
   /// then as it does elsewhere.
   void use_write_ahead_log();
   [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
+  /// Throws what went wrong last: DamagedError or another DataError.
   [[noreturn]] void fail() const;
+  [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
   struct Close {

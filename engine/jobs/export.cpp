@@ -1,13 +1,32 @@
 #include "engine/jobs/export.hpp"
 
+#include <array>
+
 #include "engine/jobs/export_row.hpp"
 
 namespace lober {
 namespace {
 
-// Calls found(number, result) for each job of the plan, with null when there is no result.
-template <typename Found>
-void for_each_job(const Store& store, const Plan& plan, const Found& found) {
+// The result as its operation writes it; none for one that is damaged.
+std::optional<StoredResult> sound_result(const Store& store, const PlannedGroup& group, const Store::Known& known,
+                                         Record& record) {
+  std::optional<StoredResult> result = store.result(known);
+  if (!result || result->failed) return result;
+  try {
+    record = decode(result->value);
+  } catch (const DataError&) {
+    return std::nullopt;
+  }
+  const Operation* const operation = find_operation(group.operation);
+  const bool whole = operation == nullptr || (record.values.size() == operation->columns.size() &&
+                                              record.lists.size() == operation->lists.size());
+  return whole ? std::move(result) : std::nullopt;
+}
+
+// Goes through the jobs of the plan that are wanted and calls found(number, result, record) for each that has a result.
+template <typename Wanted, typename Found>
+ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted& wanted, const Found& found) {
+  ExportCounts counts;
   const InputDigests inputs = store.digests();
   std::vector<const std::string*> digests;
   for (const PlannedCurve& curve : plan.curves) {
@@ -17,17 +36,37 @@ void for_each_job(const Store& store, const Plan& plan, const Found& found) {
   const JobKeys keys(plan);
   for (std::size_t number = 0; number < plan.jobs.size(); ++number) {
     const PlannedJob& job = plan.jobs[number];
+    const PlannedGroup& group = plan.groups[job.group];
+    if (!wanted(group)) continue;
     static const std::string none;
     std::array<const std::string*, 2> of_curves{&none, &none};
     for (std::size_t k = 0; k < job.curves().size(); ++k) of_curves[k] = digests[job.curves()[k]];
     const auto& [first, second] = of_curves;
-    const Store::Known* known = nullptr;
-    if (first != nullptr && second != nullptr) {
-      const auto at = store.known().find(keys(job, *first, *second));
-      if (at != store.known().end()) known = &at->second;
+    const auto at =
+        first != nullptr && second != nullptr ? store.known().find(keys(job, *first, *second)) : store.known().end();
+    if (at == store.known().end()) {
+      ++counts.missing;
+      continue;
     }
-    found(number, known);
+    Record record;
+    std::optional<StoredResult> result = sound_result(store, group, at->second, record);
+    if (!result) {
+      ++counts.missing;
+      counts.damaged.push_back(damage_line(store, plan, number));
+      continue;
+    }
+    ++(result->failed ? counts.failed : counts.done);
+    found(number, std::move(*result), std::move(record));
   }
+  if (store.torn()) counts.damaged.push_back(store.path() + ": is damaged, some of its results cannot be reached");
+  return counts;
+}
+
+// "FIRST SECOND", or the options of a job without curves.
+std::string inputs_of(const Plan& plan, const PlannedJob& job) {
+  std::string inputs;
+  for (const CurveId id : job.curves()) inputs += (inputs.empty() ? "" : " ") + plan.name(id);
+  return inputs.empty() ? plan.groups[job.group].spelled() : inputs;
 }
 
 Plan plan_of(const Store& store) {
@@ -63,23 +102,16 @@ ExportCounts export_results(const Store& store, const std::string& path, ExportF
                             const std::optional<std::string>& operation) {
   const Plan plan = plan_of(store);
   ExportCounts counts;
+  const auto wanted = [&](const PlannedGroup& group) { return !operation || group.operation == *operation; };
   const EachRow rows = [&](const std::function<void(const ExportRow&)>& take) {
-    counts = {};
-    for_each_job(store, plan, [&](std::size_t number, const Store::Known* known) {
+    counts = for_each_result(store, plan, wanted, [&](std::size_t number, StoredResult result, Record record) {
       const PlannedJob& job = plan.jobs[number];
-      const PlannedGroup& group = plan.groups[job.group];
-      if (operation && group.operation != *operation) return;
-      if (known == nullptr) {
-        ++counts.missing;
-        return;
-      }
-      StoredResult result = store.result(*known);
-      ++(result.failed ? counts.failed : counts.done);
-      ExportRow row{number, &group, plan.name(job.first), plan.name(job.second), result.failed, "", {}};
+      ExportRow row{number, &plan.groups[job.group], plan.name(job.first), plan.name(job.second), result.failed, "",
+                    {}};
       if (result.failed) {
         row.message = std::move(result.value);
       } else {
-        row.record = decode(result.value);
+        row.record = std::move(record);
       }
       take(row);
     });
@@ -96,26 +128,19 @@ ExportCounts export_results(const Store& store, const std::string& path, ExportF
   return counts;
 }
 
-ExportCounts count_results(const Store& store) {
-  ExportCounts counts;
-  for_each_job(store, plan_of(store), [&](std::size_t, const Store::Known* known) {
-    ++(known == nullptr ? counts.missing : known->failed ? counts.failed : counts.done);
+StoreSurvey survey(const Store& store) {
+  const Plan plan = plan_of(store);
+  StoreSurvey all;
+  const auto any = [](const PlannedGroup&) { return true; };
+  all.counts = for_each_result(store, plan, any, [&](std::size_t number, const StoredResult& result, const Record&) {
+    if (result.failed) all.failures.push_back(inputs_of(plan, plan.jobs[number]) + ": " + result.value);
   });
-  return counts;
+  return all;
 }
 
-std::vector<std::string> failures_of(const Store& store) {
-  const Plan plan = plan_of(store);
-  std::vector<std::string> failures;
-  for_each_job(store, plan, [&](std::size_t number, const Store::Known* known) {
-    if (known == nullptr || !known->failed) return;
-    const PlannedJob& job = plan.jobs[number];
-    std::string inputs;
-    for (const CurveId id : job.curves()) inputs += (inputs.empty() ? "" : " ") + plan.name(id);
-    if (inputs.empty()) inputs = plan.groups[job.group].spelled();
-    failures.push_back(inputs + ": " + store.result(*known).value);
-  });
-  return failures;
+std::string damage_line(const Store& store, const Plan& plan, std::size_t job) {
+  return store.path() + ": the result of job " + std::to_string(job) + " (" + inputs_of(plan, plan.jobs[job]) +
+         ") is damaged and counts as missing";
 }
 
 }  // namespace lober

@@ -26,13 +26,10 @@ std::string json_number(const Column& column, double value) {
   return std::isfinite(value) ? number(column, value) : "null";
 }
 
-// Options were spelled by `spelled`: what is neither a number nor a truth value is a text.
-std::string json_option(const std::string& text) {
-  if (text == "true" || text == "false") return text;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
-  return is_number ? text : json_string(text);
+std::string json_option(const OptionValue& value) {
+  const auto* const real = std::get_if<double>(&value);
+  const bool is_text = std::holds_alternative<std::string>(value) || (real != nullptr && !std::isfinite(*real));
+  return is_text ? json_string(spelled(value)) : spelled(value);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "engine/curve/curve.hpp"
-#include "engine/curve/mapped_file.hpp"
+#include "engine/curve/file_bytes.hpp"
 #include "engine/curve/sniff.hpp"
 
 namespace lober {
@@ -40,9 +40,10 @@ CurveUnit file_unit(std::string path, std::vector<FileZone> zones) {
   unit.points = estimate_points(path);
   std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
-  if (!ignored) unit.reading_memory = size + unit.points * sizeof(Point);  // the mapping, and chunks being joined
-  unit.load = [path = std::move(path), zones = std::move(zones)](bool digests) {
-    CurveFile file = read_curve_file(path, {.hash = digests});
+  if (!ignored) unit.reading_memory = size + unit.points * sizeof(Point);  // the bytes, and chunks being joined
+  unit.load = [path = std::move(path), zones = std::move(zones)](const Loading& loading) {
+    require_regular(path);
+    CurveFile file = read_curve_file(path, {.hash = loading.digests});
     std::vector<LoadedCurve> loaded;
     for (std::size_t k = 0; k < zones.size(); ++k) {
       const bool last_use = std::none_of(zones.begin() + static_cast<std::ptrdiff_t>(k) + 1, zones.end(),
@@ -55,6 +56,7 @@ CurveUnit file_unit(std::string path, std::vector<FileZone> zones) {
 }
 
 std::size_t estimate_points(const std::string& path) {
+  if (std::error_code none; !std::filesystem::is_regular_file(path, none)) return 0;  // a pipe would be read from
   std::error_code error;
   const auto size = static_cast<std::size_t>(std::filesystem::file_size(path, error));
   if (error) return 0;
@@ -71,8 +73,16 @@ std::string zone_digest(const std::string& sha256, const FileZone& zone) {
   return sha256 + (zone.zone ? "#" + std::to_string(*zone.zone) : "") + (zone.closed ? "" : " open");
 }
 
+void require_regular(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  throw DataError(path + ": is no regular file; a batch reads its inputs more than once");
+}
+
 std::string file_sha256(const std::string& path) {
-  return sha256(MappedFile(path).bytes());
+  require_regular(path);
+  return sha256(FileBytes(path).bytes());
 }
 
 }  // namespace lober

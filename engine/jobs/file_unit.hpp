@@ -29,6 +29,9 @@ struct FileZone {
 /// The digest of a zone, from the SHA-256 of its file. By contents only: no name goes in.
 [[nodiscard]] std::string zone_digest(const std::string& file_sha256, const FileZone& zone);
 
+/// Throws DataError for a device, a pipe or a folder: what has no end, or comes only once. Not for what is not there.
+void require_regular(const std::string& path);
+
 /// SHA-256 of a file as it is now. Throws DataError.
 [[nodiscard]] std::string file_sha256(const std::string& path);
 

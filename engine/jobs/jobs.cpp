@@ -6,6 +6,7 @@
 #include <array>
 #include <mutex>
 
+#include "engine/error.hpp"
 #include "engine/jobs/dispatcher.hpp"
 #include "engine/jobs/schedule.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -41,22 +42,29 @@ JobQueue::JobQueue(const QueueOptions& options) : options_(options) {
 
 JobQueue::~JobQueue() = default;
 
+void JobQueue::refuse_if_running(const char* what) const {
+  if (running_) throw UsageError(std::string(what) + ": the queue is running; wait for the end of run");
+}
+
 CurveId JobQueue::add(Curve curve) {
+  refuse_if_running("add");
   CurveUnit unit;
   unit.points = curve.points.size();
   unit.keep = true;
   auto held = std::make_shared<const Curve>(std::move(curve));
-  unit.load = [held](bool digests) {
-    return std::vector<LoadedCurve>{{held, digests ? digest_of(*held) : std::string(), {}}};
+  unit.load = [held](const Loading& loading) {
+    return std::vector<LoadedCurve>{{held, loading.digests ? digest_of(*held) : std::string(), {}}};
   };
   return cache_->add(std::move(unit))[0];
 }
 
 std::vector<CurveId> JobQueue::add(CurveUnit unit) {
+  refuse_if_running("add");
   return cache_->add(std::move(unit));
 }
 
 std::size_t JobQueue::submit(Job job) {
+  refuse_if_running("submit");
   const std::size_t count = job.curves().size();
   if (!takes(job.operation->arity, count)) {
     throw UsageError(job.operation->name + " does not take " + std::to_string(count) + " curves");
@@ -71,6 +79,11 @@ void JobQueue::stop() {
   stop_.store(true);
 }
 
+void JobQueue::cancel() {
+  stop_.store(true);
+  cancelled_.store(true);
+}
+
 QueueProgress JobQueue::progress() const {
   return {counters_.jobs, counters_.done, counters_.failed, counters_.cost, counters_.cost_done, counters_.points};
 }
@@ -80,7 +93,7 @@ class JobQueue::Run final : public JobRunner {
  public:
   Run(JobQueue& queue, const std::function<void(JobResult)>& done) : queue_(queue), done_(done) {}
 
-  void run_job(std::uint32_t number) override {
+  void run_job(std::uint32_t number, const Allowance& allowance) override {
     const Job& job = queue_.jobs_[number];
     const CurveCache& cache = *queue_.cache_;
     JobResult result;
@@ -97,7 +110,10 @@ class JobQueue::Run final : public JobRunner {
     const Stopwatch watch;
     if (result.error.empty()) {
       try {
-        result.record = job.operation->run(std::span(curves).first(ids.size()), *job.options);
+        result.record = job.operation->run({std::span(curves).first(ids.size()), allowance}, *job.options);
+      } catch (const Cancelled& error) {
+        if (queue_.stop_ || queue_.cancelled_) throw;
+        result.error = error.what();
       } catch (const std::bad_alloc&) {
         result.error = "out of memory";
       } catch (const std::exception& error) {
@@ -108,12 +124,7 @@ class JobQueue::Run final : public JobRunner {
     const double seconds = result.seconds;
     const bool failed = !result.error.empty();
     const Stopwatch callback_watch;
-    if (queue_.options_.concurrent) {
-      done_(std::move(result));
-    } else {
-      const std::lock_guard lock(callback_);
-      done_(std::move(result));
-    }
+    if (!hand_over(std::move(result))) return;
     count(points, failed, costs[number - queue_.first_waiting_], seconds, callback_watch.seconds());
   }
 
@@ -121,6 +132,20 @@ class JobQueue::Run final : public JobRunner {
   QueueReport report;
 
  private:
+  // False after a call that threw.
+  bool hand_over(JobResult result) {
+    std::unique_lock lock(callback_, std::defer_lock);
+    if (!queue_.options_.concurrent) lock.lock();
+    if (thrown_) return false;
+    try {
+      done_(std::move(result));
+    } catch (...) {
+      thrown_ = true;
+      throw;
+    }
+    return true;
+  }
+
   void count(std::size_t points, bool failed, double cost, double seconds, double callback_seconds) {
     const std::lock_guard lock(counting_);
     Counters& counters = queue_.counters_;
@@ -138,11 +163,31 @@ class JobQueue::Run final : public JobRunner {
   JobQueue& queue_;
   const std::function<void(JobResult)>& done_;
   std::mutex callback_, counting_;
+  std::atomic<bool> thrown_{false};
+};
+
+// That `run` works: however it ends, no job waits any more, and a wish to stop was for this run.
+class JobQueue::Running {
+ public:
+  explicit Running(JobQueue& queue) : queue_(queue) {
+    if (queue.running_.exchange(true)) throw UsageError("run: the queue is running; wait for the end of run");
+  }
+  ~Running() {
+    queue_.first_waiting_ = queue_.jobs_.size();
+    queue_.stop_ = false;
+    queue_.running_ = false;
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  JobQueue& queue_;
 };
 
 QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
   const Stopwatch watch;
-  stop_ = false;
+  if (cancelled_) throw UsageError("the queue was cancelled: it runs nothing more");
+  const Running running(*this);
   Run run(*this, done);
   const std::span<const Job> waiting = std::span(jobs_).subspan(first_waiting_);
   std::vector<ScheduledJob> scheduled;
@@ -189,7 +234,12 @@ QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
 
   const CacheCounts before = cache_->counts();
   run.report.threads = threads;
-  with_threads(threads, [&] { dispatch(dispatched, *cache_, options_.digests, threads, stop_, run); });
+  try {
+    const CancellationScope scope(cancelled_);
+    with_threads(threads, [&] { dispatch(dispatched, *cache_, options_.digests, threads, stop_, run); });
+  } catch (const Cancelled&) {
+    if (!cancelled_) throw;
+  }
   run.report.stopped = run.report.jobs < waiting.size();
   run.report.cache = cache_->counts();
   run.report.cache.units_read -= before.units_read;
@@ -197,7 +247,6 @@ QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
   run.report.cache.evictions -= before.evictions;
   run.report.cache.read_seconds -= before.read_seconds;
   run.report.cache.prepare_seconds -= before.prepare_seconds;
-  first_waiting_ = jobs_.size();
   run.report.wall_seconds = watch.seconds();
   return run.report;
 }

@@ -83,6 +83,8 @@ class JobQueue {
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
 
+  // While `run` works, `add`, `submit` and `run` throw UsageError, from `done` as from other threads.
+
   /// A curve in memory. It is prepared when a job needs it and stays until the queue goes.
   CurveId add(Curve curve);
   /// Curves that come from elsewhere, all at once; returns their numbers in order. See CurveUnit.
@@ -93,25 +95,32 @@ class JobQueue {
 
   /// Runs all jobs that wait, what costs most first as far as memory allows (schedule.hpp), and hands each result to
   /// `done`: one call at a time (unless QueueOptions::concurrent), from any thread, in no particular order. A job that
-  /// throws Error or runs out of memory is a result with `error`; what `done` throws ends the run and is passed on.
-  /// Results have the same bits for any number of threads, any memory and any order. May be called again after more was
-  /// submitted; curves stay in memory.
+  /// throws a std::exception is a result with `error`. What `done` throws ends the run and is passed on, when the jobs
+  /// that ran have ended; it is not called again then (but may be in other calls, if QueueOptions::concurrent), and
+  /// those that wait are dropped. Results have the same bits for any number of threads, any memory and any order. May
+  /// be called again after more was submitted, whatever became of the jobs before: none runs twice, curves stay in
+  /// memory.
   QueueReport run(const std::function<void(JobResult)>& done);
 
-  /// Starts no further job; those that run are finished, those that wait are dropped. For any thread and for signal
-  /// handlers.
+  /// Starts no further job; those that run are finished, but for work that can be broken off (Allowance::check), those
+  /// that wait are dropped. Between two runs: the next one does nothing. For any thread and for signal handlers.
   void stop();
+  /// The same, and what runs is broken off within a fraction of a second: those jobs have no results. The queue runs
+  /// nothing more afterwards. For any thread and for signal handlers.
+  void cancel();
 
   /// May be asked from any thread while `run` works.
   [[nodiscard]] QueueProgress progress() const;
 
  private:
   class Run;
+  class Running;
+  void refuse_if_running(const char* what) const;
   QueueOptions options_;
   std::unique_ptr<CurveCache> cache_;
   std::vector<Job> jobs_;
   std::size_t first_waiting_ = 0;
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, cancelled_{false}, running_{false};
   struct Counters {
     std::atomic<std::size_t> jobs{0}, done{0}, failed{0};
     std::atomic<double> cost{0}, cost_done{0};

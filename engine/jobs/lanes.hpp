@@ -1,10 +1,13 @@
-// Tasks that may start further ones, on the threads of the present arena (private to jobs/).
+// Tasks that may start further ones, on the threads of the present arena (private to jobs/). They ask what the thread
+// that starts them asks whether they are cancelled.
 #pragma once
 
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <utility>
+
+#include "engine/parallel/cancellation.hpp"
 
 #ifdef __SANITIZE_THREAD__
 #include <exception>
@@ -23,7 +26,8 @@ class LaneTasks {
   template <typename Task>
   void start(Task task) {
     const std::lock_guard lock(mutex_);
-    threads_.emplace_back([this, task] {
+    threads_.emplace_back([this, task, scope = CancellationScope::current()] {
+      const detail::InheritedCancellation inherited(scope);
       try {
         task();
       } catch (...) {
@@ -63,7 +67,10 @@ class LaneTasks {
  public:
   template <typename Task>
   void start(Task task) {
-    group_.run(std::move(task));
+    group_.run([task = std::move(task), scope = CancellationScope::current()] {
+      const detail::InheritedCancellation inherited(scope);
+      task();
+    });
   }
   /// Passes on what a task threw.
   void wait() { group_.wait(); }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <set>
 
-#include "engine/curve/mapped_file.hpp"
+#include "engine/curve/file_bytes.hpp"
 #include "engine/jobs/recipe_reader.hpp"
 
 namespace lober {
@@ -278,7 +278,7 @@ void Manifest::fail(std::size_t line, const std::string& key, const std::string&
 Manifest read_manifest(const std::string& path) {
   Manifest manifest;
   manifest.path = path;
-  const MappedFile file(path);
+  const FileBytes file(path);
   manifest.text = {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
   toml::table top;
   try {

@@ -23,10 +23,10 @@
 //
 // A curve of a system (engine/dynamics) is a table instead of a pattern:
 //
-//   { system = "standard", parameters = { k = 1.2 }, manifold = "unstable", iterates = 5, tolerance = 1e-5 }
+//   { system = "standard", parameters = { K = 1.2 }, manifold = "unstable", iterates = 5, tolerance = 1e-5 }
 //       a branch of a manifold, open: that of the system's own tangle, or from `saddle = [x, y]` to the `branch` "+" or
 //       "-"; `length` instead of or beside iterates
-//   { system = "standard", parameters = { k = 1.2 }, image_of = "separ.npy", iterates = "0:9", tolerance = 1e-5 }
+//   { system = "standard", parameters = { K = 1.2 }, image_of = "separ.npy", iterates = "0:9", tolerance = 1e-5 }
 //       images of the curves of a pattern; iterates may be negative; "a:b" is a family, one curve for each of a, ..., b
 //
 // Both take `integration_tolerance` for flows. They are computed when a job needs them, again after they had to leave

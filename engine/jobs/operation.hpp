@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/jobs/allowance.hpp"
 #include "engine/jobs/options.hpp"
 #include "engine/jobs/prepared_curve.hpp"
 #include "engine/jobs/record.hpp"
@@ -19,8 +20,19 @@ namespace lober {
 enum class Arity : std::uint8_t { none, one, two, one_or_two };
 [[nodiscard]] bool takes(Arity arity, std::size_t curves);
 
-/// Those of a job, in order.
-using JobCurves = std::span<const PreparedCurve* const>;
+/// Those of a job, in order, and what the job may take.
+class JobCurves {
+ public:
+  JobCurves(std::span<const PreparedCurve* const> curves, const Allowance& allowance)
+      : curves_(curves), allowance_(allowance) {}
+  [[nodiscard]] std::size_t size() const { return curves_.size(); }
+  [[nodiscard]] const PreparedCurve* operator[](std::size_t k) const { return curves_[k]; }
+  [[nodiscard]] const Allowance& allowance() const { return allowance_; }
+
+ private:
+  std::span<const PreparedCurve* const> curves_;
+  const Allowance& allowance_;
+};
 
 /// A program that feeds the queue may bring its own.
 struct Operation {
@@ -34,10 +46,12 @@ struct Operation {
   /// Throws UsageError "key: message" for options that cannot go together; may be empty.
   std::function<void(const Options&)> check = {};
   std::function<Needs(const Options&)> needs;
-  /// Called from several threads at the same time. May throw Error.
+  /// Called from several threads at the same time. May throw what is a std::exception: the job has failed then.
   std::function<Record(JobCurves curves, const Options& options)> run;
   /// Microseconds on one core for so many points, roughly: what comes first is what costs most.
   std::function<double(std::size_t points)> cost;
+  /// Bytes of what it makes of its first curve, roughly, where its options decide that; may be empty.
+  std::function<double(const Curve& curve, const Options& options)> result_bytes = {};
   std::size_t memory = 0;  ///< bytes that a job takes besides what is usual for so many points
 };
 

@@ -92,12 +92,16 @@ std::string spelled(const OptionValue& value) {
   return std::get<std::string>(value);
 }
 
-std::string Options::spelled() const {
+std::string spelled(std::span<const OptionSetting> settings) {
   std::string text;
-  for (const OptionSetting& setting : settings_) {
-    text += (text.empty() ? "" : " ") + setting.key + "=" + lober::spelled(setting.value);
+  for (const OptionSetting& setting : settings) {
+    text += (text.empty() ? "" : " ") + setting.key + "=" + spelled(setting.value);
   }
   return text;
+}
+
+std::string Options::spelled() const {
+  return lober::spelled(settings_);
 }
 
 }  // namespace lober

@@ -59,6 +59,8 @@ class Options {
   std::vector<OptionSetting> settings_;
 };
 
+/// "key=value key=value".
+[[nodiscard]] std::string spelled(std::span<const OptionSetting> settings);
 /// A value as `spelled` has it: numbers in the shortest form that reads back to the same bits.
 [[nodiscard]] std::string spelled(const OptionValue& value);
 

@@ -28,10 +28,8 @@ class Planner {
       manifest_.fail(place.line, place.key, "no pair comes of this");
     }
     for (const Options& options : group.options) {
-      PlannedGroup planned{group.name, group.operation->name, {}};
-      for (const OptionSetting& setting : options.settings()) {
-        planned.options.emplace_back(setting.key, spelled(setting.value));
-      }
+      const std::span<const OptionSetting> settings = options.settings();
+      PlannedGroup planned{group.name, group.operation->name, {settings.begin(), settings.end()}};
       const auto number = static_cast<std::uint32_t>(plan_.groups.size());
       plan_.groups.push_back(std::move(planned));
       for (const auto& [first, second] : pairs) plan_.jobs.push_back({number, first, second});
@@ -108,19 +106,36 @@ class Planner {
   std::map<std::pair<std::string, std::string>, std::uint32_t> sources_;  ///< by file and recipe
 };
 
-OptionValue parsed(const OptionSpec& spec, const std::string& text) {
-  if (std::holds_alternative<bool>(spec.fallback)) return text == "true";
-  if (std::holds_alternative<std::int64_t>(spec.fallback)) return std::int64_t{std::stoll(text)};
-  if (std::holds_alternative<double>(spec.fallback)) return std::stod(text);
-  return text;
+void put(ByteWriter& writer, const OptionValue& value) {
+  writer.put(static_cast<std::uint8_t>(value.index()));
+  if (const auto* flag = std::get_if<bool>(&value)) {
+    writer.put_flag(*flag);
+  } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+    writer.put(*whole);
+  } else if (const auto* real = std::get_if<double>(&value)) {
+    writer.put(*real);
+  } else {
+    writer.put_text(std::get<std::string>(value));
+  }
+}
+
+OptionValue get_value(ByteReader& reader) {
+  switch (reader.get_below<std::uint8_t>(std::variant_size_v<OptionValue>)) {
+    case 0:
+      return reader.get_flag();
+    case 1:
+      return reader.get<std::int64_t>();
+    case 2:
+      return reader.get<double>();
+    default:
+      return reader.get_text();
+  }
 }
 
 }  // namespace
 
 std::string PlannedGroup::spelled() const {
-  std::string text;
-  for (const auto& [key, value] : options) text += (text.empty() ? "" : " ") + key + "=" + value;
-  return text;
+  return lober::spelled(options);
 }
 
 std::string Plan::encoded() const {
@@ -132,20 +147,20 @@ std::string Plan::encoded() const {
     writer.put(std::uint64_t{group.options.size()});
     for (const auto& [key, value] : group.options) {
       writer.put_text(key);
-      writer.put_text(value);
+      put(writer, value);
     }
   }
   writer.put(std::uint64_t{sources.size()});
   for (const PlannedSource& source : sources) {
     writer.put_text(source.file);
-    writer.put(source.recipe.has_value());
+    writer.put_flag(source.recipe.has_value());
     if (source.recipe) source.recipe->put(writer);
   }
   writer.put(std::uint64_t{curves.size()});
   for (const PlannedCurve& curve : curves) {
     writer.put(curve.source);
     writer.put(curve.zone);
-    writer.put(curve.closed);
+    writer.put_flag(curve.closed);
     writer.put_text(curve.name);
   }
   writer.put_all(jobs);
@@ -155,29 +170,36 @@ std::string Plan::encoded() const {
 Plan Plan::decoded(std::string_view bytes) {
   ByteReader reader(bytes);
   Plan plan;
-  plan.groups.resize(reader.get<std::uint64_t>());
+  plan.groups.resize(reader.get_count());
   for (PlannedGroup& group : plan.groups) {
     group.name = reader.get_text();
     group.operation = reader.get_text();
-    group.options.resize(reader.get<std::uint64_t>());
+    group.options.resize(reader.get_count());
     for (auto& [key, value] : group.options) {
       key = reader.get_text();
-      value = reader.get_text();
+      value = get_value(reader);
     }
   }
-  plan.sources.resize(reader.get<std::uint64_t>());
+  plan.sources.resize(reader.get_count());
   for (PlannedSource& source : plan.sources) {
     source.file = reader.get_text();
-    if (reader.get<bool>()) source.recipe = CurveRecipe::get(reader);
+    if (reader.get_flag()) source.recipe = CurveRecipe::get(reader);
   }
-  plan.curves.resize(reader.get<std::uint64_t>());
+  plan.curves.resize(reader.get_count());
   for (PlannedCurve& curve : plan.curves) {
-    curve.source = reader.get<std::uint32_t>();
+    curve.source = reader.get_below(static_cast<std::uint32_t>(plan.sources.size()));
     curve.zone = reader.get<std::int64_t>();
-    curve.closed = reader.get<bool>();
+    curve.closed = reader.get_flag();
     curve.name = reader.get_text();
   }
   plan.jobs = reader.get_all<PlannedJob>();
+  const auto is_curve = [&](CurveId id) { return id == no_curve || id < plan.curves.size(); };
+  for (const PlannedJob& job : plan.jobs) {
+    if (job.group >= plan.groups.size() || !is_curve(job.first) || !is_curve(job.second)) {
+      throw DataError("a job of the stored plan names what the plan does not have");
+    }
+  }
+  if (!reader.at_end()) throw DataError("the stored plan goes on behind its end");
   return plan;
 }
 
@@ -192,15 +214,7 @@ const Operation& operation_of(const PlannedGroup& group) {
 }
 
 Options options_of(const PlannedGroup& group) {
-  const Operation& operation = operation_of(group);
-  std::vector<OptionSetting> settings;
-  for (const auto& [key, value] : group.options) {
-    const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
-                                   [&, wanted = key](const OptionSpec& any) { return any.is_for(wanted); });
-    if (spec == operation.options.end()) throw UsageError(key + ": there is no such option in this version");
-    settings.push_back({key, parsed(*spec, value)});
-  }
-  return {operation.options, settings};
+  return {operation_of(group).options, group.options};
 }
 
 std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard) {

@@ -30,8 +30,8 @@ struct PlannedCurve {
 struct PlannedGroup {
   std::string name;
   std::string operation;
-  std::vector<std::pair<std::string, std::string>> options;  ///< as spelled
-  [[nodiscard]] std::string spelled() const;                 ///< "key=value key=value"
+  std::vector<OptionSetting> options;         ///< all of them, with their types
+  [[nodiscard]] std::string spelled() const;  ///< "key=value key=value"
 };
 
 struct PlannedJob {
@@ -51,6 +51,8 @@ struct Plan {
   /// Of a curve; empty for no_curve.
   [[nodiscard]] std::string name(CurveId curve) const { return curve == no_curve ? "" : curves[curve].name; }
   [[nodiscard]] std::string encoded() const;
+  /// Throws DataError for bytes that are no plan, among them those of one that names groups, sources or curves which it
+  /// does not have.
   [[nodiscard]] static Plan decoded(std::string_view bytes);
 };
 
@@ -59,7 +61,7 @@ struct Plan {
 [[nodiscard]] Plan make_plan(const Manifest& manifest);
 
 /// The options of a planned group as its operation reads them. Throws UsageError when this version has no such
-/// operation.
+/// operation or option.
 [[nodiscard]] const Operation& operation_of(const PlannedGroup& group);
 [[nodiscard]] Options options_of(const PlannedGroup& group);
 

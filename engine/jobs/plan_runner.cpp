@@ -35,6 +35,7 @@ QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::func
         {&operation_of(plan_.groups[job.group]), options_[job.group], in_queue(job.first), in_queue(job.second)});
     submitted_.push_back(number);
   }
+  bool thrown = false;
   return queue_.run([&](JobResult result) {
     PlanResult planned;
     planned.job = submitted_[result.job];
@@ -45,7 +46,10 @@ QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::func
     planned.digest1 = std::move(result.digest1);
     planned.digest2 = std::move(result.digest2);
     const std::lock_guard lock(done_);
+    if (thrown) return;
+    thrown = true;  // unless what follows returns
     done(std::move(planned));
+    thrown = false;
   });
 }
 

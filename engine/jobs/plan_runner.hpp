@@ -30,9 +30,11 @@ class PlanRunner {
   PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
              const QueueOptions& options);
 
-  /// As JobQueue::run, `done` being called one at a time. May be called several times; curves stay in memory.
+  /// As JobQueue::run, `done` being called one at a time, and never again after it has thrown. May be called several
+  /// times; curves stay in memory.
   QueueReport run(std::span<const std::uint32_t> jobs, const std::function<void(PlanResult)>& done);
   void stop() { queue_.stop(); }
+  void cancel() { queue_.cancel(); }
   [[nodiscard]] QueueProgress progress() const { return queue_.progress(); }
 
  private:

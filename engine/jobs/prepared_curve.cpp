@@ -16,7 +16,7 @@ void check_simple(const IndexedCurve& index) {
     return;
   }
   const std::vector<Point> points = scaled(index.view(), exponent);
-  (void)require_simple(IndexedCurve(CurveView{points, index.view().closed}), 1);
+  (void)require_simple(IndexedCurve(CurveView{points, index.view().closed}), 1, exponent);
 }
 
 }  // namespace
@@ -41,6 +41,8 @@ PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Needs& ne
       }
     }
     if (needs.discretisation) sums_.emplace(CurveView(given));
+  } catch (const Cancelled&) {
+    throw;
   } catch (const Error& error) {
     error_ = error.what();
   }

@@ -34,6 +34,9 @@ struct CurveRecipe {
   [[nodiscard]] static CurveRecipe get(ByteReader& reader);
 };
 
+/// What a point of a curve takes while it is computed, with all that is around it.
+inline constexpr std::size_t computed_bytes_per_point = 120;
+
 /// Throws UsageError for what can be seen before anything is computed.
 void check(const CurveRecipe& recipe);
 

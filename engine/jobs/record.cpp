@@ -16,7 +16,7 @@ Record decode(std::string_view bytes) {
   ByteReader reader(bytes);
   Record record;
   record.values = reader.get_all<double>();
-  for (auto lists = reader.get<std::uint64_t>(); lists > 0; --lists) record.lists.push_back(reader.get_all<double>());
+  for (std::size_t lists = reader.get_count(); lists > 0; --lists) record.lists.push_back(reader.get_all<double>());
   if (!reader.at_end()) throw DataError("the stored bytes go on behind their end");
   return record;
 }

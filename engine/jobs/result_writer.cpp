@@ -62,9 +62,13 @@ void ResultWriter::work() {
       results.swap(results_);
       digests.swap(digests_);
     }
-    if ((results.empty() && digests.empty()) || error_) continue;
+    if (error_) continue;
     try {
-      store_.append(results, digests);
+      if (results.empty() && digests.empty()) {
+        store_.require_in_place();
+      } else {
+        store_.append(results, digests);
+      }
     } catch (...) {
       error_ = std::current_exception();
       failed_();

@@ -1,6 +1,9 @@
 // Walking the boundary of a piece arc by arc (private to overlay/).
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/overlay/overlay.hpp"
@@ -17,18 +20,30 @@ struct Stretch {
   std::uint32_t from, to;
 };
 
-/// The boundary that the steps of a piece (Pieces::outer, Pieces::Hole) stand for, shared arcs included (as parts of
-/// C1). `keeps_left1`, `keeps_left2`: whether the walk runs along C1 (C2) counter-clockwise.
-[[nodiscard]] std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint32_t> steps, bool forward1,
-                                             bool forward2);
-
 /// Directions (as the input runs) in which the boundary of pieces of a pairing runs along the two curves.
 struct Directions {
   bool forward1, forward2;
 };
 [[nodiscard]] Directions directions(const Overlay& result, Pairing pairing);
 
-/// The vertices of a stretch, its first point included, its last one not.
-void append_points(const Overlay& result, const Stretch& stretch, std::vector<Point>& points);
+/// The boundary that the steps `begin` to `end` of a piece (Pieces::outer, Pieces::Hole) stand for, shared arcs
+/// included (as parts of C1). Those of all steps together are one closed walk.
+[[nodiscard]] std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint32_t> steps,
+                                             std::size_t begin, std::size_t end, Directions forward);
+
+/// The points of a stretch, its first one included, its last one not: a contact, unless the stretch is a whole curve,
+/// and then vertices of the curve, in up to two runs. Both runs are in the order of the input; a walk that is not
+/// forward passes the second one first, each from its end.
+struct StretchPoints {
+  bool forward;
+  bool whole;
+  Point first;  ///< the contact; nothing if `whole`
+  std::span<const Point> low, high;
+  [[nodiscard]] std::size_t size() const { return low.size() + high.size() + (whole ? 0 : 1); }
+};
+[[nodiscard]] StretchPoints points_of(const Overlay& result, const Stretch& stretch);
+
+/// Number of points of all these steps together. O(steps).
+[[nodiscard]] std::size_t count_points(const Overlay& result, std::span<const std::uint32_t> steps, Directions forward);
 
 }  // namespace lober

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "engine/curve/require.hpp"
 #include "engine/overlay/arc_sums.hpp"
 #include "engine/overlay/faces.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -20,7 +22,13 @@ static_assert(grain % stretch == 0);
 double bulge(const CurveView& curve, std::size_t number) {
   const std::size_t size = curve.points.size();
   const auto at = [&](std::size_t k) { return curve.points[k >= size ? k - size : k]; };
-  return twice_sagitta_area(at(number + size - 1), at(number), at(number + 1), at(number + 2));
+  const Point before = at(number + size - 1), from = at(number), to = at(number + 1), after = at(number + 2);
+  const double area = twice_sagitta_area(before, from, to, after);
+  if (std::isfinite(area)) return area;
+  // Squares of lengths have left the range of double.
+  constexpr int down = -600;
+  const auto small = [](Point p) { return Point{std::ldexp(p.x, down), std::ldexp(p.y, down)}; };
+  return std::ldexp(twice_sagitta_area(small(before), small(from), small(to), small(after)), -2 * down);
 }
 
 // Calls take(k, sum) with the running sum of the bulges up to contact k, like sum_along for the shoelace sums.
@@ -50,6 +58,7 @@ struct Place {
 }  // namespace
 
 DiscretisationSums::DiscretisationSums(CurveView curve) : curve_(curve) {
+  require_region(curve, "the curve", "discretisation error");
   const std::size_t segments = curve.segments(), blocks = (segments + grain - 1) / grain;
   before_.resize((segments + stretch - 1) / stretch);
   Buffer<DD> block_sums(blocks);
@@ -65,7 +74,8 @@ DiscretisationSums::DiscretisationSums(CurveView curve) : curve_(curve) {
     DD sum;
     for (std::size_t k = begin; k < end; ++k) {
       if (k % stretch == 0) before_[k / stretch] = sum;
-      sum += DD{bulges[k - begin], 0};
+      const double here = bulges[k - begin];
+      sum += DD{std::isfinite(here) ? here : bulge(curve, k), 0};
     }
     block_sums[begin / grain] = sum;
   });
@@ -84,26 +94,30 @@ Areas discretisation_error(const Overlay& result) {
 Areas discretisation_error(const Overlay& result, const DiscretisationSums& first, const DiscretisationSums& second) {
   const NodeGraph& graph = result.nodes.graph();
   const std::size_t count = graph.contacts.size();
+  constexpr double largest = std::numeric_limits<double>::max();
+  // Products of double-doubles need some room below the largest double.
+  const int exponent = result.largest_coordinate > 0x1p400 ? -200 : 0;
+  const auto reduced = [&](DD sum) { return DD{std::ldexp(sum.hi, exponent), std::ldexp(sum.lo, exponent)}; };
   ArcSums sums;
   sums.gap.resize(count);
-  sums.total1 = first.total();
-  sums.total2 = second.total();
+  sums.total1 = reduced(first.total());
+  sums.total2 = reduced(second.total());
   bulges_at_contacts(
       first, count,
       [&](std::size_t k) {
         return Place{graph.contacts[k].segment1, graph.contacts[k].t1.hi};
       },
-      [&](std::size_t k, DD sum) { sums.gap[k] = sum; });
+      [&](std::size_t k, DD sum) { sums.gap[k] = reduced(sum); });
   bulges_at_contacts(
       second, count,
       [&](std::size_t k) {
         const Contact contact = graph.contacts[graph.contacts2[k]];
         return Place{contact.segment2, contact.t2.hi};
       },
-      [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= sum; });
+      [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= reduced(sum); });
   find_wraps(graph, sums);
 
-  const auto lost = [](DD twice) { return std::fabs(0.5 * twice.hi); };
+  const auto lost = [&](DD twice) { return std::min(std::ldexp(std::fabs(0.5 * twice.hi), -exponent), largest); };
   const DD gain1 = result.nodes.clockwise1() ? -sums.total1 : sums.total1,
            gain2 = result.nodes.clockwise2() ? -sums.total2 : sums.total2;
   DD minus12, minus21, common;

@@ -90,6 +90,10 @@ struct Turns {
 
 }  // namespace
 
+void fail_not_simple() {
+  throw DataError("the curves cannot be overlaid: at least one of them crosses or touches itself");
+}
+
 int sectors_at(std::uint8_t arm_order, Handedness hands, Membership wanted) {
   return std::popcount(arrivals(hands, wanted)[arm_order]);
 }
@@ -106,6 +110,8 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
   const std::uint8_t* order = graph.order.data();
   const DD* gap = sums.gap.data();
   std::array<std::uint32_t*, 2> next_step{faces[0].steps.data(), faces[1].steps.data()};
+  const std::array<const std::uint32_t*, 2> end_step{next_step[0] + faces[0].steps.size(),
+                                                     next_step[1] + faces[1].steps.size()};
   for (std::uint32_t start = 0; start < count; ++start) {
     while (open[start] != 0) {
       std::uint32_t node = start;
@@ -123,6 +129,7 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
         } else {
           twice_area.add(at_node(graph, sums, node, arrive, leave));
         }
+        if (step == end_step[kind]) fail_not_simple();
         *step++ = pack({node, goes2});
         switch (leave) {
           case out1:

@@ -47,7 +47,8 @@ struct Handedness {
 };
 
 /// Walks every face of the two memberships, each in order of their first nodes: two at a time, because what costs is
-/// to bring the nodes from memory. O(nodes).
+/// to bring the nodes from memory. Throws DataError when walks contradict each other, which they do on curves that are
+/// not simple. O(nodes).
 [[nodiscard]] std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands,
                                               const std::array<Membership, 2>& wanted);
 
@@ -58,6 +59,9 @@ struct FaceTotals {
 
 /// The totals without walking: each arc counts for the faces at its sides. O(nodes), parallel.
 [[nodiscard]] FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands);
+
+/// Throws the DataError that says so.
+[[noreturn]] void fail_not_simple();
 
 /// How many of the four sectors at a node have this membership (0, 1 or 2).
 [[nodiscard]] int sectors_at(std::uint8_t arm_order, Handedness hands, Membership wanted);

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/curve/require.hpp"
 #include "engine/curve/scaled.hpp"
+#include "engine/index/orientation.hpp"
 #include "engine/index/sums_along.hpp"
 #include "engine/overlay/arc_sums.hpp"
 #include "engine/overlay/faces.hpp"
@@ -19,8 +21,9 @@ constexpr Membership only1{true, false}, only2{false, true}, both{true, true}, n
 double half(DD twice) {
   return std::max(0.0, 0.5 * (twice.hi + twice.lo));
 }
-DD absolute(DD value) {
-  return value.hi < 0 ? -value : value;
+// Twice the area of a curve that runs so, from its signed sum.
+DD turned(DD twice_area, Orientation orientation) {
+  return orientation == Orientation::clockwise ? -twice_area : twice_area;
 }
 
 }  // namespace
@@ -66,14 +69,15 @@ std::span<const Pieces::Hole> Pieces::holes_of(std::size_t piece) const {
 // Puts an Overlay together. One for each call.
 class OverlayBuilder {
  public:
-  OverlayBuilder(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options)
-      : c1_(c1), c2_(c2), options_(options) {}
+  // The curves are the caller's times 2^exponent.
+  OverlayBuilder(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent)
+      : c1_(c1), c2_(c2), options_(options), exponent_(exponent) {}
 
   Overlay build() {
     const Stopwatch watch;
     report(0);
     if (options_.check_simple) {
-      for (const SimpleCheck& check : {require_simple(c1_, 1), require_simple(c2_, 2)}) {
+      for (const SimpleCheck& check : {require_simple(c1_, 1, exponent_), require_simple(c2_, 2, exponent_)}) {
         result_.statistics.simple_check += check.search;
         result_.statistics.simple_check_pairs += check.pairs;
       }
@@ -88,8 +92,9 @@ class OverlayBuilder {
 
     const Stopwatch area_watch;
     sums_ = sum_arcs(c1_, c2_, graph);
-    set_orientation(sums_.total1, result_.orientation1);
-    set_orientation(sums_.total2, result_.orientation2);
+    measure_curves();
+    result_.orientation1 = orientation(c1_);
+    result_.orientation2 = orientation(c2_);
     result_.statistics.index = kind;
     result_.statistics.counts = graph.counts;
     result_.statistics.index_bytes = c1_.tree().memory() + c2_.tree().memory();
@@ -108,10 +113,12 @@ class OverlayBuilder {
   // Multiplies all areas by a power of two and lets the result speak of other points.
   static void rescale(Overlay& result, int exponent, CurveView c1, CurveView c2) {
     scale(result.areas, exponent);
-    scale(result.rounding, exponent);
-    allow_for_underflow(result.rounding);
+    scale_bounds(result.rounding, exponent);
     for (Pieces& pieces : result.pieces_) {
       for (double& area : pieces.areas_) area = std::ldexp(area, exponent);
+    }
+    for (double* length : {&result.largest_coordinate, &result.longest_segment}) {
+      *length = std::ldexp(*length, exponent / 2);
     }
     result.nodes = std::move(result.nodes).on(c1, c2);
   }
@@ -121,11 +128,20 @@ class OverlayBuilder {
     if (options_.progress && !options_.progress(fraction)) throw Cancelled();
   }
 
-  void set_orientation(DD twice_area, Orientation& orientation) {
-    orientation = twice_area.hi > 0   ? Orientation::counter_clockwise
-                  : twice_area.hi < 0 ? Orientation::clockwise
-                                      : Orientation::degenerate;
+  void measure_curves() {
+    for (const IndexedCurve* curve : {&c1_, &c2_}) {
+      const BoxTree& tree = curve->tree();
+      for (const double lane : tree.box().lane) {
+        result_.largest_coordinate = std::max(result_.largest_coordinate, std::fabs(lane));
+      }
+      for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
+        result_.longest_segment = std::max(result_.longest_segment, tree.leaf_boxes()[leaf].extent());
+      }
+    }
   }
+
+  [[nodiscard]] DD twice_area1() const { return turned(sums_.total1, result_.orientation1); }
+  [[nodiscard]] DD twice_area2() const { return turned(sums_.total2, result_.orientation2); }
   [[nodiscard]] Handedness hands() const { return {result_.nodes.clockwise1(), result_.nodes.clockwise2()}; }
   Pieces& pieces(Pairing pairing) { return result_.pieces_[static_cast<std::size_t>(pairing)]; }
 
@@ -140,8 +156,8 @@ class OverlayBuilder {
       result_.rounding.*area = some ? result_.areas.*area * 0x1p-53 + lost : 0;
     };
     const DD in1 = minus12.value_or(DD{}), in2 = minus21.value_or(DD{}), in_both = common.value_or(DD{});
-    set(&Areas::c1, absolute(sums_.total1));
-    set(&Areas::c2, absolute(sums_.total2));
+    set(&Areas::c1, twice_area1());
+    set(&Areas::c2, twice_area2());
     set(&Areas::c1_minus_c2, in1, minus12.has_value());
     set(&Areas::c2_minus_c1, in2, minus21.has_value());
     set(&Areas::intersection, in_both, common.has_value());
@@ -213,6 +229,7 @@ class OverlayBuilder {
       add_piece(target, result_.areas.c2, round(1, hands().clockwise2));
       return;
     }
+    if (faces.size() == 0) fail_not_simple();
     const auto outside =
         static_cast<std::size_t>(std::min_element(faces.area.begin(), faces.area.end()) - faces.area.begin());
     for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -281,7 +298,7 @@ class OverlayBuilder {
   // ------------------------------------------------------------------------------ curves that do not meet
 
   void overlay_apart() {
-    const DD area1 = absolute(sums_.total1), area2 = absolute(sums_.total2);
+    const DD area1 = twice_area1(), area2 = twice_area2();
     constexpr std::uint32_t whole1 = Pieces::whole1, whole2 = Pieces::whole2;
     if (result_.nodes.same_curve()) {
       set_areas(std::nullopt, std::nullopt, area1);
@@ -316,6 +333,7 @@ class OverlayBuilder {
   const IndexedCurve& c1_;
   const IndexedCurve& c2_;
   const OverlayOptions& options_;
+  int exponent_;
   ArcSums sums_;
   Overlay result_;
 };
@@ -325,27 +343,24 @@ namespace {
 Overlay overlay_scaled(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent) {
   const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
   const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
-  try {
-    Overlay result = OverlayBuilder(scaled1, scaled2, options).build();
-    OverlayBuilder::rescale(result, -2 * exponent, c1.view(), c2.view());
-    return result;
-  } catch (const NotSimpleError& error) {
-    throw NotSimpleError(error.curve, error.segment1, error.segment2,
-                         {std::ldexp(error.at.x, -exponent), std::ldexp(error.at.y, -exponent)});
-  }
+  Overlay result = OverlayBuilder(scaled1, scaled2, options, exponent).build();
+  OverlayBuilder::rescale(result, -2 * exponent, c1.view(), c2.view());
+  return result;
 }
 
 }  // namespace
 
 Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options) {
+  require_region(c1.view(), "curve 1", "overlay");
+  require_region(c2.view(), "curve 2", "overlay");
   const int exponent = comfortable_exponent(unite(c1.tree().box(), c2.tree().box()));
   if (exponent != 0) return overlay_scaled(c1, c2, options, exponent);
-  return OverlayBuilder(c1, c2, options).build();
+  return OverlayBuilder(c1, c2, options, 0).build();
 }
 
 Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
-  require_enough_vertices(c1, "curve 1");
-  require_enough_vertices(c2, "curve 2");
+  require_region(c1, "curve 1", "overlay");
+  require_region(c2, "curve 2", "overlay");
   const Stopwatch watch;
   const IndexedCurve first(c1), second(c2);
   // The streaming pass over the points sees a coordinate that is not finite; only then is it worth another to say

@@ -116,6 +116,8 @@ struct Overlay {
   OverlayTiming timing;
   Orientation orientation1 = Orientation::counter_clockwise;  ///< of the input
   Orientation orientation2 = Orientation::counter_clockwise;
+  double largest_coordinate = 0;  ///< of both curves, in size
+  double longest_segment = 0;     ///< bound on the length of any segment of either curve
 
   [[nodiscard]] const Pieces& pieces(Pairing pairing) const { return pieces_[static_cast<std::size_t>(pairing)]; }
 
@@ -125,7 +127,8 @@ struct Overlay {
 };
 
 /// Overlays two simple closed curves of either orientation. The points must outlive the result, whose node coordinates
-/// are computed from them on demand. Throws DataError (validate), NotSimpleError, Cancelled. About one pass over the
+/// are computed from them on demand. Throws UsageError (an open curve), DataError (validate; also an area
+/// beyond the range of double), NotSimpleError, Cancelled. About one pass over the
 /// points plus work in proportion to what is near crossings; parallel; the same bits for any number of threads and any
 /// index. Areas, of pieces and in total, have relative error below 1e-15 where they exceed 1e-12 of the bounding box.
 [[nodiscard]] Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options = {});
@@ -142,6 +145,8 @@ struct Overlay {
 /// Centroids of all pieces of a pairing, in double-double, so that thin pieces keep theirs. One pass over the points
 /// of both curves, parallel.
 [[nodiscard]] std::vector<Point> centroids(const Overlay& result, Pairing pairing);
+/// Of one piece.
+[[nodiscard]] Point centroid(const Overlay& result, Pairing pairing, std::size_t piece);
 
 /// Slivers: pieces no wider than the rounding of their vertices, area <= 2 perimeter ulp, ulp the unit in the last
 /// place of the largest coordinate of the two curves. Where curves share an arc up to rounding, these are the noise

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <numeric>
 
+#include "engine/curve/countable.hpp"
+#include "engine/curve/point_along.hpp"
 #include "engine/parallel/counting_sort.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/crossing_parameters.hpp"
@@ -20,9 +22,8 @@ class MarkMaker {
       : strands_(strands), incidences_(incidences.list), lone_(incidences.tips) {
     tips_ = lone_.size();
     for (int curve = 0; curve < strands.curves(); ++curve) lone_.push_back(extreme[static_cast<std::size_t>(curve)]);
-    if (2 * incidences_.size() + lone_.size() >= 0xffffffffU) {
-      throw DataError("the curves meet in more places than can be numbered");
-    }
+    // There are at most so many edges, each with two half-edges to be numbered.
+    require_countable(2 * incidences_.size() + lone_.size(), "places where the curves meet");
   }
 
   Marks make() {
@@ -174,40 +175,7 @@ ImplicitPoint implicit_point(const Strands& strands, const Mark& mark) {
 
 Point place(const Strands& strands, const Mark& mark) {
   if (mark.kind != Mark::Kind::at_crossing) return strands.start(mark.other);
-  const auto [a, b] = strands.segment(mark.segment);
-  const auto along = [&](double from, double to) {
-    const DD value = DD{from, 0} + mark.t * two_diff(to, from);
-    return value.hi;
-  };
-  return {along(a.x, b.x), along(a.y, b.y)};
-}
-
-std::uint32_t extreme_segment(const BoxTree& tree) {
-  const double greatest_x = tree.box().max_x();
-  std::vector<TreeNode> open{tree.root()};
-  std::uint32_t best = 0;
-  bool found = false;
-  while (!open.empty()) {
-    const TreeNode node = open.back();
-    open.pop_back();
-    if (tree.box(node).max_x() < greatest_x) continue;
-    if (node.level > 0) {
-      for (std::uint32_t child = 2 * node.index; child < 2 * node.index + 2; ++child) {
-        if (child < tree.nodes(node.level - 1)) open.push_back({node.level - 1, child});
-      }
-      continue;
-    }
-    const std::size_t begin = node.index * leaf_size, end = std::min(begin + leaf_size, tree.segments());
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto [a, b] = tree.curve().segment(k);
-      if (a == b || a.x < greatest_x) continue;
-      const Point rival = tree.curve().points[best];
-      if (found && (a.y < rival.y || (a.y == rival.y && k > best))) continue;
-      best = static_cast<std::uint32_t>(k);
-      found = true;
-    }
-  }
-  return best;
+  return point_along(strands.segment(mark.segment), mark.t);
 }
 
 }  // namespace lober

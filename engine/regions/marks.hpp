@@ -58,8 +58,4 @@ struct Marks {
 /// The mark rounded to double: exact if it is a vertex, else right to about an ulp.
 [[nodiscard]] Point place(const Strands& strands, const Mark& mark);
 
-/// The segment, of those with a length, that begins at the vertex of the curve greatest by x, then by y. About log N
-/// unless many leaves reach the greatest x.
-[[nodiscard]] std::uint32_t extreme_segment(const BoxTree& tree);
-
 }  // namespace lober

@@ -5,7 +5,9 @@
 #include <limits>
 #include <map>
 
+#include "engine/curve/require.hpp"
 #include "engine/curve/scaled.hpp"
+#include "engine/index/orientation.hpp"
 #include "engine/index/sums_along.hpp"
 #include "engine/regions/arrangement.hpp"
 #include "engine/stopwatch.hpp"
@@ -56,7 +58,7 @@ bool belongs(Windings windings, WindingRule rule, Pairing pairing) {
 }
 
 double Arrangement::area(DD twice) const {
-  return std::ldexp(std::max(0.0, 0.5 * (twice.hi + twice.lo)), area_exponent);
+  return scaled_area(std::max(0.0, 0.5 * (twice.hi + twice.lo)), area_exponent);
 }
 
 // Puts a result together. One for each call.
@@ -146,7 +148,7 @@ class RegionBuilder {
       for (const DD& sum : at) largest = std::max(largest, std::fabs(sum.hi));
       additions += static_cast<double>(tree.segments()) / 1024;
       result_.signed_areas_[static_cast<std::size_t>(curve)] =
-          std::ldexp(0.5 * (along.total.hi + along.total.lo), -2 * exponent_);
+          scaled_area(0.5 * (along.total.hi + along.total.lo), -2 * exponent_);
     }
     const double extent = (c2_ == nullptr ? c1_.tree().box() : unite(c1_.tree().box(), c2_->tree().box())).extent();
     const double size = extent * extent;
@@ -232,8 +234,7 @@ Areas Regions::areas(WindingRule rule) const {
 }
 
 double Regions::rounding(double area) const {
-  const double lost = std::ldexp(arrangement_->lost, arrangement_->area_exponent);
-  return area * 0x1p-53 + lost + std::numeric_limits<double>::denorm_min();
+  return area * 0x1p-53 + scaled_bound(arrangement_->lost, arrangement_->area_exponent);
 }
 
 Areas Regions::rounding(WindingRule rule) const {
@@ -250,6 +251,8 @@ Areas Regions::rounding(WindingRule rule) const {
 namespace {
 
 Regions build(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOptions& options) {
+  require_region(c1.view(), "curve 1", "regions");
+  if (c2 != nullptr) require_region(c2->view(), "curve 2", "regions");
   const CurveView view1 = c1.view(), view2 = c2 == nullptr ? CurveView{} : c2->view();
   const int exponent = comfortable_exponent(c2 == nullptr ? c1.tree().box() : unite(c1.tree().box(), c2->tree().box()));
   if (exponent == 0) return RegionBuilder(c1, c2, options, 0, view1, view2).build();
@@ -261,7 +264,7 @@ Regions build(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOption
 }
 
 IndexedCurve indexed(CurveView curve, std::string_view name) {
-  require_enough_vertices(curve, name);
+  require_region(curve, name, "regions");
   IndexedCurve result(curve);
   if (!result.tree().sums_finite()) validate(curve, name);
   return result;

@@ -122,7 +122,8 @@ class Regions {
 };
 
 /// The regions of one or two closed curves of any shape; the orientation of the input is kept. The points must outlive
-/// the result and its pieces. Throws DataError (validate), Cancelled. Time in proportion to the points (one pass) and
+/// the result and its pieces. Throws UsageError (an open curve), DataError (validate; also an area beyond the
+/// range of double), Cancelled. Time in proportion to the points (one pass) and
 /// to what the search of both curves against themselves and each other meets; memory besides the box trees in
 /// proportion to the places where strands meet. All decisions are exact; the same bits for any number of threads and
 /// any index. Where k strands run along each other, k^2 / 2 pairs meet at each of their vertices.

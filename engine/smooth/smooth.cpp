@@ -145,7 +145,7 @@ class Builder {
 
   // An area that comes out negative is one that smooth curves do not enclose.
   void add(double Areas::*member, const Bulge& bulge, SmoothAreas& smooth) const {
-    const auto half = [&](double twice) { return std::ldexp(twice, exponent_ - 1); };
+    const auto half = [&](double twice) { return scaled_area(twice, exponent_ - 1); };
     const double area = result_.areas.*member + half(bulge.area.hi + bulge.area.lo);
     smooth.areas.*member = std::max(area, 0.0);
     smooth.error.*member = result_.rounding.*member + half(bulge.error) + std::max(-area, 0.0) +

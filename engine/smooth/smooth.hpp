@@ -42,7 +42,7 @@ struct SmoothArea {
 };
 
 /// The area of one closed curve, in the same sense; where it crosses itself, weighted by winding numbers. Throws
-/// DataError as `validate` does. O(n), parallel.
+/// UsageError for an open curve, DataError as `validate` does. O(n), parallel.
 [[nodiscard]] SmoothArea smooth_area(CurveView curve);
 
 struct CommonArea {

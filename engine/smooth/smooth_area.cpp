@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/curve/require.hpp"
 #include "engine/curve/scaled.hpp"
 #include "engine/smooth/bulges.hpp"
 #include "engine/smooth/smooth.hpp"
@@ -10,6 +11,7 @@
 namespace lober {
 
 SmoothArea smooth_area(CurveView curve) {
+  require_closed(curve, "the curve", "smooth area");
   validate(curve, "smooth area");
   const int exponent = comfortable_exponent(box_of(curve.points));
   std::vector<Point> points;
@@ -18,7 +20,7 @@ SmoothArea smooth_area(CurveView curve) {
   const BulgeSums sums = sum_bulges(SmoothCurve(comfortable), {});
   SmoothArea result;
   const double scale = std::ldexp(0.5, -2 * exponent), polygon = signed_area(comfortable);
-  result.area = scale * (2 * polygon + sums.total.area.hi + sums.total.area.lo);
+  result.area = scaled_area(2 * polygon + sums.total.area.hi + sums.total.area.lo, -1 - 2 * exponent);
   result.error = scale * sums.total.error + std::fabs(result.area) * 0x1p-50;
   result.fallback_segments = sums.fallbacks;
   return result;

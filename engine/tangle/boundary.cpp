@@ -44,14 +44,20 @@ ChordCuts cuts_of_chord(const Tangle& tangle) {
   };
   const Pip& bip = tangle.pips[tangle.boundary->bip];
   const auto mark = [&](const std::vector<Position>& meetings, Position Pip::*on) {
+    const bool outward = on == &Pip::u;  // pips come the other way round along S
+    const auto& pips = tangle.pips;
     for (const Position at : meetings) {
       cuts.boundary = cuts.boundary || not_after(at, bip.*on);
-      for (std::size_t k = 0; k < cuts.lobes.size(); ++k) {
-        const Position x = tangle.pips[k].*on, y = tangle.pips[k + 1].*on;
-        const bool between =
-            on == &Pip::u ? not_after(x, at) && not_after(at, y) : not_after(y, at) && not_after(at, x);
-        if (between) cuts.lobes[k] = true;
-      }
+      // A lobe is cut unless both its pips lie before the place or both behind it.
+      const auto ended = std::partition_point(pips.begin(), pips.end(), [&](const Pip& pip) {
+        return outward ? !not_after(at, pip.*on) : !not_after(pip.*on, at);
+      });
+      const auto begun = std::partition_point(pips.begin(), pips.end(), [&](const Pip& pip) {
+        return outward ? not_after(pip.*on, at) : not_after(at, pip.*on);
+      });
+      const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(ended - pips.begin() - 1, 0));
+      const auto to = std::min(static_cast<std::size_t>(begun - pips.begin()), cuts.lobes.size());
+      for (std::size_t k = from; k < to; ++k) cuts.lobes[k] = true;
     }
   };
   mark(chord_meetings(chord, curves.u()), &Pip::u);

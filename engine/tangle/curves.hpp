@@ -21,7 +21,7 @@ struct TangleCurves {
   [[nodiscard]] const IndexedCurve& u() const { return *index_u; }
   [[nodiscard]] const IndexedCurve& s() const { return *index_s; }
 
-  [[nodiscard]] double area(DD twice) const { return std::ldexp(twice.hi + twice.lo, -1 - 2 * exponent); }
+  [[nodiscard]] double area(DD twice) const { return scaled_area(twice.hi + twice.lo, -1 - 2 * exponent); }
   [[nodiscard]] Point origin() const { return u().view().points[0]; }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/curve/require.hpp"
 #include "engine/index/sums_along.hpp"
 #include "engine/smooth/smooth_gaps.hpp"
 #include "engine/stopwatch.hpp"
@@ -94,7 +95,8 @@ Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const
   const TangleCurves& curves = *result.curves;
   result.timing.index = watch.seconds();
   if (options.check_simple) {
-    for (const SimpleCheck& check : {require_simple(curves.u(), 1), require_simple(curves.s(), 2)}) {
+    for (const SimpleCheck& check :
+         {require_simple(curves.u(), 1, curves.exponent), require_simple(curves.s(), 2, curves.exponent)}) {
       result.simple_check.search += check.search;
       result.simple_check.pairs += check.pairs;
     }
@@ -120,7 +122,8 @@ Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const
     result.lobes.back().area = result.lobes.back().polygon_area = curves.area(gaps[k + 1] - gaps[k]);
   }
   if (options.smooth && !pips.empty()) smooth_lobes(result);
-  remark_direction(result);
+  // Who names the bip by its number and the period knows the pips, as those do who grew the manifolds.
+  if (!options.bip || options.period == 0) remark_direction(result);
   result.timing.pips = area_watch.seconds();
   if (pips.empty()) {
     if (options.bip || options.bip_near) throw UsageError("a bip is given, but the manifolds do not cross");
@@ -146,17 +149,22 @@ Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const
 
 double Tangle::rounding(double area) const {
   const Box box = unite(curves->u().tree().box(), curves->s().tree().box());
-  const double extent = std::ldexp(box.extent(), -curves->exponent);
-  return std::fabs(area) * 0x1p-53 + lost_in_sums(extent, nodes.size(), u().segments() + s().segments());
+  const double lost = lost_in_sums(box.extent(), nodes.size(), u().segments() + s().segments());
+  if (curves->exponent == 0) return std::fabs(area) * 0x1p-53 + lost;
+  return std::fabs(area) * 0x1p-53 + scaled_bound(lost, -2 * curves->exponent);
 }
 
 Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
-  u.closed = s.closed = false;
+  require_open(u, "U", "tangle");
+  require_open(s, "S", "tangle");
   return find_tangle(u, s, options, [&] { return index_curves(u, s, options.smooth); });
 }
 
 Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options) {
-  if (u.view().closed || s.view().closed) throw UsageError("a tangle is one of open curves");
+  require_open(u.view(), "U", "tangle");
+  require_open(s.view(), "S", "tangle");
+  require_enough_vertices(u.view(), "U");
+  require_enough_vertices(s.view(), "S");
   return find_tangle(u.view(), s.view(), options,
                      [&] { return scaled_curves(borrowed(u), borrowed(s), options.smooth); });
 }

@@ -138,13 +138,13 @@ struct Tangle {
 };
 
 /// The tangle of two open curves. The points must outlive the result. Throws DataError (validate), NotSimpleError,
-/// UsageError (a bip that does not exist), Cancelled. The time of the crossing search and of the sums up to the pips
-/// and to those crossings that the boundary has with lobes; parallel; the same bits for any number of threads and any
-/// index.
+/// UsageError (a closed curve, a bip that does not exist), Cancelled. The time of the crossing search and of the sums
+/// up to the pips and to those crossings that the boundary has with lobes; parallel; the same bits for any number of
+/// threads and any index.
 [[nodiscard]] Tangle tangle(CurveView u, CurveView s, const TangleOptions& options = {});
 
-/// The same for curves that are indexed already. The indexes, too, must outlive the result. Throws UsageError for a
-/// closed curve.
+/// The same for curves that are indexed already. The indexes, too, must outlive the result.
+/// Throws the same.
 [[nodiscard]] Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options = {});
 
 // ------------------------------------------------------------------- more about a result, computed when asked for

@@ -180,7 +180,8 @@ bool TangleGrowth::grow(Side& side, double end) {
         static_cast<double>(grown.points.size()) + growth.points_needed() > static_cast<double>(options_.most_points);
     limit_ = "U of " + std::to_string(u_.growth->grown().points.size()) + " points, S of " +
              std::to_string(s_.growth->grown().points.size()) + ": the next piece of " + name + " needs " +
-             rounded_text(growth.points_needed()) + " points or more, ";
+             (growth.points_needed() < 1 ? "more points than it seemed to, "
+                                         : rounded_text(growth.points_needed()) + " points or more, ");
     limit_ += of_points             ? "--max-points allows " + std::to_string(options_.most_points)
               : options_.budget > 0 ? "which would take longer than --budget"
                                     : "which is more work than is done unasked (--budget SECONDS allows more)";

@@ -90,6 +90,7 @@ class Builder {
       result_.steps.push_back(series->next());
       if (options_.on_step) options_.on_step(result_.steps.back());
     }
+    series->extend(barriers());  // of what there is now: the last growth may have added to it without a row
     finish(*series);
     return std::move(result_);
   }

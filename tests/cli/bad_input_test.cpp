@@ -11,8 +11,10 @@ class BadInput : public ProgramTest {
  protected:
   void SetUp() override {
     write_curve("good", box(0, 0, 1, 1));
-    for (const char* name : {"out", "c12.dat", "c10.dat"}) write(name, "precious\n");
+    for (const char* name : {"out", "c12.dat", "c10.dat"}) write(name, precious);
   }
+  // An earlier result, which the published form may replace when all goes well.
+  static constexpr const char* precious = "0.5\t1e-14\t0.25\t1e-14\n";
 
   void expect_failure(const std::vector<std::string>& arguments, int status, std::string_view words) {
     const Outcome outcome = run(arguments);
@@ -23,8 +25,7 @@ class BadInput : public ProgramTest {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << command << '\n' << outcome.err;
     EXPECT_TRUE(outcome.err.starts_with("lober: ") && outcome.err.ends_with("\n")) << command << '\n' << outcome.err;
     EXPECT_NE(outcome.err.find(words), std::string::npos) << command << '\n' << outcome.err;
-    for (const char* name : {"out", "c12.dat", "c10.dat"})
-      EXPECT_EQ(read(name), "precious\n") << command << ' ' << name;
+    for (const char* name : {"out", "c12.dat", "c10.dat"}) EXPECT_EQ(read(name), precious) << command << ' ' << name;
     for (const auto& entry : std::filesystem::directory_iterator(folder())) {
       EXPECT_EQ(entry.path().string().find(".part-"), std::string::npos) << command << ' ' << entry.path();
     }
@@ -147,6 +148,20 @@ TEST_F(BadInput, OptionsThatMakeNoSense) {
   expect_failure({"interior", "good", "good", "--densify", "3", "-1"}, 2, "--densify");
   expect_failure({"interior", "good", "good", "--densify", "3", "2000000"}, 2, "--densify");
   expect_failure({"interior", "good", "good", "--threads", "0"}, 2, "--threads");
+}
+
+// As a variable of the shell gives that was never set.
+TEST_F(BadInput, OptionsThatAreEmpty) {
+  expect_failure({"overlay", "good", "good", "--json", ""}, 2, "--json is given an empty text");
+  expect_failure({"overlay", "", "good"}, 2, "C1 is given an empty text");
+  expect_failure({"tangle", "good", "", "--svg="}, 2, "empty");
+  expect_failure({"densify", "good", "-o", "", "--tau", "1"}, 2, "empty");
+  expect_failure({"batch", "run", "good", "--shard", ""}, 2, "--shard is given an empty text");
+  expect_failure({"batch", "run", "good", "--memory", ""}, 2, "--memory is given an empty text");
+}
+
+TEST_F(BadInput, NamesThatATerminalWouldObey) {
+  expect_failure({"overlay", "no\x1B[31mwhere\n", "good"}, 1, "no?[31mwhere");
 }
 
 TEST_F(BadInput, OptionsThatContradictEachOther) {

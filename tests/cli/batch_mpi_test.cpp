@@ -72,5 +72,42 @@ TEST_F(BatchMpi, KilledRanksLoseNothingThatWasStored) {
   }
 }
 
+// A rank that fails ends the run, and soon: nobody waits for it.
+TEST_F(BatchMpi, RanksThatFailEndTheRun) {
+  const std::string program = LOBER_MPI_PROGRAM,
+                    head = std::string("exec timeout 60 ") + LOBER_MPIRUN + " --oversubscribe ";
+  const std::string good = program + " job.toml --threads 1 --store failing ";
+  for (const std::string& line : {
+           head + "-n 1 " + good + ": -n 1 " + good + "--memory much",  // each alone would know what is wrong
+           head + "-n 1 " + good + "--shard 3/2 : -n 1 " + good,
+           head + "-n 1 " + program + " nowhere.toml : -n 2 " + good,
+           head + "-n 1 " + good + ": -n 1 sh -c 'ulimit -v 250000; exec " + good + "'",  // out of memory somewhere
+       }) {
+    std::filesystem::remove(folder() / "failing");
+    const int status = wait_for(start_in(folder(), {"sh", "-c", line}));
+    EXPECT_NE(status, 124) << "hangs: " << line;
+    if (line.find("ulimit") == std::string::npos) EXPECT_NE(status, 0) << line;
+    EXPECT_EQ(wait_for(start(2, "failing")), 0);
+    EXPECT_EQ(exported("failing"), expected_);
+  }
+}
+
+// The store goes while the ranks work.
+TEST_F(BatchMpi, AStoreThatVanishesEndsTheRun) {
+  const std::string line = std::string("exec timeout 60 ") + LOBER_MPIRUN + " --oversubscribe -n 3 " +
+                           LOBER_MPI_PROGRAM + " job.toml --threads 1 --store gone";
+  const pid_t mpirun = start_in(folder(), {"sh", "-c", line});
+  for (int wait = 0; wait < 3000 && !exists("gone-wal"); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::filesystem::remove(folder() / "gone");
+  EXPECT_EQ(wait_for(mpirun), 1);
+  EXPECT_TRUE(exists("gone.rescued"));
+}
+
+// Messages that are longer than what MPI sends at once; with pieces of a few bytes.
+TEST_F(BatchMpi, MessagesOfAnyLength) {
+  EXPECT_EQ(wait_for(start_in(folder(), {LOBER_MPIRUN, "--oversubscribe", "-n", "3", LOBER_MPI_MESSAGES})), 0);
+}
+
 }  // namespace
 }  // namespace lober::cli

@@ -123,7 +123,7 @@ TEST_F(Densify, SameBytesForAnyNumberOfThreads) {
 TEST_F(Densify, WrongCommandLines) {
   expect_failure({}, 2, "required");
   expect_failure({"square", "-o", "out.csv"}, 2, "nothing to do");
-  expect_failure({"square", "--tau", "1"}, 2, "--output");
+  expect_failure({"square", "--tau", "1"}, 2, "-o FILE is needed");
   expect_failure({"square", "-o", "out.csv", "--tau", "0"}, 2, "--tau");
   expect_failure({"square", "-o", "out.csv", "--tau", "nan"}, 2, "--tau");
   expect_failure({"square", "-o", "out.csv", "--tau", "1", "--interpolation", "quintic"}, 2, "--interpolation");

@@ -16,8 +16,8 @@ TEST_F(EscapeProgram, WritesTheTable) {
   const Outcome outcome = run({"escape", "capsize", "--energy", "0.25307", "--iterates", "3", "--tolerance", "1e-4",
                                "--json", "table.json", "--svg", "curves.svg", "--monte-carlo", "2000"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("exit left"), std::string::npos);
-  EXPECT_NE(outcome.out.find("entrance right"), std::string::npos);
+  EXPECT_NE(outcome.out.find("   3  left       right  "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("DISAGREEMENT"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("11.1522"), std::string::npos);
   EXPECT_NE(outcome.out.find("standard errors"), std::string::npos);
   const Json result = Json::parse(read("table.json"));
@@ -26,6 +26,8 @@ TEST_F(EscapeProgram, WritesTheTable) {
   EXPECT_NEAR(result["bottlenecks"][0]["orbit"]["period"].get<double>(), 3.189752742896737111, 1e-12);
   EXPECT_EQ(result["table"].size(), 12U);
   EXPECT_EQ(result["monte_carlo"]["trajectories"], 2000);
+  EXPECT_EQ(result["agreement"], true);
+  EXPECT_EQ(result["stop"], nullptr);
   double found = 0;
   for (const Json& row : result["table"]) {
     if (row["entrance"] == "left" && row["exit"] == "right" && row["crossings"] == 3) found = row["fraction"];
@@ -61,6 +63,20 @@ TEST_F(EscapeProgram, SameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(bytes("1"), bytes("3"));
 }
 
+TEST_F(EscapeProgram, EndsWithAReasonBeforeTheNextImageIsTooMuch) {
+  const std::vector<std::string> arguments{"escape",      "capsize", "--iterates",   "30",
+                                           "--tolerance", "1e-4",    "--max-points", "2000"};
+  const Outcome outcome = run(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(" of 30: the next image needs "), std::string::npos) << outcome.out;
+  std::vector<std::string> with_json = arguments;
+  with_json.insert(with_json.end(), {"--json", "-"});
+  const Json result = Json::parse(run(with_json).out);
+  EXPECT_EQ(result["stop"]["reason"], "points");
+  EXPECT_EQ(result["table"].size(), 4 * result["crossings"].get<std::size_t>());
+  EXPECT_GT(result["stop"]["points_ahead"], 2000);
+}
+
 TEST_F(EscapeProgram, OrbitsAndTubesOnly) {
   const Outcome outcome = run({"escape", "pcr3bp", "--energy", "-1.515", "--iterates", "0", "--saddle", "2",
                                "--tolerance", "1e-4", "--json", "-"});
@@ -90,6 +106,7 @@ TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {
   fails({"capsize", "--saddle", "0.01,0.01,0,0"}, 1, "rank 1");
   fails({"capsize", "--section", "z=0"}, 2, "--section");
   fails({"capsize", "--direction", "both"}, 2, "direction");
+  fails({"pcr3bp"}, 2, "give --section");
   fails({"capsize", "--iterates", "0", "--monte-carlo", "5"}, 2, "--monte-carlo");
   fails({"capsize", "--svg", "nowhere/file"}, 1, "nowhere/file");
 }

@@ -20,8 +20,9 @@ class PublishedTangle : public ProgramTest {
   void lober(const std::vector<std::string>& arguments) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
+    out_ = outcome.out;
   }
+  [[nodiscard]] const std::string& out() const { return out_; }
   void expect_failure(const std::vector<std::string>& arguments, int status, const std::string& words) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, status) << outcome.err;
@@ -29,6 +30,9 @@ class PublishedTangle : public ProgramTest {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_FALSE(exists("separ.dat"));
   }
+
+ private:
+  std::string out_;
 };
 
 TEST_F(PublishedTangle, WritesItsFiles) {
@@ -44,6 +48,29 @@ TEST_F(PublishedTangle, WritesItsFiles) {
   EXPECT_EQ(read("one0.dat"), "VARIABLES=\"x\"\"y\"\n" + lobe0);
   EXPECT_EQ(read("one2.dat"), "VARIABLES=\"x\"\"y\"\n" + lobe2);
   EXPECT_FALSE(exists("one3.dat"));
+}
+
+TEST_F(PublishedTangle, PrintsPipsAndAreas) {
+  lober({"u", "s", "lobe", "mani", "pips", "1", "0", "2"});
+  std::istringstream table(out());
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "zone 0: 4 pips, 3 lobes, bip 2");
+  std::getline(table, line);
+  double number = 0, x = 0, y = 0;
+  for (const double expected : {2.0, 4.0, 6.0, 7.5}) {
+    ASSERT_TRUE(table >> number >> x >> y) << out();
+    EXPECT_EQ(x, expected);
+    EXPECT_EQ(y, 0);
+  }
+  std::getline(table, line);
+  std::getline(table, line);
+  for (const double expected : {-1.0, 1.0, -0.75}) {
+    ASSERT_TRUE(table >> number >> x >> y) << out();
+    EXPECT_EQ(x, expected);
+    EXPECT_GT(y, 0);
+  }
+  EXPECT_NE(out().find("\nzone 1: 2 pips, 1 lobe, bip 1\n"), std::string::npos) << out();
 }
 
 // Cells of 0.055 x 0.02: 100 x 100 for the window [2, 7.5] x [-1, 1].

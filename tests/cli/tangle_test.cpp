@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/curve/curve.hpp"
 #include "tests/cli/program.hpp"
@@ -196,13 +197,13 @@ TEST_F(TangleProgram, ListsThePiecesOfALobeThatTouchesItself) {
   EXPECT_NE(run({"tangle", "u", "touching"}).out.find("not simple"), std::string::npos);
 }
 
-TEST_F(TangleProgram, WarnsOfAreasBeyondTheRangeOfDouble) {
+TEST_F(TangleProgram, AreasBeyondTheRangeOfDoubleAreAnError) {
   write_curve("large", std::vector<Point>{{0, 0}, {1e300, 0}});
   write_curve("larger", std::vector<Point>{{1.5e300, 1e300}, {1e299, -1e300}, {-1e300, 1e300}});
   const Outcome outcome = run({"tangle", "large", "larger", "--svg", "picture", "--json", "-"});
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("beyond the range of double"), std::string::npos) << outcome.err;
-  EXPECT_TRUE(Json::parse(outcome.out)["boundary"]["area"].is_null());
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("larger than the largest double"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
 }
 
 TEST_F(TangleProgram, SaysThatThereIsNoCrossing) {
@@ -263,6 +264,67 @@ TEST_F(TangleProgram, RefusesWhatItCannotDo) {
   expect_failure({"tangle", "u", "s", "--json", "x", "--graph", "x"}, 2, "both write");
   expect_failure({"tangle", "u", "s", "--svg", "no/where"}, 1, "cannot be written");
   expect_failure({"tangle", "u", "s", "--reverse", "v"}, 2, "--reverse");
+}
+
+// The colour that the legend of a picture gives to an entry.
+std::string colour_of(const std::string& svg, const std::string& entry) {
+  const std::size_t text = svg.find(entry), line = svg.rfind("<g transform", text);
+  const std::size_t fill = svg.find("fill=\"", line);
+  return text == std::string::npos || fill > text ? "none" : svg.substr(fill + 6, 7);
+}
+
+// Whichever side of U the lobes lie on: mirrored manifolds exchange the sides.
+TEST_F(TangleProgram, GivesLeavingAndEnteringLobesTheirColours) {
+  const CurveFile file = read_curve_file(demo);
+  for (const std::size_t zone : {0UL, 1UL}) {
+    std::vector<Point> mirrored = file.zones[zone].points;
+    for (Point& point : mirrored) point.y = -point.y;
+    write_curve(zone == 0 ? "mirrored-u" : "mirrored-s", mirrored);
+  }
+  ASSERT_EQ(run({"tangle", demo, "--svg", "plain.svg"}).status, 0);
+  ASSERT_EQ(run({"tangle", "mirrored-u", "mirrored-s", "--svg", "mirrored.svg"}).status, 0);
+  ASSERT_EQ(run({"transport", "henon", "--iterates", "1", "--picture", "transport.svg"}).status, 0);
+  const std::string leaving = colour_of(read("plain.svg"), "L12"), entering = colour_of(read("plain.svg"), "L21");
+  EXPECT_NE(leaving, entering);
+  for (const char* name : {"mirrored.svg", "transport.svg"}) {
+    EXPECT_EQ(colour_of(read(name), "L12"), leaving) << name;
+    EXPECT_EQ(colour_of(read(name), "L21"), entering) << name;
+  }
+}
+
+// The direction of grown manifolds is known.
+TEST_F(TangleProgram, DoesNotDoubtTheDirectionOfGrownManifolds) {
+  const Outcome outcome = run({"tangle", "--system", "standard", "--param", "K=50", "--json", "t.json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ((outcome.out + outcome.err + read("t.json")).find("given inward"), std::string::npos) << outcome.err;
+}
+
+// K = 10.7 and 10.8 once had different ones: the nearest pip to a place that was nowhere near the pip on the axis.
+TEST_F(TangleProgram, KeepsToThePipOnTheAxisOfTheStandardMap) {
+  double before = 0;
+  for (const char* k : {"2", "6", "10.7", "10.8", "20"}) {
+    const Json result = tangle({"--system", "standard", "--param", std::string("K=") + k});
+    const std::size_t bip = result["bip"]["index"];
+    const Json pip = result["pips"].at(bip);
+    EXPECT_NEAR(pip["x"].get<double>(), std::numbers::pi, 1e-4) << k;
+    EXPECT_GT(pip["y"].get<double>(), before) << k;
+    EXPECT_LT(pip["y"].get<double>(), std::numbers::pi) << k;
+    before = pip["y"];
+  }
+}
+
+// f is x -> a reflection through the saddle: f^2 keeps the branches.
+TEST_F(TangleProgram, SaysThatSaddlesWithReflectionCountSecondIterates) {
+  const Outcome grown = run({"grow", "standard", "--param", "K=5", "--fixed-point", "3.14159265,0", "--unstable",
+                             "--tol", "1e-3", "--iterates", "3", "--json", "g.json", "-o", "g.npy"});
+  ASSERT_EQ(grown.status, 0) << grown.err;
+  EXPECT_NE(grown.out.find("images are those of f^2"), std::string::npos) << grown.out;
+  const Json json = Json::parse(read("g.json"));
+  EXPECT_EQ(json["local_manifold"]["reflection"], true);
+  EXPECT_EQ(json["local_manifold"]["steps_of_image"], 2);
+  const Json plain = tangle({"--system", "standard", "--param", "K=2"});
+  EXPECT_EQ(plain["reflection"], false);
+  EXPECT_EQ(plain["steps_of_image"], 1);
 }
 
 TEST_F(TangleProgram, DrawsASmallPictureOfManyPoints) {

@@ -37,6 +37,8 @@ constexpr std::array all_families{
     Family{"slivers", family::slivers},
     Family{"far_away", family::far_away},
     Family{"extreme_scale", family::extreme_scale},
+    Family{"powers_of_2_200", family::powers_of_2_200},
+    Family{"denormal_axis", family::denormal_axis},
 };
 
 std::uint64_t hash(std::string_view text) {  // FNV-1a

@@ -67,6 +67,8 @@ PolygonPair log_uniform(Random& random);
 PolygonPair slivers(Random& random);
 PolygonPair far_away(Random& random);
 PolygonPair extreme_scale(Random& random);
+PolygonPair powers_of_2_200(Random& random);
+PolygonPair denormal_axis(Random& random);
 }  // namespace family
 
 }  // namespace lober::oracle

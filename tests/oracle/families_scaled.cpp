@@ -114,4 +114,43 @@ PolygonPair extreme_scale(Random& random) {
   return moved_both(any_pair(random), {scale, scale}, {});
 }
 
+// Coordinates of all sizes in one polygon: 0 and powers of 2^200, exactly or with digits behind.
+PolygonPair powers_of_2_200(Random& random) {
+  const int lowest = random.integer(-2, 1), highest = random.integer(lowest, 2);
+  const bool exactly = random.chance(0.3);
+  const auto coordinate = [&] {
+    if (random.chance(0.15)) return 0.0;
+    return random_sign(random) * std::ldexp(exactly ? 1 : random.uniform(1, 2), 200 * random.integer(lowest, highest));
+  };
+  const auto one = [&] {
+    Polygon polygon(static_cast<std::size_t>(random.integer(3, 5)));
+    for (Point& p : polygon) {
+      p.x = coordinate();
+      p.y = coordinate();
+    }
+    return polygon;
+  };
+  Polygon first = one(), second = one();
+  // Common vertices, and a vertex of one on a level or an upright side of the other.
+  if (random.chance(0.5)) second[random.index(second.size())] = first[random.index(first.size())];
+  if (random.chance(0.3)) second[random.index(second.size())].x = first[random.index(first.size())].x;
+  return {std::move(first), std::move(second)};
+}
+
+// One axis among the denormals, where a difference has few digits and every product of two is lost.
+PolygonPair denormal_axis(Random& random) {
+  const int digits = random.integer(2, 40);
+  const bool upright = random.chance(0.5);
+  const PolygonPair pair = any_pair(random);
+  const auto flattened = [&](const Polygon& polygon) {
+    Polygon result;
+    for (const Point& p : polygon) {
+      const double tiny = std::ldexp(std::round(std::ldexp(upright ? p.x : p.y, digits)), -1074);
+      result.push_back(upright ? Point{tiny, p.y} : Point{p.x, tiny});
+    }
+    return result;
+  };
+  return {flattened(pair.first), flattened(pair.second)};
+}
+
 }  // namespace lober::oracle::family

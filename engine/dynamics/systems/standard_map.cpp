@@ -69,11 +69,13 @@ SystemEntry standard_map_entry() {
             System system;
             system.window = window(-1, -3.2, 5.5, 3.2);
             system.lattice = {2 * std::numbers::pi, 0};
-            // The upper separatrix, its pip on the axis x = pi; and the lower one, from right to left. The region is
-            // the strip of the cylinder between both.
-            const double width = 2 * std::numbers::pi, height = 1.7 * std::sqrt(std::abs(values[0]));
-            system.connection = Connection{{0, 0}, {1, 1}, {width, 0}, {-1, 1}, Point{std::numbers::pi, height}};
-            system.further = {Connection{{width, 0}, {-1, -1}, {0, 0}, {1, -1}, Point{std::numbers::pi, -height}}};
+            // The upper separatrix, its pip on the axis x = pi, at about 2 sqrt(K) for small K and below pi for large
+            // ones (the formula is off by less than 0.15 for all K); and the lower one, from right to left. The region
+            // is the strip of the cylinder between both.
+            const double k = std::abs(values[0]), pi = std::numbers::pi, width = 2 * pi;
+            const double height = 2 * std::sqrt(k / (1 + 4 * k / (pi * pi)));
+            system.connection = Connection{{0, 0}, {1, 1}, {width, 0}, {-1, 1}, Point{pi, height}};
+            system.further = {Connection{{width, 0}, {-1, -1}, {0, 0}, {1, -1}, Point{pi, -height}}};
             system.further_needed = true;
             system.map = std::make_shared<FormulaMap<StandardMap>>(StandardMap{values[0]});
             return system;

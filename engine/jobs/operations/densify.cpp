@@ -2,6 +2,7 @@
 #include "engine/densify/densify.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -46,6 +47,29 @@ std::string output_path(std::string pattern, const std::string& name) {
   return pattern;
 }
 
+// How many points the distance criterion alone asks for.
+double expected_points(CurveView curve, const Criteria& criteria) {
+  double points = static_cast<double>(curve.points.size());
+  for (std::size_t k = 0; k < curve.segments(); ++k) {
+    const Point a = curve.points[k], b = curve.points[k + 1 < curve.points.size() ? k + 1 : 0];
+    points += std::hypot(b.x - a.x, b.y - a.y) / criteria.longest;
+  }
+  return points;
+}
+
+void require_room(double points, std::size_t most) {
+  if (points <= static_cast<double>(most)) return;
+  throw DataError("the criteria ask for more than " + std::to_string(most) + " points, as many as there is memory for");
+}
+
+// A point that comes out and, while it is made, its criteria.
+constexpr std::size_t bytes_per_point = 2 * sizeof(Point);
+
+double result_bytes(const Curve& curve, const Options& options) {
+  const auto criteria = criteria_for(options, curve);
+  return criteria ? static_cast<double>(bytes_per_point) * expected_points(curve, *criteria) : 0;
+}
+
 Record run(JobCurves curves, const Options& options) {
   const PreparedCurve& first = *curves[0];
   const PreparedCurve* const second = curves.size() > 1 ? curves[1] : nullptr;
@@ -63,11 +87,21 @@ Record run(JobCurves curves, const Options& options) {
     for (const Flaw& flaw : result.flaws) flawed += flaw.count;
   };
   if (options.real("remove") > 0) done(thin(result, {options.real("remove"), or_off(options.real("tau"))}));
-  if (const auto criteria = criteria_for(options, result)) done(densify(result, *criteria, {interpolation}));
+  const Allowance& allowance = curves.allowance();
+  const std::size_t most = std::min<std::size_t>(allowance.most() / bytes_per_point, 1'000'000'000);
+  if (const auto criteria = criteria_for(options, result)) {
+    require_room(expected_points(result, *criteria), most);
+    allowance.book(bytes_per_point * static_cast<std::size_t>(expected_points(result, *criteria)));
+    done(densify(result, *criteria, {interpolation, most}));
+    allowance.book(bytes_per_point * result.points.size());
+    for (const Flaw& flaw : result.flaws) {
+      if (flaw.cause == FlawCause::most_points) require_room(INFINITY, most);
+    }
+  }
   if (options.whole("passes") > 0) {
     done(densify_near(
         result, second->curve(),
-        {static_cast<int>(options.whole("passes")), static_cast<int>(options.whole("points")), interpolation}));
+        {static_cast<int>(options.whole("passes")), static_cast<int>(options.whole("points")), interpolation, most}));
   }
   if (options.flag("crossings")) done(std::move(insert_crossings(result, second->curve())[0]));
   if (const std::string& pattern = options.text("output"); !pattern.empty()) {
@@ -103,6 +137,7 @@ Operation densify_operation() {
                        {"flawed_segments", Column::Kind::count}};
   operation.needs = [](const Options&) { return Needs{}; };
   operation.run = run;
+  operation.result_bytes = result_bytes;
   operation.cost = [](std::size_t points) { return 10 + 0.1 * static_cast<double>(points); };
   return operation;
 }

@@ -1,6 +1,8 @@
 // `transport`: flux out of a region of a system, iterate by iterate, from its equations alone. No curves.
 #include "engine/transport/transport.hpp"
 
+#include <algorithm>
+
 #include "engine/error.hpp"
 #include "engine/jobs/operations/table.hpp"
 #include "engine/jobs/recipe.hpp"
@@ -9,12 +11,18 @@
 namespace lober {
 namespace {
 
-Record run(JobCurves, const Options& options) {
+Record run(JobCurves curves, const Options& options) {
   const System system =
       system_of(options.text("system"), options.reals_of("parameters"), options.real("integration_tolerance"));
   TransportOptions how;
   how.iterates = static_cast<int>(options.whole("iterates"));
   how.tolerance = options.real("tolerance");
+  constexpr std::size_t bytes_per_point = 240;  // of two manifolds that are grown, and what is made of them
+  how.most_points = std::min(how.most_points, std::max<std::size_t>(curves.allowance().most() / bytes_per_point, 1000));
+  how.progress = [&](const std::string&) {
+    curves.allowance().check();
+    return true;
+  };
   how.lattice = system.lattice;
   if (system.further_needed) how.further = system.further;
   const Transport found = transport(*system.map, *system.connection, how);

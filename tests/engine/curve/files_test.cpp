@@ -57,9 +57,9 @@ TEST_F(Files, EveryWriterIsReadBackBitForBit) {
     write_npy(path("npy"), points);
     EXPECT_EQ(read_curve_file(path("npy")).format, Format::npy);
     EXPECT_TRUE(same_bits(read_curve_file(path("npy")).zones.at(0).points, points)) << count;
-    write_raw(path("raw"), points);
-    EXPECT_EQ(read_curve_file(path("raw")).format, Format::raw);
-    EXPECT_TRUE(same_bits(read_curve_file(path("raw")).zones.at(0).points, points)) << count;
+    write_raw(path("raw.f64"), points);  // numbers like these are only taken for raw ones on request
+    EXPECT_EQ(read_curve_file(path("raw.f64")).format, Format::raw);
+    EXPECT_TRUE(same_bits(read_curve_file(path("raw.f64")).zones.at(0).points, points)) << count;
     const std::vector<Zone> zones{{"first \"one\"", points, 1}, {"", {{1, 2}}, 1}, {"last", points, 1}};
     write_tecplot(path("tecplot"), zones);
     const CurveFile file = read_curve_file(path("tecplot"));

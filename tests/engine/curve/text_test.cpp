@@ -195,6 +195,8 @@ TEST(TextErrors, SayWhereAndWhat) {
       {"ZONE ZONETYPE=FELINESEG\n1 2\n", "in:1: ZONETYPE=FELINESEG: not supported, expected ORDERED"},
       {"ZONE T=\"a\n1 2\n", "in:1: unterminated string: \"\"a\""},
       {"ZONE hello\n1 2\n", "in:1: expected KEY=VALUE in a ZONE record, found \"hello\""},
+      {"VARIABLES=\"x\"\n1 2\n3 4\n", "in:1: expected two variables, found 1"},
+      {"# c\nVARIABLES=\"x y\"\nZONE\n1 2\n", "in:2: expected two variables, found 1"},
       {"VARIABLES=\"x\",\"y\",\"z\"\n1 2 3\n", "in:1: expected two variables, found 3"},
       {"VARIABLES=\"x\"\n\"y\"\n\"z\"\n1 2 3\n", "in:3: expected two variables, found 3"},
       {"ZONE T=\"a\"\nZONE T=\"b\"\n1 2\n", "in:1: the zone has no points"},

@@ -152,7 +152,7 @@ TEST(JobQueue, InputsThatChangeWhileInUseAreRefused) {
     CurveUnit made;
     made.points = 1000;
     auto reads = std::make_shared<int>(0);
-    made.load = [=](bool) {
+    made.load = [=](const Loading&) {
       const int reading = changes ? (*reads)++ : 0;
       auto curve = std::make_shared<const Curve>(Curve{wavy(1000, number + reading), true, "moving"});
       return std::vector<LoadedCurve>{{curve, std::to_string(number + reading), {}}};

@@ -35,8 +35,8 @@ TEST_F(StoreTest, WhatIsAppendedIsThereAfterwards) {
   }
   const Store store = Store::open(path("s"));
   ASSERT_EQ(store.known().size(), 2U);
-  EXPECT_EQ(store.result(store.known().at(key(1))).value, "one");
-  EXPECT_EQ(store.result(store.known().at(key(1))).seconds, 0.5);
+  EXPECT_EQ(store.result(store.known().at(key(1)))->value, "one");
+  EXPECT_EQ(store.result(store.known().at(key(1)))->seconds, 0.5);
   EXPECT_TRUE(store.known().at(key(2)).failed);
   EXPECT_EQ(store.digests().at("curve"), "digest");
   ASSERT_EQ(store.runs().size(), 1U);
@@ -52,9 +52,9 @@ TEST_F(StoreTest, NothingIsStoredTwiceAndFailuresGiveWay) {
   first.append(std::vector{failure(2, "worse"), failure(3, "worse")}, {});
   const Store store = Store::open(path("s"));
   EXPECT_EQ(store.known().size(), 3U);
-  EXPECT_EQ(store.result(store.known().at(key(1))).value, "one");
-  EXPECT_EQ(store.result(store.known().at(key(2))).value, "better");
-  EXPECT_EQ(store.result(store.known().at(key(3))).value, "three");
+  EXPECT_EQ(store.result(store.known().at(key(1)))->value, "one");
+  EXPECT_EQ(store.result(store.known().at(key(2)))->value, "better");
+  EXPECT_EQ(store.result(store.known().at(key(3)))->value, "three");
 }
 
 TEST_F(StoreTest, OtherFilesAreRefused) {
@@ -79,7 +79,7 @@ TEST_F(StoreTest, MergeJoinsAndRefusesOtherPlans) {
   all.merge(b);
   all.merge(b);
   EXPECT_EQ(all.known().size(), 3U);
-  EXPECT_EQ(all.result(all.known().at(key(2))).value, "better");
+  EXPECT_EQ(all.result(all.known().at(key(2)))->value, "better");
   EXPECT_EQ(all.digests().size(), 2U);
   EXPECT_THROW(all.merge(c), DataError);
   b.append({}, {{"x", "9"}});

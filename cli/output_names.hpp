@@ -1,0 +1,23 @@
+// Which format an output has, and which endings a name may have that takes it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace lober::cli {
+
+/// Formats of points; "-" takes text.
+enum class PointFormat : std::uint8_t { npy, csv, text, tecplot, raw };
+
+/// What the ending of the path names: .npy, .csv, .txt, .dat (Tecplot) or .raw, in either case. Throws UsageError for
+/// any other.
+[[nodiscard]] PointFormat format_of(const std::string& path);
+
+/// Throws UsageError, with the endings that are accepted, where the path ends as another format does than the one that
+/// `option` writes: --json x.svg, --lobes x.geojson. A name without an ending is accepted, and so is one that ends in
+/// a number or an assignment (out.0.6, out.K=2). Options that are not in the table, such as -o, are left to those who
+/// know them.
+void require_fitting_name(std::string_view option, const std::string& path);
+
+}  // namespace lober::cli

@@ -1,0 +1,207 @@
+// What may happen to the store, the inputs and the memory of a batch from outside.
+
+#include <signal.h>
+#include <sys/stat.h>
+
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <future>
+#include <thread>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/programs.hpp"
+
+namespace lober::cli {
+namespace {
+
+class BatchStore : public ProgramTest {
+ protected:
+  void write_curves(int count, std::size_t points) const {
+    for (int k = 0; k < count; ++k) {
+      write_curve("separ." + std::to_string(k), flower(points, 20 + k, 0.3, {0.001 * k, 0.002 * k}));
+    }
+    write("job.toml", "operation = \"overlay\"\ncurves = \"separ.*\"\noptions = { lobes = true }\n");
+  }
+  // Runs a line of the shell in the folder, in which $LOBER is the program.
+  [[nodiscard]] Outcome shell(const std::string& line) const {
+    write("line.sh", "LOBER='" + std::string(LOBER_PROGRAM) + "'\n" + line + "\n");
+    const std::string command = "cd '" + folder().string() + "' && sh line.sh > out 2> err < /dev/null";
+    const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("out"), read("err")};
+  }
+  [[nodiscard]] std::size_t partial_files() const {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder())) {
+      if (entry.path().string().find(".part") != std::string::npos) ++count;
+    }
+    return count;
+  }
+};
+
+TEST_F(BatchStore, DeletedWhileTheBatchRuns) {
+  write_curves(40, 3000);
+  auto running = std::async(std::launch::async, [&] { return run({"batch", "run", "job.toml", "--store", "s"}); });
+  while (!exists("s-wal") && running.wait_for(std::chrono::milliseconds(5)) != std::future_status::ready) {
+  }
+  std::filesystem::remove(folder() / "s");
+  const Outcome outcome = running.get();
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("s.rescued"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out.find("results in"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "s.rescued"}).status, 0);
+  EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "whole"}).status, 0);
+  EXPECT_EQ(run({"batch", "export", "s.rescued"}).out, run({"batch", "export", "whole"}).out);
+}
+
+TEST_F(BatchStore, NamesAndOptionsThatAreEmptyOrKeepNothing) {
+  write_curves(2, 20);
+  for (const std::vector<std::string>& extra : std::vector<std::vector<std::string>>{
+           {"--store", ":memory:"}, {"--store", ""}, {"--shard", ""}, {"--memory", ""}, {"--json", ""}}) {
+    std::vector<std::string> arguments{"batch", "run", "job.toml"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << extra[0] << outcome.err;
+  }
+  EXPECT_FALSE(exists("job.results"));
+  write("byte", "x");
+  EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "byte"}).status, 1);
+  EXPECT_EQ(read("byte"), "x");
+}
+
+TEST_F(BatchStore, ADamagedValueIsNamed) {
+  write_curves(3, 200);
+  ASSERT_EQ(run({"batch", "run", "job.toml", "--store", "s"}).status, 0);
+  const std::string rows = run({"batch", "export", "s"}).out;
+  std::string bytes = read("s");
+  bytes[bytes.size() - 100] ^= 1;  // the first value stands at the end of the last page
+  write("s", bytes);
+  const Outcome status = run({"batch", "status", "s"}), table = run({"batch", "export", "s"});
+  EXPECT_EQ(status.status, 0);
+  EXPECT_NE(status.out.find("2 done, 0 failed, 1 to do"), std::string::npos) << status.out;
+  for (const Outcome& any : {status, table}) {
+    EXPECT_NE(any.err.find("s: the result of job "), std::string::npos) << any.err;
+    EXPECT_NE(any.err.find("is damaged and counts as missing"), std::string::npos) << any.err;
+  }
+  EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "s"}).status, 0);
+  EXPECT_EQ(run({"batch", "export", "s"}).out, rows);
+}
+
+// A limit on the size of files ends a program that does not care about the signal.
+TEST_F(BatchStore, OutputsThatMayNotGrowAreErrorsAndLeaveNothing) {
+  write_curves(6, 400);
+  ASSERT_EQ(run({"batch", "run", "job.toml", "--store", "s"}).status, 0);
+  for (const char* const command :
+       {"overlay separ.0 separ.1 --json big.json", "overlay separ.0 separ.1 --lobes big.npy",
+        "overlay separ.0 separ.1 --svg big.svg", "densify separ.0 --tau 1e-3 -o big.npy",
+        "densify separ.0 --tau 1e-3 -o big.dat", "batch export s -o big.csv", "batch export s -o big.jsonl",
+        "grow henon --iterates 5 --tolerance 1e-4 -o big.dat", "interior separ.0 separ.1 --json big.json"}) {
+    const Outcome outcome = shell(std::string("ulimit -f 1; exec \"$LOBER\" ") + command);
+    EXPECT_EQ(outcome.status, 1) << command << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find("File too large"), std::string::npos) << command << ": " << outcome.err;
+    EXPECT_EQ(partial_files(), 0U) << command;
+    for (const char* const end : {"json", "npy", "svg", "dat", "csv", "jsonl"}) {
+      EXPECT_FALSE(exists(std::string("big.") + end)) << command;
+    }
+  }
+  const Outcome batch = shell("ulimit -f 40; exec \"$LOBER\" batch run job.toml --store small");
+  EXPECT_EQ(batch.status, 1) << batch.err;
+  EXPECT_NE(batch.err.find("small"), std::string::npos) << batch.err;
+}
+
+TEST_F(BatchStore, DevicesAndPipesAreNoCurves) {
+  write_curves(2, 50);
+  for (const char* const command :
+       {"overlay /dev/zero separ.0", "interior separ.0 /dev/urandom", "tangle /dev/zero separ.0",
+        "densify /dev/zero --tau 1 -o fine.npy", "/dev/zero separ.0 rslt"}) {
+    const Outcome outcome = shell(std::string("ulimit -v 4000000; exec timeout 60 \"$LOBER\" ") + command);
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_NE(outcome.err.find("is a device"), std::string::npos) << command << ": " << outcome.err;
+  }
+  const Outcome pipe = shell("mkfifo p; cat separ.0 > p & exec timeout 60 \"$LOBER\" overlay p separ.1");
+  EXPECT_EQ(pipe.status, 0) << pipe.err;  // what has an end may come through a pipe
+  write("job.toml",
+        "operation = \"overlay\"\npairs = [[\"separ.0\", \"separ.1\"], [\"separ.0\", \"p\"], [\"/dev/zero\", "
+        "\"separ.0\"]]\n");
+  const Outcome batch = shell("exec timeout 60 \"$LOBER\" batch run job.toml --store s");
+  EXPECT_EQ(batch.status, 1) << batch.err;
+  EXPECT_NE(run({"batch", "status", "s"}).out.find("1 done, 2 failed, 0 to do"), std::string::npos);
+}
+
+// Whatever there is not enough memory for, the other jobs are done.
+TEST_F(BatchStore, MemoryThatRunsOutFailsOneJobOnly) {
+  write_curves(4, 100);
+  {  // two curves of a million points; their indexes come after them
+    const std::vector<Point> one = flower(1'000'000, 7, 0.3, {0, 0}), two = flower(1'000'000, 5, 0.2, {0.1, 0});
+    for (const auto& [name, points] : {std::pair{"big.1", &one}, std::pair{"big.2", &two}}) {
+      write(name, std::string_view(reinterpret_cast<const char*>(points->data()), points->size() * sizeof(Point)));
+    }
+  }
+  write("job.toml",
+        "[[group]]\noperation = \"overlay\"\ncurves = \"separ.*\"\n"
+        "[[group]]\noperation = \"overlay\"\ncurves = \"big.*\"\n");
+  int starved = 0;
+  for (int megabytes = 120; megabytes <= 400; megabytes += 20) {
+    const Outcome outcome = shell("ulimit -v " + std::to_string(megabytes * 1000) +
+                                  "; rm -f s*; exec timeout 60 \"$LOBER\" batch run job.toml --store s --threads 1");
+    if (outcome.status == 0) break;
+    if (!exists("s")) continue;  // not even enough for the program itself
+    ASSERT_EQ(outcome.status, 1) << megabytes << ": " << outcome.err;
+    if (outcome.err.find("failed, see") == std::string::npos) continue;
+    EXPECT_NE(run({"batch", "status", "s"}).out.find("6 done, 1 failed, 0 to do"), std::string::npos)
+        << megabytes << ": " << run({"batch", "status", "s"}).out;
+    ++starved;
+  }
+  EXPECT_GT(starved, 0);
+}
+
+TEST_F(BatchStore, InputsThatAreTruncatedWhileTheyAreRead) {
+  write_curves(3, 100);
+  const std::vector<Point> points = flower(300'000, 7, 0.3, {0, 0});
+  const std::string_view bytes(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point));
+  write("separ.9", bytes);
+  std::atomic<bool> end{false};
+  std::thread truncating([&] {
+    const std::string name = (folder() / "separ.9").string();
+    while (!end) {
+      if (truncate(name.c_str(), 4096) != 0 || truncate(name.c_str(), static_cast<off_t>(bytes.size())) != 0) return;
+    }
+  });
+  for (int round = 0; round < 5; ++round) {
+    const std::string store = "s" + std::to_string(round);
+    const Outcome outcome = run({"batch", "run", "job.toml", "--store", store});
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(run({"batch", "status", store}).out.find("3 done"), std::string::npos)
+        << run({"batch", "status", store}).out;
+  }
+  end = true;
+  truncating.join();
+}
+
+TEST_F(BatchStore, CheckWarnsOfWhatThereIsNoMemoryFor) {
+  write_curves(1, 100);
+  const auto warnings = [&](const std::string& manifest) {
+    write("job.toml", manifest);
+    const Outcome outcome = run({"batch", "check", "job.toml", "--memory", "200M"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.err;
+  };
+  const auto image = [&](const std::string& parameters, int iterates) {
+    return warnings(
+        "operation = \"densify\"\noptions = { tau = 1 }\ncurves = { system = \"standard\", parameters = " + parameters +
+        ", image_of = \"separ.0\", tolerance = 1e-5, iterates = " + std::to_string(iterates) + " }\n");
+  };
+  const auto finer = [&](const std::string& tau) {
+    return warnings("operation = \"densify\"\ncurves = \"separ.0\"\noptions = { tau = " + tau + " }\n");
+  };
+  EXPECT_NE(image("{ K = 1e308 }", 3).find("no room in 200 MiB"), std::string::npos);
+  EXPECT_NE(image("{ K = 1.2 }", 59).find("no room in 200 MiB"), std::string::npos);
+  EXPECT_EQ(image("{ K = 1.2 }", 2), "");
+  EXPECT_NE(finer("1e-300").find("too many points of separ.0"), std::string::npos);
+  EXPECT_EQ(finer("1e-3"), "");
+}
+
+}  // namespace
+}  // namespace lober::cli

@@ -1,0 +1,168 @@
+// The first interrupt ends every command soon, whatever it is doing; and only people see how far it is.
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "cli/progress.hpp"
+#include "tests/cli/background.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/cli/programs.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+// The machine may be slow and busy; by itself it takes a tenth of that.
+constexpr double longest_end = 4;
+
+class Interrupt : public ProgramTest {
+ protected:
+  void write_raw(const std::string& name, const std::vector<Point>& points) const {
+    std::ofstream file(folder() / name, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(points.data()),
+               static_cast<std::streamsize>(points.size() * sizeof(Point)));
+  }
+
+  // Interrupts the command at a random instant of its first second, a few times over.
+  void ends_soon(const std::vector<std::string>& arguments, double latest = 1.0) const {
+    std::vector<std::string> command = arguments;
+    command.insert(command.begin(), LOBER_PROGRAM);
+    std::mt19937 random(static_cast<unsigned>(arguments.size() + arguments[0].size()));
+    std::uniform_real_distribution<double> moment(0.1, latest);
+    double longest = 0;
+    int interrupted = 0;
+    for (int round = 0; round < 2; ++round) {
+      const pid_t process = start_in(folder(), command);
+      std::this_thread::sleep_for(Seconds(moment(random)));
+      const auto begin = std::chrono::steady_clock::now();
+      kill(process, SIGINT);
+      const int status = wait_for(process);
+      longest = std::max(longest, Seconds(std::chrono::steady_clock::now() - begin).count());
+      EXPECT_TRUE(status == 130 || status == 0) << arguments[0] << ": " << status;
+      interrupted += status == 130 ? 1 : 0;
+    }
+    std::printf("%s %s: %d interrupted, at most %.3f s from signal to end\n", arguments[0].c_str(),
+                arguments[1].c_str(), interrupted, longest);
+    EXPECT_LT(longest, longest_end) << arguments[0] << ' ' << arguments[1];
+    EXPECT_GT(interrupted, 0) << "the work was too short to be interrupted";
+  }
+};
+
+TEST_F(Interrupt, EndsCommandsOnCurvesSoon) {
+  // Two curves that cross thousands of times.
+  write_raw("a.raw", flower(3'000'000, 2000, 0.3, {0, 0}));
+  write_raw("b.raw", flower(3'000'000, 2001, 0.3, {0.01, 0.003}));
+  ends_soon({"overlay", "a.raw", "b.raw", "--json", "o.json", "--lobes", "l.csv"});
+  ends_soon({"overlay", "a.raw", "b.raw", "--rule", "nonzero"});
+  ends_soon({"interior", "a.raw", "b.raw"});
+  ends_soon({"densify", "a.raw", "-o", "d.csv", "--tau", "1e-8"});
+  ends_soon({"a.raw", "b.raw", "result"});
+  ends_soon({"-light", "a.raw", "b.raw", "result", "-DENS", "2", "100"});
+  EXPECT_FALSE(exists("o.json"));
+  EXPECT_FALSE(exists("result"));
+}
+
+TEST_F(Interrupt, EndsCommandsOnSystemsSoon) {
+  ends_soon({"grow", "duffing", "--unstable", "--tol", "1e-9", "--iterates", "40", "-o", "u.npy"});
+  ends_soon({"grow", "standard", "--unstable", "--tol", "1e-10", "--iterates", "100", "--max-points", "100000000", "-o",
+             "s.npy"});
+  EXPECT_TRUE(exists("s.npy")) << "what was grown is kept";
+  ends_soon({"tangle", "--system", "double-gyre", "--after", "9", "--tolerance", "1e-9"}, 0.4);
+  ends_soon({"transport", "double-gyre", "--tolerance", "1e-9"}, 0.4);
+  ends_soon({"transport", "duffing", "--sweep", "eps=0.1:0.5:0.0001"});
+  ends_soon({"escape", "capsize", "--tolerance", "1e-9", "--iterates", "8"});
+  ends_soon({"escape", "capsize", "--iterates", "1", "--tolerance", "1e-3", "--monte-carlo", "100000000"});
+}
+
+TEST_F(Interrupt, EndsABatchOfLongJobsSoon) {
+  write("long.toml",
+        "operation = \"transport\"\noptions = { system = \"duffing\", iterates = 40, tolerance = 1e-9 }\n"
+        "grid = { parameters.eps = [0.1, 0.2, 0.3] }\n");
+  ends_soon({"batch", "run", "long.toml", "--store", "long"});
+  // Nothing of what was broken off is in the store.
+  const Outcome status = run({"batch", "status", "long"});
+  EXPECT_EQ(status.status, 0) << status.err;
+  EXPECT_TRUE(status.out.starts_with("0 done, 0 failed, 3 to do")) << status.out;
+}
+
+TEST_F(Interrupt, IsAnsweredAtOnceByOneLine) {
+  const std::string command = std::string(LOBER_PROGRAM) +
+                              " grow duffing --unstable --tol 1e-9 --iterates 40 2> err > /dev/null & p=$!; " +
+                              "sleep 0.5; kill -INT $p; sleep 0.3; cp err early; wait $p; exit $?";
+  const int status =  // NOLINTNEXTLINE(concurrency-mt-unsafe): one thread
+      std::system(("cd '" + folder().string() + "' && exec bash -m -c '" + command + "'").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_TRUE(read("early").starts_with("lober: interrupted")) << read("early");
+  EXPECT_EQ(read("err").find('%'), std::string::npos) << "no progress where nobody looks: " << read("err");
+}
+
+// A pseudo-terminal stands for the person.
+class Terminal {
+ public:
+  Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY)) {
+    if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0) throw std::runtime_error("no terminal");
+    name_ = ptsname(master_);  // NOLINT(concurrency-mt-unsafe): one thread
+  }
+  ~Terminal() { close(master_); }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  // What has been written on it, after so many seconds.
+  [[nodiscard]] std::string read_for(double seconds) const {
+    std::string text;
+    const auto end = std::chrono::steady_clock::now() + Seconds(seconds);
+    while (std::chrono::steady_clock::now() < end) {
+      pollfd ready{master_, POLLIN, 0};
+      if (poll(&ready, 1, 100) <= 0) continue;
+      std::array<char, 4096> bytes{};
+      const ssize_t count = ::read(master_, bytes.data(), bytes.size());
+      if (count <= 0) break;
+      text.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+    return text;
+  }
+
+ private:
+  int master_;
+  std::string name_;
+};
+
+TEST_F(Interrupt, ProgressIsToBeSeenOnATerminal) {
+  const Terminal terminal;
+  const int keep_open = open(terminal.name().c_str(), O_RDWR | O_NOCTTY);
+  const std::string command =
+      std::string("exec ") + LOBER_PROGRAM + " grow duffing --unstable --tol 1e-9 --iterates 40 2> " + terminal.name();
+  const pid_t process = start_in(folder(), {"sh", "-c", command});
+  const std::string seen = terminal.read_for(3.5);
+  kill(process, SIGINT);
+  EXPECT_EQ(wait_for(process), 130);
+  close(keep_open);
+  EXPECT_NE(seen.find("growing:"), std::string::npos) << seen;
+  EXPECT_NE(seen.find("points/s"), std::string::npos) << seen;
+  EXPECT_NE(seen.find(" left"), std::string::npos) << seen;
+}
+
+TEST(ProgressLine, SaysWhatHowMuchAndHowLong) {
+  EXPECT_EQ(progress_line({"tubes", 0.25, 5000, "points", 10, 0}),
+            "tubes: 25 %, 5e+03 points, 500 points/s, 10 s, about 30 s left");
+  EXPECT_EQ(progress_line({"reading", 0.5, 0, "", 600, 0}), "reading: 50 %, 10 min, about 10 min left");
+  EXPECT_EQ(progress_line({"U to 3", 0, 0, "", 5, 8}), "U to 3: 5 s, next step in about 8 s");
+  EXPECT_EQ(progress_line({"U", 0, 0, "", 5, 0}), "U: 5 s, time left not known yet");
+}
+
+}  // namespace
+}  // namespace lober::cli
