@@ -21,7 +21,7 @@ struct Request {
   std::vector<double> bip;
   std::uint32_t period = 0;
   int iterates = 1000, threads = 0;
-  bool reverse_u = false, reverse_s = false;
+  bool reverse_u = false, reverse_s = false, no_check = false;
   std::string json;
 };
 
@@ -46,6 +46,7 @@ void run(const Request& request) {
     TangleOptions options;
     options.smooth = true;
     options.period = request.period;
+    options.check_simple = !request.no_check;
     if (!request.bip.empty()) options.bip_near = Point{request.bip[0], request.bip[1]};
     options.progress = [&](double fraction) { return progress.advance(fraction); };
     found = tangle_of(report.inputs[0], report.inputs[1], options);
@@ -91,6 +92,8 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
       ->type_name("N");
   app.add_flag("--reverse-u", request.reverse_u, "U is given inward");
   app.add_flag("--reverse-s", request.reverse_s, "S is given inward");
+  app.add_flag("--no-simple-check", request.no_check,
+               "take manifolds that cross themselves, as coarse ones may do far out");
   app.add_option("--json", request.json, "write everything as one JSON object (- for standard output)")
       ->type_name("FILE");
   add_threads_option(app, request.threads);

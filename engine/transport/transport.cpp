@@ -107,17 +107,21 @@ class Builder {
     }
   }
 
+  // Images of the bip that n takes.
+  [[nodiscard]] static int images_before(int n) { return std::max(1 + (n - 1) / 2, n / 2); }
+  [[nodiscard]] static int images_after(int n) { return n - n / 2; }
+
   // Whether all tangles are there as far as n takes. Sets boundaries and barriers to what is there.
   bool grow_to(int n) {
     std::string limit;
     for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
-      if (limit.empty() && !growth->grow_to(std::max(1 + (n - 1) / 2, n / 2), n - n / 2)) limit = growth->limit();
+      if (limit.empty() && !growth->grow_to(images_before(n), images_after(n))) limit = growth->limit();
     }
     if (!limit.empty() && n == 1) throw DataError(limit);
     if (n == 1) {
       for (const std::unique_ptr<TangleGrowth>& growth : growths_) check(growth->current());
     }
-    set_barriers();
+    set_barriers(limit.empty() ? n : n - 1);
     if (limit.empty()) return true;
     result_.remarks.push_back("n = 1 to " + std::to_string(n - 1) + " of " + std::to_string(options_.iterates) + ": " +
                               limit);
@@ -136,7 +140,7 @@ class Builder {
     }
   }
 
-  void set_barriers() {
+  void set_barriers(int n) {
     if (!(options_.lattice == Point{})) set_cylinder();
     for (std::size_t c = 0; c < growths_.size(); ++c) {
       TransportBoundary& boundary = result_.boundaries[c];
@@ -148,7 +152,7 @@ class Builder {
       barrier.closure = boundary.connection.closure;
       barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
       barrier.lobes_include_it = !result_.cylinder;
-      if (result_.cylinder) wrap(boundary, manifolds);
+      if (result_.cylinder) wrap(boundary, manifolds, n);
     }
   }
   [[nodiscard]] std::vector<Barrier> barriers() const {
@@ -173,10 +177,40 @@ class Builder {
     result_.cylinder.emplace(options_.lattice, -low + std::max(0.25 * (high - low), 0.25 * period));
   }
 
-  void wrap(TransportBoundary& boundary, const ManifoldTangle& manifolds) {
+  // The tangle on the cylinder, as fine as it takes for polygons to have the pips there that the plane has.
+  void wrap(TransportBoundary& boundary, const ManifoldTangle& manifolds, int n) {
+    constexpr int most_refinements = 5;
+    for (int k = 0; k <= most_refinements; ++k) {
+      wrap_to(boundary, manifolds, manifolds.tolerance / std::pow(10, k));
+      if (has_pips_of_plane(boundary, manifolds, n)) return;
+    }
+    throw DataError(
+        "transport: on the cylinder manifolds cross elsewhere than in the plane, by those of the neighbouring "
+        "cells or because they lie too close to each other: the bip " +
+        place_text(manifolds.orbits.back().at) + " bounds no region of it");
+  }
+
+  [[nodiscard]] bool has_pips_of_plane(const TransportBoundary& boundary, const ManifoldTangle& manifolds,
+                                       int n) const {
+    const Tangle& there = *boundary.wrapped;
+    const Barrier& barrier = boundary.barrier;
+    if (barrier.images_before() < images_before(n) || barrier.images_after() < images_after(n)) return false;
+    const auto first = static_cast<std::ptrdiff_t>(barrier.period) * -images_before(n);
+    const auto last = static_cast<std::ptrdiff_t>(barrier.period) * images_after(n);
+    for (std::ptrdiff_t k = first; k <= last; ++k) {
+      const auto number = [&](std::size_t bip) {
+        return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(bip) + k);
+      };
+      const Point place = result_.cylinder->wrap(manifolds.tangle.pips[number(manifolds.bip)].at);
+      if (!(distance(there.pips[number(barrier.bip)].at, place) <= 1e3 * manifolds.tolerance)) return false;
+    }
+    return true;
+  }
+
+  void wrap_to(TransportBoundary& boundary, const ManifoldTangle& manifolds, double tolerance) {
     const Cylinder& cylinder = *result_.cylinder;
-    boundary.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, manifolds.tolerance);
-    boundary.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, manifolds.tolerance);
+    boundary.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, tolerance);
+    boundary.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, tolerance);
     // One and the same saddle, to the bit: else they might cross there.
     if (distance(boundary.wrapped_u[0], boundary.wrapped_s[0]) <= 1e-8 * (1 + std::fabs(boundary.wrapped_u[0].x))) {
       boundary.wrapped_s[0] = boundary.wrapped_u[0];
@@ -192,19 +226,9 @@ class Builder {
       options.check_simple = false;
       boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
     }
-    Barrier& barrier = boundary.barrier;
-    barrier.tangle = boundary.wrapped.get();
     if (!boundary.wrapped->boundary) throw DataError("transport: the manifolds do not cross on the cylinder");
-    barrier.bip = boundary.wrapped->boundary->bip;
-    // The pips of the plane are those of the cylinder, or there is no such boundary on it.
-    const auto same = [&](std::size_t here, Point there) {
-      return distance(boundary.wrapped->pips[here].at, cylinder.wrap(there)) <= 1e3 * manifolds.tolerance;
-    };
-    if (barrier.bip < barrier.period || !same(barrier.bip, manifolds.orbits.back().at) ||
-        !same(barrier.bip - barrier.period, manifolds.orbits.front().at)) {
-      throw DataError("transport: manifolds cross those of the neighbouring cells before the bip " +
-                      place_text(manifolds.orbits.back().at) + ": it bounds no region of the cylinder");
-    }
+    boundary.barrier.tangle = boundary.wrapped.get();
+    boundary.barrier.bip = boundary.wrapped->boundary->bip;
   }
 
   void finish(const TransportSeries& series) {

@@ -226,6 +226,14 @@ TEST(Transport, StripOfTheCylinder) {
   }
 }
 
+// Lobes thinner than what polygons on the cylinder would show at the tolerance: they crossed thrice for each pip, and T
+// by boundaries was one lobe short.
+TEST(Transport, ThinLobesOfTheCylinder) {
+  const Transport found = transport_of(make_system("standard", {{"K", 0.4}}), 3, 1e-5);
+  expect_agreement(found);
+  EXPECT_NEAR(found.steps[0].by_boundaries(0, 1).value, 9.2922280086e-05, 1e-9);
+}
+
 // Every built-in system has two routes, and all that they say agrees; species keep their area.
 TEST(Transport, TwoRoutesForEverySystem) {
   for (const auto& [name, iterates] : {std::pair{"ovp", 3},
