@@ -67,7 +67,7 @@ Json boundaries_json(const Transport& result) {
 Json error_json(std::span<const TransportStep> steps, Measured area12, Measured area21) {
   double discretisation = 0, boundaries = 0, consistency = 0;
   for (const TransportStep& step : steps) {
-    const Measured lobes = step.total(0, 1), other = step.by_boundaries(0, 1);
+    const Measured lobes = step.total(1, 0), other = step.by_boundaries(1, 0);
     discretisation = std::max(discretisation, lobes.error);
     boundaries = std::max(boundaries, other.error);
     consistency = std::max(consistency, std::abs(lobes.value - other.value));
@@ -109,19 +109,20 @@ void format_matrix(std::string& text, const char* name, const RegionMatrix& matr
   put(text, "]");
 }
 
-// Of the first two regions, then the matrices of all.
+// Of the first two regions, `a` and `T` of what enters the first one; then the matrices of all.
 void format_step(std::string& text, const TransportStep& step) {
-  const Measured out = step.total(0, 1), boundaries = step.by_boundaries(0, 1);
+  const Measured in = step.total(1, 0), boundaries = step.by_boundaries(1, 0);
   const auto overlap = [&](std::size_t i, std::size_t j) { return step.overlaps[i][j].value; };
-  put(text, "{\"n\":", step.n, ",\"a\":", step.flux(0, 1).value, ",\"T\":", out.value, ",\"overlap\":", overlap(0, 1),
-      ",\"discretisation\":", out.error, ",\"T_by_boundaries\":", boundaries.value,
-      ",\"boundary_error\":", boundaries.error, ",\"consistency\":", std::abs(out.value - boundaries.value));
-  put(text, ",\"a_error\":", step.flux(0, 1).error, ",\"a21\":", step.flux(1, 0).value,
-      ",\"T21\":", step.total(1, 0).value, ",\"overlaps\":{\"L12_L12\":", overlap(0, 0), ",\"L12_L21\":", overlap(0, 1),
-      ",\"L21_L12\":", overlap(1, 0), ",\"L21_L21\":", overlap(1, 1), "}");
+  put(text, "{\"n\":", step.n, ",\"a\":", step.flux(1, 0).value, ",\"T\":", in.value, ",\"overlap\":", overlap(0, 1),
+      ",\"discretisation\":", in.error, ",\"T_by_boundaries\":", boundaries.value,
+      ",\"boundary_error\":", boundaries.error, ",\"consistency\":", std::abs(in.value - boundaries.value));
+  put(text, ",\"a_error\":", step.flux(1, 0).error, ",\"a12\":", step.flux(0, 1).value,
+      ",\"a21\":", step.flux(1, 0).value, ",\"T12\":", step.total(0, 1).value, ",\"T21\":", in.value,
+      ",\"overlaps\":{\"L12_L12\":", overlap(0, 0), ",\"L12_L21\":", overlap(0, 1), ",\"L21_L12\":", overlap(1, 0),
+      ",\"L21_L21\":", overlap(1, 1), "}");
   if (step.by_particles.size() > 0) {
-    put(text, ",\"T_by_particles\":", step.by_particles(0, 1).value,
-        ",\"particle_error\":", step.by_particles(0, 1).error);
+    put(text, ",\"T_by_particles\":", step.by_particles(1, 0).value,
+        ",\"particle_error\":", step.by_particles(1, 0).error);
   }
   format_matrix(text, "a_ij", step.flux);
   format_matrix(text, "T_ij", step.total);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/point.hpp"
+
 namespace lober {
 
 /// Memory for a large array, aligned to a cache line at least. Throws std::bad_alloc. Thread-safe.
@@ -23,6 +25,11 @@ void free_bulk(void* memory, std::size_t bytes) noexcept;
 /// Gives all memory that only waits for the next array back to the system: for a program that is done with large
 /// curves and goes on.
 void release_bulk_memory() noexcept;
+
+/// Types whose arrays are left as the memory is, although their default constructor would fill them: at a thousand
+/// million points that took most of a minute, on one thread, and nothing could interrupt it.
+template <typename T>
+inline constexpr bool left_unfilled = std::is_same_v<T, Point>;
 
 template <typename T>
 class BulkAllocator {
@@ -41,7 +48,9 @@ class BulkAllocator {
   /// Leaves plain values uninitialised.
   template <typename U, typename... Arguments>
   void construct(U* at, Arguments&&... arguments) {
-    if constexpr (sizeof...(Arguments) == 0 && std::is_trivially_destructible_v<U>) {
+    if constexpr (sizeof...(Arguments) == 0 && left_unfilled<U>) {
+      static_assert(std::is_trivially_copyable_v<U> && std::is_aggregate_v<U>);  // so its lifetime begins by itself
+    } else if constexpr (sizeof...(Arguments) == 0 && std::is_trivially_destructible_v<U>) {
       ::new (static_cast<void*>(at)) U;
     } else {
       ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);

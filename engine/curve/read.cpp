@@ -91,8 +91,10 @@ CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes, s
       read_npy(bytes, file);
       break;
     case Content::raw:
-      if (const std::string why = implausible_raw(file.path, bytes); !why.empty()) {
-        throw DataError(file.path + ": " + why);
+      if (bytes.size() % sizeof(Point) == 0) {  // else that is what is wrong
+        if (const std::string why = implausible_raw(file.path, bytes); !why.empty()) {
+          throw DataError(file.path + ": " + why);
+        }
       }
       read_raw(bytes, file);
       break;

@@ -260,6 +260,31 @@ bool TangleGrowth::refine_flat_pips() {
   return more_u || more_s;
 }
 
+// How far from the saddle a manifold is at a time, as long as that is near.
+double TangleGrowth::distance_at(const Side& side, double time) {
+  return side.local.reach * std::pow(side.local.image().factor, time);
+}
+
+// Images of q come as near to the saddle of one manifold as the other passes it, nearer than the tolerance: its
+// segments there have to be short enough to pass on the right side.
+void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
+  constexpr int max_rounds = 24;
+  constexpr double around = 4, parts = 2;
+  if (apart > around * finer_than_splitting * tolerance_) return;
+  const double reach = around * apart;
+  const Box box = Box::of({saddle.x - reach, saddle.y - reach}, {saddle.x + reach, saddle.y + reach});
+  for (int round = 0; round < max_rounds; ++round) {
+    const Buffer<Point>& points = side.growth->grown().points;
+    std::vector<std::uint32_t> segments;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      if (distance(points[k], points[k + 1]) > apart / parts && meet(Box::of(points[k], points[k + 1]), box)) {
+        segments.push_back(static_cast<std::uint32_t>(k));
+      }
+    }
+    if (segments.empty() || !refine(side, std::move(segments))) return;
+  }
+}
+
 // Refines a manifold where its polygon crosses itself, and only there.
 void TangleGrowth::refine_until_simple(Side& side) {
   constexpr int max_rounds = 8;
@@ -517,7 +542,7 @@ bool TangleGrowth::grow_between(int before, int after) {
   const Time bip = time_of_pip(bip_);
   // Images of q come nearer to the saddles by the multiplier each time.
   const auto unresolved = [&](const Side& side, double time, int images) {
-    const double apart = side.local.reach * std::pow(side.local.image().factor, time);
+    const double apart = distance_at(side, time);
     if (apart > finest_) return false;
     limit_ = "the pip f^" + std::to_string(images) + "(q) lies only " + rounded_text(apart) +
              " from its saddle, which coordinates in double precision do not resolve";
@@ -525,6 +550,8 @@ bool TangleGrowth::grow_between(int before, int after) {
   };
   if (unresolved(u_, bip.u - before, -before) || unresolved(s_, bip.s - after, after)) return false;
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
+  refine_near(u_, s_.local.saddle, distance_at(s_, bip.s - after));
+  refine_near(s_, u_.local.saddle, distance_at(u_, bip.u - before));
   refine_until_simple(u_);
   refine_until_simple(s_);
   look();

@@ -56,6 +56,8 @@ class TangleGrowth {
   bool refine(Side& side, std::vector<std::uint32_t> segments);
   bool refine_flat_pips();
   void refine_until_simple(Side& side);
+  void refine_near(Side& side, Point saddle, double apart);
+  [[nodiscard]] static double distance_at(const Side& side, double time);
   void look();
   bool find_crossing();
   bool box_is_too_small();

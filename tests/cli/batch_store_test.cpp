@@ -94,13 +94,16 @@ TEST_F(BatchStore, OutputsThatMayNotGrowAreErrorsAndLeaveNothing) {
   write_curves(6, 400);
   ASSERT_EQ(run({"batch", "run", "job.toml", "--store", "s"}).status, 0);
   for (const char* const command :
-       {"overlay separ.0 separ.1 --json big.json", "overlay separ.0 separ.1 --lobes big.npy",
+       {"overlay separ.0 separ.1 --json big.json", "overlay separ.0 separ.1 --lobes big.dat",
         "overlay separ.0 separ.1 --svg big.svg", "densify separ.0 --tau 1e-3 -o big.npy",
         "densify separ.0 --tau 1e-3 -o big.dat", "batch export s -o big.csv", "batch export s -o big.jsonl",
-        "grow henon --iterates 5 --tolerance 1e-4 -o big.dat", "interior separ.0 separ.1 --json big.json"}) {
+        "grow henon --unstable --iterates 5 --tol 1e-4 -o big.dat", "interior separ.0 separ.1 --json big.json"}) {
     const Outcome outcome = shell(std::string("ulimit -f 1; exec \"$LOBER\" ") + command);
     EXPECT_EQ(outcome.status, 1) << command << ": " << outcome.err;
-    EXPECT_NE(outcome.err.find("File too large"), std::string::npos) << command << ": " << outcome.err;
+    // Of a store SQLite says it in its own words: its index in shared memory is a file too.
+    const bool of_store = std::string_view(command).starts_with("batch");
+    EXPECT_NE(outcome.err.find(of_store ? "disk I/O error" : "File too large"), std::string::npos)
+        << command << ": " << outcome.err;
     EXPECT_EQ(partial_files(), 0U) << command;
     for (const char* const end : {"json", "npy", "svg", "dat", "csv", "jsonl"}) {
       EXPECT_FALSE(exists(std::string("big.") + end)) << command;
@@ -143,7 +146,7 @@ TEST_F(BatchStore, MemoryThatRunsOutFailsOneJobOnly) {
         "[[group]]\noperation = \"overlay\"\ncurves = \"separ.*\"\n"
         "[[group]]\noperation = \"overlay\"\ncurves = \"big.*\"\n");
   int starved = 0;
-  for (int megabytes = 120; megabytes <= 400; megabytes += 20) {
+  for (int megabytes = 40; megabytes <= 400; megabytes += 8) {
     const Outcome outcome = shell("ulimit -v " + std::to_string(megabytes * 1000) +
                                   "; rm -f s*; exec timeout 60 \"$LOBER\" batch run job.toml --store s --threads 1");
     if (outcome.status == 0) break;
@@ -172,9 +175,10 @@ TEST_F(BatchStore, InputsThatAreTruncatedWhileTheyAreRead) {
   for (int round = 0; round < 5; ++round) {
     const std::string store = "s" + std::to_string(round);
     const Outcome outcome = run({"batch", "run", "job.toml", "--store", store});
-    EXPECT_EQ(outcome.status, 1) << outcome.err;
-    EXPECT_NE(run({"batch", "status", store}).out.find("3 done"), std::string::npos)
-        << run({"batch", "status", store}).out;
+    // It may be whole at that moment; it must not end the program, nor the jobs of the other files.
+    EXPECT_TRUE(outcome.status == 1 || outcome.status == 0) << outcome.status << ": " << outcome.err;
+    const std::string status = run({"batch", "status", store}).out;
+    EXPECT_TRUE(status.starts_with("3 done, 3 failed") || status.starts_with("6 done")) << status;
   }
   end = true;
   truncating.join();

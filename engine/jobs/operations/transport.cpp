@@ -44,10 +44,10 @@ Record run(JobCurves curves, const Options& options) {
                    static_cast<double>(manifolds.s.points.size())};
   record.lists.resize(4);
   for (const TransportStep& step : found.steps) {
-    record.lists[0].push_back(step.flux(0, 1).value);
-    record.lists[1].push_back(step.total(0, 1).value);
-    record.lists[2].push_back(step.total(0, 1).error);
-    record.lists[3].push_back(step.by_boundaries(0, 1).value);
+    record.lists[0].push_back(step.flux(1, 0).value);
+    record.lists[1].push_back(step.total(1, 0).value);
+    record.lists[2].push_back(step.total(1, 0).error);
+    record.lists[3].push_back(step.by_boundaries(1, 0).value);
   }
   return record;
 }
