@@ -111,7 +111,8 @@ int run_rank(const std::vector<std::string>& arguments) {
   if (!request) return status;
   SharedWork work;
   work.manifest_path = request->manifest;
-  work.queue.threads = request->threads > 0 ? request->threads : fair_threads();
+  const int fair = fair_threads();  // by all ranks together, also by those that are told
+  work.queue.threads = request->threads > 0 ? request->threads : fair;
   work.queue.memory = request->memory;
   work.queue.digests = true;
   with_thread_limit(work.queue.threads, [&] {

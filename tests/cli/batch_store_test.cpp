@@ -148,13 +148,13 @@ TEST_F(BatchStore, MemoryThatRunsOutFailsOneJobOnly) {
   int starved = 0;
   for (int megabytes = 40; megabytes <= 400; megabytes += 8) {
     const Outcome outcome = shell("ulimit -v " + std::to_string(megabytes * 1000) +
-                                  "; rm -f s*; exec timeout 60 \"$LOBER\" batch run job.toml --store s --threads 1");
+                                  "; rm -f t t-*; exec timeout 60 \"$LOBER\" batch run job.toml --store t --threads 1");
     if (outcome.status == 0) break;
-    if (!exists("s")) continue;  // not even enough for the program itself
+    if (!exists("t")) continue;  // not even enough for the program itself
     ASSERT_EQ(outcome.status, 1) << megabytes << ": " << outcome.err;
     if (outcome.err.find("failed, see") == std::string::npos) continue;
-    EXPECT_NE(run({"batch", "status", "s"}).out.find("6 done, 1 failed, 0 to do"), std::string::npos)
-        << megabytes << ": " << run({"batch", "status", "s"}).out;
+    EXPECT_NE(run({"batch", "status", "t"}).out.find("6 done, 1 failed, 0 to do"), std::string::npos)
+        << megabytes << ": " << run({"batch", "status", "t"}).out;
     ++starved;
   }
   EXPECT_GT(starved, 0);
