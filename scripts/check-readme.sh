@@ -55,6 +55,7 @@ usage_faults() {
     case $form in
       "lober <"* | "lober -light "*) help=$(lober --help) ;;
       "lober batch "*) help=$(lober batch "$(cut -d' ' -f3 <<<"$form")" --help) ;;
+      "lober transport --manifolds "*) help=$(lober transport --manifolds u s --help) ;;
       "lober tangle --system "*) help=$(lober tangle --system x --help) ;;
       "lober_mpi "*) continue ;;
       "lober "*) help=$(lober "$(cut -d' ' -f2 <<<"$form")" --help) ;;
@@ -89,8 +90,8 @@ run_cpp() {
   mkdir -p "$project"
   cp "$1" "$project/main.cpp"
   cp tests/consumer/CMakeLists.txt "$project/"
-  { cmake -S "$project" -B "$project/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release &&
-    cmake --build "$project/build" && cd "$work" && timeout 600 "$project/build/consumer"; } >"$work/.out" 2>&1 ||
+  (cmake -S "$project" -B "$project/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release &&
+    cmake --build "$project/build" && cd "$work" && timeout 600 "$project/build/consumer") >"$work/.out" 2>&1 ||
     fail "$2" "does not compile, or fails" < <(tail -n 15 "$work/.out")
 }
 

@@ -61,7 +61,7 @@ else
   leave_out "tests under ASan and UBSan, fuzz targets" "there is no build"
 fi
 if [ -x scripts/check-readme.sh ]; then
-  step "commands and code of the README" 12m scripts/check-readme.sh
+  step "commands and code of the README" 12m scripts/check-readme.sh README.md docs/published-forms.md
 else
   leave_out "commands and code of the README" "no scripts/check-readme.sh"
 fi
