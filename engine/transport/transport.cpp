@@ -153,8 +153,8 @@ class Builder {
       barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
       barrier.lobes_include_it = !result_.cylinder;
       if (result_.cylinder) {
-        // Points that are added where circles bend lie unevenly, and the smooth curves through them are worse than their
-        // error estimates: by up to a thousandth of the tolerance, measured on the standard map for K = 0.4 to 5.
+        // Points that are added where circles bend lie unevenly, and the smooth curves through them are worse than
+        // their error estimates: by up to a thousandth of the tolerance, measured on the standard map for K = 0.4 to 5.
         constexpr double unevenness = 2e-3;
         barrier.curve_error += unevenness * manifolds.tolerance;
         wrap(boundary, manifolds, n);

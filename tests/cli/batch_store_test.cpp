@@ -46,6 +46,7 @@ TEST_F(BatchStore, DeletedWhileTheBatchRuns) {
   Outcome outcome;
   // It may vanish so early that there is nothing to rescue: then once more.
   for (int attempt = 0; attempt < 20; ++attempt) {
+    for (const char* const file : {"s", "s-wal", "s-shm"}) std::filesystem::remove(folder() / file);
     auto running = std::async(std::launch::async, [&] { return run({"batch", "run", "job.toml", "--store", "s"}); });
     while (!exists("s-wal") && running.wait_for(std::chrono::milliseconds(5)) != std::future_status::ready) {
     }
