@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include "engine/dynamics/system.hpp"
@@ -22,6 +23,10 @@ struct Thin {
   double area;       // of a lobe of the turnstile
   double tolerance;  // relative
 };
+
+void PrintTo(const Thin& thin, std::ostream* out) {
+  *out << thin.system << ' ' << thin.parameter << '=' << thin.value;
+}
 
 class ThinTangles : public testing::TestWithParam<Thin> {};
 
