@@ -9,22 +9,12 @@
 #include "engine/index/index.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/box.hpp"
+#include "kernels/splitmix.hpp"
 
 namespace lober {
 namespace {
 
 constexpr std::size_t grain = 2048;  // trajectories a block
-
-// The finaliser of splitmix64 (Steele, Lea & Flood 2014).
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
-double unit(std::uint64_t bits) {
-  return static_cast<double>(bits >> 11) * 0x1p-53;
-}
 
 struct Gate {
   IndexedCurve curve;
