@@ -10,7 +10,7 @@
 #include "bench/accuracy/accuracy.hpp"
 #include "bench/harness/measure.hpp"
 #include "bench/harness/table.hpp"
-#include "engine/parallel/parallel.hpp"
+#include "engine/base/parallel/parallel.hpp"
 
 namespace lober::bench {
 namespace {

@@ -24,10 +24,11 @@
 
 #include "bench/batch/sets.hpp"
 #include "bench/rivals/rival.hpp"
-#include "engine/jobs/batch.hpp"
-#include "engine/overlay/overlay.hpp"
-#include "engine/parallel/parallel.hpp"
-#include "engine/stopwatch.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/batch/batch.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
 
 namespace lober::bench {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/densify/densify.hpp"
-#include "engine/parallel/parallel.hpp"
-#include "engine/stopwatch.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/geometry/densify/densify.hpp"
 
 namespace lober {
 namespace {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/dynamics/grow.hpp"
-#include "engine/dynamics/system.hpp"
-#include "engine/parallel/parallel.hpp"
-#include "engine/stopwatch.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/dynamics/manifolds/grow.hpp"
+#include "engine/dynamics/systems/system.hpp"
 
 namespace lober {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/scenes/scenes.hpp"
-#include "engine/interior/interior.hpp"
+#include "engine/geometry/interior/interior.hpp"
 
 namespace lober {
 namespace {

@@ -9,8 +9,9 @@
 #include <random>
 #include <string>
 
-#include "engine/curve/curve.hpp"
-#include "engine/parallel/parallel.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
 
 namespace {
 

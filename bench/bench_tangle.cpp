@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/crossings/contacts.hpp"
-#include "engine/parallel/parallel.hpp"
-#include "engine/stopwatch.hpp"
-#include "engine/tangle/tangle.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/geometry/crossings/contacts.hpp"
+#include "engine/geometry/tangle/tangle.hpp"
 
 namespace lober {
 namespace {

@@ -1,8 +1,5 @@
 // The program: finds out what is wanted, and turns what goes wrong into one line and an exit status.
 
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -12,23 +9,24 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/batch_command.hpp"
-#include "cli/command_line.hpp"
-#include "cli/densify_command.hpp"
-#include "cli/escape_command.hpp"
-#include "cli/grow_command.hpp"
-#include "cli/interior_command.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/overlay_command.hpp"
-#include "cli/published_form.hpp"
-#include "cli/published_tangle.hpp"
-#include "cli/tangle_command.hpp"
-#include "cli/transport_command.hpp"
-#include "engine/agreement.hpp"
-#include "engine/curve/curve_spec.hpp"
-#include "engine/curve/input_guard.hpp"
-#include "engine/error.hpp"
-#include "engine/parallel/cancellation.hpp"
+#include "cli/batch/batch_command.hpp"
+#include "cli/densify/densify_command.hpp"
+#include "cli/escape/escape_command.hpp"
+#include "cli/grow/grow_command.hpp"
+#include "cli/interior/interior_command.hpp"
+#include "cli/overlay/overlay_command.hpp"
+#include "cli/program/command_line.hpp"
+#include "cli/program/interrupt.hpp"
+#include "cli/program/log.hpp"
+#include "cli/published/published_form.hpp"
+#include "cli/published/published_tangle.hpp"
+#include "cli/tangle/tangle_command.hpp"
+#include "cli/transport/transport_command.hpp"
+#include "engine/base/agreement.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/input_guard.hpp"
+#include "engine/base/parallel/cancellation.hpp"
+#include "engine/files/curve_spec.hpp"
 #include "kernels/cpu.hpp"
 
 namespace lober::cli {
@@ -141,7 +139,7 @@ int fail(std::string message, int status) {
   std::replace(message.begin(), message.end(), '\n', ' ');
   std::replace_if(
       message.begin(), message.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-  spdlog::error("{}", message);
+  log_error(message);
   return status;
 }
 
@@ -169,9 +167,7 @@ int guarded(const std::vector<std::string>& arguments) {
 
 int main(int count, char** arguments) {
   // Standard output belongs to results. Warnings and errors go to standard error, more with --verbose.
-  spdlog::set_default_logger(spdlog::stderr_color_mt("lober"));
-  spdlog::set_pattern("lober: %v");
-  spdlog::set_level(spdlog::level::warn);
+  lober::cli::begin_log("lober");
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, with a message
   return lober::cli::guarded({arguments + 1, arguments + count});
 }

@@ -1,11 +1,17 @@
-# Headers of others that almost every file above the kernels reads, directly or not: half the time of a compilation
-# without much optimisation. Off where people work, so that a missing #include is an error; on where build time counts.
-# Further arguments: more of them.
+# Headers of the standard library that almost every file reads, directly or not: half the time of a compilation without
+# much optimisation. Off where people work (the debug preset), so that a missing #include is an error; on where build
+# time counts. Further arguments: more of them; without, the libraries of engine/ share what base compiled.
 set(LOBER_COMMON_HEADERS <algorithm> <array> <atomic> <cmath> <functional> <memory> <mutex> <optional> <span> <string>
-    <string_view> <vector> <tbb/global_control.h> <tbb/info.h> <tbb/parallel_for.h> <tbb/parallel_invoke.h>
-    <tbb/task_arena.h>)
+    <string_view> <vector>)
 function(lober_precompile target)
-  if(LOBER_PRECOMPILE)
+  if(NOT LOBER_PRECOMPILE)
+    return()
+  endif()
+  # False alarms of GCC 12 on std::string (its bug 105651), which in a precompiled header is not a system header to it.
+  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
+  if(TARGET lober_base AND NOT ARGN AND NOT target STREQUAL "lober_base")
+    target_precompile_headers(${target} REUSE_FROM lober_base)
+  else()
     target_precompile_headers(${target} PRIVATE ${LOBER_COMMON_HEADERS} ${ARGN})
   endif()
 endfunction()

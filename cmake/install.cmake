@@ -1,7 +1,8 @@
 # `cmake --install` and the package that find_package(lober) loads.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS lober_kernels lober_engine EXPORT loberTargets
+get_property(libraries GLOBAL PROPERTY LOBER_LIBRARIES)
+install(TARGETS lober_kernels ${libraries} EXPORT loberTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernels ${PROJECT_SOURCE_DIR}/engine

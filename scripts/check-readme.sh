@@ -18,8 +18,8 @@ build=$(realpath "${BUILD:-build}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -r examples "$work/examples"
-mkdir -p "$work/engine/dynamics"
-cp engine/dynamics/lober_system.h "$work/engine/dynamics/"
+mkdir -p "$work/engine/lober"
+cp engine/lober/lober_system.h "$work/engine/lober/"
 export PATH=$build/bin:$PATH
 [ -x "$build/bin/lober" ] || { echo "no program in $build/bin; build it first" >&2; exit 1; }
 

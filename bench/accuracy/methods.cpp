@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "bench/accuracy/accuracy.hpp"
-#include "engine/interior/interior.hpp"
-#include "engine/overlay/overlay.hpp"
-#include "engine/smooth/smooth.hpp"
+#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/smooth/smooth.hpp"
 #include "kernels/box.hpp"
 
 namespace lober::bench {

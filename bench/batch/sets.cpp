@@ -3,7 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/curve/curve.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
 
 namespace lober::bench {
 namespace {

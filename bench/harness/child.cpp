@@ -16,7 +16,7 @@
 
 #include "bench/harness/measure.hpp"
 #include "bench/harness/memory.hpp"
-#include "engine/stopwatch.hpp"
+#include "engine/base/stopwatch.hpp"
 
 namespace lober::bench {
 namespace {

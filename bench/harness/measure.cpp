@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/parallel/parallel.hpp"
+#include "engine/base/parallel/parallel.hpp"
 
 namespace lober::bench {
 namespace {

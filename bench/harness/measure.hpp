@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bench/scenes/scenes.hpp"
-#include "engine/overlay/overlay.hpp"
-#include "engine/stopwatch.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
 
 namespace lober::bench {
 

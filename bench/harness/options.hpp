@@ -7,7 +7,7 @@
 
 #include "bench/rivals/rival.hpp"
 #include "bench/scenes/scenes.hpp"
-#include "engine/index/index.hpp"
+#include "engine/geometry/index/index.hpp"
 
 namespace lober::bench {
 

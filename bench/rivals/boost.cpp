@@ -6,7 +6,7 @@
 #include <exception>
 
 #include "bench/rivals/rival.hpp"
-#include "engine/stopwatch.hpp"
+#include "engine/base/stopwatch.hpp"
 
 namespace lober::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/rivals/rival.hpp"
-#include "engine/stopwatch.hpp"
+#include "engine/base/stopwatch.hpp"
 
 namespace lober::bench {
 namespace {

@@ -6,21 +6,20 @@
 // If a rank fails or dies, all of them are ended; what was committed stays, and the next run goes on from there.
 
 #include <mpi.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <thread>
 
-#include "cli/batch_options.hpp"
-#include "cli/batch_report.hpp"
-#include "cli/command_line.hpp"
-#include "cli/interrupt.hpp"
+#include "cli/batch/batch_options.hpp"
+#include "cli/batch/batch_report.hpp"
 #include "cli/mpi/messages.hpp"
 #include "cli/mpi/ranks.hpp"
-#include "engine/stopwatch.hpp"
+#include "cli/program/command_line.hpp"
+#include "cli/program/interrupt.hpp"
+#include "cli/program/log.hpp"
+#include "engine/base/stopwatch.hpp"
 
 namespace lober::cli {
 namespace {
@@ -98,7 +97,7 @@ std::optional<BatchRequest> agreed_request(const std::vector<std::string>& argum
   MPI_Allreduce(&failure.status, &status, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Allreduce(&speaks, &speaker, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
   MPI_Allreduce(&wants, &all_want, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-  if (rank == speaker) spdlog::error("{}", failure.message);
+  if (rank == speaker) log_error(failure.message);
   return all_want != 0 ? request : std::nullopt;
 }
 
@@ -130,8 +129,7 @@ int run_rank(const std::vector<std::string>& arguments) {
 int main(int count, char** arguments) {
   int provided = 0;
   MPI_Init_thread(&count, &arguments, MPI_THREAD_SERIALIZED, &provided);
-  spdlog::set_default_logger(spdlog::stderr_color_mt("lober_mpi"));
-  spdlog::set_pattern("%n: %v");
+  lober::cli::begin_log("lober_mpi");
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, with a message
   int status = 0;
   try {
@@ -139,7 +137,7 @@ int main(int count, char** arguments) {
     status = lober::cli::run_rank({arguments + 1, arguments + count});
   } catch (...) {  // where no other rank waits for this one
     const lober::cli::Failure failure = lober::cli::failure_of(std::current_exception());
-    spdlog::error("{}", failure.message);
+    lober::cli::log_error(failure.message);
     status = failure.status;
   }
   MPI_Finalize();

@@ -1,11 +1,12 @@
 #include "cli/mpi/messages.hpp"
 
-#include <spdlog/spdlog.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "engine/jobs/bytes.hpp"
+#include "cli/program/log.hpp"
+#include "engine/batch/bytes.hpp"
 
 namespace lober::cli {
 namespace {
@@ -52,8 +53,8 @@ void send(int rank, Tag tag, const std::string& bytes, std::size_t piece) {
 void abandon(const std::string& message, int status) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  spdlog::error("rank {}: {}", rank, message);
-  spdlog::default_logger()->flush();
+  log_error(fmt::format("rank {}: {}", rank, message));
+  flush_log();
   MPI_Abort(MPI_COMM_WORLD, status);
   std::_Exit(status);
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/jobs/plan_runner.hpp"
+#include "engine/batch/plan_runner.hpp"
 
 namespace lober::cli {
 

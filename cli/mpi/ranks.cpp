@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "cli/mpi/messages.hpp"
-#include "engine/error.hpp"
-#include "engine/jobs/dealer.hpp"
-#include "engine/stopwatch.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/batch/dealer.hpp"
 
 namespace lober::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <string>
 
-#include "engine/jobs/batch.hpp"
+#include "engine/batch/batch.hpp"
 
 namespace lober::cli {
 

@@ -91,16 +91,27 @@ TEST_F(BatchMpi, RanksThatFailEndTheRun) {
   }
 }
 
-// The store goes while the ranks work.
+// The store goes while the ranks work: once it has results, and long before it has all of them.
 TEST_F(BatchMpi, AStoreThatVanishesEndsTheRun) {
+  for (int k = 0; k < 150; ++k) {
+    write_curve("many." + std::to_string(k), flower(5000, 60 + k, 0.3, {0.001 * k, 0.002 * k}));
+  }
+  write("many.toml", "operation = \"overlay\"\ncurves = \"many.*\"\noptions = { lobes = true }\n");
   const std::string line = std::string("exec timeout 60 ") + LOBER_MPIRUN + " --oversubscribe -n 3 " +
-                           LOBER_MPI_PROGRAM + " job.toml --threads 1 --store gone";
+                           LOBER_MPI_PROGRAM + " many.toml --threads 1 --store gone";
   const pid_t mpirun = start_in(folder(), {"sh", "-c", line});
-  for (int wait = 0; wait < 3000 && !exists("gone-wal"); ++wait)
+  std::string status;
+  for (int wait = 0; wait < 3000; ++wait) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (!exists("gone")) continue;
+    const Outcome outcome = run({"batch", "status", "gone"});
+    status = outcome.out + outcome.err;
+    if (outcome.status == 0 && status.rfind("0 done", 0) != 0) break;
+  }
+  ASSERT_EQ(status.find(" 0 to do"), std::string::npos) << "too late: " << status;
   std::filesystem::remove(folder() / "gone");
-  EXPECT_EQ(wait_for(mpirun), 1);
-  EXPECT_TRUE(exists("gone.rescued"));
+  EXPECT_EQ(wait_for(mpirun), 1) << status;
+  EXPECT_TRUE(exists("gone.rescued")) << status;
 }
 
 // Messages that are longer than what MPI sends at once; with pieces of a few bytes.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/curve/curve.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

@@ -41,6 +41,21 @@ TEST_F(InteriorProgram, GetsSharedSidesRight) {
   EXPECT_EQ(differences(curve, curve), Pair(0, 0));
 }
 
+TEST_F(InteriorProgram, VerifiesByTheOverlayWhenAsked) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{}, {"--no-densify"}, {"--densify", "2", "5"}}) {
+    std::vector<std::string> arguments{"c1", "c2", "--verify"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Json result = interior(arguments);
+    EXPECT_EQ(result["agreement"], true);
+    for (const auto& [name, difference] : result["error"]["consistency"].items()) {
+      const double splitting = options.empty() ? 0 : result["error"]["splitting"][name].get<double>();
+      EXPECT_LE(difference.get<double>(), splitting + 1e-15) << name;
+    }
+  }
+  EXPECT_FALSE(interior({"c1", "c2"})["error"].contains("consistency"));
+}
+
 TEST_F(InteriorProgram, HasTheMembersOfTheContract) {
   const Json result = interior({"c1", "c2"});
   EXPECT_EQ(members(result), (std::set<std::string>{"program", "command", "inputs", "options", "crossings", "q1", "q2",

@@ -15,7 +15,7 @@
 #include <random>
 #include <thread>
 
-#include "cli/progress.hpp"
+#include "cli/program/progress.hpp"
 #include "tests/cli/background.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/programs.hpp"
@@ -165,6 +165,26 @@ TEST_F(Interrupt, ProgressIsToBeSeenOnATerminal) {
   EXPECT_NE(seen.find("growing:"), std::string::npos) << seen;
   EXPECT_NE(seen.find("points/s"), std::string::npos) << seen;
   EXPECT_NE(seen.find(" left"), std::string::npos) << seen;
+}
+
+// Rows are shown when they are ready, and an interrupt keeps them.
+TEST_F(Interrupt, KeepsTheRowsOfTransport) {
+  const Terminal terminal;
+  const int keep_open = open(terminal.name().c_str(), O_RDWR | O_NOCTTY);
+  const std::string command = std::string("exec ") + LOBER_PROGRAM +
+                              " transport duffing --iterates 20 --tolerance 1e-7 > out 2> " + terminal.name();
+  const pid_t process = start_in(folder(), {"sh", "-c", command});
+  std::string seen;
+  for (int seconds = 0; seconds < 120 && seen.find("n = 1: ") == std::string::npos; ++seconds) {
+    seen += terminal.read_for(1);
+  }
+  kill(process, SIGINT);
+  EXPECT_EQ(wait_for(process), 130);
+  close(keep_open);
+  EXPECT_NE(seen.find("n = 1: T12 0.35370952644"), std::string::npos) << seen;
+  const std::string kept = read("out");
+  EXPECT_NE(kept.find("T12 by boundaries"), std::string::npos) << kept;
+  EXPECT_NE(kept.find(" of 20: interrupted"), std::string::npos) << kept;
 }
 
 TEST(ProgressLine, SaysWhatHowMuchAndHowLong) {

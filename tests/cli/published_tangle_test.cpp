@@ -4,7 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "engine/curve/curve.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

@@ -31,6 +31,17 @@ TEST_F(OverlaySmooth, StandsBesideThePolygons) {
   EXPECT_TRUE(smooth["areas"].contains("symmetric_difference"));
 }
 
+// On coarse curves the estimate from the polygons alone is too small; smooth curves show it.
+TEST_F(OverlaySmooth, WidensTheBarOfThePolygons) {
+  write_curve("c1", flower(9, 1, 0.1, {0, 0}));
+  write_curve("c2", flower(8, 1, 0.0, {0.2, 0.2}));
+  const Json result = overlay({"c1", "c2", "--smooth"}), plain = overlay({"c1", "c2"});
+  const double difference = result["smooth"]["areas"]["c2"].get<double>() - plain["areas"]["c2"].get<double>();
+  EXPECT_GT(difference, plain["error"]["discretisation"]["c2"].get<double>());
+  EXPECT_GE(result["error"]["discretisation"]["c2"].get<double>(), difference);
+  EXPECT_EQ(result["agreement"], true);
+}
+
 TEST_F(OverlaySmooth, HasAColumnInTheTable) {
   const Outcome outcome = run({"overlay", "c1", "c2", "--smooth", "--areas-only"});
   EXPECT_EQ(outcome.status, 0);

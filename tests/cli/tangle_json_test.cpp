@@ -25,9 +25,9 @@ class TangleJson : public ProgramTest {};
 
 TEST_F(TangleJson, HasTheMembersOfTheContract) {
   const Json result = tangle({demo, "--overlaps"});
-  EXPECT_EQ(members(result),
-            (Names{"program", "command", "inputs", "options", "crossings", "pips", "lobes", "bip", "boundary", "images",
-                   "turnstile", "overlaps", "remarks", "error", "statistics", "timing"}));
+  EXPECT_EQ(members(result), (Names{"program", "command", "inputs", "agreement", "disagreements", "options",
+                                    "crossings", "pips", "lobes", "bip", "boundary", "images", "turnstile", "overlaps",
+                                    "remarks", "error", "statistics", "timing"}));
   EXPECT_EQ(result["command"], "tangle");
   ASSERT_EQ(result["inputs"].size(), 2U);
   EXPECT_EQ(members(result["inputs"][0]), (Names{"file", "zone", "sha256", "points", "reversed"}));

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "engine/curve/curve.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/shared_data.hpp"
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/curve/curve.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
 
@@ -53,6 +54,23 @@ class TangleProgram : public ProgramTest {
 };
 
 using Numbers = std::vector<double>;
+
+// Lobes that grow by two hundredths a period: alike enough to infer the period, but no area-preserving map makes them.
+// Who gives the period says nothing of areas.
+TEST_F(TangleProgram, SaysWhenImagesHaveOtherAreas) {
+  std::vector<Point> wave;
+  for (int k = 4000; k >= 0; --k) {
+    const double x = 0.5 + k * 0.005;
+    wave.push_back({x, (1 + 0.01 * x / std::numbers::pi) * std::sin(x)});
+  }
+  write_curve("u", std::vector<Point>{{0, 0}, {21, 0}});
+  write_curve("s", wave);
+  const Outcome outcome = run({"tangle", "u", "s", "--json", "t.json"});
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("DISAGREEMENT: area of lobe ")) << outcome.out;
+  EXPECT_EQ(Json::parse(read("t.json"))["agreement"], false);
+  EXPECT_EQ(tangle({"u", "s", "--period", "2"})["agreement"], true);
+}
 
 TEST_F(TangleProgram, FindsPipsLobesAndBoundary) {
   const Json result = tangle({"u", "s"});
@@ -337,7 +355,7 @@ TEST_F(TangleProgram, DrawsASmallPictureOfManyPoints) {
   }
   write_curve("wave", wave);
   write_curve("line", line);
-  const Outcome outcome = run({"tangle", "wave", "line", "--svg", "picture.svg"});
+  const Outcome outcome = run({"tangle", "wave", "line", "--period", "22", "--svg", "picture.svg"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string svg = read("picture.svg");
   EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));

@@ -1,6 +1,6 @@
 // Lines of a picture with fewer points.
 
-#include "cli/thinned.hpp"
+#include "cli/report/thinned.hpp"
 
 #include <gtest/gtest.h>
 

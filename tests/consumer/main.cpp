@@ -1,7 +1,7 @@
 // The ten lines of the README, compiled against the installed package.
 #include <cmath>
 #include <cstdio>
-#include <lober/engine/overlay/overlay.hpp>
+#include <lober/engine/geometry/overlay/overlay.hpp>
 #include <vector>
 
 int main() {

@@ -1,12 +1,12 @@
 // Tangles and grown manifolds: the same bits whatever the threads, the index, the instruction set.
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/grow.hpp"
-#include "engine/dynamics/system.hpp"
+#include "engine/dynamics/manifolds/grow.hpp"
+#include "engine/dynamics/systems/system.hpp"
 #include "tests/determinism/hash.hpp"
 #include "tests/determinism/results.hpp"
 #include "tests/determinism/variations.hpp"
-#include "tests/engine/tangle/tangle_scenes.hpp"
+#include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 
 namespace lober {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "engine/densify/densify.hpp"
-#include "engine/interior/interior.hpp"
-#include "engine/overlay/overlay.hpp"
-#include "engine/regions/regions.hpp"
-#include "engine/tangle/tangle.hpp"
+#include "engine/geometry/densify/densify.hpp"
+#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/tangle/tangle.hpp"
 #include "tests/determinism/hash.hpp"
 
 namespace lober {

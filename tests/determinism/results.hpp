@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "engine/curve/curve.hpp"
-#include "engine/index/index.hpp"
+#include "engine/geometry/curve/curve.hpp"
+#include "engine/geometry/index/index.hpp"
 
 namespace lober {
 

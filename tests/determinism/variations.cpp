@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "engine/parallel/parallel.hpp"
+#include "engine/base/parallel/parallel.hpp"
 
 namespace lober {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/index/index.hpp"
+#include "engine/geometry/index/index.hpp"
 #include "kernels/cpu.hpp"
 
 namespace lober {

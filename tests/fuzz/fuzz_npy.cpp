@@ -1,6 +1,7 @@
 // NPY: whatever follows the magic string.
 #include <vector>
 
+#include "engine/files/files.hpp"
 #include "fuzz_reader.hpp"
 
 using namespace lober;

@@ -1,4 +1,5 @@
 // Raw float64, and the choice between it and the other formats.
+#include "engine/files/files.hpp"
 #include "fuzz_reader.hpp"
 
 using namespace lober;

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/curve/read_memory.hpp"
+#include "engine/files/read_memory.hpp"
 
 namespace lober::fuzz {
 

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/jobs/batch.hpp"
-#include "engine/jobs/export.hpp"
+#include "engine/batch/batch.hpp"
+#include "engine/batch/export.hpp"
 #include "fuzz_reader.hpp"
 
 using namespace lober;

@@ -1,4 +1,5 @@
 // Text and Tecplot. The first byte chooses where the text is cut into chunks, which must make no difference.
+#include "engine/files/files.hpp"
 #include "fuzz_reader.hpp"
 
 using namespace lober;

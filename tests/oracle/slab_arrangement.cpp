@@ -150,7 +150,7 @@ std::vector<SlabPiece> SlabArrangement::pieces(const std::function<bool(int, int
   std::vector<SlabPiece> result;
   for (auto& [root, piece] : by_root) {
     Sets rest(cells_.size());
-    const auto outside = [&](std::size_t cell) { return in[cell] == 0 || sets.root(cell) != root; };
+    const auto outside = [&, own = root](std::size_t cell) { return in[cell] == 0 || sets.root(cell) != own; };
     for (const auto& [x, y] : next_) {
       if (outside(x) && outside(y)) rest.unite(x, y);
     }

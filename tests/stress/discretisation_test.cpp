@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/overlay/overlay.hpp"
-#include "engine/parallel/parallel.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/stress/coverage.hpp"

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/error.hpp"
-#include "engine/interior/interior.hpp"
-#include "engine/overlay/overlay.hpp"
-#include "engine/parallel/parallel.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/exact_overlay.hpp"

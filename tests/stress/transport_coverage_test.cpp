@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/dynamics/system.hpp"
-#include "engine/error.hpp"
-#include "engine/transport/transport.hpp"
+#include "engine/base/error.hpp"
+#include "engine/dynamics/systems/system.hpp"
+#include "engine/dynamics/transport/transport.hpp"
 #include "tests/environment.hpp"
 
 namespace lober {

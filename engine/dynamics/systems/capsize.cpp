@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/dynamics/flow_of.hpp"
+#include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 
 namespace lober {

@@ -1,7 +1,7 @@
 // The forced Duffing oscillator.
 #include <cmath>
 
-#include "engine/dynamics/flow_of.hpp"
+#include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/forced_oscillator.hpp"
 

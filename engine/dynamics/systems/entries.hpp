@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "engine/dynamics/system.hpp"
+#include "engine/dynamics/systems/system.hpp"
 
 namespace lober {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include "engine/dynamics/flow.hpp"
+#include "engine/dynamics/maps/flow.hpp"
 
 namespace lober {
 

@@ -1,7 +1,7 @@
 // The area-preserving Henon map.
 #include <cmath>
 
-#include "engine/dynamics/formula_map.hpp"
+#include "engine/dynamics/maps/formula_map.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 
 namespace lober {

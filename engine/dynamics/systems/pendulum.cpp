@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/dynamics/flow_of.hpp"
+#include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/forced_oscillator.hpp"
 

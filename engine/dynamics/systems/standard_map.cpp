@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/dynamics/formula_map.hpp"
+#include "engine/dynamics/maps/formula_map.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "kernels/sine.hpp"
 

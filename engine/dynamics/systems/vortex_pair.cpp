@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/dynamics/flow_of.hpp"
+#include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 
 namespace lober {

@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/densify/densify.hpp"
-#include "engine/index/orientation.hpp"
-#include "engine/interior/interior.hpp"
-#include "engine/overlay/overlay.hpp"
-#include "engine/regions/regions.hpp"
-#include "engine/smooth/smooth.hpp"
-#include "engine/tangle/tangle.hpp"
+#include "engine/geometry/densify/densify.hpp"
+#include "engine/geometry/index/orientation.hpp"
+#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/smooth/smooth.hpp"
+#include "engine/geometry/tangle/tangle.hpp"
 
 namespace lober::testing {
 namespace {

@@ -1,0 +1,180 @@
+// `lober batch`: the subcommands.
+
+#include "cli/batch/batch_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "cli/batch/batch_options.hpp"
+#include "cli/batch/batch_report.hpp"
+#include "cli/program/command_line.hpp"
+#include "cli/program/interrupt.hpp"
+#include "cli/report/report.hpp"
+#include "engine/base/parallel/cancellation.hpp"
+#include "engine/batch/export.hpp"
+#include "engine/batch/forecast.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+std::string how_far(const ExportCounts& counts) {
+  return fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing);
+}
+
+void run_manifest(const Arguments& arguments) {
+  const std::optional<BatchRequest> request = parse_batch(arguments, "lober batch run");
+  if (!request) return;
+  if (!request->json.empty()) {
+    const std::vector<Output> outputs{{"--json", request->json}};
+    check_outputs(outputs, std::vector{request->manifest, request->store});
+  }
+  const Manifest manifest = read_manifest(request->manifest);
+  BatchReport report;
+  with_thread_limit(request->threads, [&] {
+    BatchProgress line;
+    BatchOptions options;
+    options.store = request->store;
+    options.shard = request->shard;
+    options.queue.threads = request->threads;
+    options.queue.memory = request->memory;
+    options.progress = [&](const QueueProgress& progress) {
+      if (!request->quiet) line.show(progress);
+      return !interrupted();
+    };
+    report = run_batch(manifest, options);
+  });
+  const CancellationScope shield(CancellationScope::Shield{});  // what was done is told in any case
+  warn_of(report.damaged);
+  if (!request->json.empty()) write_batch_json(request->json, report, request->manifest, request->store);
+  if (request->json != "-") print(batch_summary(report, request->store));
+  judge(report, request->store);
+}
+
+void check_manifest(const Arguments& arguments) {
+  std::string path;
+  std::uint64_t memory = 0;
+  OptionParser parser("Reads a manifest and says how much work it is, and what there is no memory for.",
+                      "lober batch check");
+  parser.add("MANIFEST", path, "what would be computed (TOML)").required();
+  const Option memory_given = add_memory_option(parser, memory);
+  if (!parser.parse(arguments)) return;
+  const std::size_t room = memory_given.given() ? memory : machine_memory() / 2;
+  const Plan plan = make_plan(read_manifest(path));
+  const Estimate sum = estimate(plan, path);
+  std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
+                                 counted(sum.curves, "curve", "curves"), counted(sum.files, "file", "files"));
+  if (sum.computed > 0)
+    text += fmt::format("{} by computation, whose points are a guess\n",
+                        counted(sum.computed, "curve or family", "curves or families"));
+  std::vector<std::size_t> jobs(plan.groups.size());
+  for (const PlannedJob& job : plan.jobs) ++jobs[job.group];
+  for (std::size_t k = 0; k < plan.groups.size(); ++k) {
+    const PlannedGroup& group = plan.groups[k];
+    text += fmt::format("  {:>9}  {}{}  {}\n", jobs[k], group.name.empty() ? "" : group.name + ": ", group.operation,
+                        group.spelled());
+  }
+  text += fmt::format("about {:.3g} points, {:.3g} over all jobs\n", static_cast<double>(sum.points),
+                      static_cast<double>(sum.points_in_jobs));
+  text += fmt::format("about {:.1f} MB for all curves at once\n", static_cast<double>(sum.memory) / 1e6);
+  text += fmt::format("about {:.2g} s on one core if curves cross a few times; dense tangles take longer\n",
+                      sum.core_seconds);
+  print(text);
+  warn_of(forecast_shortage(plan, path, room));
+}
+
+void show_status(const Arguments& arguments) {
+  std::string path;
+  OptionParser parser("Says how far the plan of a store is, who computed, and what failed.", "lober batch status");
+  parser.add("STORE", path, "as written by lober batch run").required();
+  if (!parser.parse(arguments)) return;
+  const Store store = Store::open(path);
+  const StoreSurvey found = survey(store);
+  std::string text = how_far(found.counts);
+  for (const Store::Run& run : store.runs()) {
+    text += fmt::format("run {}: {} to {} {}, lober {} ({}), {}, {} ({}), shard {}\n", run.id, run.started,
+                        run.ended.empty() ? "?" : run.ended, run.how.empty() ? "broken off" : run.how, run.version,
+                        run.commit, run.host, run.compiler, run.flags, run.shard);
+  }
+  for (const std::string& failure : found.failures) text += failure + "\n";
+  print(text);
+  warn_of(found.counts.damaged);
+}
+
+void export_store(const Arguments& arguments) {
+  std::string path, output = "-", format, operation;
+  OptionParser parser("Writes the results of a store as a table.", "lober batch export");
+  parser.add("STORE", path, "as written by lober batch run").required();
+  parser.add("-o,--output", output, "a name that ends in .csv, .jsonl or .npy (default: standard output)")
+      .value("FILE");
+  parser.add("--format", format, "csv, jsonl or npy (default: by the name; csv)")
+      .value("KIND")
+      .one_of({"csv", "jsonl", "npy"});
+  parser.add("--operation", operation, "only this one").value("NAME");
+  if (!parser.parse(arguments)) return;
+  const std::string by_name = !format.empty() ? "." + format : output == "-" ? ".csv" : output;
+  const std::optional<std::string> only = operation.empty() ? std::nullopt : std::optional(operation);
+  const ExportFormat kind = export_format(by_name);
+  const Store store = Store::open(path);
+  const ExportCounts counts = export_results(store, output, kind, only);
+  if (output != "-") {
+    print(fmt::format("{} done, {} failed, {} not there yet\n", counts.done, counts.failed, counts.missing));
+  }
+  warn_of(counts.damaged);
+}
+
+void merge_stores(const Arguments& arguments) {
+  std::string target;
+  std::vector<std::string> sources;
+  OptionParser parser("Joins stores of the same plan, as shards write them, into one.", "lober batch merge");
+  parser.add("TARGET", target, "is made if it is not there").required();
+  parser.add("STORES", sources, "what is taken over").required();
+  if (!parser.parse(arguments)) return;
+  Store store = Store::create(target);
+  for (const std::string& source : sources) {
+    const Store other = Store::open(source);
+    store.merge(other);
+    warn_of(survey(other).counts.damaged);
+  }
+  const ExportCounts counts = survey(store).counts;
+  print(how_far(counts));
+  warn_of(counts.damaged);
+}
+
+constexpr const char* usage = R"(lober batch: many curves and pairs
+
+usage:
+  lober batch run MANIFEST [options]    computes what is not in the store yet; the first interrupt lets jobs that run
+                                        finish within a second, a second one stops at once; nothing that was
+                                        stored is lost
+  lober batch check MANIFEST            reads the manifest and says how much work it is
+  lober batch status STORE              how far a store is, who computed, what failed
+  lober batch export STORE [-o FILE]    the results as CSV, JSON lines or NPY
+  lober batch merge TARGET STORE...     joins the stores of shards
+  lober batch run --help                the options
+
+A manifest for all pairs of a family of files, relative to its folder:
+  operation = "overlay"
+  curves = "separ.*"
+  pairs = "all"
+All its keys: engine/batch/manifest.hpp.
+)";
+
+}  // namespace
+
+void run_batch_command(const Arguments& arguments) {
+  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
+    if (arguments.empty()) throw UsageError("batch what? run, check, status, export or merge (see lober batch --help)");
+    return print(usage);
+  }
+  const Arguments rest(arguments.begin() + 1, arguments.end());
+  const std::string& verb = arguments[0];
+  if (verb == "run") return run_manifest(rest);
+  if (verb == "check") return check_manifest(rest);
+  if (verb == "status") return show_status(rest);
+  if (verb == "export") return export_store(rest);
+  if (verb == "merge") return merge_stores(rest);
+  throw UsageError("lober batch " + verb + ": there are run, check, status, export and merge");
+}
+
+}  // namespace lober::cli

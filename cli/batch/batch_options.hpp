@@ -1,0 +1,30 @@
+// The options of `lober batch run`, which the MPI program shares.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/program/option_parser.hpp"
+#include "engine/batch/batch.hpp"
+
+namespace lober::cli {
+
+struct BatchRequest {
+  std::string manifest, store, json;
+  Shard shard;
+  std::size_t memory = 0;
+  int threads = 0;
+  bool quiet = false;
+};
+
+/// Nothing when the arguments asked for help, which is printed. Throws UsageError.
+[[nodiscard]] std::optional<BatchRequest> parse_batch(const std::vector<std::string>& arguments, const char* program);
+
+/// --memory SIZE: "4G", "500M", "64k" or bytes.
+Option add_memory_option(OptionParser& parser, std::uint64_t& bytes);
+
+/// The store of a manifest unless another one is named: beside it, .results instead of .toml.
+[[nodiscard]] std::string default_store(const std::string& manifest);
+
+}  // namespace lober::cli

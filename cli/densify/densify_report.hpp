@@ -1,0 +1,49 @@
+// Everything that `lober densify` did, for the lines on the terminal and the JSON to show.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/files/files.hpp"
+#include "engine/geometry/densify/densify.hpp"
+
+namespace lober::cli {
+
+/// What was asked for, with defaults filled in.
+struct DensifySteps {
+  std::optional<ThinOptions> thin;
+  std::optional<Criteria> criteria;
+  int passes = 0, points = 0;
+  bool crossings = false;
+  Interpolation interpolation = Interpolation::linear;
+  std::size_t most_points = 0;
+};
+
+struct DensifyReport {
+  std::vector<NamedCurve> inputs;  ///< the curve, and the one it is densified against
+  DensifySteps steps;
+  DensifiedCurve result;
+  std::optional<DensifiedCurve> against;  ///< with the crossings inserted
+  struct Step {
+    std::string name;
+    std::size_t points;    ///< after it
+    std::uint32_t rounds;  ///< it took
+  };
+  std::vector<Step> done;                ///< in order
+  std::vector<Flaw> flaws;               ///< of the criteria; empty when a later step changed the numbers of segments
+  std::vector<std::size_t> flaw_counts;  ///< by FlawCause
+  struct {
+    double read = 0, densify = 0, write = 0;  ///< seconds
+  } timing;
+};
+
+/// A few lines for people.
+[[nodiscard]] std::string densify_summary(const DensifyReport& report);
+
+/// Writes the JSON object (DESIGN section 6); `seconds_so_far` is asked when all but the timing is written.
+void write_densify_json(const std::string& path, const DensifyReport& report,
+                        const std::function<double()>& seconds_so_far);
+
+}  // namespace lober::cli

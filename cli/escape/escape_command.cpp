@@ -1,0 +1,288 @@
+// `lober escape SYSTEM`: finds orbits, tubes and the table of escape, and hands them to those who show them.
+
+#include "cli/escape/escape_command.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "cli/escape/escape_report.hpp"
+#include "cli/program/command_line.hpp"
+#include "cli/program/progress.hpp"
+#include "cli/program/system_options.hpp"
+#include "cli/report/agreement_report.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/cancellation.hpp"
+#include "engine/base/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr double default_budget = 30;  // a quarter of a minute on two cores
+
+struct Request {
+  std::string system;
+  std::optional<double> energy;
+  std::vector<std::string> parameters, saddles;
+  std::string section, direction, bound;
+  EscapeOptions options;
+  std::uint64_t trajectories = 0, seed = 1;
+  std::string json, svg;
+  int threads = 0;
+};
+
+std::optional<Request> parse(const std::vector<std::string>& arguments) {
+  Request request;
+  double energy = 0;
+  OptionParser parser(
+      "Escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, and which "
+      "fraction of what enters by one leaves by another after n crossings.",
+      "lober escape");
+  parser.add("SYSTEM", request.system, "capsize, pcr3bp, or a shared library (lober_system.h)").required();
+  const Option given =
+      parser.add("--energy", energy, "total energy, above that of the saddles (default: the system's parameter)")
+          .value("E");
+  parser
+      .add("--iterates", request.options.crossings,
+           "the table goes up to n crossings of the section (default 4; 0: orbits, tubes and their first "
+           "crossings only)")
+      .range(0, 100)
+      .value("N");
+  parser.add("--param", request.parameters, "of the system, NAME=VALUE; may be repeated").value("NAME=VALUE");
+  parser
+      .add("--saddle", request.saddles,
+           "one of the system's saddles by number (from 1), or four coordinates near one; may be repeated "
+           "(default: all of the system's)")
+      .value("K|X,Y,PX,PY");
+  parser
+      .add("--section", request.section,
+           "x=VALUE or y=VALUE, the first or second coordinate of position "
+           "(default: the system's)")
+      .value("COORDINATE=VALUE");
+  parser.add("--direction", request.direction, "of the crossings that count: +, - or, with --iterates 0, both")
+      .one_of({"+", "-", "both"})
+      .value("SIGN");
+  parser.add("--bound", request.bound, "with --iterates 0: only crossings where, e.g., x<-1 or y>0")
+      .value("COORDINATE<VALUE");
+  parser
+      .add("--tolerance", request.options.tolerance,
+           "of the curves, relative to the square root of their area (default 1e-6)")
+      .range(1e-12, 1e-2)
+      .value("E");
+  parser
+      .add("--max-points", request.options.most_points,
+           "of a curve (default 2000000): the table ends before an image that is expected to need more")
+      .range(std::size_t{100}, std::size_t{1} << 30)
+      .value("M");
+  request.options.budget = default_budget;
+  parser
+      .add("--budget", request.options.budget,
+           "of processor time, all threads together (default 30): the table ends before images that are expected "
+           "to end later")
+      .positive()
+      .value("SECONDS");
+  const Option count =
+      parser.add("--monte-carlo", request.trajectories, "also follow so many trajectories from each entrance")
+          .range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000})
+          .value("N");
+  parser.add("--seed", request.seed, "of these (default 1)").needs(count).value("S");
+  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
+  parser.add("--svg", request.svg, "draw the curves on the section").value("FILE");
+  add_threads_option(parser, request.threads);
+  if (!parser.parse(arguments)) return std::nullopt;
+  if (given.given()) request.energy = energy;
+  if (request.options.crossings == 0 && request.trajectories > 0) {
+    throw UsageError("--monte-carlo counts escapes: it needs --iterates of at least 1");
+  }
+  return request;
+}
+
+double number(std::string_view text, const std::string& where) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size() || !(value - value == 0)) {
+    throw UsageError(where + ": not a number: '" + std::string(text) + "'");
+  }
+  return value;
+}
+
+// "NAME<separator>VALUE"; the separator is any one of those given, and comes back in `found`.
+std::pair<std::string, double> assignment(const std::string& text, const std::string& option,
+                                          std::string_view separators, char& found) {
+  const std::size_t at = text.find_first_of(separators);
+  if (at == std::string::npos || at == 0) throw UsageError(option + ": '" + text + "' is no NAME and VALUE");
+  found = text[at];
+  return {text.substr(0, at), number(std::string_view(text).substr(at + 1), option)};
+}
+
+int position_coordinate(const Flow& flow, const std::string& name, const std::string& option) {
+  if (name != "x" && name != "y") throw UsageError(option + ": the coordinate is x or y, not '" + name + "'");
+  const auto pairs = flow.conjugate_pairs();
+  if (pairs.size() != 2) throw UsageError("escape needs a Hamiltonian flow of two degrees of freedom");
+  return pairs[name == "x" ? 0 : 1].q;
+}
+
+FlowState saddle_of(const std::string& text, const System& system) {
+  FlowState state{};
+  std::size_t count = 0;
+  for (std::size_t begin = 0; begin <= text.size(); ++count) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const double value = number(std::string_view(text).substr(begin, end - begin), "--saddle");
+    if (count < 4) state[count] = value;
+    begin = end + 1;
+  }
+  if (count == 4) return state;
+  const double index = state[0];
+  if (count != 1 || !(index >= 1 && index <= static_cast<double>(system.saddles.size())) ||
+      index != std::floor(index)) {
+    throw UsageError("--saddle: '" + text + "' is neither four coordinates nor a saddle from 1 to " +
+                     std::to_string(system.saddles.size()));
+  }
+  return system.saddles[static_cast<std::size_t>(index) - 1];
+}
+
+System system_of(const Request& request) {
+  ParameterValues values;
+  char separator = 0;
+  for (const std::string& parameter : request.parameters) {
+    values.push_back(assignment(parameter, "--param", "=", separator));
+  }
+  if (!request.energy) return make_system(request.system, values);
+  // The system's own energy goes with its own section, which then is the one that the escape is about.
+  const bool given =
+      std::any_of(values.begin(), values.end(), [](const auto& value) { return value.first == "energy"; });
+  if (given) throw UsageError("the energy is given twice");
+  const System plain = make_system(request.system, values);
+  const auto& parameters = plain.info.parameters;
+  if (std::any_of(parameters.begin(), parameters.end(), [](const Parameter& p) { return p.name == "energy"; })) {
+    values.emplace_back("energy", *request.energy);
+  }
+  return make_system(request.system, values);
+}
+
+double energy_of(const Request& request, const System& system) {
+  if (request.energy) return *request.energy;
+  for (const Parameter& parameter : system.info.parameters) {
+    if (parameter.name == "energy") return parameter.value;
+  }
+  throw UsageError("--energy has to be given");
+}
+
+Section section_of(const Request& request, const System& system) {
+  const Flow& flow = *system.flow;
+  if (request.section.empty() && !system.section) throw UsageError("--section has to be given");
+  Section section = system.section.value_or(Section{});
+  char separator = 0;
+  if (!request.section.empty()) {
+    const auto [name, value] = assignment(request.section, "--section", "=", separator);
+    section = position_section(flow, position_coordinate(flow, name, "--section"), value, 1);
+  }
+  if (section.bound_side != 0 && request.bound.empty() && request.options.crossings > 0) {
+    throw UsageError("the own section of " + request.system +
+                     " counts a part of the crossings only, a table of escape needs all: give --section, or "
+                     "--iterates 0 for orbits and tubes alone");
+  }
+  if (!request.direction.empty()) section.direction = request.direction == "+" ? 1 : request.direction == "-" ? -1 : 0;
+  if (!request.bound.empty()) {
+    const auto [name, value] = assignment(request.bound, "--bound", "<>", separator);
+    section.bound_coordinate = position_coordinate(flow, name, "--bound");
+    section.bound = value;
+    section.bound_side = separator == '<' ? -1 : 1;
+  }
+  return section;
+}
+
+void compute(const Request& request, bool print_at_once, EscapeReport& report, Progress& progress) {
+  const System system = system_of(request);
+  if (!system.flow) throw UsageError("escape needs a flow; " + request.system + " is a map");
+  report.system = system.info;
+  report.options = request.options;
+  std::vector<FlowState> saddles = system.saddles;
+  if (!request.saddles.empty()) saddles.clear();
+  for (const std::string& text : request.saddles) saddles.push_back(saddle_of(text, system));
+  if (saddles.empty()) throw UsageError("--saddle has to be given: the system names none");
+  const double energy = energy_of(request, system);
+  const Section section = section_of(request, system);
+
+  progress.phase("tubes", 0, request.trajectories > 0 ? 0.5 : 0.95);
+  EscapeOptions options = request.options;
+  options.progress = [&](const EscapeProgress& at) { return progress.advance(at.fraction); };
+  if (print_at_once) {
+    options.rows_known = [&, warned = false](const Escape& so_far, int n) mutable {
+      progress.above([&] {
+        if (!warned) print(agreement_text(so_far.agreement));
+        warned = !so_far.agreement.agrees();
+        if (n == 1) print(escape_heading(report.system.name, so_far));
+        print(escape_rows(so_far, n));
+      });
+    };
+  }
+  const Stopwatch escape_watch;
+  if (options.crossings > 0) {
+    report.result = escape(*system.flow, section, energy, saddles, options);
+  } else {
+    report.result.energy = energy;
+    report.result.section = section;
+    report.result.bottlenecks = bottlenecks(*system.flow, section, energy, saddles, options);
+    compare_areas(report.result.bottlenecks, report.result.agreement);
+  }
+  report.escape_seconds = escape_watch.seconds();
+  if (request.trajectories == 0 || report.result.stop == EscapeStop::cancelled) return;
+
+  progress.phase("Monte Carlo", 0.5, 0.95);
+  const Stopwatch check_watch;
+  report.check_options.trajectories = request.trajectories;
+  report.check_options.seed = request.seed;
+  MonteCarloOptions check = report.check_options;
+  const auto all = static_cast<double>(request.trajectories * report.result.bottlenecks.size());
+  check.progress = [&](double fraction) {
+    progress.count(fraction * all, "trajectories");
+    return progress.advance(fraction);
+  };
+  report.check = monte_carlo(*system.flow, report.result, check);
+  report.check_seconds = check_watch.seconds();
+  compare(report.result, *report.check, report.result.agreement);
+}
+
+void run(const Request& request) {
+  const Stopwatch watch;
+  std::vector<Output> outputs;
+  if (!request.json.empty()) outputs.push_back({"--json", request.json});
+  if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
+  check_outputs(outputs, files_of_system(request.system));
+  const bool printing = !takes_standard_output(outputs);
+  // Rows are printed as soon as they are known. But a count of trajectories may contradict any of them at the end, and
+  // then the first line has to say so.
+  const bool print_at_once = printing && request.trajectories == 0;
+  EscapeReport report;
+  std::optional<CancellationScope> shield;  // what is known is written, even after an interrupt
+  {
+    Progress progress;
+    compute(request, print_at_once, report, progress);
+    if (report.result.stop == EscapeStop::cancelled) {
+      shield.emplace(CancellationScope::Shield{});
+    } else {
+      progress.phase("writing", 0.95, 1);
+    }
+    if (!request.svg.empty()) write_escape_picture(request.svg, report);
+    if (!request.json.empty()) write_escape_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  const Escape& result = report.result;
+  if (printing && (!print_at_once || result.crossings == 0)) {
+    print(agreement_text(result.agreement));
+    print(escape_heading(report.system.name, result));
+    for (int n = 1; n <= result.crossings; ++n) print(escape_rows(result, n));
+  }
+  if (printing) print(escape_summary(report));
+  if (result.stop == EscapeStop::cancelled) throw Cancelled();
+  require_agreement(result.agreement);
+}
+
+}  // namespace
+
+void run_escape(const std::vector<std::string>& arguments) {
+  const std::optional<Request> request = parse(arguments);
+  if (request) with_thread_limit(request->threads, [&] { run(*request); });
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,42 @@
+// What `lober escape` has found, and how it is shown.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/dynamics/escape/monte_carlo.hpp"
+#include "engine/dynamics/systems/system.hpp"
+
+namespace lober::cli {
+
+struct EscapeReport {
+  SystemInfo system;  ///< with the values chosen
+  EscapeOptions options;
+  Escape result;  ///< without table when no crossings were asked for
+  std::optional<MonteCarlo> check;
+  MonteCarloOptions check_options;
+  double escape_seconds = 0, check_seconds = 0;
+};
+
+/// "left" and "right" when there is one bottleneck on either side of the section, else "1", "2", ...
+[[nodiscard]] std::vector<std::string> bottleneck_names(const Escape& result);
+
+/// Orbits and tubes.
+[[nodiscard]] std::string escape_heading(const std::string& system, const Escape& result);
+/// The rows of n, one line for each entrance and exit; under a heading those of n = 1.
+[[nodiscard]] std::string escape_rows(const Escape& result, int n);
+/// What is known when all rows are: why the table ends, who remains, how well routes agree, what was counted.
+[[nodiscard]] std::string escape_summary(const EscapeReport& report);
+/// "n = 1..3 of 7: the next image needs 4e+07 points (--max-points 2000000)"
+[[nodiscard]] std::string stop_text(const EscapeReport& report);
+
+/// `seconds_so_far` is asked last, for the member `timing`.
+void write_escape_json(const std::string& path, const EscapeReport& report,
+                       const std::function<double()>& seconds_so_far);
+
+/// The curves on the section in its direction, with what they have in common filled.
+void write_escape_picture(const std::string& path, const EscapeReport& report);
+
+}  // namespace lober::cli

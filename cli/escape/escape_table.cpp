@@ -1,0 +1,119 @@
+// The table of `lober escape`, for people: what is known first is printed first.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+
+#include "cli/escape/escape_report.hpp"
+
+namespace lober::cli {
+namespace {
+
+// As many digits as the error bar leaves, at most twelve.
+std::string percent(double fraction, double error) {
+  if (!(fraction == fraction)) return "not known";
+  if (fraction == 0 && error == 0) return "0";
+  const int digits = error > 0 ? std::clamp(static_cast<int>(-std::floor(std::log10(100 * error))), 0, 12) : 12;
+  return fmt::format("{:.{}f} +- {:.0e}", 100 * fraction, digits, 100 * error);
+}
+
+std::string orbits_text(const Escape& result, const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const Bottleneck& neck = result.bottlenecks[k];
+    const PeriodicOrbit& orbit = neck.orbit;
+    text += fmt::format(
+        "bottleneck {:<6} saddle ({:.12g}, {:.12g}), energy {:.12g}\n"
+        "  periodic orbit   period {:.15g}, action {:.15g}, multiplier {:.13g}{}\n"
+        "  tubes            area {:.15g} by action; largest relative difference of the curves {:.0e}\n",
+        names[k], orbit.saddle.at[0], orbit.saddle.at[1], orbit.saddle.energy, orbit.period, orbit.action,
+        orbit.multiplier, orbit.brake ? ", at rest at both ends" : "", neck.area, neck.area_defect);
+    for (const FlowState& turning : orbit.turning) {
+      text += fmt::format("  turns at         ({:.15g}, {:.15g})\n", turning[0], turning[1]);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> bottleneck_names(const Escape& result) {
+  const auto axis = static_cast<std::size_t>(result.section.coordinate);
+  const auto& necks = result.bottlenecks;
+  if (necks.size() == 2 && necks[0].orbit.saddle.at[axis] < result.section.value &&
+      necks[1].orbit.saddle.at[axis] > result.section.value) {
+    return {"left", "right"};
+  }
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < necks.size(); ++k) names.push_back(std::to_string(k + 1));
+  return names;
+}
+
+std::string escape_heading(const std::string& system, const Escape& result) {
+  return fmt::format("{}, energy {:.15g}\n{}", system, result.energy, orbits_text(result, bottleneck_names(result)));
+}
+
+std::string escape_rows(const Escape& result, int n) {
+  const std::vector<std::string> names = bottleneck_names(result);
+  std::string text;
+  if (n == 1) {
+    text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "leaves after crossing n, %");
+  }
+  for (const EscapeFraction& row : result.table) {
+    if (row.crossings != n) continue;
+    text += fmt::format("{:>4}  {:<10} {:<10} {:>28}{}\n", n, names[row.entry], names[row.exit],
+                        percent(row.fraction, row.error), row.torn ? "  of torn curves" : "");
+  }
+  return text;
+}
+
+std::string escape_summary(const EscapeReport& report) {
+  const Escape& result = report.result;
+  const std::vector<std::string> names = bottleneck_names(result);
+  if (report.options.crossings == 0) return {};
+  std::string text;
+  if (result.stop != EscapeStop::done) text += "\n" + stop_text(report) + "\n";
+  for (std::size_t entry = 0; entry < names.size(); ++entry) {
+    text += fmt::format("\nentrance {}: still inside after crossing", names[entry]);
+    for (const Survival& step : survival(result, entry)) {
+      text += fmt::format("  {}: {} %", step.crossings, percent(step.remains, step.error));
+    }
+  }
+  text += fmt::format("\nlargest difference between two splits of one fraction: {:.0e} %\n",
+                      100 * result.largest_split_difference);
+  if (!report.check) return text;
+  text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "counted, %");
+  for (std::size_t k = 0; k < result.table.size(); ++k) {
+    const EscapeFraction& row = result.table[k];
+    const MonteCarloFraction& counted = report.check->table[k];
+    text += fmt::format("{:>4}  {:<10} {:<10} {:>28}\n", row.crossings, names[row.entry], names[row.exit],
+                        percent(counted.fraction, counted.standard_error));
+  }
+  text += fmt::format("{} trajectories from each entrance, {} lost: largest deviation {:.2f} standard errors\n",
+                      report.check->trajectories, report.check->lost, report.check->largest_deviation);
+  return text;
+}
+
+std::string stop_text(const EscapeReport& report) {
+  const Escape& result = report.result;
+  const std::string how_far = result.crossings == 0
+                                  ? fmt::format("no n of {}", report.options.crossings)
+                                  : fmt::format("n = 1..{} of {}", result.crossings, report.options.crossings);
+  switch (result.stop) {
+    case EscapeStop::done:
+      return how_far;
+    case EscapeStop::points:
+      return fmt::format("{}: the next image needs {:.1g} points (--max-points {})", how_far, result.points_ahead,
+                         report.options.most_points);
+    case EscapeStop::budget:
+      return fmt::format("{}: the next images need about {:.2g} s of processor time (--budget {:.15g})", how_far,
+                         result.seconds_ahead, report.options.budget);
+    case EscapeStop::lost:
+      return how_far + ": trajectories next to a bottleneck cannot be followed further";
+    case EscapeStop::cancelled:
+      return how_far + ": interrupted";
+  }
+  return how_far;
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,134 @@
+// `lober interior C1 C2`: reads the curves, calls the engine, and hands what it found to those who show it.
+
+#include "cli/interior/interior_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <optional>
+
+#include "cli/interior/interior_report.hpp"
+#include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
+#include "cli/program/progress.hpp"
+#include "cli/report/agreement_report.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  std::array<std::string, 2> curves;
+  std::string json;
+  InteriorOptions options;
+  int threads = 0;
+  bool verify = false;
+  bool verbose = false;
+};
+
+// Nothing when the arguments asked for help, which is printed.
+std::optional<Request> parse(const std::vector<std::string>& arguments) {
+  Request request;
+  bool no_densify = false, no_check = false;
+  std::pair<int, int> densify;
+  OptionParser parser("Areas of two simple closed curves by the interior function: Q1, Q2, Q3.", "lober interior");
+  parser.add("C1", request.curves[0], "the first curve: FILE, or FILE#ZONE for one zone (from 0, or by title)")
+      .required();
+  parser.add("C2", request.curves[1], "the second curve").required();
+  const Option insert = parser
+                            .add("--densify", densify,
+                                 "do not split segments where the curves meet; insert N points where the ends of "
+                                 "a segment lie on different sides, P times over (the paper's -DENS P N)")
+                            .value("P N")
+                            .range(0, 1'000'000);
+  parser.add_flag("--no-densify", no_densify, "do not split segments, nor insert points (the paper's -DENS 0)")
+      .excludes(insert);
+  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
+  add_threads_option(parser, request.threads);
+  parser.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
+  parser.add_flag("--verify", request.verify,
+                  "compute the areas by the overlay too, and report by how much the two differ");
+  parser.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
+  if (!parser.parse(arguments)) return std::nullopt;
+  request.options.check_simple = !no_check;
+  if (no_densify || insert.given()) request.options.method = InteriorMethod::ends;
+  std::tie(request.options.passes, request.options.points) = densify;
+  return request;
+}
+
+InteriorReport compute(const Request& request, Progress& progress) {
+  InteriorReport report;
+  report.options = request.options;
+  progress.phase("reading", 0, 0.25);
+  const Stopwatch read_watch;
+  for (std::size_t k = 0; k < 2; ++k) {
+    report.inputs[k] = read_curve(request.curves[k], true);
+    progress.advance(0.5 * static_cast<double>(k + 1));
+  }
+  report.read_seconds = read_watch.seconds();
+
+  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
+              "points");
+  progress.phase("interior", 0.25, 0.95);
+  const Stopwatch index_watch;
+  const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
+  report.index_seconds = index_watch.seconds();
+  InteriorOptions options = request.options;
+  options.progress = [&](double fraction) { return progress.advance(fraction); };
+  try {
+    MeasuredAreas measured = measure_areas(c1, c2, options);
+    report.result = std::move(measured.result);
+    report.splitting = measured.splitting;
+  } catch (const NotSimpleError& error) {
+    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
+  }
+  if (request.verify) {
+    const Stopwatch verify_watch;
+    OverlayOptions areas_only;
+    areas_only.pieces = areas_only.check_simple = false;
+    const Overlay other = overlay(c1, c2, areas_only);
+    report.consistency = distance(report.result.areas, other.areas);
+    for (const NamedArea& area : named_areas) {
+      const auto member = area.member;
+      const double splitting = report.splitting ? (*report.splitting).*member : 0;
+      report.agreement.compare({std::string("area of ") + area.label, "interior", "overlay",
+                                report.result.areas.*member, other.areas.*member,
+                                report.result.rounding.*member + other.rounding.*member + splitting});
+    }
+    report.verify_seconds = verify_watch.seconds();
+  }
+  return report;
+}
+
+void run(const Request& request) {
+  const Stopwatch watch;
+  std::vector<Output> outputs;
+  if (!request.json.empty()) outputs.push_back({"--json", request.json});
+  check_outputs(outputs, request.curves);
+  InteriorReport report;
+  {
+    Progress progress;
+    report = compute(request, progress);
+    progress.phase("writing", 0.95, 1);
+    if (!request.json.empty()) write_interior_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (request.json != "-") print(interior_table(report));
+  const InteriorTiming& timing = report.result.timing;
+  log_info(fmt::format(
+      "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, labels {:.4f}, sums {:.4f}, "
+      "total {:.4f}",
+      report.read_seconds, report.index_seconds, timing.check, timing.crossings, timing.order, timing.labels,
+      timing.sums, watch.seconds()));
+  require_agreement(report.agreement);
+}
+
+}  // namespace
+
+void run_interior(const std::vector<std::string>& arguments) {
+  const std::optional<Request> request = parse(arguments);
+  if (!request) return;
+  if (request->verbose) show_all_messages();
+  with_thread_limit(request->threads, [&] { run(*request); });
+}
+
+}  // namespace lober::cli

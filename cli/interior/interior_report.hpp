@@ -1,0 +1,42 @@
+// Everything that `lober interior` found, for the table and the JSON to show.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "cli/report/report.hpp"
+#include "engine/base/agreement.hpp"
+#include "engine/geometry/interior/interior.hpp"
+
+namespace lober::cli {
+
+struct InteriorReport {
+  std::array<NamedCurve, 2> inputs;
+  InteriorOptions options;
+  InteriorAreas result;
+  /// When segments were not split: |area - area with segments split where the curves meet|.
+  std::optional<Areas> splitting;
+  /// When asked for: |area - area by the overlay|, and whether the bars explain it.
+  std::optional<Areas> consistency;
+  Agreement agreement;
+  double read_seconds = 0, index_seconds = 0, verify_seconds = 0;
+};
+
+/// The areas by these options, and, where segments are not split, what that costs.
+struct MeasuredAreas {
+  InteriorAreas result;
+  std::optional<Areas> splitting;
+};
+[[nodiscard]] MeasuredAreas measure_areas(const IndexedCurve& c1, const IndexedCurve& c2,
+                                          const InteriorOptions& options);
+
+/// The short aligned table for people.
+[[nodiscard]] std::string interior_table(const InteriorReport& report);
+
+/// Writes the JSON object (DESIGN section 6); `seconds_so_far` gives the time since the program began.
+void write_interior_json(const std::string& path, const InteriorReport& report,
+                         const std::function<double()>& seconds_so_far);
+
+}  // namespace lober::cli

@@ -1,0 +1,105 @@
+// The files of lobes and of crossings.
+
+#include <algorithm>
+
+#include "cli/overlay/regions_report.hpp"
+#include "cli/report/text.hpp"
+#include "engine/base/parallel/ordered_pipeline.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/files/output_file.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr const char* crossings_header =
+    "# Where the two curves meet, in order along C1.\n"
+    "# index     from 0; `class` and the pieces of the JSON output speak of it\n"
+    "# x,y       the point (of a shared arc: where it begins along C1)\n"
+    "# rho       1: C1 leaves the region of C2; -1: it enters; 0: it does not cross (both "
+    "counter-clockwise)\n"
+    "# kind      crossing, touch or shared_arc\n"
+    "# segment1,t1 segment2,t2   the same point on C1 and C2: t in [0, 1) along the segment from vertex "
+    "`segment`, from 0\n"
+    "# class     equivalence class of a crossing under sigma; empty if it has none or totals only were asked "
+    "for\n"
+    "# order2    its place along C2, from 0\n"
+    "# end_...   where a shared arc ends along C1; empty for points\n"
+    "index,x,y,rho,kind,segment1,t1,segment2,t2,class,order2,end_x,end_y,end_segment1,end_t1,end_segment2,"
+    "end_t2\n";
+
+void format_crossing(std::string& text, const OverlayReport& report, std::size_t k) {
+  const Overlay& result = report.result;
+  const Node node = result.nodes[k];
+  append_all(text, k, ",", node.begin.x, ",", node.begin.y, ",", node.rho, ",", kind_of(node), ",", node.begin1.segment,
+             ",", node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",");
+  if (!result.classes.empty() && result.classes[k] != Overlay::no_class) append(text, result.classes[k]);
+  append_all(text, ",", result.nodes.graph().rank2[k]);
+  if (node.shared == 0) {
+    text += ",,,,,,\n";
+  } else {
+    append_all(text, ",", node.end.x, ",", node.end.y, ",", node.end1.segment, ",", node.end1.t, ",", node.end2.segment,
+               ",", node.end2.t, "\n");
+  }
+}
+
+// The zones of one piece: its outer polygon, then its holes.
+std::vector<Zone> zones_of(Pairing pairing, std::size_t piece, double area, std::vector<std::vector<Point>> polygons) {
+  std::string title(name(pairing));
+  append_all(title, " ", piece, " area=", area);
+  std::vector<Zone> zones;
+  for (std::vector<Point>& polygon : polygons) {
+    zones.push_back({title, std::move(polygon)});
+    title = name(pairing);
+    append_all(title, " ", piece, " hole ", zones.size());
+  }
+  return zones;
+}
+
+// Writes `count(pairing)` pieces of C1 \ C2 and C2 \ C1, each by `zones(pairing, piece)`.
+template <typename Count, typename Zones>
+void write_pieces(const std::string& path, const Count& count, const Zones& zones) {
+  std::vector<Zone> all;
+  for (const Pairing pairing : {Pairing::c1_minus_c2, Pairing::c2_minus_c1}) {
+    std::vector<std::vector<Zone>> by_piece(count(pairing));
+    for_each_block(by_piece.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) by_piece[k] = zones(pairing, k);
+    });
+    for (std::vector<Zone>& piece : by_piece) std::move(piece.begin(), piece.end(), std::back_inserter(all));
+  }
+  write_tecplot(path, all);
+}
+
+}  // namespace
+
+void write_lobes(const std::string& path, const OverlayReport& report) {
+  write_pieces(
+      path, [&](Pairing pairing) { return report.result.pieces(pairing).size(); },
+      [&](Pairing pairing, std::size_t k) {
+        return zones_of(pairing, k, report.result.pieces(pairing).areas()[k], outline(report.result, pairing, k));
+      });
+}
+
+void write_region_lobes(const std::string& path, const RegionsReport& report) {
+  write_pieces(
+      path, [&](Pairing pairing) { return report.pieces_of(pairing).size(); },
+      [&](Pairing pairing, std::size_t k) {
+        const RegionPieces& pieces = report.pieces_of(pairing);
+        return zones_of(pairing, k, pieces.areas()[k], pieces.outline(k));
+      });
+}
+
+void write_crossings(const std::string& path, const OverlayReport& report) {
+  OutputFile file(path);
+  file.write(crossings_header);
+  std::string text;
+  for (std::size_t k = 0; k < report.result.nodes.size(); ++k) {
+    format_crossing(text, report, k);
+    if (text.size() < (std::size_t{1} << 20)) continue;
+    file.write(text);
+    text.clear();
+  }
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace lober::cli

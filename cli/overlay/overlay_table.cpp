@@ -1,0 +1,74 @@
+// The table of `lober overlay` for people.
+
+#include <spdlog/fmt/fmt.h>
+
+#include "cli/overlay/overlay_report.hpp"
+#include "cli/report/agreement_report.hpp"
+
+namespace lober::cli {
+namespace {
+
+void add_areas(std::string& text, const OverlayReport& report) {
+  const std::optional<SmoothAreas>& smooth = report.smooth;
+  text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}{}{}\n", "area of", smooth ? "polygons" : "", "+- rounding",
+                      "discretisation", report.consistency ? "   consistency" : "",
+                      smooth ? fmt::format(" {:>23}  {:>9}", "smooth", "+-") : "");
+  for (const NamedArea& area : named_areas) {
+    text += fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}", area.label, report.result.areas.*area.member,
+                        report.result.rounding.*area.member, report.discretisation.*area.member);
+    if (report.consistency) text += fmt::format(" {:>13.1e}", (*report.consistency).*area.member);
+    if (smooth) text += fmt::format(" {:>23.16g}  {:>9.1e}", smooth->areas.*area.member, smooth->error.*area.member);
+    text += "\n";
+  }
+  if (smooth && smooth->fallback_segments + smooth->fallback_crossings > 0) {
+    text += fmt::format("not smooth: {}, {}\n", counted(smooth->fallback_segments, "segment", "segments"),
+                        counted(smooth->fallback_crossings, "crossing", "crossings"));
+  }
+}
+
+// "0 1 2 3 4 5 6 7 ... (20)": the crossings of a piece, shortened.
+std::string crossings_text(const std::vector<std::uint32_t>& crossings) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, crossings.size()); ++k) {
+    text += fmt::format("{}{}", k == 0 ? "" : " ", crossings[k]);
+  }
+  if (crossings.size() > most) text += fmt::format(" ... ({})", crossings.size());
+  return text.empty() ? "-" : text;
+}
+
+void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing, const char* label) {
+  const Pieces& pieces = report.result.pieces(pairing);
+  const Slivers& slivers = report.slivers_of(pairing);
+  text += fmt::format("\n{}: {}\n", label, pieces.size() == 0 ? "no lobe" : counted(pieces.size(), "lobe", "lobes"));
+  if (pieces.size() == 0) return;
+  text += fmt::format("{:>8} {:>23}   {:^26} {:>6}  {}\n", "lobe", "area", "centroid", "holes", "crossings");
+  const std::vector<std::uint32_t> order = largest(pieces.areas());
+  for (const std::uint32_t number : order) {
+    const Piece piece = pieces[number];
+    const Point at = centroid(report.result, pairing, number);
+    text += fmt::format("{:>8} {:>23.16g}   ({:>11.5g}, {:>11.5g}) {:>6}  {}\n", number, piece.area, at.x, at.y,
+                        piece.holes, crossings_text(piece.crossings));
+  }
+  if (pieces.size() > order.size()) text += fmt::format("{:>8} and {} more\n", "...", pieces.size() - order.size());
+  if (!slivers.pieces.empty()) {
+    text += fmt::format("         {} no wider than rounding, {:.2g} in total\n",
+                        counted(slivers.pieces.size(), "sliver", "slivers"), slivers.area);
+  }
+}
+
+}  // namespace
+
+std::string overlay_table(const OverlayReport& report) {
+  std::string text = agreement_text(report.agreement);
+  text += inputs_text(report.inputs, {report.result.orientation1, report.result.orientation2});
+  text += "\n" + meetings_text(report.result.nodes) + "\n";
+  add_areas(text, report);
+  if (report.options.pieces) {
+    add_pieces(text, report, Pairing::c1_minus_c2, "C1 \\ C2");
+    add_pieces(text, report, Pairing::c2_minus_c1, "C2 \\ C1");
+  }
+  return text;
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,34 @@
+#include "cli/program/log.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <string>
+
+namespace lober::cli {
+
+void begin_log(const char* program) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt(program));
+  spdlog::set_pattern("%n: %v");
+  spdlog::set_level(spdlog::level::warn);
+}
+
+void show_all_messages() {
+  spdlog::set_level(spdlog::level::info);
+}
+
+void log_info(std::string_view message) {
+  spdlog::info("{}", message);
+}
+void log_warning(std::string_view message) {
+  spdlog::warn("{}", message);
+}
+void log_error(std::string_view message) {
+  spdlog::error("{}", message);
+}
+
+void flush_log() {
+  spdlog::default_logger()->flush();
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,70 @@
+// The arguments and options of a command: declared in one list, then parsed. CLI11 does both; only option_parser.cpp
+// includes it, since it takes longer to compile than most commands.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace lober::cli {
+
+/// One of them, to say more about. A handle: valid as long as its parser.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+
+  Option value(const char* name);  ///< what the help calls the value: "FILE"
+  Option required();
+  Option needs(Option other);
+  Option excludes(Option other);
+  Option count(int least, int most);  ///< of values
+  Option count(int exactly) { return count(exactly, exactly); }
+  Option comma_separated();
+  Option positive();
+  Option not_negative();  ///< and finite
+  template <typename T>
+  Option range(T first, T last);
+  Option one_of(std::initializer_list<const char*> values);
+  Option bytes();  ///< a number with a unit, as 4G
+
+  [[nodiscard]] bool given() const;  ///< after parsing
+
+ private:
+  CLI::Option* option_;
+};
+
+class OptionParser {
+ public:
+  OptionParser(const char* description, const char* command);
+  OptionParser(const OptionParser&) = delete;
+  OptionParser& operator=(const OptionParser&) = delete;
+  ~OptionParser();
+
+  /// `names`: "C1" is an argument by its place, "-o,--output" an option; "SYSTEM,--system" may be either. T: see the
+  /// end of option_parser.cpp.
+  template <typename T>
+  Option add(const char* names, T& variable, const char* help);
+  /// Instead of setting a variable, calls `take` with the value.
+  Option add_call(const char* names, std::function<void(const std::string&)> take, const char* help);
+  Option add_flag(const char* names, bool& variable, const char* help);
+
+  /// Returns false when the arguments asked for help, which is then printed; throws UsageError.
+  [[nodiscard]] bool parse(const std::vector<std::string>& arguments);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+};
+
+/// The whole text as a number, in the C locale; nothing if it is none.
+[[nodiscard]] std::optional<double> number_of(const std::string& text);
+
+}  // namespace lober::cli

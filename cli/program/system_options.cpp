@@ -1,0 +1,108 @@
+#include "cli/program/system_options.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/base/error.hpp"
+#include "engine/dynamics/systems/shared_library.hpp"
+
+namespace lober::cli {
+namespace {
+
+Point point_of(const std::vector<double>& numbers) {
+  return {numbers[0], numbers[1]};
+}
+
+}  // namespace
+
+void add_system_options(OptionParser& parser, SystemRequest& request, bool positional) {
+  const auto add_point = [&](const char* name, std::vector<double>& place, const char* meaning) {
+    parser.add(name, place, meaning).comma_separated().count(2).value("X,Y");
+  };
+  parser
+      .add(positional ? "SYSTEM,--system" : "--system", request.name,
+           "name of a built-in system, or the path of a shared library")
+      .required();
+  parser.add("--param", request.parameters, "parameters of the system").value("NAME=VALUE");
+  add_point("--from", request.from, "the saddle of the unstable manifold, roughly (default: the system's)");
+  add_point("--to", request.to, "the saddle of the stable manifold, roughly (default: as --from, or the system's)");
+  add_point("--u-direction", request.u_direction, "where the unstable manifold leaves its saddle, roughly");
+  add_point("--s-direction", request.s_direction, "the same for the stable manifold, away from its saddle");
+  add_point("--bip", request.bip, "a place near the pip on the boundary (default: the system's, or the middle one)");
+  parser.add("--integration-tolerance", request.integration.tolerance, "of flows (default 1e-12)")
+      .positive()
+      .value("T");
+}
+
+std::vector<std::string> files_of_system(const std::string& name) {
+  return names_library(name) ? std::vector{name} : std::vector<std::string>{};
+}
+
+ParameterValues parameter_values(const std::vector<std::string>& texts) {
+  ParameterValues values;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::optional<double> value = equals == std::string::npos ? std::nullopt : number_of(text.substr(equals + 1));
+    if (!value) throw UsageError("--param: NAME=VALUE is needed, not '" + text + "'");
+    values.emplace_back(text.substr(0, equals), *value);
+  }
+  return values;
+}
+
+System system_of(const SystemRequest& request, const ParameterValues& values) {
+  System system = make_system(request.name, values, request.integration);
+  if (!system.map) throw UsageError("system " + system.info.name + " has no planar map");
+  return system;
+}
+
+Connection connection_of(const SystemRequest& request, const System& system) {
+  const bool saddles_given = !request.from.empty() || !request.to.empty();
+  if (!system.connection) {
+    std::string missing;
+    const auto need = [&](const std::vector<double>& place, const char* option) {
+      if (place.empty()) missing += (missing.empty() ? "" : ", ") + std::string(option);
+    };
+    need(request.from, "--from");
+    need(request.u_direction, "--u-direction");
+    need(request.s_direction, "--s-direction");
+    if (!missing.empty()) {
+      throw UsageError("system " + system.info.name +
+                       " does not say between which saddles its manifolds lead; needed: " + missing);
+    }
+  }
+  Connection connection = system.connection.value_or(Connection{});
+  // A bip that belongs to other saddles is none.
+  if (saddles_given) {
+    connection.bip.reset();
+    connection.closure.clear();
+  }
+  if (!request.from.empty()) connection.from = connection.to = point_of(request.from);
+  if (!request.to.empty()) connection.to = point_of(request.to);
+  if (!request.u_direction.empty()) connection.u_direction = point_of(request.u_direction);
+  if (!request.s_direction.empty()) connection.s_direction = point_of(request.s_direction);
+  if (!request.bip.empty()) connection.bip = point_of(request.bip);
+  return connection;
+}
+
+std::string system_text(const System& system) {
+  std::string text = system.info.name;
+  const char* separator = "  ";
+  for (const Parameter& parameter : system.info.parameters) {
+    text += fmt::format("{}{} = {}", separator, parameter.name, parameter.value);
+    separator = ", ";
+  }
+  return text;
+}
+
+Json system_json(const System& system, const IntegrationOptions& integration) {
+  Json parameters = Json::object();
+  for (const Parameter& parameter : system.info.parameters) parameters[parameter.name] = parameter.value;
+  Json json{{"name", system.info.name}, {"parameters", std::move(parameters)}};
+  if (system.flow) json["integration_tolerance"] = integration.tolerance;
+  return json;
+}
+
+Json point_json(Point point) {
+  return {point.x, point.y};
+}
+
+}  // namespace lober::cli

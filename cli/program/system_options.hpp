@@ -1,0 +1,44 @@
+// A system, its parameters and the pair of manifolds, as the command line gives them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/program/option_parser.hpp"
+#include "cli/report/json.hpp"
+#include "engine/dynamics/systems/system.hpp"
+
+namespace lober::cli {
+
+struct SystemRequest {
+  std::string name;
+  std::vector<std::string> parameters;  ///< NAME=VALUE
+  IntegrationOptions integration;
+  // Two numbers each when given.
+  std::vector<double> from, to, u_direction, s_direction, bip;
+};
+
+/// --param, --from, --to, --u-direction, --s-direction, --bip, --integration-tolerance; and SYSTEM, as an argument or
+/// by
+/// --system, which `positional` decides.
+void add_system_options(OptionParser& parser, SystemRequest& request, bool positional);
+
+/// The files that the name of a system stands for, which no output may replace: a shared library, or none.
+[[nodiscard]] std::vector<std::string> files_of_system(const std::string& name);
+
+/// Throws UsageError for a text that is not NAME=VALUE.
+[[nodiscard]] ParameterValues parameter_values(const std::vector<std::string>& texts);
+
+/// Throws UsageError, also for a system that has no planar map.
+[[nodiscard]] System system_of(const SystemRequest& request, const ParameterValues& values);
+
+/// What the system brings, with what the user gives in its place. Throws UsageError with what is missing.
+[[nodiscard]] Connection connection_of(const SystemRequest& request, const System& system);
+
+/// "ovp  gamma = 0.5, eps = 0.1".
+[[nodiscard]] std::string system_text(const System& system);
+/// name, parameters, and integration_tolerance of a flow.
+[[nodiscard]] Json system_json(const System& system, const IntegrationOptions& integration);
+[[nodiscard]] Json point_json(Point point);
+
+}  // namespace lober::cli

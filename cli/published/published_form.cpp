@@ -1,0 +1,201 @@
+#include "cli/published/published_form.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <sstream>
+
+#include "cli/interior/interior_report.hpp"
+#include "cli/program/command_line.hpp"
+#include "cli/program/progress.hpp"
+#include "cli/published/densified_curve.hpp"
+#include "cli/report/text.hpp"
+#include "engine/files/number.hpp"
+#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  std::array<std::string, 2> curves;
+  std::string result;
+  bool light = false;                          // the interior method
+  std::optional<Densification> densification;  // -DENS
+};
+
+std::optional<int> whole_number(const std::string& text) {
+  constexpr int most = 1'000'000;
+  int value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end || value < 0 || value > most) return std::nullopt;
+  return value;
+}
+
+// What follows -DENS: two whole numbers, or a single 0, as the paper also writes it. Moves `k` to the last one.
+Densification after_dens(const std::vector<std::string>& arguments, std::size_t& k) {
+  const auto number = [&](std::size_t place) {
+    return place < arguments.size() ? whole_number(arguments[place]) : std::nullopt;
+  };
+  const std::optional<int> passes = number(k + 1), points = number(k + 2);
+  if (passes && points) {
+    k += 2;
+    return {*passes, *points};
+  }
+  if (passes == 0) {
+    k += 1;
+    return {};
+  }
+  throw UsageError("-DENS takes two whole numbers from 0 to 1000000, <nPass> <nDens>");
+}
+
+Request parse(const std::vector<std::string>& arguments) {
+  Request request;
+  std::vector<std::string> files;
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    if (arguments[k] == "-light") {
+      request.light = true;
+    } else if (arguments[k] == "-DENS") {
+      request.densification = after_dens(arguments, k);
+    } else if (arguments[k].starts_with("-") && arguments[k] != "-") {
+      throw UsageError("unknown option " + arguments[k] + " (see lober --help)");
+    } else {
+      files.push_back(arguments[k]);
+    }
+  }
+  if (files.size() < 3) {
+    const std::string form = request.light ? "lober -light <c1> <c2> <rslt>" : "lober <c1> <c2> <rslt>";
+    const std::string other = request.light || files.empty() ? "" : "\"" + files[0] + "\" is no command, and ";
+    throw UsageError(other + form + " takes three files (see lober --help)");
+  }
+  if (files.size() > 3) throw UsageError("too many arguments: " + files[3] + " (see lober --help)");
+  request.curves = {files[0], files[1]};
+  request.result = files[2];
+  return request;
+}
+
+// What both methods give.
+struct Result {
+  Areas areas;
+  Areas error;
+  Crossings nodes;
+};
+
+std::string result_line(const Result& result) {
+  const auto percent = [](double error, double area) { return area == 0 ? 0 : 100 * error / area; };
+  std::string line;
+  append_all(line, result.areas.c1_minus_c2, "\t", percent(result.error.c1_minus_c2, result.areas.c1_minus_c2), "\t",
+             result.areas.c2_minus_c1, "\t", percent(result.error.c2_minus_c1, result.areas.c2_minus_c1), "\n");
+  return line;
+}
+
+Result by_overlay(const IndexedCurve& c1, const IndexedCurve& c2, const std::function<bool(double)>& progress) {
+  OverlayOptions options;
+  options.pieces = false;
+  options.progress = progress;
+  Overlay found = overlay(c1, c2, options);
+  return {found.areas, found.rounding, std::move(found.nodes)};
+}
+
+// Segments are split where the curves meet unless -DENS asks for what the paper does instead.
+Result by_interior(const IndexedCurve& c1, const IndexedCurve& c2, const std::optional<Densification>& densification,
+                   const std::function<bool(double)>& progress) {
+  InteriorOptions options;
+  options.progress = progress;
+  if (densification) {
+    options.method = InteriorMethod::ends;
+    options.passes = densification->passes;
+    options.points = densification->points;
+  }
+  MeasuredAreas measured = measure_areas(c1, c2, options);
+  Result result{measured.result.areas, measured.result.rounding, std::move(measured.result.nodes)};
+  if (measured.splitting) {
+    for (const NamedArea& area : named_areas) result.error.*area.member += (*measured.splitting).*area.member;
+  }
+  return result;
+}
+
+void write_points(const std::string& path, const std::vector<LabelledPoint>& points, Side side) {
+  Zone zone;
+  for (const LabelledPoint& point : points) {
+    if (point.side == side) zone.points.push_back(point.point);
+  }
+  write_tecplot(path, {&zone, 1});
+}
+
+// The published names: which curve, then where its points lie.
+struct PointFile {
+  const char* path;
+  int curve;
+  Side side;
+};
+constexpr std::array<PointFile, 6> point_files{{
+    {"c12.dat", 1, Side::outside},
+    {"c21.dat", 2, Side::outside},
+    {"c11.dat", 1, Side::inside},
+    {"c22.dat", 2, Side::inside},
+    {"c10.dat", 1, Side::on},
+    {"c20.dat", 2, Side::on},
+}};
+
+// The result is named by its place only, so a slip names another file: `lober A.npy B.npy C.npy`. No more is replaced
+// than what this form wrote before: one line of four numbers.
+void require_earlier_result(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored) || std::filesystem::file_size(path, ignored) == 0) return;
+  constexpr std::streamsize longest = 1024;
+  std::string content(static_cast<std::size_t>(longest), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(content.data(), longest);
+  content.resize(static_cast<std::size_t>(file.gcount()));
+  std::istringstream line(content);
+  std::size_t numbers = 0;
+  bool other =
+      content.size() == static_cast<std::size_t>(longest) || std::count(content.begin(), content.end(), '\n') > 1;
+  for (std::string word; line >> word; ++numbers) {
+    double value = 0;
+    other = other || parse_number(word, value) == NumberKind::not_a_number;
+  }
+  if (!other && numbers == 4) return;
+  throw UsageError("<rslt> would overwrite " + path +
+                   ", which is no earlier result (a line of four numbers); remove it first, or name another file");
+}
+
+}  // namespace
+
+void run_published_form(const std::vector<std::string>& arguments) {
+  const Request request = parse(arguments);
+  std::vector<Output> outputs{{"<rslt>", request.result}};
+  for (const PointFile& file : point_files) outputs.push_back({"this command", file.path});
+  check_outputs(outputs, request.curves);
+  require_earlier_result(request.result);
+
+  Progress progress;
+  progress.phase("reading", 0, 0.3);
+  const std::array<NamedCurve, 2> inputs{read_curve(request.curves[0], true, {.hash = false}),
+                                         read_curve(request.curves[1], true, {.hash = false})};
+  progress.of(static_cast<double>(inputs[0].curve.points.size() + inputs[1].curve.points.size()), "points");
+  progress.phase(request.light ? "interior" : "overlay", 0.3, 0.8);
+  const auto advance = [&](double fraction) { return progress.advance(fraction); };
+  Result result;
+  try {
+    const IndexedCurve c1(inputs[0].curve), c2(inputs[1].curve);
+    result = request.light ? by_interior(c1, c2, request.densification, advance) : by_overlay(c1, c2, advance);
+  } catch (const NotSimpleError& error) {
+    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
+  }
+  progress.phase("writing", 0.8, 1);
+  const Densification densification = request.densification.value_or(Densification{});
+  const std::array<std::vector<LabelledPoint>, 2> points{densified_curve(result.nodes, 1, densification),
+                                                         densified_curve(result.nodes, 2, densification)};
+  for (const PointFile& file : point_files) {
+    write_points(file.path, points[static_cast<std::size_t>(file.curve - 1)], file.side);
+  }
+  write_file(request.result, result_line(result));
+}
+
+}  // namespace lober::cli

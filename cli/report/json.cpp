@@ -1,0 +1,51 @@
+#include "cli/report/json.hpp"
+
+namespace lober::cli {
+
+std::string dumped(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json areas_json(const Areas& areas) {
+  Json object;
+  for (const NamedArea& area : named_areas) object[area.key] = areas.*area.member;
+  return object;
+}
+
+Json input_json(const NamedCurve& input, double area, Orientation orientation) {
+  Json object{{"file", input.file},
+              {"zone", input.zone},
+              {"sha256", input.sha256},
+              {"points", input.curve.points.size()},
+              {"area", orientation == Orientation::clockwise ? -area : area},
+              {"orientation", name(orientation)}};
+  if (!input.remark.empty()) object["remark"] = input.remark;
+  return object;
+}
+
+Json counts_json(const ContactCounts& counts) {
+  return {{"boxes_tested", counts.search.boxes_tested},
+          {"pairs_tested", counts.search.pairs_proposed},
+          {"filter_failures", counts.predicates.filter_failures},
+          {"exact_calls", counts.predicates.exact_calls},
+          {"exact_parameters", counts.exact_parameters},
+          {"exact_orders", counts.exact_orders},
+          {"skipped", {{"blocks", counts.search.blocks_skipped}, {"shared_vertices", counts.shared_vertices}}}};
+}
+
+Json simple_check_json(const SearchCounts& search, std::uint64_t pairs) {
+  return {{"boxes_tested", search.boxes_tested}, {"pairs_tested", pairs}, {"skipped_blocks", search.blocks_skipped}};
+}
+
+Json program_json() {
+  return {{"name", "lober"}, {"version", LOBER_VERSION}};
+}
+
+Json meetings_json(const Crossings& nodes) {
+  return {{"count", nodes.crossings()},
+          {"contacts", nodes.touches()},
+          {"shared_arcs", nodes.shared_arcs()},
+          {"same_curve", nodes.same_curve()}};
+}
+
+}  // namespace lober::cli

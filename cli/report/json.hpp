@@ -1,0 +1,25 @@
+// Parts of the JSON objects that several commands write. Their members are a contract; more may be added, none renamed.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/report/report.hpp"
+
+namespace lober::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// In one line; a file name need not be UTF-8.
+[[nodiscard]] std::string dumped(const Json& value);
+
+[[nodiscard]] Json areas_json(const Areas& areas);
+[[nodiscard]] Json input_json(const NamedCurve& input, double area, Orientation orientation);
+/// Members of `statistics`: what the search and its predicates did.
+[[nodiscard]] Json counts_json(const ContactCounts& counts);
+[[nodiscard]] Json simple_check_json(const SearchCounts& search, std::uint64_t pairs);
+[[nodiscard]] Json program_json();
+/// The head of the member `crossings`.
+[[nodiscard]] Json meetings_json(const Crossings& nodes);
+
+}  // namespace lober::cli

@@ -1,0 +1,28 @@
+#include "cli/report/json_file.hpp"
+
+namespace lober::cli {
+
+JsonFile::JsonFile(const std::string& path, std::string_view command) : file_(path) {
+  file_.write("{");
+  member("program", program_json());
+  member("command", command);
+}
+
+void JsonFile::begin_member(std::string_view key) {
+  std::string text;
+  append_all(text, "\"", key, "\": ");
+  file_.write(text);
+}
+
+void JsonFile::member(std::string_view key, const Json& value) {
+  begin_member(key);
+  file_.write(dumped(value) + ",\n");
+}
+
+void JsonFile::finish(const Json& timing) {
+  begin_member("timing");
+  file_.write(dumped(timing) + "}\n");
+  file_.commit();
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,14 @@
+// Points into a file whose ending says the format.
+#pragma once
+
+#include <string>
+
+#include "engine/base/memory.hpp"
+#include "engine/geometry/curve/curve.hpp"
+
+namespace lober::cli {
+
+/// Writes the points in the format that the ending of the path names (output_names.hpp). Throws UsageError, DataError.
+void write_points(const std::string& path, const Buffer<Point>& points);
+
+}  // namespace lober::cli

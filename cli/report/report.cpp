@@ -1,0 +1,70 @@
+#include "cli/report/report.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lober::cli {
+
+std::string spec_of(const NamedCurve& input) {
+  return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
+}
+
+Areas distance(const Areas& a, const Areas& b) {
+  Areas result;
+  for (const NamedArea& area : named_areas) result.*area.member = std::fabs(a.*area.member - b.*area.member);
+  return result;
+}
+
+const char* name(Orientation orientation) {
+  switch (orientation) {
+    case Orientation::clockwise:
+      return "clockwise";
+    case Orientation::degenerate:
+      return "degenerate";
+    case Orientation::counter_clockwise:
+      break;
+  }
+  return "counter_clockwise";
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string meetings_text(const Crossings& nodes) {
+  if (nodes.same_curve()) return "the two curves are one and the same";
+  return fmt::format("{}, {}, {}", counted(nodes.crossings(), "crossing", "crossings"),
+                     counted(nodes.touches(), "touch", "touches"),
+                     counted(nodes.shared_arcs(), "shared arc", "shared arcs"));
+}
+
+std::string inputs_text(const std::array<NamedCurve, 2>& inputs, const std::array<Orientation, 2>& orientations) {
+  const std::array<std::string, 2> specs{spec_of(inputs[0]), spec_of(inputs[1])};
+  const std::size_t width = std::max(specs[0].size(), specs[1].size());
+  std::string text;
+  for (std::size_t k = 0; k < 2; ++k) {
+    text +=
+        fmt::format("C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, inputs[k].curve.points.size(),
+                    orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!inputs[k].remark.empty()) text += fmt::format("C{} {}\n", k + 1, inputs[k].remark);
+  }
+  return text;
+}
+
+std::vector<std::uint32_t> largest(std::span<const double> areas) {
+  std::vector<std::uint32_t> order(areas.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const std::size_t count = std::min(shown, order.size());
+  std::partial_sort(
+      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+      [&](std::uint32_t x, std::uint32_t y) { return areas[x] != areas[y] ? areas[x] > areas[y] : x < y; });
+  order.resize(count);
+  return order;
+}
+
+}  // namespace lober::cli

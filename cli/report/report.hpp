@@ -1,0 +1,57 @@
+// What the reports of all commands on two closed curves have in common.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/files/files.hpp"
+#include "engine/geometry/areas.hpp"
+#include "engine/geometry/crossings/crossings.hpp"
+#include "engine/geometry/curve/curve.hpp"
+
+namespace lober::cli {
+
+/// The areas under the names that the program uses, in its order.
+struct NamedArea {
+  const char* key;    ///< in the JSON
+  const char* label;  ///< in the table
+  double Areas::*member;
+};
+inline constexpr std::array<NamedArea, 7> named_areas{{
+    {"c1", "C1", &Areas::c1},
+    {"c2", "C2", &Areas::c2},
+    {"intersection", "C1 and C2", &Areas::intersection},
+    {"union", "C1 or C2", &Areas::unite},
+    {"c1_minus_c2", "C1 \\ C2", &Areas::c1_minus_c2},
+    {"c2_minus_c1", "C2 \\ C1", &Areas::c2_minus_c1},
+    {"symmetric_difference", "either, not both", &Areas::symmetric_difference},
+}};
+
+/// |a - b|, area by area.
+[[nodiscard]] Areas distance(const Areas& a, const Areas& b);
+
+/// "counter_clockwise", "clockwise" or "degenerate".
+[[nodiscard]] const char* name(Orientation orientation);
+
+/// "12 crossings, 1 touch, 0 shared arcs", or that the curves are one and the same.
+[[nodiscard]] std::string meetings_text(const Crossings& nodes);
+
+[[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
+
+/// How the user would name it: FILE, or FILE#ZONE where there are several.
+[[nodiscard]] std::string spec_of(const NamedCurve& input);
+
+/// Two aligned lines that say what was read, and one for each remark.
+[[nodiscard]] std::string inputs_text(const std::array<NamedCurve, 2>& inputs,
+                                      const std::array<Orientation, 2>& orientations);
+
+/// As many pieces of one kind are shown in a table.
+inline constexpr std::size_t shown = 10;
+/// The numbers of the largest pieces, largest first, at most `shown`.
+[[nodiscard]] std::vector<std::uint32_t> largest(std::span<const double> areas);
+
+}  // namespace lober::cli

@@ -1,0 +1,204 @@
+#include "cli/report/svg.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "cli/report/coverage.hpp"
+#include "cli/report/text.hpp"
+#include "cli/report/thinned.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr double widest = 0.5, tallest = 1.25;  // height to width of the plot
+constexpr double legend_line = 24;
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+// The frame of the plot with its margins.
+struct Frame {
+  double left, right, top, bottom;
+};
+
+// Cuts the segment down to the frame (Liang & Barsky, ACM Trans. Graph. 3, 1984); false if nothing is left.
+bool clip(Pixel& a, Pixel& b, const Frame& frame) {
+  const Pixel from = a, step{b.x - a.x, b.y - a.y};
+  double first = 0, last = 1;
+  const auto keep = [&](double speed, double room) {  // speed t <= room
+    if (speed == 0) return room >= 0;
+    (speed < 0 ? first : last) = speed < 0 ? std::max(first, room / speed) : std::min(last, room / speed);
+    return first <= last;
+  };
+  if (!keep(-step.x, from.x - frame.left) || !keep(step.x, frame.right - from.x)) return false;
+  if (!keep(-step.y, from.y - frame.top) || !keep(step.y, frame.bottom - from.y)) return false;
+  if (first > 0) a = {from.x + first * step.x, from.y + first * step.y};
+  if (last < 1) b = {from.x + last * step.x, from.y + last * step.y};
+  return true;
+}
+
+}  // namespace
+
+int subpixel(double pixels) {
+  return static_cast<int>(std::lround(pixels * subpixels));
+}
+
+Box include(const Box& box, std::span<const Point> points) {
+  return unite(box, box_of(points));
+}
+
+View::View(const Box& window) : low_{window.min_x(), window.min_y()} {
+  // Halves, because a difference of two finite numbers need not be finite.
+  half_ = {0.5 * window.max_x() - 0.5 * low_.x, 0.5 * window.max_y() - 0.5 * low_.y};
+  const double aspect = half_.x > 0 ? half_.y / half_.x : 1;
+  height_ = picture_width * std::clamp(aspect, widest, tallest);
+  const bool keep_scale = aspect >= widest;
+  plot_width_ = keep_scale && aspect > tallest && aspect < 4 ? height_ / aspect : picture_width;
+}
+
+double View::left() const {
+  return picture_margin + 0.5 * (picture_width - plot_width_);
+}
+
+Pixel View::operator()(Point p) const {
+  const auto fraction = [](double value, double low, double half) {
+    constexpr double far = 1e6;  // windows away; what is drawn lies inside
+    return half > 0 ? std::clamp((0.5 * value - 0.5 * low) / half, -far, far) : 0.5;
+  };
+  return {left() + plot_width_ * fraction(p.x, low_.x, half_.x),
+          picture_margin + height_ * (1 - fraction(p.y, low_.y, half_.y))};
+}
+
+void PathWriter::add_polygon(std::span<const Point> polygon) {
+  if (full_) return;
+  std::vector<Pixel> line;
+  line.reserve(polygon.size());
+  for (const Point& point : polygon) line.push_back(view_(point));
+  const std::vector<Pixel> drawn = thinned(line, tolerance_);
+  if (drawn.size() >= 3) draw(drawn, true);
+}
+
+void PathWriter::add_line(std::span<const Point> line) {
+  const Frame frame{0, picture_width + 2 * picture_margin, 0, view_.height() + 2 * picture_margin};
+  Coverage coverage(frame.right, frame.bottom, std::max(0.5, tolerance_));
+  std::vector<Pixel> part;
+  const auto finish = [&] {
+    const std::vector<Pixel> kept = thinned(part, tolerance_);
+    part.clear();
+    std::size_t first = 0;
+    for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
+      if (coverage.mark(kept[k], kept[k + 1])) continue;
+      draw(std::span(kept).subspan(first, k + 1 - first), false);
+      first = k + 1;
+    }
+    draw(std::span(kept).subspan(first), false);
+  };
+  for (std::size_t k = 0; k + 1 < line.size() && !full_; ++k) {
+    Pixel a = view_(line[k]), b = view_(line[k + 1]);
+    const Pixel end = b;
+    if (!clip(a, b, frame)) {
+      finish();
+      continue;
+    }
+    if (part.empty()) part.push_back(a);
+    part.push_back(b);
+    if (b.x != end.x || b.y != end.y) finish();
+  }
+  finish();
+}
+
+void PathWriter::draw(std::span<const Pixel> line, bool closed) {
+  if (full_ || line.size() < 2) return;
+  full_ = line.size() > room_;
+  if (full_) return;
+  room_ -= line.size();
+  int x = subpixel(line[0].x), y = subpixel(line[0].y);
+  append_all(path_, "M", x, " ", y, "l");
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const int next_x = subpixel(line[k].x), next_y = subpixel(line[k].y);
+    const int step_x = next_x - x, step_y = next_y - y;
+    append_all(path_, k > 1 && step_x >= 0 ? " " : "", step_x, step_y >= 0 ? " " : "", step_y);
+    x = next_x;
+    y = next_y;
+  }
+  if (closed) path_ += "z";
+}
+
+void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines) {
+  const double full_width = picture_width + 2 * picture_margin;
+  const double full_height = view.height() + 2 * picture_margin + legend_lines * legend_line + 12;
+  append_all(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", full_width, "\" height=\"", full_height,
+             "\" viewBox=\"0 0 ", full_width, " ", full_height, "\">\n", "<title>", escaped(title), "</title>\n",
+             "<rect width=\"100%\" height=\"100%\" fill=\"#fbfaf7\"/>\n", "<g transform=\"scale(", 1.0 / subpixels,
+             ")\" stroke-linejoin=\"round\">\n");
+}
+
+void add_filled(std::string& svg, std::string_view colour, std::string_view rule, const std::string& path) {
+  append_all(svg, "<path fill=\"", colour, "\" fill-opacity=\"0.4\" fill-rule=\"", rule, "\" d=\"", path, "\"/>\n");
+}
+
+void add_stroked(std::string& svg, std::string_view colour, double pixels, const std::string& path) {
+  append_all(svg, "<path fill=\"none\" stroke=\"", colour, "\" stroke-width=\"", pixels * subpixels, "\" d=\"", path,
+             "\"/>\n");
+}
+
+void add_dot(std::string& svg, Pixel at, double radius) {
+  append_all(svg, "<circle cx=\"", subpixel(at.x), "\" cy=\"", subpixel(at.y), "\" r=\"", subpixel(radius), "\"/>\n");
+}
+
+void begin_legend(std::string& svg) {
+  svg += "</g>\n";
+}
+
+std::string line_swatch(std::string_view colour, double pixels) {
+  std::string swatch;
+  append_all(swatch, "<path d=\"M0 0h26\" stroke=\"", colour, "\" stroke-width=\"", pixels, "\"/>");
+  return swatch;
+}
+
+std::string filled_swatch(std::string_view colour) {
+  std::string swatch;
+  append_all(swatch, "<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"", colour, "\" fill-opacity=\"0.4\"/>");
+  return swatch;
+}
+
+void add_legend_entry(std::string& svg, const View& view, int column, int line, std::string_view swatch,
+                      std::string_view text) {
+  const double x = picture_margin + column * picture_width / 2;
+  const double y = view.height() + 2 * picture_margin + 8 + line * legend_line;
+  append_all(svg, "<g transform=\"translate(", x, " ", y, ")\">", swatch,
+             "<text x=\"34\" y=\"5\" font-family=\"sans-serif\" font-size=\"15\" fill=\"#333333\">", escaped(text),
+             "</text></g>\n");
+}
+
+void end_picture(std::string& svg) {
+  svg += "</svg>\n";
+}
+
+std::string rounded(double value) {
+  std::array<char, 32> buffer;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 6).ptr;
+  return {buffer.data(), end};
+}
+
+}  // namespace lober::cli

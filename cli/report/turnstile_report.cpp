@@ -1,0 +1,86 @@
+#include "cli/report/turnstile_report.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <limits>
+
+#include "cli/program/system_options.hpp"
+#include "cli/report/report.hpp"
+
+namespace lober::cli {
+namespace {
+
+Json manifold_json(const LocalManifold& local, const GrownManifold& grown) {
+  return {{"at", point_json(local.saddle)}, {"eigenvalue", local.multiplier}, {"tangent", point_json(local.tangent)},
+          {"reach", local.reach},           {"defect", local.defect},         {"points", grown.points.size()}};
+}
+
+}  // namespace
+
+std::vector<TurnstileLobe> turnstile_lobes(const ManifoldTangle& manifolds) {
+  std::vector<TurnstileLobe> lobes;
+  for (std::size_t k = 0; k < manifolds.period(); ++k) {
+    TurnstileLobe lobe;
+    lobe.number = manifolds.image_of_bip(-1) + k;
+    lobe.area = manifolds.tangle.lobes[lobe.number].area;
+    lobe.error = manifolds.tangle.lobes[lobe.number].smooth_error;
+    lobe.action =
+        manifolds.areas_by_action.empty() ? std::numeric_limits<double>::quiet_NaN() : manifolds.areas_by_action[k];
+    lobe.difference = std::fabs(lobe.area - lobe.action);
+    lobes.push_back(lobe);
+  }
+  return lobes;
+}
+
+std::string saddles_text(const ManifoldTangle& manifolds) {
+  std::string text;
+  for (const bool unstable : {true, false}) {
+    const LocalManifold& local = unstable ? manifolds.local_u : manifolds.local_s;
+    text += fmt::format("{}          saddle ({:.15g}, {:.15g}), eigenvalue {:.15g}, {} points\n", unstable ? "U" : "S",
+                        local.saddle.x, local.saddle.y, local.multiplier,
+                        (unstable ? manifolds.u : manifolds.s).points.size());
+  }
+  return text;
+}
+
+std::string turnstile_text(const ManifoldTangle& manifolds) {
+  const Point first = manifolds.orbits.front().at, bip = manifolds.orbits.back().at;
+  std::string text = fmt::format("pips       {} from ({:.12g}, {:.12g}) to the bip ({:.12g}, {:.12g})\n",
+                                 counted(manifolds.period(), "lobe", "lobes"), first.x, first.y, bip.x, bip.y);
+  const bool with_action = !manifolds.areas_by_action.empty();
+  text += fmt::format("\n{:>6}  {:<7}{:>21} {:>9}", "lobe", "label", "area by geometry", "+-");
+  text += with_action ? fmt::format("{:>22} {:>11}\n", "area by action", "difference") : "\n";
+  for (const TurnstileLobe& lobe : turnstile_lobes(manifolds)) {
+    text += fmt::format("{:>6}  {:<7}{:>21.15g} {:>9.1e}", lobe.number,
+                        lober::text(manifolds.tangle.images.labels[lobe.number]), lobe.area, lobe.error);
+    text += with_action ? fmt::format("{:>22.15g} {:>11.1e}\n", lobe.action, lobe.difference) : "\n";
+  }
+  if (!with_action) text += "        (no area by action: the map does not preserve area, or its action is not known)\n";
+  return text;
+}
+
+Json saddles_json(const ManifoldTangle& manifolds) {
+  return {{"unstable", manifold_json(manifolds.local_u, manifolds.u)},
+          {"stable", manifold_json(manifolds.local_s, manifolds.s)}};
+}
+
+Json turnstile_json(const ManifoldTangle& manifolds) {
+  Json lobes = Json::array(), pips = Json::array();
+  for (const TurnstileLobe& lobe : turnstile_lobes(manifolds)) {
+    lobes.push_back({{"index", lobe.number},
+                     {"label", lober::text(manifolds.tangle.images.labels[lobe.number])},
+                     {"area", lobe.area},
+                     {"error", lobe.error},
+                     {"action", lobe.action},
+                     {"difference", lobe.difference}});
+  }
+  for (const ConnectingOrbit& orbit : manifolds.orbits) {
+    pips.push_back({{"at", point_json(orbit.at)},
+                    {"residual", orbit.residual},
+                    {"action", orbit.action ? Json(static_cast<double>(*orbit.action)) : Json()}});
+  }
+  return {{"period", manifolds.period()}, {"pips", std::move(pips)}, {"lobes", std::move(lobes)}};
+}
+
+}  // namespace lober::cli

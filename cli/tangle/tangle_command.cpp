@@ -1,0 +1,160 @@
+// `lober tangle U S`: reads the manifolds, calls the engine, and hands what it found to those who show it.
+
+#include "cli/tangle/tangle_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <charconv>
+#include <optional>
+
+#include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
+#include "cli/program/progress.hpp"
+#include "cli/report/agreement_report.hpp"
+#include "cli/tangle/system_tangle_command.hpp"
+#include "cli/tangle/tangle_outputs.hpp"
+#include "engine/base/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  std::array<std::string, 2> curves;
+  std::array<bool, 2> reverse{};
+  TangleOutputs outputs;
+  TangleOptions options;
+  int threads = 0;
+  bool verbose = false;
+};
+
+template <typename Number>
+std::optional<Number> number(std::string_view text) {
+  Number value{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// K, the number of a pip, or X,Y, a place near it.
+void set_bip(const std::string& text, TangleOptions& options) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) {
+    options.bip = number<std::uint32_t>(text);
+    if (options.bip) return;
+  } else {
+    const std::string_view view(text);
+    const auto x = number<double>(view.substr(0, comma)), y = number<double>(view.substr(comma + 1));
+    if (x && y && std::isfinite(*x) && std::isfinite(*y)) {
+      options.bip_near = Point{*x, *y};
+      return;
+    }
+  }
+  throw UsageError("--bip takes the number of a pip (from 0) or a place X,Y near it, not \"" + text + "\"");
+}
+
+// Nothing when the arguments asked for help, which is printed.
+std::optional<Request> parse(const std::vector<std::string>& arguments) {
+  Request request;
+  bool no_check = false;
+  std::string bip, reverse;
+  OptionParser parser(
+      "Tangle of an unstable manifold U and a stable manifold S, open curves ordered outward from their fixed points: "
+      "primary intersections (pips), lobes, boundary, turnstile. With --system NAME, of manifolds grown from "
+      "equations (lober tangle --system NAME --help).",
+      "lober tangle");
+  parser.add("U", request.curves[0], "the unstable manifold: FILE, or FILE#ZONE for one zone (from 0, or by title)")
+      .required();
+  parser.add("S", request.curves[1], "the stable manifold; without it, U is a file of two zones, U and S");
+  parser.add("--bip", bip, "the pip on the boundary, by number from 0 or by a place near it (default: the middle one)")
+      .value("K|X,Y");
+  parser
+      .add("--period", request.options.period,
+           "how many pips from one to its image under the map (default: inferred from the areas of the lobes)")
+      .value("P")
+      .range(1, 1'000'000);
+  parser.add_flag("--smooth", request.options.smooth,
+                  "pips and areas of smooth curves through the points, with error bars, instead of the polygons'");
+  request.outputs.add_options(parser);
+  parser.add("--reverse", reverse, "u, s or both: the file runs inward, toward the fixed point; turn it round")
+      .value("WHICH")
+      .one_of({"u", "s", "both"});
+  add_index_option(parser, request.options.index);
+  add_threads_option(parser, request.threads);
+  parser.add_flag("--no-simple-check", no_check,
+                  "do not check that the manifolds are simple, when you know what that means");
+  parser.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
+  if (!parser.parse(arguments)) return std::nullopt;
+  if (!bip.empty()) set_bip(bip, request.options);
+  request.reverse = {reverse == "u" || reverse == "both", reverse == "s" || reverse == "both"};
+  request.options.check_simple = !no_check;
+  return request;
+}
+
+void read_inputs(const Request& request, Progress& progress, TangleReport& report) {
+  progress.phase("reading", 0, 0.3);
+  std::array<std::string, 2> specs = request.curves;
+  const bool one_file = specs[1].empty();
+  if (one_file) specs = {specs[0] + "#0", specs[0] + "#1"};
+  for (std::size_t k = 0; k < 2; ++k) {
+    report.inputs[k] = read_manifold(specs[k], request.reverse[k]);
+    if (one_file && report.inputs[k].zones != 2) {
+      throw DataError(request.curves[0] + ": has " + counted(report.inputs[k].zones, "zone", "zones") +
+                      "; alone it has to have two, U and S");
+    }
+    progress.advance(0.5 * static_cast<double>(k + 1));
+  }
+  report.reversed = request.reverse;
+}
+
+TangleReport compute(const Request& request, Progress& progress) {
+  TangleReport report;
+  report.options = request.options;
+  const Stopwatch read_watch;
+  read_inputs(request, progress, report);
+  report.timing.read = read_watch.seconds();
+
+  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
+              "points");
+  progress.phase("tangle", 0.3, 0.8);
+  TangleOptions options = request.options;
+  options.progress = [&](double fraction) { return progress.advance(fraction); };
+  report.result = tangle_of(report.inputs[0], report.inputs[1], options);
+  progress.phase("measuring lobes", 0.8, 0.9);
+  measure_lobes(request.outputs, report);
+  report.agreement = agreement_of_images(report);
+  return report;
+}
+
+void run(const Request& request) {
+  const Stopwatch watch;
+  std::vector<std::string> inputs{request.curves[0]};
+  if (!request.curves[1].empty()) inputs.push_back(request.curves[1]);
+  check_outputs(request.outputs.files(), inputs);
+  TangleReport report;
+  {
+    Progress progress;
+    report = compute(request, progress);
+    progress.phase("writing", 0.9, 1);
+    write_tangle(request.outputs, report, [&] { return watch.seconds(); });
+  }
+  print_tangle(request.outputs, report);
+  const TangleTiming& timing = report.result.timing;
+  log_info(fmt::format(
+      "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, pips {:.4f}, areas {:.4f}, "
+      "measures {:.4f}, overlaps {:.4f}, write {:.4f}, total {:.4f}",
+      report.timing.read, timing.index, timing.check, timing.crossings, timing.order, timing.pips, timing.areas,
+      report.timing.measures, report.timing.overlaps, report.timing.write, watch.seconds()));
+  require_agreement(report.agreement);
+}
+
+}  // namespace
+
+void run_tangle(const std::vector<std::string>& arguments) {
+  if (names_system(arguments)) return run_system_tangle(arguments);
+  const std::optional<Request> request = parse(arguments);
+  if (!request) return;
+  if (request->verbose) show_all_messages();
+  with_thread_limit(request->threads, [&] { run(*request); });
+}
+
+}  // namespace lober::cli

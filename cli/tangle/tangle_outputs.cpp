@@ -1,0 +1,56 @@
+#include "cli/tangle/tangle_outputs.hpp"
+
+#include "engine/base/stopwatch.hpp"
+
+namespace lober::cli {
+
+void TangleOutputs::add_options(OptionParser& parser) {
+  parser.add("--lobes", lobes, "write the lobes as Tecplot zones, closed").value("FILE");
+  parser.add("--boundary", boundary, "write the boundary as an open polyline").value("FILE");
+  parser.add("--pips", pips, "write the pips").value("FILE");
+  parser.add_flag("--overlaps", overlaps, "the area that each two lobes have in common too");
+  parser.add("--graph", graph, "write every crossing with its place on both manifolds, for topological tools (JSON)")
+      .value("FILE");
+  parser.add("--json", json, "write everything as one JSON object (- for standard output)").value("FILE");
+  parser.add("--svg", svg, "draw manifolds, pips, lobes and boundary").value("FILE");
+}
+
+std::vector<Output> TangleOutputs::files() const {
+  std::vector<Output> outputs;
+  for (const auto& [option, path] : {std::pair{"--json", json},
+                                     {"--graph", graph},
+                                     {"--lobes", lobes},
+                                     {"--boundary", boundary},
+                                     {"--pips", pips},
+                                     {"--svg", svg}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  return outputs;
+}
+
+void measure_lobes(const TangleOutputs& outputs, TangleReport& report) {
+  const Stopwatch measure_watch;
+  report.shapes = lobe_shapes(report.result);
+  report.timing.measures = measure_watch.seconds();
+  if (!outputs.overlaps) return;
+  const Stopwatch overlap_watch;
+  report.overlaps = overlaps(report.result);
+  report.timing.overlaps = overlap_watch.seconds();
+}
+
+void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std::function<double()>& seconds_so_far) {
+  const Stopwatch watch;
+  if (!outputs.lobes.empty()) write_tangle_lobes(outputs.lobes, report);
+  if (!outputs.boundary.empty()) write_tangle_boundary(outputs.boundary, report);
+  if (!outputs.pips.empty()) write_tangle_pips(outputs.pips, report);
+  if (!outputs.graph.empty()) write_tangle_graph(outputs.graph, report);
+  if (!outputs.svg.empty()) write_tangle_picture(outputs.svg, report);
+  report.timing.write = watch.seconds();
+  if (!outputs.json.empty()) write_tangle_json(outputs.json, report, seconds_so_far);
+}
+
+void print_tangle(const TangleOutputs& outputs, const TangleReport& report) {
+  if (!takes_standard_output(outputs.files())) print(tangle_table(report));
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,129 @@
+// The table of `lober tangle` for people.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "cli/report/agreement_report.hpp"
+#include "cli/report/turnstile_report.hpp"
+#include "cli/tangle/tangle_report.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr std::size_t shown_lobes = 24;  // those around the bip
+
+std::string manifolds_text(const TangleReport& report) {
+  const std::array<std::string, 2> specs{spec_of(report.inputs[0]), spec_of(report.inputs[1])};
+  const std::size_t width = std::max(specs[0].size(), specs[1].size());
+  std::string text;
+  for (std::size_t k = 0; k < 2; ++k) {
+    text += fmt::format("{}  {:<{}}  {:>9} points{}\n", k == 0 ? "U" : "S", specs[k], width,
+                        report.inputs[k].curve.points.size(), report.reversed[k] ? "  reversed" : "");
+  }
+  return text;
+}
+
+void add_boundary(std::string& text, const TangleReport& report) {
+  const Tangle& result = report.result;
+  if (!result.boundary) return;
+  const Boundary& boundary = *result.boundary;
+  const Point bip = result.pips[boundary.bip].at;
+  text += fmt::format("boundary   area {:.16g} +- {:.1e} rounding{}, bip {} at ({:.8g}, {:.8g})\n", boundary.area,
+                      result.rounding(boundary.area),
+                      report.options.smooth
+                          ? fmt::format(", {:.1e} {}", boundary.smooth_error,
+                                        report.origin ? "growth and integration" : "against the smooth curves")
+                          : std::string(),
+                      boundary.bip, bip.x, bip.y);
+  if (boundary.crosses_itself) {
+    text += "           the chord that closes it meets the manifolds: inside is where it winds\n";
+  }
+}
+
+void add_turnstile(std::string& text, const Images& images) {
+  if (images.period == 0) {
+    text += fmt::format("turnstile  not known, {}\n", images.reason);
+    return;
+  }
+  if (images.turnstile_begin < images.turnstile_end) {
+    text += fmt::format("turnstile  lobes {} to {}: L12 {:.16g}, L21 {:.16g}\n", images.turnstile_begin,
+                        images.turnstile_end - 1, images.area12, images.area21);
+  } else {
+    text += fmt::format("turnstile  its first pips, {} before the bip, are not there\n", images.period);
+  }
+  text += fmt::format("images     {} pips further ({}); ", images.period, images.given ? "given" : "inferred");
+  if (images.compared > 0) {
+    text += fmt::format("area changes by {:.2g} at most ({}), ", images.area_change,
+                        counted(images.compared, "pair", "pairs"));
+  }
+  text += fmt::format("turnstile sum {:.2g}, of the mean lobe\n", images.turnstile_sum);
+}
+
+// Where a branch returns to itself only after two iterates, images are those of the second iterate.
+std::string reflection_text(const ManifoldTangle& manifolds) {
+  if (!(manifolds.local_u.multiplier < 0)) return {};
+  return fmt::format("reflection both multipliers are negative: images, the turnstile and n are those of f^{}\n",
+                     std::abs(manifolds.local_u.image().steps));
+}
+
+void add_lobes(std::string& text, const TangleReport& report) {
+  const Tangle& result = report.result;
+  const std::size_t count = result.lobes.size();
+  if (count == 0) return;
+  text += fmt::format("\n{:>6}  {:<8} {:>23} {:>12} {:>12} {:>11} {:>11}\n", "lobe", "label", "signed area", "inside",
+                      "outside", "perimeter", "width");
+  const std::size_t bip = result.boundary->bip, most = std::min(shown_lobes, count);
+  const std::size_t first = std::min(bip > most / 2 ? bip - most / 2 : 0, count - most);
+  if (first > 0) text += fmt::format("{:>6}  {} before\n", "...", first);
+  for (std::size_t k = first; k < first + most; ++k) {
+    const Lobe& lobe = result.lobes[k];
+    const LobeShape& shape = report.shapes[k];
+    const std::string label = lober::text(result.images.labels[k]);
+    text += fmt::format("{:>6}  {:<8} {:>23.16g} {:>12.6g} {:>12.6g} {:>11.5g} {:>11.5g}{}\n", k,
+                        label.empty() ? "-" : label, lobe.area, lobe.inside, lobe.outside, shape.perimeter, shape.width,
+                        lobe.simple ? "" : "  not simple");
+  }
+  if (first + most < count) text += fmt::format("{:>6}  {} more\n", "...", count - first - most);
+  const TangleErrors errors = errors_of(report);
+  text +=
+      fmt::format("        +- {:.1e} rounding, {:.1e} {} at most\n", errors.lobe_rounding, errors.lobe_discretisation,
+                  report.options.smooth ? "against the smooth curves" : "discretisation");
+}
+
+void add_overlaps(std::string& text, const TangleReport& report) {
+  if (!report.overlaps) return;
+  const std::vector<LobeOverlap>& all = *report.overlaps;
+  text += fmt::format("\n{} of lobes overlap\n", counted(all.size(), "pair", "pairs"));
+  if (all.empty()) return;
+  text += fmt::format("{:>6} {:>6} {:>23}\n", "lobe", "lobe", "area");
+  std::vector<double> areas;
+  for (const LobeOverlap& both : all) areas.push_back(both.area);
+  const std::vector<std::uint32_t> order = largest(areas);
+  for (const std::uint32_t number : order) {
+    text += fmt::format("{:>6} {:>6} {:>23.16g}\n", all[number].i, all[number].j, all[number].area);
+  }
+  if (all.size() > order.size()) text += fmt::format("{:>6} and {} more\n", "...", all.size() - order.size());
+}
+
+}  // namespace
+
+std::string tangle_table(const TangleReport& report) {
+  const Tangle& result = report.result;
+  std::string text = agreement_text(report.agreement);
+  text += report.origin ? system_text(report.origin->system) + "\n" + saddles_text(*report.origin->manifolds)
+                        : manifolds_text(report);
+  text += fmt::format("\n{}; {}, {}\n", meetings_text(result.nodes), counted(result.pips.size(), "pip", "pips"),
+                      counted(result.lobes.size(), "lobe", "lobes"));
+  add_boundary(text, report);
+  if (report.origin) text += reflection_text(*report.origin->manifolds);
+  if (!result.lobes.empty()) add_turnstile(text, result.images);
+  if (report.origin) text += turnstile_text(*report.origin->manifolds);
+  add_lobes(text, report);
+  add_overlaps(text, report);
+  return text;
+}
+
+}  // namespace lober::cli

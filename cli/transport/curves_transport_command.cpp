@@ -1,0 +1,104 @@
+// `lober transport --manifolds U S`: the fluxes of two manifolds that were computed elsewhere, as far as they reach.
+
+#include "cli/transport/curves_transport_command.hpp"
+
+#include <algorithm>
+
+#include "cli/program/command_line.hpp"
+#include "cli/program/progress.hpp"
+#include "cli/report/agreement_report.hpp"
+#include "cli/tangle/tangle_report.hpp"
+#include "cli/transport/transport_report.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  std::vector<std::string> files;
+  std::vector<double> bip;
+  std::uint32_t period = 0;
+  int iterates = 1000, threads = 0;
+  bool reverse_u = false, reverse_s = false, no_check = false;
+  std::string json;
+};
+
+void run(const Request& request) {
+  const Stopwatch watch;
+  std::vector<Output> outputs;
+  if (!request.json.empty()) outputs.push_back({"--json", request.json});
+  check_outputs(outputs, request.files);
+  std::array<std::string, 2> specs{request.files[0] + "#0", request.files[0] + "#1"};
+  if (request.files.size() == 2) specs = {request.files[0], request.files[1]};
+  CurvesTransportReport report;
+  Tangle found;
+  {
+    Progress progress;
+    progress.phase("reading", 0, 0.3);
+    report.inputs = {read_manifold(specs[0], request.reverse_u), read_manifold(specs[1], request.reverse_s)};
+    if (request.files.size() == 1 && report.inputs[0].zones != 2) {
+      throw DataError(request.files[0] + ": has " + counted(report.inputs[0].zones, "zone", "zones") +
+                      "; alone it has to have two, U and S");
+    }
+    progress.phase("tangle", 0.3, 0.8);
+    TangleOptions options;
+    options.smooth = true;
+    options.period = request.period;
+    options.check_simple = !request.no_check;
+    if (!request.bip.empty()) options.bip_near = Point{request.bip[0], request.bip[1]};
+    options.progress = [&](double fraction) { return progress.advance(fraction); };
+    found = tangle_of(report.inputs[0], report.inputs[1], options);
+    report.tangle = &found;
+    progress.phase("transport", 0.8, 1);
+    report.result = transport(found, request.iterates);
+    if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (!takes_standard_output(outputs)) print(transport_table(report));
+  require_agreement(report.result.agreement);
+}
+
+}  // namespace
+
+bool names_manifolds(const std::vector<std::string>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+    return argument == "--manifolds" || argument.starts_with("--manifolds=");
+  });
+}
+
+void run_curves_transport(const std::vector<std::string>& arguments) {
+  Request request;
+  OptionParser parser(
+      "Transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n) by lobes and "
+      "by "
+      "boundaries, for as many n as there are images of the bip on the curves. No map is needed.",
+      "lober transport");
+  parser
+      .add("--manifolds", request.files,
+           "U and S, ordered outward from their fixed points: two files, or one with two zones")
+      .required()
+      .count(1, 2)
+      .value("FILE");
+  parser
+      .add("--period", request.period,
+           "how many pips from one to its image under the map (default: inferred from the areas of the lobes)")
+      .range(1, 1'000'000)
+      .value("P");
+  parser.add("--bip", request.bip, "a place near the pip on the boundary (default: the middle pip)")
+      .comma_separated()
+      .count(2)
+      .value("X,Y");
+  parser.add("--iterates", request.iterates, "the largest n (default: as far as the curves reach)")
+      .range(1, 1000)
+      .value("N");
+  parser.add_flag("--reverse-u", request.reverse_u, "U is given inward");
+  parser.add_flag("--reverse-s", request.reverse_s, "S is given inward");
+  parser.add_flag("--no-simple-check", request.no_check,
+                  "take manifolds that cross themselves, as coarse ones may do far out");
+  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
+  add_threads_option(parser, request.threads);
+  if (!parser.parse(arguments)) return;
+  with_thread_limit(request.threads, [&] { run(request); });
+}
+
+}  // namespace lober::cli

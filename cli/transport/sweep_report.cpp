@@ -1,0 +1,155 @@
+#include "cli/transport/sweep_report.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <limits>
+
+#include "cli/report/json_file.hpp"
+#include "cli/report/plot.hpp"
+#include "cli/report/svg.hpp"
+#include "engine/base/error.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr std::size_t most_values = 100'000;
+
+std::string fixed_text(const SweepReport& report) {
+  System fixed;
+  fixed.info.name = report.system.info.name;
+  for (const Parameter& parameter : report.system.info.parameters) {
+    if (parameter.name != report.range.name) fixed.info.parameters.push_back(parameter);
+  }
+  return system_text(fixed);
+}
+
+double largest_difference(const SweepRow& row) {
+  if (row.areas_by_action.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double largest = 0;
+  for (std::size_t k = 0; k < row.areas.size(); ++k) {
+    largest = std::max(largest, std::fabs(row.areas[k] - row.areas_by_action[k]));
+  }
+  return largest;
+}
+
+Json row_json(const SweepRow& row) {
+  if (!row.failure.empty()) return {{"value", row.value}, {"failure", row.failure}};
+  return {{"value", row.value},
+          {"failure", nullptr},
+          {"saddles", {point_json(row.from), point_json(row.to)}},
+          {"eigenvalue", row.multiplier},
+          {"period", row.period},
+          {"areas", row.areas},
+          {"errors", row.errors},
+          {"actions", row.areas_by_action},
+          {"flux12", row.flux12},
+          {"flux21", row.flux21},
+          {"action12", row.action12},
+          {"action21", row.action21},
+          {"difference", row.difference}};
+}
+
+Json zero_json(const SweepZero& zero) {
+  return {{"between", {zero.low, zero.high}},
+          {"value", zero.value},
+          {"width", zero.width},
+          {"difference", zero.difference},
+          {"evaluations", zero.evaluations},
+          {"failure", zero.failure.empty() ? Json() : Json(zero.failure)}};
+}
+
+}  // namespace
+
+SweepRange sweep_range(const std::string& text) {
+  const auto bad = [&](const char* why) -> UsageError {
+    return UsageError("--sweep: NAME=FIRST:LAST:STEP is needed, not '" + text + "'" + why);
+  };
+  const std::size_t equals = text.find('='), first = text.find(':'), second = text.find(':', first + 1);
+  if (equals == std::string::npos || first == std::string::npos || second == std::string::npos || first < equals) {
+    throw bad("");
+  }
+  std::array<double, 3> numbers{};
+  const std::array<std::string, 3> texts{text.substr(equals + 1, first - equals - 1),
+                                         text.substr(first + 1, second - first - 1), text.substr(second + 1)};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::optional<double> number = number_of(texts[k]);
+    if (!number || !std::isfinite(*number)) throw bad("");
+    numbers[k] = *number;
+  }
+  const auto [from, to, step] = numbers;
+  if (step == 0 || (to - from) / step < 0) throw bad(": the step does not lead from the first value to the last");
+  const double steps = (to - from) / step;
+  if (!(steps < most_values)) throw bad(": more than 100000 values");
+  SweepRange range{text.substr(0, equals), {}};
+  const auto count = static_cast<std::size_t>(std::floor(steps * (1 + 1e-12) + 1e-9)) + 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    // Fifteen digits, as a person would write the values.
+    const double value = from + static_cast<double>(k) * step;
+    range.values.push_back(std::stod(fmt::format("{:.14g}", value)));
+  }
+  return range;
+}
+
+std::string sweep_table(const SweepReport& report) {
+  std::string text = fixed_text(report) + "\n\n";
+  text += fmt::format("{:>10} {:>16} {:>15} {:>7} {:>18} {:>18} {:>18} {:>10}\n", report.range.name, "eigenvalue",
+                      "saddle x", "lobes", "flux by geometry", "flux by action", "W(q) - W(q')", "worst lobe");
+  for (const SweepRow& row : report.result.rows) {
+    if (!row.failure.empty()) {
+      text += fmt::format("{:>10.6g} failed: {}\n", row.value, row.failure);
+      continue;
+    }
+    text += fmt::format("{:>10.6g} {:>16.10g} {:>15.10g} {:>7} {:>18.13g} {:>18.13g} {:>18.13g} {:>10.1e}\n", row.value,
+                        row.multiplier, row.from.x, row.period, row.flux21, row.action21, row.difference,
+                        largest_difference(row));
+  }
+  for (const SweepZero& zero : report.result.zeros) {
+    text +=
+        fmt::format("\nW(q) - W(q') changes sign at {} = {:.12g} +- {:.1e}", report.range.name, zero.value, zero.width);
+    if (zero.evaluations > 0) {
+      text += fmt::format(", where it is {:.1e} ({} more values)", zero.difference, zero.evaluations);
+    }
+    if (!zero.failure.empty()) text += ": " + zero.failure;
+    text += "\n";
+  }
+  return text;
+}
+
+void write_sweep_json(const std::string& path, const SweepReport& report,
+                      const std::function<double()>& seconds_so_far) {
+  JsonFile json(path, "transport --sweep");
+  Json system = system_json(report.system, report.integration);
+  system["parameters"].erase(report.range.name);
+  Json zeros = Json::array();
+  for (const SweepZero& zero : report.result.zeros) zeros.push_back(zero_json(zero));
+  json.member("system", system);
+  json.member("options", {{"tolerance", report.tolerance}});
+  json.member("parameter", report.range.name);
+  json.list("rows", report.result.rows.size(),
+            [&](std::string& text, std::size_t k) { text += dumped(row_json(report.result.rows[k])); });
+  json.member("zeros", zeros);
+  json.member("failures", report.result.failures());
+  json.finish({{"total", seconds_so_far()}});
+}
+
+void write_sweep_curve(const std::string& path, const SweepReport& report) {
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  PlotSeries difference{"W(q) - W(q'), by action", "#1f5fa8", {}, true, false};
+  PlotSeries flux{"flux, sum of the lobes of one sign, by action", "#3f8f6b", {}, true, false};
+  PlotSeries geometry{"flux by geometry", "#c8701e", {}, false, true};
+  for (const SweepRow& row : report.result.rows) {
+    const bool there = row.failure.empty();
+    difference.points.push_back({row.value, there ? row.difference : gap});
+    flux.points.push_back({row.value, there ? row.action21 : gap});
+    geometry.points.push_back({row.value, there ? row.flux21 : gap});
+  }
+  Plot plot{"Areas of the turnstile of " + fixed_text(report),
+            report.range.name + "; " + fixed_text(report),
+            {std::move(geometry), std::move(flux), std::move(difference)},
+            {}};
+  for (const SweepZero& zero : report.result.zeros) plot.marks.push_back(zero.value);
+  write_plot(path, plot);
+}
+
+}  // namespace lober::cli

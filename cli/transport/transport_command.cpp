@@ -1,0 +1,210 @@
+// `lober transport SYSTEM`: makes the system, calls the engine, and hands what it found to those who show it.
+
+#include "cli/transport/transport_command.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
+#include "cli/program/progress.hpp"
+#include "cli/report/agreement_report.hpp"
+#include "cli/report/svg.hpp"
+#include "cli/transport/curves_transport_command.hpp"
+#include "cli/transport/sweep_report.hpp"
+#include "cli/transport/transport_report.hpp"
+#include "engine/base/stopwatch.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Request {
+  SystemRequest system;
+  TransportOptions options;
+  std::string sweep, json, svg, picture;
+  bool find_zero = false, all_regions = false;
+  int threads = 0;
+};
+
+std::vector<Output> outputs_of(const Request& request) {
+  std::vector<Output> outputs;
+  for (const auto& [option, path] :
+       {std::pair{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  check_outputs(outputs, files_of_system(request.system.name));
+  return outputs;
+}
+
+// The other boundaries of the system, when they are asked for or the first region is not bounded without them. Other
+// saddles than the system's have none.
+std::vector<Connection> further_of(const Request& request, const System& system) {
+  const SystemRequest& given = request.system;
+  const bool own = given.from.empty() && given.to.empty() && given.u_direction.empty() && given.s_direction.empty();
+  if (!own || !(request.all_regions || system.further_needed)) return {};
+  return system.further;
+}
+
+// Rows as they come: on a terminal each is shown at once, above the line of progress, and an interrupt keeps them. The
+// table comes in the end, since a disagreement has to be its first line.
+class Rows {
+ public:
+  Rows(const Request& request, Progress& progress) : request_(request), progress_(progress) {}
+
+  void add(const TransportStep& step, const Agreement& agreement) {
+    steps_.push_back(step);
+    agreement_ = agreement;
+    if (isatty(STDERR_FILENO) == 0) return;
+    progress_.above([&] { std::fputs(transport_row_text(step).c_str(), stderr); });
+  }
+  void print_interrupted(bool to_standard_output) const {
+    if (steps_.empty() || !to_standard_output) return;
+    print(interrupted_transport_table(steps_, agreement_, request_.options.iterates));
+  }
+
+ private:
+  const Request& request_;
+  Progress& progress_;
+  std::vector<TransportStep> steps_;
+  Agreement agreement_;
+};
+
+void run_one(const Request& request) {
+  const Stopwatch watch;
+  const std::vector<Output> outputs = outputs_of(request);
+  TransportReport report;
+  report.system = system_of(request.system, parameter_values(request.system.parameters));
+  report.integration = request.system.integration;
+  report.connection = connection_of(request.system, report.system);
+  report.options = request.options;
+  {
+    Progress progress;
+    progress.phase("transport", 0, 0.9);
+    TransportOptions options = request.options;
+    options.lattice = report.system.lattice;
+    options.further = further_of(request, report.system);
+    if (!request.system.bip.empty()) options.bip_near = report.connection.bip;
+    options.progress = [&](const std::string& line) { return progress.step(line); };
+    Rows rows(request, progress);
+    options.on_step = [&](const TransportStep& step, const Agreement& agreement) { rows.add(step, agreement); };
+    const Stopwatch transport_watch;
+    try {
+      report.result = transport(*report.system.map, report.connection, options);
+    } catch (const Cancelled&) {
+      rows.print_interrupted(!takes_standard_output(outputs));
+      throw;
+    }
+    report.timing.transport = transport_watch.seconds();
+    for (const std::string& remark : report.result.remarks) log_info(remark);
+    progress.phase("writing", 0.9, 1);
+    const Stopwatch write_watch;
+    if (!request.svg.empty()) write_transport_curve(request.svg, report);
+    if (!request.picture.empty()) write_transport_picture(request.picture, report);
+    report.timing.write = write_watch.seconds();
+    if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (!takes_standard_output(outputs)) print(transport_table(report));
+  require_agreement(report.result.agreement);
+}
+
+void run_sweep(const Request& request) {
+  const Stopwatch watch;
+  const std::vector<Output> outputs = outputs_of(request);
+  SweepReport report;
+  report.range = sweep_range(request.sweep);
+  report.tolerance = request.options.tolerance;
+  report.integration = request.system.integration;
+  const ParameterValues fixed = parameter_values(request.system.parameters);
+  const auto member = [&](double value) {
+    ParameterValues values = fixed;
+    values.emplace_back(report.range.name, value);
+    return system_of(request.system, values);
+  };
+  report.system = member(report.range.values.front());  // also so that wrong names are told at once
+  (void)connection_of(request.system, report.system);
+  SweepOptions options;
+  options.tangle.tolerance = request.options.tolerance;
+  options.tangle.most_points = request.options.most_points;
+  options.find_zeros = request.find_zero;
+  {
+    Progress progress;
+    progress.phase("sweep", 0, 0.95);
+    options.progress = [&](std::size_t done) {
+      return progress.advance(static_cast<double>(done) / static_cast<double>(report.range.values.size()));
+    };
+    report.result = sweep(
+        [&](double value) -> FamilyMember {
+          const System system = member(value);
+          return {system.map, connection_of(request.system, system)};
+        },
+        report.range.values, options);
+    if (!request.svg.empty()) write_sweep_curve(request.svg, report);
+    if (!request.json.empty()) write_sweep_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (!takes_standard_output(outputs)) print(sweep_table(report));
+  if (const std::size_t failures = report.result.failures(); failures > 0) {
+    const auto first = std::find_if(report.result.rows.begin(), report.result.rows.end(),
+                                    [](const SweepRow& row) { return !row.failure.empty(); });
+    throw DataError(std::to_string(failures) + " of " + std::to_string(report.result.rows.size()) +
+                    " values failed, the first at " + report.range.name + " = " + rounded(first->value) + ": " +
+                    first->failure);
+  }
+}
+
+}  // namespace
+
+void run_transport(const std::vector<std::string>& arguments) {
+  if (names_manifolds(arguments)) return run_curves_transport(arguments);
+  Request request;
+  OptionParser parser(
+      "Transport across the boundary that a stable and an unstable manifold of a map make: grows them, finds the "
+      "turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries. With --manifolds FILE, of curves "
+      "(lober transport --manifolds --help).",
+      "lober transport");
+  add_system_options(parser, request.system, true);
+  const Option iterates =
+      parser.add("--iterates", request.options.iterates, "n = 1, ... so many (default 7)").range(1, 1000).value("N");
+  parser
+      .add("--tolerance", request.options.tolerance,
+           "how far the manifolds may lie from their polygons (default 1e-5); errors of areas are far smaller")
+      .positive()
+      .value("LENGTH");
+  parser.add("--max-points", request.options.most_points, "of each manifold")
+      .range(std::size_t{2}, std::size_t{2'147'483'646})
+      .value("N");
+  parser
+      .add("--budget", request.options.budget,
+           "seconds that growing the manifolds of a boundary may take; by default their work is limited, which "
+           "gives the same table on every machine")
+      .positive()
+      .value("SECONDS");
+  parser.add_flag(
+      "--all-regions", request.all_regions,
+      "regions of all boundaries that the system names (ovp: the lower vortex too), with the matrices T_ij(n)");
+  parser
+      .add("--particles", request.options.particles,
+           "count T(n) with so many particles in each bounded region, too (default 0)")
+      .range(std::uint64_t{0}, std::uint64_t{1'000'000'000})
+      .value("N");
+  parser.add("--seed", request.options.seed, "of the particles (default 1)").value("N");
+  const Option sweep_option =
+      parser.add("--sweep", request.sweep, "areas of the turnstile over a parameter, instead of the fluxes")
+          .value("NAME=FIRST:LAST:STEP")
+          .excludes(iterates);
+  parser
+      .add_flag("--find-zero", request.find_zero,
+                "refine where the action difference of the two pips of the turnstile changes sign")
+      .needs(sweep_option);
+  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
+  parser.add("--svg", request.svg, "draw a(n) and T(n), or areas over the parameter").value("FILE");
+  parser.add("--picture", request.picture, "draw manifolds, boundary, turnstile and its images")
+      .value("FILE")
+      .excludes(sweep_option);
+  add_threads_option(parser, request.threads);
+  if (!parser.parse(arguments)) return;
+  with_thread_limit(request.threads, [&] { request.sweep.empty() ? run_one(request) : run_sweep(request); });
+}
+
+}  // namespace lober::cli

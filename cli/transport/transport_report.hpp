@@ -1,0 +1,61 @@
+// Everything that `lober transport` found, for the table, the JSON and the pictures to show.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/program/system_options.hpp"
+#include "cli/report/report.hpp"
+#include "engine/dynamics/transport/transport.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
+
+namespace lober::cli {
+
+struct TransportReport {
+  System system;
+  IntegrationOptions integration;
+  Connection connection;
+  TransportOptions options;
+  Transport result;
+  struct {
+    double transport = 0, write = 0;  ///< seconds
+  } timing;
+
+  [[nodiscard]] const ManifoldTangle& manifolds() const { return result.manifolds(); }
+  [[nodiscard]] const Tangle& tangle() const { return result.manifolds().tangle; }
+};
+
+/// The same from two curves of files.
+struct CurvesTransportReport {
+  std::array<NamedCurve, 2> inputs;
+  const Tangle* tangle = nullptr;
+  TransportOfCurves result;
+};
+
+/// The short aligned table for people.
+[[nodiscard]] std::string transport_table(const TransportReport& report);
+[[nodiscard]] std::string transport_table(const CurvesTransportReport& report);
+
+/// One line for a row that is ready before the others.
+[[nodiscard]] std::string transport_row_text(const TransportStep& step);
+/// What there is when the command is interrupted: at least one row.
+[[nodiscard]] std::string interrupted_transport_table(std::span<const TransportStep> steps, const Agreement& agreement,
+                                                      int iterates);
+
+/// Writes the JSON object; `seconds_so_far` is asked when all but the timing is written.
+void write_transport_json(const std::string& path, const TransportReport& report,
+                          const std::function<double()>& seconds_so_far);
+
+void write_transport_json(const std::string& path, const CurvesTransportReport& report,
+                          const std::function<double()>& seconds_so_far);
+
+/// a(n) and T(n) over n as SVG.
+void write_transport_curve(const std::string& path, const TransportReport& report);
+/// Manifolds, boundary, turnstile, its images and pre-images and what they have in common, as SVG.
+void write_transport_picture(const std::string& path, const TransportReport& report);
+
+}  // namespace lober::cli

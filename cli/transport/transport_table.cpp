@@ -1,0 +1,115 @@
+// The table of `lober transport` for people.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+
+#include "cli/report/agreement_report.hpp"
+#include "cli/report/turnstile_report.hpp"
+#include "cli/transport/transport_report.hpp"
+
+namespace lober::cli {
+namespace {
+
+std::string number(double value) {
+  return std::isnan(value) ? std::string("-") : fmt::format("{:.14g}", value);
+}
+std::string bar(Measured value) {
+  return std::isnan(value.value) || std::isnan(value.error) ? std::string("-") : fmt::format("{:.0e}", value.error);
+}
+
+std::string regions_text(std::span<const Region> regions) {
+  std::string text;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    text += fmt::format("{:<11}R{}", i == 0 ? "regions" : "", i + 1);
+    text += regions[i].bounded ? fmt::format(", area {:.15g} +- {:.1e}\n", regions[i].area.value, regions[i].area.error)
+                               : std::string(", not bounded\n");
+  }
+  return text;
+}
+
+// Between the first two regions.
+std::string pair_text(std::span<const TransportStep> steps) {
+  const bool particles = steps.front().by_particles.size() > 0;
+  std::string text = fmt::format("\n{:>4} {:>18} {:>18} {:>18} {:>18} {:>8} {:>18} {:>8}", "n", "a12(n)", "a21(n)",
+                                 "T12(n)", "T21(n)", "+- T", "T12 by boundaries", "+-");
+  text += particles ? fmt::format(" {:>14} {:>8}\n", "by particles", "+-") : "\n";
+  for (const TransportStep& step : steps) {
+    const Measured out = step.total(0, 1), boundaries = step.by_boundaries(0, 1);
+    text += fmt::format("{:>4} {:>18} {:>18} {:>18} {:>18} {:>8} {:>18} {:>8}", step.n, number(step.flux(0, 1).value),
+                        number(step.flux(1, 0).value), number(out.value), number(step.total(1, 0).value), bar(out),
+                        number(boundaries.value), bar(boundaries));
+    if (particles) {
+      const Measured counted = step.by_particles(0, 1);
+      text += fmt::format(" {:>14.6g} {:>8}", counted.value, bar(counted));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+// Between all of them, when there are more.
+std::string matrix_text(std::span<const TransportStep> steps) {
+  const std::size_t regions = steps.front().total.size();
+  if (regions < 3) return {};
+  const auto pairs = [&](const auto& entry) {
+    std::string text;
+    for (std::size_t i = 0; i < regions; ++i) {
+      for (std::size_t j = 0; j < regions; ++j) {
+        if (i != j) text += entry(i, j);
+      }
+    }
+    return text + "\n";
+  };
+  std::string text = fmt::format("\n{:>4}", "n") + pairs([](std::size_t i, std::size_t j) {
+                       return fmt::format(" {:>18}", fmt::format("T{}{}(n)", i + 1, j + 1));
+                     });
+  for (const TransportStep& step : steps) {
+    text += fmt::format("{:>4}", step.n) +
+            pairs([&](std::size_t i, std::size_t j) { return fmt::format(" {:>18}", number(step.total(i, j).value)); });
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string transport_steps_table(std::span<const TransportStep> steps) {
+  return pair_text(steps) + matrix_text(steps);
+}
+
+std::string transport_row_text(const TransportStep& step) {
+  const Measured lobes = step.total(0, 1), boundaries = step.by_boundaries(0, 1);
+  return fmt::format("n = {}: T12 {} +- {} by lobes, {} +- {} by boundaries\n", step.n, number(lobes.value), bar(lobes),
+                     number(boundaries.value), bar(boundaries));
+}
+
+std::string interrupted_transport_table(std::span<const TransportStep> steps, const Agreement& agreement,
+                                        int iterates) {
+  return agreement_text(agreement) + transport_steps_table(steps) +
+         fmt::format("n = 1 to {} of {}: interrupted\n", steps.size(), iterates);
+}
+
+std::string transport_table(const TransportReport& report) {
+  const Transport& result = report.result;
+  std::string text = agreement_text(result.agreement) + system_text(report.system) + "\n";
+  for (const TransportBoundary& boundary : result.boundaries) {
+    text += saddles_text(*boundary.manifolds) + turnstile_text(*boundary.manifolds) + "\n";
+  }
+  text += regions_text(result.regions) + transport_steps_table(result.steps);
+  for (const std::string& remark : result.remarks) text += remark + "\n";
+  return text;
+}
+
+std::string transport_table(const CurvesTransportReport& report) {
+  const TransportOfCurves& result = report.result;
+  std::string text = agreement_text(result.agreement);
+  text += fmt::format("turnstile  {} a period; L12(1) {:.15g} +- {:.1e}, L21(1) {:.15g} +- {:.1e}\n",
+                      counted(report.tangle->images.period, "lobe", "lobes"), result.area12.value, result.area12.error,
+                      result.area21.value, result.area21.error);
+  text += regions_text(result.regions);
+  text += result.steps.empty() ? std::string("no row: the curves do not reach f(q)\n")
+                               : transport_steps_table(result.steps);
+  return text;
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,24 @@
+#include "engine/base/error.hpp"
+
+#include <string>
+
+#include "engine/base/text.hpp"
+
+namespace lober {
+namespace {
+
+std::string describe(int curve, std::uint32_t first, std::uint32_t second, Point place) {
+  return "curve " + std::to_string(curve) + " is not simple: segments " + std::to_string(first) + " and " +
+         std::to_string(second) + " meet at " + place_text(place);
+}
+
+}  // namespace
+
+NotSimpleError::NotSimpleError(int curve_number, std::uint32_t first, std::uint32_t second, Point place)
+    : DataError(describe(curve_number, first, second, place)),
+      curve(curve_number),
+      segment1(first),
+      segment2(second),
+      at(place) {}
+
+}  // namespace lober

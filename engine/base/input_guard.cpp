@@ -1,0 +1,68 @@
+#include "engine/base/input_guard.hpp"
+
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <utility>
+
+namespace lober {
+namespace {
+
+using Identity = std::pair<::dev_t, ::ino_t>;
+
+struct Noted {
+  std::mutex mutex;
+  int guards = 0;
+  // The identity sees hard links; the path sees a file that was replaced after it was read.
+  std::set<Identity> files;
+  std::set<std::string> paths;
+};
+
+Noted& noted() {
+  static Noted all;
+  return all;
+}
+
+/// Empty for what has no path.
+std::string canonical(const std::string& path) {
+  if (path == "-") return {};
+  std::error_code error;
+  const std::filesystem::path resolved = std::filesystem::canonical(path, error);
+  return error ? std::string{} : resolved.string();
+}
+
+}  // namespace
+
+InputGuard::InputGuard() {
+  const std::lock_guard lock(noted().mutex);
+  ++noted().guards;
+}
+
+InputGuard::~InputGuard() {
+  const std::lock_guard lock(noted().mutex);
+  if (--noted().guards > 0) return;
+  noted().files.clear();
+  noted().paths.clear();
+}
+
+void note_input(const std::string& path, const struct ::stat& status) {
+  if (!S_ISREG(status.st_mode)) return;
+  const std::lock_guard lock(noted().mutex);
+  if (noted().guards == 0) return;
+  noted().files.emplace(status.st_dev, status.st_ino);
+  if (std::string resolved = canonical(path); !resolved.empty()) noted().paths.insert(std::move(resolved));
+}
+
+void note_input(const std::string& path) {
+  struct ::stat status {};
+  if (::stat(path.c_str(), &status) == 0) note_input(path, status);
+}
+
+bool is_noted_input(const std::string& path, const struct ::stat& status) {
+  if (!S_ISREG(status.st_mode)) return false;
+  const std::lock_guard lock(noted().mutex);
+  if (noted().guards == 0) return false;
+  return noted().files.contains({status.st_dev, status.st_ino}) || noted().paths.contains(canonical(path));
+}
+
+}  // namespace lober

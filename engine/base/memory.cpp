@@ -1,0 +1,152 @@
+#include "engine/base/memory.hpp"
+
+#include <tbb/scalable_allocator.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <mutex>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+#include "engine/base/parallel/sanitizers.hpp"
+
+namespace lober {
+
+#if LOBER_THREAD_SANITIZER || LOBER_ADDRESS_SANITIZER  // which must see when memory changes hands
+
+void* allocate_bulk(std::size_t bytes) {
+  constexpr std::size_t alignment = 64;
+  void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void free_bulk(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void release_bulk_memory() noexcept {}
+
+#else
+
+namespace {
+
+constexpr std::size_t huge_page = std::size_t{2} << 20;
+constexpr std::size_t most_kept = std::size_t{512} << 20;
+
+struct Block {
+  void* at;
+  std::size_t bytes;
+};
+
+std::size_t total(const std::vector<Block>& blocks) {
+  std::size_t sum = 0;
+  for (const Block& block : blocks) sum += block.bytes;
+  return sum;
+}
+
+// Large blocks, those in use and those kept. There are a few dozen at a time.
+class LargeBlocks {
+ public:
+  void* take(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    reserve_room();
+    // The smallest that is large enough; one more than half as large again is left for a larger array.
+    auto best = kept_.end();
+    for (auto block = kept_.begin(); block != kept_.end(); ++block) {
+      const bool fits = block->bytes >= bytes && block->bytes <= bytes + bytes / 2;
+      if (fits && (best == kept_.end() || block->bytes < best->bytes)) best = block;
+    }
+    Block block{};
+    if (best != kept_.end()) {
+      block = *best;
+      kept_.erase(best);
+    } else {
+      block = fresh(bytes);
+    }
+    used_.push_back(block);
+    const std::size_t in_use = total(used_);
+    most_used_ = std::max(most_used_, in_use);
+    drop_oldest_until(std::min(most_kept, most_used_ - in_use));
+    return block.at;
+  }
+
+  void give(void* memory) noexcept {
+    const std::lock_guard lock(mutex_);
+    const auto block = std::find_if(used_.begin(), used_.end(), [&](const Block& used) { return used.at == memory; });
+#ifdef MADV_FREE
+    madvise(block->at, block->bytes, MADV_FREE);
+#endif
+    kept_.push_back(*block);  // there is room: reserve_room()
+    used_.erase(block);
+    drop_oldest_until(most_kept);
+  }
+
+  void release() noexcept {
+    const std::lock_guard lock(mutex_);
+    drop_oldest_until(0);
+    most_used_ = total(used_);
+  }
+
+ private:
+  // give() must not throw, so the lists never grow there.
+  void reserve_room() {
+    used_.reserve(used_.size() + 1);
+    kept_.reserve(kept_.size() + used_.size() + 1);
+  }
+
+  Block fresh(std::size_t bytes) {
+    const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
+    void* memory = scalable_aligned_malloc(whole, huge_page);
+    if (memory == nullptr) {  // perhaps there is enough if nothing is kept
+      drop_oldest_until(0);
+      memory = scalable_aligned_malloc(whole, huge_page);
+    }
+    if (memory == nullptr) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+    madvise(memory, whole, MADV_HUGEPAGE);  // advice only: failure costs speed, no more
+#endif
+    return {memory, whole};
+  }
+
+  void drop_oldest_until(std::size_t most) noexcept {
+    while (total(kept_) > most) {
+      scalable_aligned_free(kept_.front().at);
+      kept_.erase(kept_.begin());
+    }
+  }
+
+  std::mutex mutex_;
+  std::vector<Block> used_, kept_;  // kept: the one freed last at the end
+  std::size_t most_used_ = 0;
+};
+
+LargeBlocks& large_blocks() {
+  static auto* const blocks = new LargeBlocks;  // never destroyed: threads may outlive static objects
+  return *blocks;
+}
+
+}  // namespace
+
+void* allocate_bulk(std::size_t bytes) {
+  if (bytes >= huge_page) return large_blocks().take(bytes);
+  void* memory = scalable_aligned_malloc(bytes, 64);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+void free_bulk(void* memory, std::size_t bytes) noexcept {
+  if (bytes >= huge_page) {
+    large_blocks().give(memory);
+  } else {
+    scalable_aligned_free(memory);
+  }
+}
+
+void release_bulk_memory() noexcept {
+  large_blocks().release();
+}
+
+#endif
+
+}  // namespace lober

@@ -1,0 +1,172 @@
+#include "engine/batch/batch.hpp"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "engine/base/parallel/cancellation.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/batch/curve_set.hpp"
+#include "engine/batch/export.hpp"
+#include "engine/batch/file_unit.hpp"
+
+namespace lober {
+namespace {
+
+// The digests of the inputs of these jobs as they are now; empty for what cannot be read.
+std::vector<std::string> hash_inputs(const Plan& plan, std::span<const std::uint32_t> jobs,
+                                     const std::string& manifest_path) {
+  std::vector<std::string> digests(plan.curves.size());
+  const std::vector<PlannedUnit> units = units_of(plan, jobs);
+  for_each_block(units.size(), 1, [&](std::size_t k, std::size_t) {
+    try {
+      const std::vector<std::string> all = digests_of(plan, units[k], manifest_path);
+      for (std::size_t i = 0; i < all.size(); ++i) digests[units[k].curves[i]] = all[i];
+    } catch (const DataError&) {  // the jobs will say so
+    }
+  });
+  return digests;
+}
+
+std::string spelled(Shard shard) {
+  return std::to_string(shard.number + 1) + "/" + std::to_string(shard.of);
+}
+
+}  // namespace
+
+StoreSession::StoreSession(const std::string& store_path, const Plan& plan, const Manifest& manifest, Shard shard,
+                           int threads, std::function<void()> broken)
+    : plan_(plan), store_(Store::create(store_path)), digests_(plan.curves.size()), seen_(plan.curves.size(), 0) {
+  store_->begin_run(provenance(), threads, manifest.text, spelled(shard), plan);
+  pending_ = jobs_of(plan, shard);
+  if (!store_->known().empty()) skip_finished(hash_inputs(plan, pending_, manifest.path));
+  writer_ = std::make_unique<ResultWriter>(*store_, std::move(broken));
+  for (CurveId id = 0; id < seen_.size(); ++id) {
+    if (seen_[id] != 0) writer_->add(input_name(plan.curves[id]), digests_[id]);
+  }
+}
+
+StoreSession::~StoreSession() = default;
+
+void StoreSession::skip_finished(std::vector<std::string> inputs) {
+  const JobKeys keys(plan_);
+  std::vector<std::uint32_t> left;
+  digests_ = std::move(inputs);
+  for (const std::uint32_t number : pending_) {
+    const PlannedJob& job = plan_.jobs[number];
+    std::array<std::string_view, 2> digests;
+    for (std::size_t k = 0; k < job.curves().size(); ++k) {
+      seen_[job.curves()[k]] = 1;
+      digests[k] = digests_[job.curves()[k]];
+    }
+    const JobKey key = keys(job, digests[0], digests[1]);
+    const auto known = store_->known().find(key);
+    const bool there = known != store_->known().end();
+    if (there && !store_->result(known->second)) {
+      store_->discard(key);
+      damaged_.push_back(damage_line(*store_, plan_, number));
+    } else if (there && !known->second.failed) {
+      continue;
+    }
+    left.push_back(number);
+  }
+  finished_before_ = pending_.size() - left.size();
+  pending_ = std::move(left);
+}
+
+void StoreSession::note(CurveId curve, const std::string& digest, bool& usable) {
+  if (seen_[curve] == 0) {
+    seen_[curve] = 1;
+    digests_[curve] = digest;
+    writer_->add(input_name(plan_.curves[curve]), digest);
+  } else if (digests_[curve] != digest) {
+    usable = false;
+  }
+}
+
+bool StoreSession::add(PlanResult result) {
+  const PlannedJob& job = plan_.jobs[result.job];
+  bool usable = true;
+  const FewCurves curves = job.curves();
+  for (std::size_t k = 0; k < curves.size(); ++k) note(curves[k], k == 0 ? result.digest1 : result.digest2, usable);
+  if (usable) writer_->add({result.key, result.failed, result.seconds, std::move(result.value)});
+  return usable;
+}
+
+double StoreSession::finish(const std::string& how) {
+  writer_->finish();
+  store_->end_run(how);
+  store_.reset();  // which brings the log into the file
+  return writer_->seconds();
+}
+
+BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
+  const Stopwatch watch;
+  BatchReport report;
+  const Plan plan = make_plan(manifest);
+  QueueOptions queue_options = options.queue;
+  queue_options.digests = true;
+  std::atomic<bool> broken{false};
+  StoreSession session(options.store, plan, manifest, options.shard, queue_options.threads, [&] { broken = true; });
+  report.jobs = session.pending().size() + session.finished_before();
+  report.finished_before = session.finished_before();
+  report.damaged = session.damaged();
+  std::size_t unusable = 0;
+  {
+    PlanRunner queue(plan, manifest.path, session.pending(), queue_options);
+    std::optional<Stopwatch> since_stop;
+    Watcher watcher([&] {
+      try {
+        if (!since_stop && !broken && (!options.progress || options.progress(queue.progress()))) return;
+        if (!since_stop) since_stop.emplace();
+        queue.stop();
+        if (since_stop->seconds() >= options.patience) queue.cancel();
+      } catch (...) {
+        queue.stop();
+        throw;
+      }
+    });
+    // Jobs that run when the caller is cancelled have their chance too.
+    const CancellationScope shield(CancellationScope::Shield{});
+    report.queue = queue.run(session.pending(), [&](PlanResult result) {
+      const bool failed = result.failed;
+      if (!session.add(std::move(result)) && !failed) ++unusable;
+    });
+    watcher.finish();
+  }
+  report.queue.failed += unusable;
+  const CancellationScope shield(CancellationScope::Shield{});
+  report.store_seconds = session.finish(report.queue.stopped ? "stopped" : "complete");
+  report.wall_seconds = watch.seconds();
+  return report;
+}
+
+Watcher::Watcher(std::function<void()> watch)
+    : thread_([this, watch = std::move(watch)] {
+        std::unique_lock lock(mutex_);
+        try {
+          while (!wake_.wait_for(lock, std::chrono::milliseconds(100), [&] { return done_; })) watch();
+        } catch (...) {
+          error_ = std::current_exception();
+        }
+      }) {}
+
+Watcher::~Watcher() {
+  try {
+    finish();
+  } catch (...) {  // whoever wants to know calls `finish`
+  }
+}
+
+void Watcher::finish() {
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+  }
+  wake_.notify_one();
+  if (thread_.joinable()) thread_.join();
+  if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+}
+
+}  // namespace lober

@@ -1,0 +1,95 @@
+// A manifest, a store, and what is between them: resume, run, note what came out.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/batch/plan_runner.hpp"
+#include "engine/batch/result_writer.hpp"
+#include "engine/batch/store.hpp"
+
+namespace lober {
+
+/// One run on a store: knows what is left to do and takes what comes out.
+class StoreSession {
+ public:
+  /// Opens or creates the store and notes the run. When there are results already, all inputs of the jobs are hashed,
+  /// to see which results still hold. `broken` is called when the store can no longer be written.
+  StoreSession(const std::string& store_path, const Plan& plan, const Manifest& manifest, Shard shard, int threads,
+               std::function<void()> broken);
+  ~StoreSession();
+  StoreSession(const StoreSession&) = delete;
+  StoreSession& operator=(const StoreSession&) = delete;
+
+  /// Jobs of the shard without a result; those that failed before are among them.
+  [[nodiscard]] const std::vector<std::uint32_t>& pending() const { return pending_; }
+  [[nodiscard]] std::size_t finished_before() const { return finished_before_; }
+  /// A line for each job of the shard whose result in the store was damaged: it is among the pending ones.
+  [[nodiscard]] const std::vector<std::string>& damaged() const { return damaged_; }
+
+  /// One call at a time. Returns false when the result cannot be used because an input is not what it was.
+  bool add(PlanResult result);
+  /// Commits and closes the store; throws DataError when it cannot be written. Returns the processor time that the
+  /// writing thread took. Nothing may be added afterwards.
+  double finish(const std::string& how);
+
+ private:
+  void skip_finished(std::vector<std::string> digests);
+  void note(CurveId curve, const std::string& digest, bool& usable);
+
+  const Plan& plan_;
+  std::optional<Store> store_;
+  std::vector<std::uint32_t> pending_;
+  std::size_t finished_before_ = 0;
+  std::vector<std::string> damaged_;
+  std::vector<std::string> digests_;  ///< of the plan's curves, as first seen in this run
+  std::vector<char> seen_;
+  std::unique_ptr<ResultWriter> writer_;
+};
+
+struct BatchOptions {
+  std::string store;
+  Shard shard;
+  QueueOptions queue;
+  /// Called about ten times a second while jobs run, from a thread of its own; return false to stop: what runs is
+  /// finished and stored, if it ends within `patience` seconds, and broken off else. What it throws stops the run too
+  /// and is passed on.
+  std::function<bool(const QueueProgress&)> progress;
+  double patience = 1;
+};
+
+struct BatchReport {
+  QueueReport queue;
+  std::size_t jobs = 0;              ///< of the shard
+  std::size_t finished_before = 0;   ///< of them, found in the store
+  std::vector<std::string> damaged;  ///< see StoreSession
+  double store_seconds = 0;          ///< processor time of the thread that writes
+  double wall_seconds = 0;           ///< everything
+};
+
+/// Runs what the store does not have yet. Throws as `read_manifest`, `make_plan` and Store do, at once when the store
+/// can no longer be written; a job that fails is no exception but counted.
+[[nodiscard]] BatchReport run_batch(const Manifest& manifest, const BatchOptions& options);
+
+/// Calls `watch` about ten times a second on a thread of its own, until `finish` or until it throws.
+class Watcher {
+ public:
+  explicit Watcher(std::function<void()> watch);
+  ~Watcher();
+  Watcher(const Watcher&) = delete;
+  Watcher& operator=(const Watcher&) = delete;
+  /// Passes on what `watch` threw.
+  void finish();
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool done_ = false;
+  std::exception_ptr error_;
+  std::thread thread_;
+};
+
+}  // namespace lober

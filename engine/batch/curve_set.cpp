@@ -1,0 +1,134 @@
+#include "engine/batch/curve_set.hpp"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <set>
+
+#include "engine/batch/file_unit.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
+
+namespace lober {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Paths as the pattern spells them, in natural order; empty when there is no such file.
+std::vector<std::string> matches(const std::string& manifest_path, const std::string& pattern) {
+  std::error_code ignored;
+  if (fs::exists(located(manifest_path, pattern), ignored)) return {pattern};
+  // The folder is no part of the pattern, whatever characters it has.
+  std::string folder = located(manifest_path, ""), escaped;
+  if (fs::path(pattern).is_absolute()) folder.clear();
+  for (const char c : folder) {
+    if (std::string_view("*?[\\").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  glob_t found{};
+  std::vector<std::string> files;
+  if (glob((escaped + pattern).c_str(), GLOB_NOSORT, nullptr, &found) == 0) {
+    for (std::size_t k = 0; k < found.gl_pathc; ++k) {
+      if (fs::is_regular_file(found.gl_pathv[k], ignored)) {
+        files.push_back(std::string(found.gl_pathv[k]).substr(folder.size()));
+      }
+    }
+  }
+  globfree(&found);
+  std::sort(files.begin(), files.end(), natural_less);
+  return files;
+}
+
+std::vector<CurvePlace> zones_of(const Manifest& manifest, const Placed& pattern, const std::string& file,
+                                 const std::string& choice) {
+  std::size_t number = 0;
+  const char* const end = choice.data() + choice.size();
+  if (const auto [stop, error] = std::from_chars(choice.data(), end, number); stop == end && error == std::errc{}) {
+    return {{file, number}};
+  }
+  require_regular(located(manifest.path, file));
+  const CurveFile content = read_curve_file(located(manifest.path, file), {.hash = false});
+  std::vector<CurvePlace> places;
+  for (std::size_t k = 0; k < content.zones.size(); ++k) {
+    if (choice == "*" || content.zones[k].title == choice) places.push_back({file, k});
+  }
+  if (places.empty() || (choice != "*" && places.size() > 1)) {
+    manifest.fail(pattern.line, pattern.key,
+                  file + " has " + (places.empty() ? "no" : "more than one") + " zone titled \"" + choice + "\"");
+  }
+  return places;
+}
+
+}  // namespace
+
+std::string located(const std::string& manifest_path, const std::string& file) {
+  const fs::path path(file);
+  if (path.is_absolute()) return file;
+  const std::string folder = fs::path(manifest_path).parent_path();
+  return folder.empty() ? file : folder + "/" + file;
+}
+
+bool natural_less(std::string_view a, std::string_view b) {
+  std::size_t i = 0, k = 0;
+  while (i < a.size() && k < b.size()) {
+    if (is_digit(a[i]) && is_digit(b[k])) {
+      const auto number = [](std::string_view text, std::size_t& at) {
+        while (at < text.size() && text[at] == '0') ++at;
+        const std::size_t begin = at;
+        while (at < text.size() && is_digit(text[at])) ++at;
+        return text.substr(begin, at - begin);
+      };
+      const std::string_view left = number(a, i), right = number(b, k);
+      if (left.size() != right.size()) return left.size() < right.size();
+      if (left != right) return left < right;
+    } else {
+      if (a[i] != b[k]) return a[i] < b[k];
+      ++i;
+      ++k;
+    }
+  }
+  if (a.size() - i != b.size() - k) return a.size() - i < b.size() - k;
+  return a < b;  // they differ in leading zeros
+}
+
+std::vector<CurvePlace> resolve(const Manifest& manifest, const std::vector<Placed>& patterns) {
+  std::vector<CurvePlace> all;
+  std::set<std::string> known;
+  const auto take = [&](const CurvePlace& place) {
+    if (known.insert(place.name()).second) all.push_back(place);
+  };
+  for (const Placed& pattern : patterns) {
+    if (pattern.text.empty()) {
+      for (const CurveRecipe& recipe : pattern.recipes) take({"", std::nullopt, &recipe});
+      continue;
+    }
+    std::string files = pattern.text, choice;
+    std::error_code ignored;
+    if (const std::size_t at = files.rfind('#');
+        at != std::string::npos && at != 0 && !fs::exists(located(manifest.path, files), ignored)) {
+      choice = files.substr(at + 1);
+      files.resize(at);
+    }
+    const std::vector<std::string> found = matches(manifest.path, files);
+    if (found.empty()) manifest.fail(pattern.line, pattern.key, "there is no file " + files);
+    for (const std::string& file : found) {
+      const std::vector<CurvePlace> places =
+          choice.empty() ? std::vector<CurvePlace>{{file, std::nullopt}} : zones_of(manifest, pattern, file, choice);
+      for (const CurvePlace& place : places) {
+        if (pattern.recipes.empty()) take(place);
+        for (const CurveRecipe& recipe : pattern.recipes) {
+          take(recipe.iterates == 0 ? place : CurvePlace{place.file, place.zone, &recipe});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace lober

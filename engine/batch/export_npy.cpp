@@ -1,0 +1,75 @@
+// A structured NumPy array: numpy.load reads it.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "engine/batch/export_row.hpp"
+
+namespace lober {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the header below says so");
+
+void put(std::string& bytes, const std::string& text, std::size_t width) {
+  bytes += text;
+  bytes.append(width - text.size(), '\0');
+}
+
+template <typename T>
+void put_value(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+}  // namespace
+
+void write_npy_table(OutputFile& file, const Operation& operation, const EachRow& rows) {
+  // The width of a text column is that of its longest text, so that all rows are looked at twice.
+  std::size_t count = 0;
+  std::size_t widths[5] = {1, 1, 1, 1, 1};
+  const auto texts = [](const ExportRow& row) {
+    return std::array<std::string, 5>{row.group->name, row.group->spelled(), row.first, row.second, row.message};
+  };
+  rows([&](const ExportRow& row) {
+    ++count;
+    const auto all = texts(row);
+    for (std::size_t k = 0; k < all.size(); ++k) widths[k] = std::max(widths[k], all[k].size());
+  });
+  constexpr const char* names[] = {"group", "options", "first", "second", "message"};
+  std::string header = "{'descr': [('job', '<i8'), ('failed', '|b1'), ";
+  for (std::size_t k = 0; k < std::size(names); ++k) {
+    header += std::string("('") + names[k] + "', '|S" + std::to_string(widths[k]) + "'), ";
+  }
+  for (const Column& column : operation.columns) {
+    header += "('" + column.name + "', '" + (column.kind == Column::Kind::count ? "<i8" : "<f8") + "'), ";
+  }
+  header += "], 'fortran_order': False, 'shape': (" + std::to_string(count) + ",), }";
+  constexpr std::size_t before = 12;  // magic string, version 2.0, length of the header in four bytes
+  header.append(63 - (before + header.size()) % 64, ' ');
+  header += '\n';
+  std::string bytes("\x93NUMPY\x02\x00", 8);
+  put_value(bytes, static_cast<std::uint32_t>(header.size()));
+  bytes += header;
+  rows([&](const ExportRow& row) {
+    put_value(bytes, static_cast<std::int64_t>(row.job));
+    put_value(bytes, row.failed);
+    const auto all = texts(row);
+    for (std::size_t k = 0; k < all.size(); ++k) put(bytes, all[k], widths[k]);
+    for (std::size_t k = 0; k < operation.columns.size(); ++k) {
+      const double value = row.failed ? std::numeric_limits<double>::quiet_NaN() : row.record.values.at(k);
+      if (operation.columns[k].kind == Column::Kind::count) {
+        put_value(bytes, std::isfinite(value) ? static_cast<std::int64_t>(value) : std::int64_t{-1});
+      } else {
+        put_value(bytes, value);
+      }
+    }
+    if (bytes.size() < (std::size_t{1} << 20)) return;
+    file.write(bytes);
+    bytes.clear();
+  });
+  file.write(bytes);
+}
+
+}  // namespace lober

@@ -1,0 +1,89 @@
+#include "engine/batch/file_unit.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/files/file_bytes.hpp"
+#include "engine/files/files.hpp"
+#include "engine/files/sniff.hpp"
+#include "engine/geometry/curve/curve.hpp"
+
+namespace lober {
+namespace {
+
+LoadedCurve take_zone(CurveFile& file, const FileZone& wanted, bool last_use) {
+  LoadedCurve loaded;
+  if (!file.sha256.empty()) loaded.digest = zone_digest(file.sha256, wanted);
+  const std::size_t zones = file.zones.size();
+  if (!wanted.zone && zones > 1) {
+    loaded.error =
+        file.path + ": has " + std::to_string(zones) + " zones, choose with " + file.path + "#0 or " + file.path + "#*";
+    return loaded;
+  }
+  const std::size_t number = wanted.zone.value_or(0);
+  if (number >= zones) {
+    loaded.error = wanted.name + ": there is no such zone, the file has " + std::to_string(zones);
+    return loaded;
+  }
+  Zone& zone = file.zones[number];
+  Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.name};
+  if (wanted.closed) drop_closing_vertex(curve.points);
+  loaded.curve = std::make_shared<const Curve>(std::move(curve));
+  return loaded;
+}
+
+}  // namespace
+
+CurveUnit file_unit(std::string path, std::vector<FileZone> zones) {
+  CurveUnit unit;
+  unit.curves = zones.size();
+  unit.points = estimate_points(path);
+  std::error_code ignored;
+  const auto size = std::filesystem::file_size(path, ignored);
+  if (!ignored) unit.reading_memory = size + unit.points * sizeof(Point);  // the bytes, and chunks being joined
+  unit.load = [path = std::move(path), zones = std::move(zones)](const Loading& loading) {
+    require_regular(path);
+    CurveFile file = read_curve_file(path, {.hash = loading.digests});
+    std::vector<LoadedCurve> loaded;
+    for (std::size_t k = 0; k < zones.size(); ++k) {
+      const bool last_use = std::none_of(zones.begin() + static_cast<std::ptrdiff_t>(k) + 1, zones.end(),
+                                         [&](const FileZone& later) { return later.zone == zones[k].zone; });
+      loaded.push_back(take_zone(file, zones[k], last_use));
+    }
+    return loaded;
+  };
+  return unit;
+}
+
+std::size_t estimate_points(const std::string& path) {
+  if (std::error_code none; !std::filesystem::is_regular_file(path, none)) return 0;  // a pipe would be read from
+  std::error_code error;
+  const auto size = static_cast<std::size_t>(std::filesystem::file_size(path, error));
+  if (error) return 0;
+  std::string head(std::min<std::size_t>(size, std::size_t{1} << 16), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(head.data(), static_cast<std::streamsize>(head.size()))) return 0;
+  if (sniff(std::as_bytes(std::span(head))) != Content::text) return size / sizeof(Point);
+  const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n'));
+  return static_cast<std::size_t>(static_cast<double>(size) / static_cast<double>(head.size()) *
+                                  static_cast<double>(std::max<std::size_t>(lines, 1)));
+}
+
+std::string zone_digest(const std::string& sha256, const FileZone& zone) {
+  return sha256 + (zone.zone ? "#" + std::to_string(*zone.zone) : "") + (zone.closed ? "" : " open");
+}
+
+void require_regular(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  throw DataError(path + ": is no regular file; a batch reads its inputs more than once");
+}
+
+std::string file_sha256(const std::string& path) {
+  require_regular(path);
+  return sha256(FileBytes(path).bytes());
+}
+
+}  // namespace lober

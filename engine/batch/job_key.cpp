@@ -1,0 +1,43 @@
+#include "engine/batch/job_key.hpp"
+
+#include "engine/batch/provenance.hpp"
+#include "engine/files/files.hpp"
+#include "engine/geometry/curve/curve.hpp"
+
+namespace lober {
+namespace {
+
+std::byte nibble(char digit) {
+  return static_cast<std::byte>(digit <= '9' ? digit - '0' : digit - 'a' + 10);
+}
+
+}  // namespace
+
+JobKeys::JobKeys(const Plan& plan) : plan_(plan) {
+  for (const PlannedGroup& group : plan.groups) {
+    const Operation* const operation = find_operation(group.operation);
+    const int revision = operation != nullptr ? operation->revision : 0;
+    const std::string text = "lober " + std::string(engine_version()) + '\n' + group.operation + ' ' +
+                             std::to_string(revision) + '\n' + group.spelled() + '\n';
+    beginnings_.push_back(sha256(std::as_bytes(std::span(text))));  // short, as it is hashed again for each job
+  }
+}
+
+JobKey JobKeys::operator()(const PlannedJob& job, std::string_view digest1, std::string_view digest2) const {
+  std::string text = beginnings_[job.group];
+  const auto add = [&](CurveId curve, std::string_view digest) {
+    if (curve == no_curve) return;
+    text += digest.empty() ? "unreadable " + plan_.curves[curve].name : std::string(digest);
+    text += '\n';
+  };
+  add(job.first, digest1);
+  add(job.second, digest2);
+  const std::string hexadecimal = sha256(std::as_bytes(std::span(text)));
+  JobKey key;
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    key[k] = nibble(hexadecimal[2 * k]) << 4 | nibble(hexadecimal[2 * k + 1]);
+  }
+  return key;
+}
+
+}  // namespace lober

@@ -1,0 +1,254 @@
+#include "engine/batch/jobs.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/batch/dispatcher.hpp"
+#include "engine/batch/schedule.hpp"
+#include "engine/files/files.hpp"
+
+namespace lober {
+namespace {
+
+void add_to(std::atomic<double>& sum, double value) {
+  sum.store(sum.load(std::memory_order_relaxed) + value, std::memory_order_relaxed);  // under a lock
+}
+
+// The digest of a curve in memory: of its points and of whether it is closed.
+std::string digest_of(const Curve& curve) {
+  return sha256(std::as_bytes(std::span(curve.points))) + (curve.closed ? "" : " open");
+}
+
+// Bytes that a job takes besides its curves, unless they cross very often.
+std::size_t working_memory(const Job& job, std::size_t points) {
+  return (std::size_t{1} << 16) + 8 * points + job.operation->memory;
+}
+
+}  // namespace
+
+std::size_t machine_memory() {
+  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
+}
+
+JobQueue::JobQueue(const QueueOptions& options) : options_(options) {
+  if (options_.memory == 0) options_.memory = machine_memory() / 2;
+  cache_ = std::make_unique<CurveCache>(options_.memory);
+}
+
+JobQueue::~JobQueue() = default;
+
+void JobQueue::refuse_if_running(const char* what) const {
+  if (running_) throw UsageError(std::string(what) + ": the queue is running; wait for the end of run");
+}
+
+CurveId JobQueue::add(Curve curve) {
+  refuse_if_running("add");
+  CurveUnit unit;
+  unit.points = curve.points.size();
+  unit.keep = true;
+  auto held = std::make_shared<const Curve>(std::move(curve));
+  unit.load = [held](const Loading& loading) {
+    return std::vector<LoadedCurve>{{held, loading.digests ? digest_of(*held) : std::string(), {}}};
+  };
+  return cache_->add(std::move(unit))[0];
+}
+
+std::vector<CurveId> JobQueue::add(CurveUnit unit) {
+  refuse_if_running("add");
+  return cache_->add(std::move(unit));
+}
+
+std::size_t JobQueue::submit(Job job) {
+  refuse_if_running("submit");
+  const std::size_t count = job.curves().size();
+  if (!takes(job.operation->arity, count)) {
+    throw UsageError(job.operation->name + " does not take " + std::to_string(count) + " curves");
+  }
+  const Needs needs = job.operation->needs(*job.options);
+  for (const CurveId curve : job.curves()) cache_->require(curve, needs);
+  jobs_.push_back(std::move(job));
+  return jobs_.size() - 1;
+}
+
+void JobQueue::stop() {
+  stop_.store(true);
+}
+
+void JobQueue::cancel() {
+  stop_.store(true);
+  cancelled_.store(true);
+}
+
+QueueProgress JobQueue::progress() const {
+  return {counters_.jobs, counters_.done, counters_.failed, counters_.cost, counters_.cost_done, counters_.points};
+}
+
+// One call of `run`: what the dispatcher asks of the jobs.
+class JobQueue::Run final : public JobRunner {
+ public:
+  Run(JobQueue& queue, const std::function<void(JobResult)>& done) : queue_(queue), done_(done) {}
+
+  void run_job(std::uint32_t number, const Allowance& allowance) override {
+    const Job& job = queue_.jobs_[number];
+    const CurveCache& cache = *queue_.cache_;
+    JobResult result;
+    result.job = number;
+    std::array<const PreparedCurve*, 2> curves{};
+    const FewCurves ids = job.curves();
+    std::size_t points = 0;
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      curves[k] = &cache.curve(ids[k]);
+      (k == 0 ? result.digest1 : result.digest2) = cache.digest(ids[k]);
+      points += curves[k]->curve().points.size();
+      if (result.error.empty()) result.error = curves[k]->error();
+    }
+    const Stopwatch watch;
+    if (result.error.empty()) {
+      try {
+        result.record = job.operation->run({std::span(curves).first(ids.size()), allowance}, *job.options);
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const std::bad_alloc&) {
+        result.error = "out of memory";
+      } catch (const std::exception& error) {
+        result.error = error.what();
+      }
+    }
+    result.seconds = watch.seconds();
+    const double seconds = result.seconds;
+    const bool failed = !result.error.empty();
+    const Stopwatch callback_watch;
+    if (!hand_over(std::move(result))) return;
+    count(points, failed, costs[number - queue_.first_waiting_], seconds, callback_watch.seconds());
+  }
+
+  std::vector<double> costs;  ///< of the jobs that wait
+  QueueReport report;
+
+ private:
+  // False after a call that threw.
+  bool hand_over(JobResult result) {
+    std::unique_lock lock(callback_, std::defer_lock);
+    if (!queue_.options_.concurrent) lock.lock();
+    if (thrown_) return false;
+    try {
+      done_(std::move(result));
+    } catch (...) {
+      thrown_ = true;
+      throw;
+    }
+    return true;
+  }
+
+  void count(std::size_t points, bool failed, double cost, double seconds, double callback_seconds) {
+    const std::lock_guard lock(counting_);
+    Counters& counters = queue_.counters_;
+    counters.done.fetch_add(1, std::memory_order_relaxed);
+    counters.failed.fetch_add(failed ? 1 : 0, std::memory_order_relaxed);
+    counters.points.fetch_add(points, std::memory_order_relaxed);
+    add_to(counters.cost_done, cost);
+    ++report.jobs;
+    report.failed += failed ? 1 : 0;
+    report.points += points;
+    report.operation_seconds += seconds;
+    report.callback_seconds += callback_seconds;
+  }
+
+  JobQueue& queue_;
+  const std::function<void(JobResult)>& done_;
+  std::mutex callback_, counting_;
+  std::atomic<bool> thrown_{false};
+};
+
+// That `run` works: however it ends, no job waits any more, and a wish to stop was for this run.
+class JobQueue::Running {
+ public:
+  explicit Running(JobQueue& queue) : queue_(queue) {
+    if (queue.running_.exchange(true)) throw UsageError("run: the queue is running; wait for the end of run");
+  }
+  ~Running() {
+    queue_.first_waiting_ = queue_.jobs_.size();
+    queue_.stop_ = false;
+    queue_.running_ = false;
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  JobQueue& queue_;
+};
+
+QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
+  const Stopwatch watch;
+  if (cancelled_) throw UsageError("the queue was cancelled: it runs nothing more");
+  const Running running(*this);
+  Run run(*this, done);
+  const std::span<const Job> waiting = std::span(jobs_).subspan(first_waiting_);
+  std::vector<ScheduledJob> scheduled;
+  std::vector<DispatchedJob> dispatched;
+  std::vector<std::size_t> unit_bytes, points;
+  double total_cost = 0;
+  for (const Job& job : waiting) {
+    const FewCurves ids = job.curves();
+    std::size_t sum = 0;
+    for (const CurveId id : ids) {
+      const CurveCache::UnitId unit = cache_->unit_of(id);
+      if (unit_bytes.size() <= unit) unit_bytes.resize(unit + std::size_t{1});
+      unit_bytes[unit] = cache_->bytes(unit);
+      sum += cache_->points(id);
+    }
+    points.push_back(sum);
+    const auto unit = [&](std::size_t k) { return ids.size() == 0 ? CurveCache::no_unit : cache_->unit_of(ids[k]); };
+    const double cost = job.operation->cost(points.back());
+    total_cost += cost;
+    run.costs.push_back(cost);
+    scheduled.push_back({unit(0), unit(ids.size() < 2 ? 0 : 1), cost});
+  }
+  const int threads = options_.threads > 0 ? options_.threads : concurrency();
+  // What the threads take at most, besides curves that stay: for their jobs, and to read.
+  std::size_t working = 0, reading = 0;
+  for (std::size_t k = 0; k < waiting.size(); ++k) {
+    working = std::max(working, working_memory(waiting[k], points[k]));
+    for (const CurveCache::UnitId unit : {scheduled[k].unit1, scheduled[k].unit2}) {
+      if (unit == CurveCache::no_unit) continue;
+      reading = std::max(reading, cache_->reading_memory(unit) + cache_->bytes(unit));
+    }
+  }
+  const auto less = [&](std::size_t bytes) {
+    const std::size_t taken = static_cast<std::size_t>(threads) * bytes;
+    return std::max(options_.memory / 4, options_.memory - std::min(options_.memory, taken));
+  };
+  const Room room{less(working), less(working + reading)};
+  for (const std::uint32_t k : schedule(scheduled, unit_bytes, room)) {
+    dispatched.push_back({static_cast<std::uint32_t>(first_waiting_ + k), scheduled[k].unit1, scheduled[k].unit2,
+                          working_memory(waiting[k], points[k])});
+  }
+  counters_.jobs = jobs_.size();
+  add_to(counters_.cost, total_cost);
+
+  const CacheCounts before = cache_->counts();
+  run.report.threads = threads;
+  try {
+    const CancellationScope scope(cancelled_);
+    with_threads(threads, [&] { dispatch(dispatched, *cache_, options_.digests, threads, stop_, run); });
+  } catch (const Cancelled&) {
+    if (!cancelled_) throw;
+  }
+  run.report.stopped = run.report.jobs < waiting.size();
+  run.report.cache = cache_->counts();
+  run.report.cache.units_read -= before.units_read;
+  run.report.cache.curves_indexed -= before.curves_indexed;
+  run.report.cache.evictions -= before.evictions;
+  run.report.cache.read_seconds -= before.read_seconds;
+  run.report.cache.prepare_seconds -= before.prepare_seconds;
+  run.report.wall_seconds = watch.seconds();
+  return run.report;
+}
+
+}  // namespace lober

@@ -1,0 +1,134 @@
+// A queue of jobs on curves: many small pairs side by side, a huge pair inside itself, each curve read and indexed
+// once.
+//
+//   lober::JobQueue queue({.memory = std::size_t{4} << 30});
+//   std::vector<lober::CurveId> curves;
+//   for (lober::Curve& curve : mine) curves.push_back(queue.add(std::move(curve)));
+//   const auto operation = lober::find_operation("overlay");
+//   const auto options = std::make_shared<const lober::Options>(operation->options, lober::no_settings);
+//   for (lober::CurveId i : curves)
+//     for (lober::CurveId j : curves)
+//       if (i < j) queue.submit({operation, options, i, j});
+//   queue.run([&](const lober::JobResult& result) {
+//     if (result.error.empty()) use(result.job, result.record.values[0]);   // operation->columns says what they are
+//   });
+//
+// An operation may be the caller's own (operation.hpp). What a manifest describes is run with a store behind it by
+// batch.hpp.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/batch/curve_cache.hpp"
+#include "engine/batch/operation.hpp"
+#include "engine/geometry/curve/curve.hpp"
+
+namespace lober {
+
+inline constexpr std::span<const OptionSetting> no_settings{};
+
+struct Job {
+  const Operation* operation = nullptr;  ///< has to outlive the queue
+  std::shared_ptr<const Options> options;
+  CurveId first = no_curve, second = no_curve;  ///< no_curve where the job has none
+  [[nodiscard]] FewCurves curves() const { return {first, second}; }
+};
+
+struct JobResult {
+  std::size_t job = 0;  ///< as `submit` numbered it
+  Record record;        ///< empty if the job failed
+  std::string error;    ///< why it failed; empty if it did not
+  double seconds = 0;   ///< the operation alone
+  /// Of the contents of the curves, hexadecimal; only if QueueOptions::digests. Empty for a curve that was not read.
+  std::string digest1, digest2;
+};
+
+struct QueueOptions {
+  int threads = 0;          ///< 0: as many as the calling thread may use
+  std::size_t memory = 0;   ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
+  bool digests = false;     ///< hash what is read
+  bool concurrent = false;  ///< `done` may be called from several threads at the same time
+};
+
+/// What a run did. Seconds of threads are added up over all threads.
+struct QueueReport {
+  std::size_t jobs = 0, failed = 0;  ///< that ran
+  bool stopped = false;              ///< jobs are left, because of `stop`
+  std::uint64_t points = 0;          ///< of the curves of all jobs, each counted as often as it was used
+  CacheCounts cache;
+  double wall_seconds = 0;
+  double operation_seconds = 0;  ///< threads in operations
+  double callback_seconds = 0;   ///< threads in the callback, and waiting for it
+  int threads = 0;
+};
+
+/// How far a run is. Costs are in the unit of Operation::cost.
+struct QueueProgress {
+  std::size_t jobs = 0, done = 0, failed = 0;
+  double cost = 0, cost_done = 0;
+  std::uint64_t points_done = 0;
+};
+
+class JobQueue {
+ public:
+  explicit JobQueue(const QueueOptions& options = {});
+  ~JobQueue();
+  JobQueue(const JobQueue&) = delete;
+  JobQueue& operator=(const JobQueue&) = delete;
+
+  // While `run` works, `add`, `submit` and `run` throw UsageError, from `done` as from other threads.
+
+  /// A curve in memory. It is prepared when a job needs it and stays until the queue goes.
+  CurveId add(Curve curve);
+  /// Curves that come from elsewhere, all at once; returns their numbers in order. See CurveUnit.
+  std::vector<CurveId> add(CurveUnit unit);
+
+  /// Returns the number of the job, counted from 0. Throws UsageError when the operation does not take so many curves.
+  std::size_t submit(Job job);
+
+  /// Runs all jobs that wait, what costs most first as far as memory allows (schedule.hpp), and hands each result to
+  /// `done`: one call at a time (unless QueueOptions::concurrent), from any thread, in no particular order. A job that
+  /// throws a std::exception is a result with `error`. What `done` throws ends the run and is passed on, when the jobs
+  /// that ran have ended; it is not called again then (but may be in other calls, if QueueOptions::concurrent), and
+  /// those that wait are dropped. Results have the same bits for any number of threads, any memory and any order. May
+  /// be called again after more was submitted, whatever became of the jobs before: none runs twice, curves stay in
+  /// memory.
+  QueueReport run(const std::function<void(JobResult)>& done);
+
+  /// Starts no further job; those that run are finished, but for work that can be broken off (Allowance::check), those
+  /// that wait are dropped. Between two runs: the next one does nothing. For any thread and for signal handlers.
+  void stop();
+  /// The same, and what runs is broken off within a fraction of a second: those jobs have no results. The queue runs
+  /// nothing more afterwards. For any thread and for signal handlers.
+  void cancel();
+
+  /// May be asked from any thread while `run` works.
+  [[nodiscard]] QueueProgress progress() const;
+
+ private:
+  class Run;
+  class Running;
+  void refuse_if_running(const char* what) const;
+  QueueOptions options_;
+  std::unique_ptr<CurveCache> cache_;
+  std::vector<Job> jobs_;
+  std::size_t first_waiting_ = 0;
+  std::atomic<bool> stop_{false}, cancelled_{false}, running_{false};
+  struct Counters {
+    std::atomic<std::size_t> jobs{0}, done{0}, failed{0};
+    std::atomic<double> cost{0}, cost_done{0};
+    std::atomic<std::uint64_t> points{0};
+  } counters_;
+};
+
+/// Bytes of memory of this machine.
+[[nodiscard]] std::size_t machine_memory();
+
+}  // namespace lober

@@ -1,0 +1,62 @@
+// What a job does. One table of operations; each is a file in operations/.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/batch/allowance.hpp"
+#include "engine/batch/options.hpp"
+#include "engine/batch/prepared_curve.hpp"
+#include "engine/batch/record.hpp"
+
+namespace lober {
+
+/// How many curves a job of an operation has.
+enum class Arity : std::uint8_t { none, one, two, one_or_two };
+[[nodiscard]] bool takes(Arity arity, std::size_t curves);
+
+/// Those of a job, in order, and what the job may take.
+class JobCurves {
+ public:
+  JobCurves(std::span<const PreparedCurve* const> curves, const Allowance& allowance)
+      : curves_(curves), allowance_(allowance) {}
+  [[nodiscard]] std::size_t size() const { return curves_.size(); }
+  [[nodiscard]] const PreparedCurve* operator[](std::size_t k) const { return curves_[k]; }
+  [[nodiscard]] const Allowance& allowance() const { return allowance_; }
+
+ private:
+  std::span<const PreparedCurve* const> curves_;
+  const Allowance& allowance_;
+};
+
+/// A program that feeds the queue may bring its own.
+struct Operation {
+  std::string name;
+  int revision = 1;  ///< goes into the key of results: raise it when the numbers change
+  Arity arity = Arity::two;
+  bool open = false;  ///< curves of a manifest are open unless it says otherwise
+  std::vector<OptionSpec> options = {};
+  std::vector<Column> columns = {};
+  std::vector<std::string> lists = {};
+  /// Throws UsageError "key: message" for options that cannot go together; may be empty.
+  std::function<void(const Options&)> check = {};
+  std::function<Needs(const Options&)> needs;
+  /// Called from several threads at the same time. May throw what is a std::exception: the job has failed then.
+  std::function<Record(JobCurves curves, const Options& options)> run;
+  /// Microseconds on one core for so many points, roughly: what comes first is what costs most.
+  std::function<double(std::size_t points)> cost;
+  /// Bytes of what it makes of its first curve, roughly, where its options decide that; may be empty.
+  std::function<double(const Curve& curve, const Options& options)> result_bytes = {};
+  std::size_t memory = 0;  ///< bytes that a job takes besides what is usual for so many points
+};
+
+/// The operations that a manifest can name.
+[[nodiscard]] std::span<const Operation> all_operations();
+[[nodiscard]] const Operation* find_operation(std::string_view name);  ///< null if there is none
+
+}  // namespace lober

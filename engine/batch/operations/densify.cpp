@@ -1,0 +1,146 @@
+// `densify`: more points on a curve, or fewer, in the steps and with the options of `lober densify`.
+#include "engine/geometry/densify/densify.hpp"
+#include "engine/files/files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "engine/batch/operations/table.hpp"
+
+namespace lober {
+namespace {
+
+// 0 stands for "not given" where the command line has no option.
+double or_off(double value) {
+  return value > 0 ? value : Criteria::off;
+}
+
+bool has_angles(const Options& options) {
+  return options.flag("hobson") || options.real("alpha") > 0 || options.real("distance_angle") > 0;
+}
+
+std::optional<Criteria> criteria_for(const Options& options, CurveView curve) {
+  if (!has_angles(options) && options.real("tau") == 0) return std::nullopt;
+  Criteria criteria{or_off(options.real("tau")), or_off(options.real("alpha")), or_off(options.real("distance_angle")),
+                    std::max(options.real("delta"), 0.0)};
+  const Criteria usual = hobson_criteria(curve);
+  if (options.flag("hobson") && options.real("alpha") == 0) criteria.angle = usual.angle;
+  if (options.flag("hobson") && options.real("distance_angle") == 0) criteria.distance_angle = usual.distance_angle;
+  if (has_angles(options) && options.real("delta") < 0) criteria.shortest = usual.shortest;
+  return criteria;
+}
+
+Interpolation interpolation_of(const Options& options) {
+  for (const Interpolation kind : {Interpolation::linear, Interpolation::dritschel, Interpolation::spline}) {
+    if (name(kind) == options.text("interpolation")) return kind;
+  }
+  return has_angles(options) ? Interpolation::dritschel : Interpolation::linear;
+}
+
+// "folder/{name}.npy" with the name of the curve's file (and zone) put in.
+std::string output_path(std::string pattern, const std::string& name) {
+  std::string stem = std::filesystem::path(name).filename();
+  std::replace(stem.begin(), stem.end(), '#', '_');
+  constexpr std::string_view hole = "{name}";
+  if (const std::size_t at = pattern.find(hole); at != std::string::npos) pattern.replace(at, hole.size(), stem);
+  return pattern;
+}
+
+// How many points the distance criterion alone asks for.
+double expected_points(CurveView curve, const Criteria& criteria) {
+  double points = static_cast<double>(curve.points.size());
+  for (std::size_t k = 0; k < curve.segments(); ++k) {
+    const Point a = curve.points[k], b = curve.points[k + 1 < curve.points.size() ? k + 1 : 0];
+    points += std::hypot(b.x - a.x, b.y - a.y) / criteria.longest;
+  }
+  return points;
+}
+
+void require_room(double points, std::size_t most) {
+  if (points <= static_cast<double>(most)) return;
+  throw DataError("the criteria ask for more than " + std::to_string(most) + " points, as many as there is memory for");
+}
+
+// A point that comes out and, while it is made, its criteria.
+constexpr std::size_t bytes_per_point = 2 * sizeof(Point);
+
+double result_bytes(const Curve& curve, const Options& options) {
+  const auto criteria = criteria_for(options, curve);
+  return criteria ? static_cast<double>(bytes_per_point) * expected_points(curve, *criteria) : 0;
+}
+
+Record run(JobCurves curves, const Options& options) {
+  const PreparedCurve& first = *curves[0];
+  const PreparedCurve* const second = curves.size() > 1 ? curves[1] : nullptr;
+  const bool near = options.whole("passes") > 0 || options.flag("crossings");
+  if (near && second == nullptr) throw UsageError("passes and crossings need a second curve, see pairs");
+  if (options.whole("passes") > 0 && options.whole("points") == 0) throw UsageError("passes needs points");
+  const Interpolation interpolation = interpolation_of(options);
+  DensifiedCurve result;
+  std::size_t flawed = 0, rounds = 0;
+  result.points.assign(first.curve().points.begin(), first.curve().points.end());
+  result.closed = first.curve().closed;
+  const auto done = [&](DensifiedCurve&& curve) {
+    result = std::move(curve);
+    rounds += result.rounds;
+    for (const Flaw& flaw : result.flaws) flawed += flaw.count;
+  };
+  if (options.real("remove") > 0) done(thin(result, {options.real("remove"), or_off(options.real("tau"))}));
+  const Allowance& allowance = curves.allowance();
+  const std::size_t most = std::min<std::size_t>(allowance.most() / bytes_per_point, 1'000'000'000);
+  if (const auto criteria = criteria_for(options, result)) {
+    require_room(expected_points(result, *criteria), most);
+    allowance.book(bytes_per_point * static_cast<std::size_t>(expected_points(result, *criteria)));
+    done(densify(result, *criteria, {interpolation, most}));
+    allowance.book(bytes_per_point * result.points.size());
+    for (const Flaw& flaw : result.flaws) {
+      if (flaw.cause == FlawCause::most_points) require_room(INFINITY, most);
+    }
+  }
+  if (options.whole("passes") > 0) {
+    done(densify_near(
+        result, second->curve(),
+        {static_cast<int>(options.whole("passes")), static_cast<int>(options.whole("points")), interpolation, most}));
+  }
+  if (options.flag("crossings")) done(std::move(insert_crossings(result, second->curve())[0]));
+  if (const std::string& pattern = options.text("output"); !pattern.empty()) {
+    write_npy(output_path(pattern, first.curve().name), result.points);
+  }
+  const auto number = [](std::size_t count) { return static_cast<double>(count); };
+  return {{signed_area(result), number(first.curve().points.size()), number(result.points.size()), number(rounds),
+           number(flawed)},
+          {}};
+}
+
+}  // namespace
+
+Operation densify_operation() {
+  Operation operation;
+  operation.name = "densify";
+  operation.arity = Arity::one_or_two;
+  operation.options = {{"remove", 0.0, {}, 0},
+                       {"tau", 0.0, {}, 0},
+                       {"hobson", false},
+                       {"alpha", 0.0, {}, 0},
+                       {"distance_angle", 0.0, {}, 0},
+                       {"delta", -1.0},
+                       {"passes", std::int64_t{0}, {}, 0, 64},
+                       {"points", std::int64_t{0}, {}, 0, 1'000'000},
+                       {"crossings", false},
+                       {"interpolation", "auto", {"auto", "linear", "dritschel", "spline"}},
+                       {"output", ""}};
+  operation.columns = {{"signed_area", Column::Kind::real},
+                       {"points_in", Column::Kind::count},
+                       {"points", Column::Kind::count},
+                       {"rounds", Column::Kind::count},
+                       {"flawed_segments", Column::Kind::count}};
+  operation.needs = [](const Options&) { return Needs{}; };
+  operation.run = run;
+  operation.result_bytes = result_bytes;
+  operation.cost = [](std::size_t points) { return 10 + 0.1 * static_cast<double>(points); };
+  return operation;
+}
+
+}  // namespace lober

@@ -1,0 +1,23 @@
+// The makers of the operations in the table (private to operations/).
+#pragma once
+
+#include "engine/batch/operation.hpp"
+#include "engine/geometry/areas.hpp"
+
+namespace lober {
+
+[[nodiscard]] Operation overlay_operation();
+[[nodiscard]] Operation interior_operation();
+[[nodiscard]] Operation densify_operation();
+[[nodiscard]] Operation tangle_operation();
+[[nodiscard]] Operation transport_operation();
+
+/// Seven columns, `prefix` before each name, and their numbers.
+void add_area_columns(std::vector<Column>& columns, const std::string& prefix);
+void add_areas(std::vector<double>& values, const Areas& areas);
+
+/// The option `index` that operations on two curves have.
+[[nodiscard]] OptionSpec index_option();
+[[nodiscard]] IndexKind index_kind(const Options& options);
+
+}  // namespace lober

@@ -1,0 +1,80 @@
+// `tangle`: pips, lobes, boundary and turnstile of an unstable (first) and a stable manifold.
+#include "engine/geometry/tangle/tangle.hpp"
+
+#include "engine/batch/operations/table.hpp"
+
+namespace lober {
+namespace {
+
+TangleOptions tangle_options(const Options& options) {
+  TangleOptions how;
+  how.index = index_kind(options);
+  if (options.whole("bip") >= 0) how.bip = static_cast<std::size_t>(options.whole("bip"));
+  how.period = static_cast<std::uint32_t>(options.whole("period"));
+  how.smooth = options.flag("smooth");
+  how.check_simple = false;  // done when the curve was read
+  return how;
+}
+
+Record run(JobCurves curves, const Options& options) {
+  const Tangle found = tangle(curves[0]->index(), curves[1]->index(), tangle_options(options));
+  Record record;
+  const auto real = [&](double value) { record.values.push_back(value); };
+  const auto count = [&](std::size_t number) { real(static_cast<double>(number)); };
+  const bool bounded = found.boundary.has_value(), paired = found.images.period != 0;
+  count(found.nodes.crossings());
+  count(found.nodes.touches());
+  count(found.nodes.shared_arcs());
+  count(found.pips.size());
+  count(found.lobes.size());
+  real(bounded ? static_cast<double>(found.boundary->bip) : -1);
+  count(found.images.period);
+  count(found.images.compared);
+  real(bounded ? found.boundary->area : NAN);
+  real(paired ? found.images.area12 : NAN);
+  real(paired ? found.images.area21 : NAN);
+  real(paired ? found.images.turnstile_sum : NAN);
+  real(paired ? found.images.area_change : NAN);
+  record.lists.resize(4);
+  for (const Lobe& lobe : found.lobes) {
+    record.lists[0].push_back(lobe.area);
+    record.lists[1].push_back(lobe.inside);
+    if (options.flag("smooth")) record.lists[2].push_back(lobe.smooth_error);
+  }
+  if (options.flag("overlaps")) {
+    for (const LobeOverlap& both : overlaps(found)) {
+      record.lists[3].insert(record.lists[3].end(),
+                             {static_cast<double>(both.i), static_cast<double>(both.j), both.area});
+    }
+  }
+  return record;
+}
+
+}  // namespace
+
+Operation tangle_operation() {
+  Operation operation;
+  operation.name = "tangle";
+  operation.open = true;
+  operation.options = {{"bip", std::int64_t{-1}, {}, -1},  // the one in the middle
+                       {"period", std::int64_t{0}, {}, 0, 1'000'000},
+                       {"smooth", false},
+                       {"overlaps", false},
+                       {"simple_check", true},  // refuse manifolds that cross themselves
+                       index_option()};
+  for (const char* const name :
+       {"crossings", "touches", "shared_arcs", "pips", "lobes", "bip", "period", "lobes_compared"}) {
+    operation.columns.push_back({name, Column::Kind::count});
+  }
+  for (const char* const name : {"boundary", "area12", "area21", "turnstile_sum", "area_change"}) {
+    operation.columns.push_back({name, Column::Kind::real});
+  }
+  // Signed areas of the lobes, their parts inside the boundary, error bars if smooth; overlaps as i, j, area, i, ...
+  operation.lists = {"areas", "inside", "errors", "overlaps"};
+  operation.needs = [](const Options& options) { return Needs{.index = true, .simple = options.flag("simple_check")}; };
+  operation.run = run;
+  operation.cost = [](std::size_t points) { return 20 + 1e-2 * static_cast<double>(points); };
+  return operation;
+}
+
+}  // namespace lober

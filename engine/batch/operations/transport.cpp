@@ -1,0 +1,91 @@
+// `transport`: flux out of a region of a system, iterate by iterate, from its equations alone. No curves.
+#include "engine/dynamics/transport/transport.hpp"
+
+#include <algorithm>
+
+#include "engine/base/error.hpp"
+#include "engine/base/text.hpp"
+#include "engine/batch/operations/table.hpp"
+#include "engine/batch/recipe.hpp"
+
+namespace lober {
+namespace {
+
+Record run(JobCurves curves, const Options& options) {
+  const System system =
+      system_of(options.text("system"), options.reals_of("parameters"), options.real("integration_tolerance"));
+  TransportOptions how;
+  how.iterates = static_cast<int>(options.whole("iterates"));
+  how.tolerance = options.real("tolerance");
+  constexpr std::size_t bytes_per_point = 240;  // of two manifolds that are grown, and what is made of them
+  how.most_points = std::min(how.most_points, std::max<std::size_t>(curves.allowance().most() / bytes_per_point, 1000));
+  how.progress = [&](const std::string&) {
+    curves.allowance().check();
+    return true;
+  };
+  how.lattice = system.lattice;
+  if (system.further_needed) how.further = system.further;
+  const Transport found = transport(*system.map, *system.connection, how);
+  const ManifoldTangle& manifolds = found.manifolds();
+  const TransportBoundary& first = found.boundaries.front();
+  if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
+    throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
+                    apart.front().second_by + " differ by " + shortest(apart.front().difference()) +
+                    ", more than their error bars " + shortest(apart.front().bar));
+  }
+  Record record;
+  record.values = {found.regions.front().area.value,
+                   first.area12.value,
+                   first.area21.value,
+                   first.action12,
+                   first.action21,
+                   static_cast<double>(manifolds.period()),
+                   static_cast<double>(manifolds.u.points.size()),
+                   static_cast<double>(manifolds.s.points.size())};
+  record.lists.resize(4);
+  for (const TransportStep& step : found.steps) {
+    record.lists[0].push_back(step.flux(1, 0).value);
+    record.lists[1].push_back(step.total(1, 0).value);
+    record.lists[2].push_back(step.total(1, 0).error);
+    record.lists[3].push_back(step.by_boundaries(1, 0).value);
+  }
+  return record;
+}
+
+void check_options(const Options& options) {
+  try {
+    const System system = system_of(options.text("system"), options.reals_of("parameters"), 1e-12);
+    if (!system.connection) throw UsageError(options.text("system") + " names no manifolds of interest");
+  } catch (const UsageError& error) {
+    throw UsageError(std::string("system: ") + error.what());
+  }
+}
+
+}  // namespace
+
+Operation transport_operation() {
+  Operation operation;
+  operation.name = "transport";
+  operation.arity = Arity::none;
+  operation.options = {{"system", ""},
+                       {"parameters.*", 0.0},
+                       {"iterates", std::int64_t{7}, {}, 1, 100},
+                       {"tolerance", 1e-5, {}, 1e-15},
+                       {"integration_tolerance", 1e-12, {}, 1e-16, 1e-2}};
+  for (const char* const name : {"region", "area12", "area21", "action12", "action21"}) {
+    operation.columns.push_back({name, Column::Kind::real});
+  }
+  for (const char* const name : {"period", "points_u", "points_s"}) {
+    operation.columns.push_back({name, Column::Kind::count});
+  }
+  // a(n), T(n), estimated error of T(n), and T(n) by the boundary method, n = 1, 2, ...
+  operation.lists = {"flux", "total", "error", "total_by_boundaries"};
+  operation.check = check_options;
+  operation.needs = [](const Options&) { return Needs{}; };
+  operation.run = run;
+  operation.cost = [](std::size_t) { return 2e5; };
+  operation.memory = std::size_t{64} << 20;
+  return operation;
+}
+
+}  // namespace lober

@@ -1,0 +1,54 @@
+// A curve in memory with whatever jobs need to know about it: found once for all pairs that it occurs in.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/geometry/curve/curve.hpp"
+#include "engine/geometry/index/index.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+
+namespace lober {
+
+/// What an operation asks of its curves.
+struct Needs {
+  bool index = false;           ///< the box tree
+  bool simple = false;          ///< that the curve be simple
+  bool closed = false;          ///< that it be closed
+  bool discretisation = false;  ///< DiscretisationSums
+  Needs& operator|=(const Needs& other) {
+    index |= other.index;
+    simple |= other.simple;
+    closed |= other.closed;
+    discretisation |= other.discretisation;
+    return *this;
+  }
+  friend bool operator==(const Needs&, const Needs&) = default;
+};
+
+/// Stays where it is: the index refers to the points.
+class PreparedCurve {
+ public:
+  /// Takes the curve and finds what is needed. Nothing is thrown for a curve that cannot be used: `error` says why.
+  PreparedCurve(std::shared_ptr<const Curve> curve, const Needs& needs);
+  /// A curve that could not even be read.
+  explicit PreparedCurve(std::string error) : curve_(std::make_shared<const Curve>()), error_(std::move(error)) {}
+  PreparedCurve(const PreparedCurve&) = delete;
+  PreparedCurve& operator=(const PreparedCurve&) = delete;
+
+  [[nodiscard]] const Curve& curve() const { return *curve_; }
+  [[nodiscard]] const IndexedCurve& index() const { return *index_; }
+  [[nodiscard]] const DiscretisationSums& sums() const { return *sums_; }
+  [[nodiscard]] const std::string& error() const { return error_; }  ///< empty: the curve can be used
+  [[nodiscard]] std::size_t memory() const;                          ///< bytes
+
+ private:
+  std::shared_ptr<const Curve> curve_;
+  std::optional<IndexedCurve> index_;
+  std::optional<DiscretisationSums> sums_;
+  std::string error_;
+};
+
+}  // namespace lober

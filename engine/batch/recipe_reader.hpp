@@ -1,0 +1,17 @@
+// Curves of systems as a manifest writes them (private to jobs/).
+#pragma once
+
+#define TOML_HEADER_ONLY 1
+#include <toml++/toml.h>
+
+#include <string>
+
+#include "engine/batch/manifest.hpp"
+
+namespace lober {
+
+/// `{ system = ..., manifold = ... }` or `{ system = ..., image_of = ... }`, see manifest.hpp. `key` is where it
+/// stands. Throws UsageError with the line.
+[[nodiscard]] Placed read_recipes(const Manifest& manifest, const toml::table& table, const std::string& key);
+
+}  // namespace lober

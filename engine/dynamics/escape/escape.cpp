@@ -1,0 +1,305 @@
+#include "engine/dynamics/escape/escape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/dynamics/escape/necks.hpp"
+#include "engine/dynamics/escape/symmetries.hpp"
+#include "engine/dynamics/escape/winding_product.hpp"
+#include "engine/dynamics/manifolds/growth_forecast.hpp"
+
+namespace lober {
+namespace {
+
+class Builder {
+ public:
+  Builder(const Flow& flow, const Section& section, double energy, const EscapeOptions& options)
+      : flow_(flow), options_(options) {
+    result_.energy = energy;
+    result_.section = section;
+  }
+
+  Escape build(std::span<const FlowState> guesses) {
+    Section either = result_.section;
+    either.direction = 0;
+    Necks necks(flow_, either, result_.energy, guesses, options_);
+    {
+      const Stopwatch watch;
+      necks.cut_first();
+      cost_.add(watch.seconds());
+    }
+    try {
+      for (int n = 1; n <= options_.crossings && result_.stop == EscapeStop::done; ++n) go_on(necks, n);
+      // One more whole image gives the longest times of the last rows a second split.
+      const int more = options_.crossings + 1;
+      if (result_.stop == EscapeStop::done && reason_not_to(necks, more) == EscapeStop::done) {
+        necks.carry(more, false, work(more));
+        with_curves(necks, [&] {
+          measure();
+          compare();
+        });
+      }
+    } catch (const Cancelled&) {
+      if (result_.crossings == 0) throw;
+      const CancellationScope shield(CancellationScope::Shield{});
+      std::erase_if(result_.table, [&](const EscapeFraction& row) { return row.crossings > result_.crossings; });
+      result_.stop = EscapeStop::cancelled;
+    }
+    if (result_.bottlenecks.empty()) result_.bottlenecks = std::move(necks.list);
+    return std::move(result_);
+  }
+
+ private:
+  // One more image of everything, and the rows of n that it makes known, if that is affordable.
+  void go_on(Necks& necks, int n) {
+    result_.stop = reason_not_to(necks, n);
+    if (result_.stop != EscapeStop::done) return;
+    const Stopwatch watch;
+    necks.carry(n, true, work(n));
+    cost_.add(watch.seconds());
+    with_curves(necks, [&] {
+      lay_out_rows(n);
+      measure();
+      result_.crossings = n;
+      compare();
+      if (options_.rows_known) options_.rows_known(result_, n);
+    });
+    const bool known =
+        std::all_of(result_.table.begin(), result_.table.end(), [](const EscapeFraction& row) { return row.known(); });
+    if (!known) result_.stop = necks.out_of_points() ? EscapeStop::points : EscapeStop::lost;
+  }
+
+  // `done` when the images of this number may be made.
+  EscapeStop reason_not_to(Necks& necks, int images) {
+    if (processor_.seconds() > options_.budget) return EscapeStop::budget;
+    const Necks::Ahead ahead = necks.look_ahead(images, images <= options_.crossings);
+    const double so_far = processor_.seconds();
+    const double seconds = ahead.crossings * so_far / std::max(necks.crossings_so_far(), 1.0);
+    if (images <= options_.crossings) {
+      result_.points_ahead = ahead.points;
+      result_.seconds_ahead = seconds;
+    }
+    if (ahead.points > static_cast<double>(options_.most_points)) return EscapeStop::points;
+    return so_far + seconds > options_.budget ? EscapeStop::budget : EscapeStop::done;
+  }
+
+  // What to tell while images of this number are made.
+  [[nodiscard]] EscapeWork work(int images) const {
+    const int left = std::max(1, options_.crossings + 1 - images);
+    return {images, watch_.seconds() + cost_.sum(left), watch_};
+  }
+
+  // The curves belong to the result while `function` runs.
+  template <typename Function>
+  void with_curves(Necks& necks, const Function& function) {
+    std::swap(necks.list, result_.bottlenecks);
+    function();
+    std::swap(necks.list, result_.bottlenecks);
+  }
+
+  // Directions alternate, so that m fixes where a trajectory is and n.
+  void lay_out_rows(int wanted) {
+    const auto& necks = result_.bottlenecks;
+    for (std::size_t i = 0; i < necks.size(); ++i) {
+      const int start = necks[i].entry[0].direction;
+      for (std::size_t j = 0; j < necks.size(); ++j) {
+        int n = 0;
+        for (int m = 0;; ++m) {
+          const int here = m % 2 == 0 ? start : -start;
+          n += here == result_.section.direction;
+          if (n > wanted) break;
+          if (n != wanted || here != necks[j].exit[0].direction) continue;
+          EscapeFraction row;
+          row.entry = i;
+          row.exit = j;
+          row.crossings = n;
+          row.iterates = m;
+          result_.table.push_back(row);
+        }
+      }
+    }
+    std::sort(result_.table.begin(), result_.table.end(), [](const EscapeFraction& x, const EscapeFraction& y) {
+      return std::tie(x.entry, x.exit, x.iterates) < std::tie(y.entry, y.exit, y.iterates);
+    });
+  }
+
+  // What the curves that there are can tell of the rows and has not been told yet.
+  void measure() {
+    for_each_block(result_.table.size(), 1, [&](std::size_t k, std::size_t) { measure(result_.table[k]); });
+  }
+
+  struct Split {
+    int forward;
+    int torn;
+    std::size_t points;
+  };
+
+  // Those with the fewest torn curves first, then those with the fewest points.
+  [[nodiscard]] std::vector<Split> splits_of(const EscapeFraction& row) const {
+    const auto &entries = result_.bottlenecks[row.entry].entry, &exits = result_.bottlenecks[row.exit].exit;
+    std::vector<Split> splits;
+    for (int a = 0; a <= row.iterates; ++a) {
+      const auto forward = static_cast<std::size_t>(a), backward = static_cast<std::size_t>(row.iterates - a);
+      if (forward >= entries.size() || backward >= exits.size()) continue;
+      const TubeCurve &first = entries[forward], &second = exits[backward];
+      splits.push_back({a, first.torn + second.torn, first.image.points.size() + second.image.points.size()});
+    }
+    std::stable_sort(splits.begin(), splits.end(), [](const Split& x, const Split& y) {
+      return x.torn != y.torn ? x.torn < y.torn : x.points < y.points;
+    });
+    return splits;
+  }
+
+  // The fraction by one split, and its error bar.
+  [[nodiscard]] CommonArea fraction(const EscapeFraction& row, int forward) const {
+    const Bottleneck &from = result_.bottlenecks[row.entry], &to = result_.bottlenecks[row.exit];
+    const TubeCurve& a = from.entry[static_cast<std::size_t>(forward)];
+    const TubeCurve& b = to.exit[static_cast<std::size_t>(row.iterates - forward)];
+    if (a.torn || b.torn) {
+      const CommonArea common = common_area_by_winding(a.view(), b.view());
+      return {common.area / from.area, (common.error + a.cut_off + b.cut_off) / from.area};
+    }
+    const CommonArea common = common_area(a.view(), b.view());
+    const double share = common.area / from.area;
+    // What the action shows of the curves' areas may be missing in the common area too.
+    return {share, (common.error + a.displacement_area + b.displacement_area) / from.area +
+                       share * (std::fabs(a.area / from.area - 1) + std::fabs(b.area / to.area - 1))};
+  }
+
+  void measure(EscapeFraction& row) const {
+    if (row.known() && row.other == row.other) return;
+    std::vector<Split> splits = splits_of(row);
+    if (row.known()) {
+      std::erase_if(splits, [&](const Split& split) { return split.forward == row.forward; });
+    } else if (!splits.empty()) {
+      const CommonArea best = fraction(row, splits[0].forward);
+      row.fraction = best.area;
+      row.error = best.error;
+      row.forward = splits[0].forward;
+      row.backward = row.iterates - row.forward;
+      row.torn = splits[0].torn > 0;
+      splits.erase(splits.begin());
+    }
+    if (splits.empty() || (splits[0].torn > 0 && !row.torn)) return;
+    const CommonArea other = fraction(row, splits[0].forward);
+    row.other = other.area;
+    row.other_error = other.error;
+    row.other_forward = splits[0].forward;
+    row.other_backward = row.iterates - row.other_forward;
+  }
+
+  void compare() {
+    Agreement& agreement = result_.agreement;
+    agreement = {};
+    compare_areas(result_.bottlenecks, agreement);
+    if (!symmetries_) symmetries_ = symmetries(flow_, result_.section, result_.bottlenecks);
+    result_.largest_split_difference = 0;
+    for (const EscapeFraction& row : result_.table) {
+      if (row.other == row.other) {
+        result_.largest_split_difference =
+            std::max(result_.largest_split_difference, std::fabs(row.fraction - row.other));
+      }
+      agreement.compare({name_of(row), "split " + split_text(row.forward, row.backward),
+                         "split " + split_text(row.other_forward, row.other_backward), row.fraction, row.other,
+                         row.error + row.other_error});
+      for (const EscapeSymmetry& symmetry : *symmetries_) compare_by(symmetry, row, agreement);
+    }
+  }
+
+  static std::string split_text(int forward, int backward) {
+    return std::to_string(forward) + " + " + std::to_string(backward);
+  }
+
+  // The fraction that the symmetry makes of this one, unless it is the same or comes earlier.
+  void compare_by(const EscapeSymmetry& symmetry, const EscapeFraction& row, Agreement& agreement) const {
+    const std::size_t first = symmetry.becomes[row.entry], second = symmetry.becomes[row.exit];
+    const std::size_t entry = symmetry.backwards ? second : first, exit = symmetry.backwards ? first : second;
+    for (const EscapeFraction& other : result_.table) {
+      if (&other <= &row || other.entry != entry || other.exit != exit || other.iterates != row.iterates) continue;
+      const double scale = result_.bottlenecks[entry].area / result_.bottlenecks[row.entry].area;
+      agreement.compare({name_of(row), "its own curves",
+                         std::string(symmetry.backwards ? "time reversal" : "symmetry") + " from bottlenecks " +
+                             std::to_string(entry + 1) + " and " + std::to_string(exit + 1),
+                         row.fraction, scale * other.fraction, row.error + scale * other.error});
+    }
+  }
+
+  const Flow& flow_;
+  const EscapeOptions& options_;
+  Escape result_;
+  Stopwatch watch_;
+  ProcessorWatch processor_;
+  GrowthForecast cost_;  // seconds by the clock for each number of images
+  std::optional<std::vector<EscapeSymmetry>> symmetries_;
+};
+
+}  // namespace
+
+std::string name_of(const EscapeFraction& row) {
+  return "the fraction from bottleneck " + std::to_string(row.entry + 1) + " to " + std::to_string(row.exit + 1) +
+         " after crossing " + std::to_string(row.crossings);
+}
+
+void compare_areas(std::span<const Bottleneck> necks, Agreement& agreement) {
+  for (std::size_t number = 0; number < necks.size(); ++number) {
+    const Bottleneck& neck = necks[number];
+    for (const auto* curves : {&neck.entry, &neck.exit}) {
+      for (std::size_t k = 0; k < curves->size(); ++k) {
+        const TubeCurve& curve = (*curves)[k];
+        if (!curve.complete) continue;
+        agreement.compare({std::string("the area of ") + (curves == &neck.entry ? "entrance " : "exit ") +
+                               std::to_string(number + 1) + ", image " + std::to_string(k),
+                           "its points", "action", curve.area, neck.area, curve.area_error + neck.area_error});
+      }
+    }
+  }
+}
+
+std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, double energy,
+                                    std::span<const FlowState> saddles, const EscapeOptions& options) {
+  if (!(options.tolerance > 0)) throw UsageError("escape: the tolerance has to be positive");
+  Section known = position_section(flow, section.coordinate, section.value, section.direction);
+  known.bound_coordinate = section.bound_coordinate;
+  known.bound = section.bound;
+  known.bound_side = section.bound_side;
+  Necks necks(flow, known, energy, saddles, options);
+  necks.cut_first();
+  return std::move(necks.list);
+}
+
+Escape escape(const Flow& flow, const Section& section, double energy, std::span<const FlowState> saddles,
+              const EscapeOptions& options) {
+  if (options.crossings < 1) throw UsageError("escape takes at least one crossing");
+  if (!(options.tolerance > 0)) throw UsageError("escape: the tolerance has to be positive");
+  if (section.direction == 0) throw UsageError("escape counts crossings in one direction: the section needs one");
+  if (section.bound_side != 0) throw UsageError("escape takes sections without bound");
+  const Section whole = position_section(flow, section.coordinate, section.value, section.direction);
+  return Builder(flow, whole, energy, options).build(saddles);
+}
+
+std::vector<Survival> survival(const Escape& result, std::size_t entry) {
+  std::vector<Survival> steps;
+  Survival sum;
+  sum.left.assign(result.bottlenecks.size(), 0);
+  for (int n = 1;; ++n) {
+    bool any = false;
+    for (const EscapeFraction& part : result.table) {
+      if (part.entry != entry || part.crossings != n) continue;
+      if (!part.known()) return steps;
+      any = true;
+      sum.left[part.exit] += part.fraction;
+      sum.remains -= part.fraction;
+      sum.error += part.error;
+    }
+    if (!any) return steps;
+    sum.crossings = n;
+    steps.push_back(sum);
+  }
+}
+
+}  // namespace lober

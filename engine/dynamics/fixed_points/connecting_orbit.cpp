@@ -1,0 +1,161 @@
+#include "engine/dynamics/fixed_points/connecting_orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/base/text.hpp"
+
+namespace lober {
+namespace {
+
+// The points of an orbit on one manifold from `place` towards the saddle, until they are the saddle: one step of the
+// map (forward or back) apart.
+std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
+  const LocalManifold::Image image = local.image();
+  const int direction = image.steps > 0 ? 1 : -1, stride = image.steps * direction;
+  std::vector<Point> points;
+  // From P(parameter) outwards to the point itself.
+  Point at = local.at(place.parameter);
+  std::vector<Point> outwards{at};
+  for (int k = 0; k < place.images * stride; ++k) {
+    map.iterate({&at, 1}, direction);
+    outwards.push_back(at);
+  }
+  points.assign(outwards.rbegin(), outwards.rend());
+  // And inwards along P, where errors shrink.
+  constexpr int most_images = 4000;
+  constexpr double gone = 1e-22;
+  double s = place.parameter;
+  for (int k = 0; k < most_images && std::fabs(s) > gone * local.reach; ++k) {
+    s /= image.factor;
+    at = local.at(s);
+    std::vector<Point> between{at};
+    for (int j = 1; j < stride; ++j) {
+      map.iterate({&at, 1}, direction);
+      between.push_back(at);
+    }
+    points.insert(points.end(), between.rbegin(), between.rend());
+  }
+  return points;
+}
+
+// The sum of L along the points, each one step from the next, less that of the saddle's own orbit. `points[0]` is where
+// both halves of the orbit meet.
+std::optional<long double> half_action(const PlanarMap& map, const LocalManifold& local, std::span<const Point> points,
+                                       double& error) {
+  const bool forward = local.steps > 0;  // from the saddle outwards; the points run inwards
+  const auto period = static_cast<std::size_t>(std::abs(local.steps));
+  const auto step = [&](Point nearer, Point farther) {
+    return forward ? map.action(nearer, farther) : map.action(farther, nearer);
+  };
+  // The saddle's own orbit, outwards.
+  std::vector<Point> saddle{local.saddle};
+  for (std::size_t k = 1; k < period; ++k) {
+    Point next = saddle.back();
+    map.iterate({&next, 1}, forward ? 1 : -1);
+    saddle.push_back(next);
+  }
+  std::vector<long double> own(period);
+  for (std::size_t k = 0; k < period; ++k) {
+    const std::optional<long double> action = step(saddle[k], saddle[(k + 1) % period]);
+    if (!action) return std::nullopt;
+    own[k] = *action;
+  }
+  long double sum = 0;
+  const std::size_t last = points.size() - 1;  // where the orbit is in step with the saddle
+  for (std::size_t k = last; k-- > 0;) {
+    const std::optional<long double> action = step(points[k + 1], points[k]);
+    if (!action) return std::nullopt;
+    const long double more = *action - own[(last - k - 1) % period];
+    sum += more;
+    error += map.action_accuracy() * static_cast<double>(1 + std::fabs(*action));
+  }
+  return sum;
+}
+
+}  // namespace
+
+MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
+  Matrix2 d;
+  const Point start = local.at(place.parameter), v = local.slope(place.parameter);
+  const Point at = map.iterate_with_derivative(start, place.images * local.image().steps, d);
+  return {at, {d.xx * v.x + d.xy * v.y, d.yx * v.x + d.yy * v.y}};
+}
+
+ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place) {
+  const double factor = local.image().factor;
+  while (std::fabs(place.parameter) > local.reach) {
+    place.parameter /= factor;
+    ++place.images;
+  }
+  while (place.images > 0 && std::fabs(place.parameter) * factor <= local.reach) {
+    place.parameter *= factor;
+    --place.images;
+  }
+  return place;
+}
+
+ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local, Position position) {
+  const auto generation_of = [&](std::size_t vertex) {
+    const auto after = std::upper_bound(grown.generation_begin.begin(), grown.generation_begin.end(), vertex);
+    return static_cast<int>(after - grown.generation_begin.begin()) - 1;
+  };
+  const std::size_t first = position.segment, second = std::min(first + 1, grown.parameters.size() - 1);
+  const int generation = generation_of(first), next = generation_of(second);
+  const double factor = local.image().factor;
+  const double from = grown.parameters[first];
+  const double to = grown.parameters[second] * (next > generation ? std::pow(factor, next - generation) : 1);
+  return normalised(local, {generation, from + position.t * (to - from)});
+}
+
+ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
+                                 ManifoldPlace u, ManifoldPlace s) {
+  u = normalised(unstable, u);
+  s = normalised(stable, s);
+  ConnectingOrbit best;
+  best.residual = std::numeric_limits<double>::infinity();
+  int without_gain = 0;
+  constexpr int most_rounds = 40;
+  for (int round = 0; round < most_rounds && without_gain < 3; ++round) {
+    const MovingPoint on_u = point_on(map, unstable, u), on_s = point_on(map, stable, s);
+    const Point apart{on_s.at.x - on_u.at.x, on_s.at.y - on_u.at.y};
+    const double residual = std::hypot(apart.x, apart.y);
+    if (!std::isfinite(residual)) break;
+    if (residual < best.residual) {
+      best = {on_u.at, u, s, residual, {}, 0};
+      without_gain = 0;
+    } else {
+      ++without_gain;
+    }
+    const double sine = on_u.velocity.x * on_s.velocity.y - on_u.velocity.y * on_s.velocity.x;
+    if (sine == 0) break;
+    u.parameter += (apart.x * on_s.velocity.y - apart.y * on_s.velocity.x) / sine;
+    s.parameter += (apart.x * on_u.velocity.y - apart.y * on_u.velocity.x) / sine;
+    u = normalised(unstable, u);
+    s = normalised(stable, s);
+  }
+  const double distance = std::hypot(best.at.x - unstable.saddle.x, best.at.y - unstable.saddle.y);
+  if (!(best.residual <= 1e-6 * distance)) {
+    throw DataError("no orbit between the saddles was found near " + place_text(best.at) +
+                    ": the manifolds do not cross there, or touch");
+  }
+  const std::vector<Point> before = towards_saddle(map, unstable, best.u);
+  std::vector<Point> after = towards_saddle(map, stable, best.s);
+  after[0] = before[0];  // one point, so that the action is stationary in it
+  const auto back = half_action(map, unstable, before, best.action_error);
+  const auto on = half_action(map, stable, after, best.action_error);
+  if (back && on) best.action = *back + *on;
+  best.action_error += static_cast<double>(best.residual) * best.residual;
+  return best;
+}
+
+std::optional<double> lobe_area_by_action(const ConnectingOrbit& first, const ConnectingOrbit& second) {
+  if (!first.action || !second.action) return std::nullopt;
+  return static_cast<double>(*first.action - *second.action);
+}
+
+}  // namespace lober

@@ -1,0 +1,165 @@
+#include "engine/dynamics/fixed_points/fixed_points.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/text.hpp"
+#include "engine/dynamics/fixed_points/displacement_grid.hpp"
+#include "engine/dynamics/fixed_points/newton.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+
+namespace lober {
+
+namespace {
+
+void require(const FixedPointOptions& options) {
+  if (options.period < 1) throw UsageError("the period of a fixed point must be at least 1");
+  if (options.grid < 2) throw UsageError("the grid of a scan for fixed points must have at least 2 points a side");
+}
+
+Point direction(const Matrix2& a, double eigenvalue) {
+  const Point first{a.xy, eigenvalue - a.xx};
+  const Point second{eigenvalue - a.yy, a.yx};
+  Point v = length(first) > length(second) ? first : second;
+  const double norm = length(v);
+  if (norm == 0) return {1, 0};
+  v = {v.x / norm, v.y / norm};
+  const bool turn = std::abs(v.x) > 1e-9 ? v.x < 0 : v.y < 0;
+  return turn ? Point{-v.x, -v.y} : v;
+}
+
+/// Fills in what follows from the derivative.
+void classify(FixedPoint& point) {
+  const Matrix2& a = point.derivative;
+  const double half_trace = 0.5 * (a.xx + a.yy);
+  const double det = determinant(a);
+  // (trace / 2)^2 - det, without the cancellation of that form.
+  const double half_difference = 0.5 * (a.xx - a.yy);
+  const double discriminant = half_difference * half_difference + a.xy * a.yx;
+  const auto compare_to_1 = [](double modulus) { return std::abs(modulus - 1) <= 1e-7 ? 0 : modulus > 1 ? 1 : -1; };
+  if (discriminant < 0) {
+    const double imaginary = std::sqrt(-discriminant);
+    point.eigenvalues = {std::complex(half_trace, imaginary), std::complex(half_trace, -imaginary)};
+    const int side = compare_to_1(std::sqrt(det));
+    point.kind = side == 0 ? FixedPointKind::centre : side > 0 ? FixedPointKind::repelling : FixedPointKind::attracting;
+    return;
+  }
+  const double first = half_trace + std::copysign(std::sqrt(discriminant), half_trace);
+  const double second = first != 0 ? det / first : 0;
+  point.eigenvalues = {first, second};
+  point.directions = {direction(a, first), direction(a, second)};
+  const int larger = compare_to_1(std::abs(first));
+  const int smaller = compare_to_1(std::abs(second));
+  if (larger == 0 || smaller == 0) {
+    point.kind = FixedPointKind::parabolic;
+  } else if (larger == smaller) {
+    point.kind = larger > 0 ? FixedPointKind::repelling : FixedPointKind::attracting;
+  } else if (first * second < 0) {
+    point.kind = FixedPointKind::reversing_saddle;
+  } else {
+    point.kind = first > 0 ? FixedPointKind::saddle : FixedPointKind::inverse_saddle;
+  }
+}
+
+FixedPoint describe(const PlanarMap& map, Point at, const FixedPointOptions& options) {
+  FixedPoint result;
+  result.at = at;
+  for (int period = 1; period <= options.period; ++period) {
+    if (options.period % period != 0) continue;
+    const double share = static_cast<double>(period) / options.period;
+    const Displacement here = displacement(map, at, period, {share * options.shift.x, share * options.shift.y});
+    if (period < options.period && !(length(here.gap) <= 1e-8 * size_at(at))) continue;
+    result.period = period;
+    result.derivative = here.derivative;
+    result.residual = length(here.gap);
+    break;
+  }
+  classify(result);
+  return result;
+}
+
+bool in_box(const Box& box, Point z) {
+  const double slack = 1e-9 * (1 + box.extent());
+  return box.min_x() - slack <= z.x && z.x <= box.max_x() + slack && box.min_y() - slack <= z.y &&
+         z.y <= box.max_y() + slack;
+}
+
+}  // namespace
+
+std::string_view name_of(FixedPointKind kind) {
+  switch (kind) {
+    case FixedPointKind::saddle:
+      return "saddle";
+    case FixedPointKind::inverse_saddle:
+      return "inverse saddle";
+    case FixedPointKind::reversing_saddle:
+      return "saddle, orientation reversed";
+    case FixedPointKind::centre:
+      return "centre";
+    case FixedPointKind::parabolic:
+      return "parabolic";
+    case FixedPointKind::attracting:
+      return "attracting";
+    case FixedPointKind::repelling:
+      return "repelling";
+  }
+  return "";
+}
+
+FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointOptions& options) {
+  require(options);
+  const NewtonEnd end = newton(map, guess, options, 0.5 * size_at(guess));
+  if (!end.converged) {
+    throw DataError("no point of period " + std::to_string(options.period) + " found from " + place_text(guess) +
+                    (std::isfinite(end.residual)
+                         ? ": Newton's method ended at " + place_text(end.at) + ", off by " + shortest(end.residual)
+                         : ": it has no image under the map"));
+  }
+  return describe(map, end.at, options);
+}
+
+std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Box& box, const FixedPointOptions& options) {
+  require(options);
+  if (!(box.width() > 0 && box.height() > 0)) throw UsageError("the box of a scan for fixed points is empty");
+  const DisplacementGrid grid(map, box, options);
+  const std::vector<Point> seeds = grid.seeds();
+  std::vector<std::optional<FixedPoint>> found(seeds.size());
+  for_each_block(seeds.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const NewtonEnd newton_end = newton(map, seeds[k], options, 2 * grid.cell());
+      if (newton_end.converged && in_box(box, newton_end.at)) found[k] = describe(map, newton_end.at, options);
+    }
+  });
+  std::vector<FixedPoint> result;
+  for (const std::optional<FixedPoint>& point : found) {
+    if (!point) continue;
+    const auto same = std::find_if(result.begin(), result.end(), [&](const FixedPoint& other) {
+      return length({other.at.x - point->at.x, other.at.y - point->at.y}) <= 1e-6 * size_at(other.at);
+    });
+    if (same == result.end()) {
+      result.push_back(*point);
+    } else if (point->residual < same->residual) {
+      *same = *point;
+    }
+  }
+  if (result.empty()) {
+    const auto [place, least] = grid.nearest();
+    throw DataError("no point of period " + std::to_string(options.period) + " in [" + shortest(box.min_x()) + ", " +
+                    shortest(box.max_x()) + "] x [" + shortest(box.min_y()) + ", " + shortest(box.max_y()) + "]: " +
+                    (std::isnan(least)
+                         ? "no point of the box has an image"
+                         : "the displacement is least, " + shortest(least) + ", at " + place_text(place)));
+  }
+  std::sort(result.begin(), result.end(), [](const FixedPoint& a, const FixedPoint& b) {
+    return std::tuple(a.period, a.at.x, a.at.y) < std::tuple(b.period, b.at.x, b.at.y);
+  });
+  return result;
+}
+
+}  // namespace lober

@@ -1,0 +1,32 @@
+// Newton's method for points with f^period(z) = z + shift.
+#pragma once
+
+#include "engine/dynamics/fixed_points/fixed_points.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+
+namespace lober {
+
+/// f^period(z) - z - shift, and the derivative of f^period.
+struct Displacement {
+  Point gap;
+  Matrix2 derivative;
+};
+
+Displacement displacement(const PlanarMap& map, Point z, int period, Point shift);
+
+/// What an error of z is relative to.
+inline double size_at(Point z) {
+  return 1 + length(z);
+}
+
+struct NewtonEnd {
+  Point at;
+  double residual = 0;
+  bool converged = false;
+};
+
+/// Damped, with steps no longer than `reach`, until the residual falls no further. Converged: it is small then, and the
+/// map is defined all round the point.
+NewtonEnd newton(const PlanarMap& map, Point z, const FixedPointOptions& options, double reach);
+
+}  // namespace lober

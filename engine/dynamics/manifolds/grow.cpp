@@ -1,0 +1,70 @@
+#include "engine/dynamics/manifolds/grow.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/dynamics/manifolds/manifold_growth.hpp"
+
+namespace lober {
+namespace {
+
+void require_sensible(const LocalManifold& local, const GrowthOptions& options) {
+  if (!(options.tolerance > 0)) throw UsageError("grow: the tolerance has to be positive");
+  if (!(options.longest >= 0)) throw UsageError("grow: the longest segment cannot be negative");
+  if (!(options.length > 0)) throw UsageError("grow: the length has to be positive");
+  if (options.iterates < 0 && !std::isfinite(options.length)) {
+    throw UsageError("grow: either the number of iterates or the length has to be given");
+  }
+  if (!(std::fabs(local.multiplier) > 1) || !(local.reach > 0)) {
+    throw UsageError("grow: this is no local manifold of a saddle");
+  }
+}
+
+}  // namespace
+
+Branch branch_towards(const LocalManifold& local, Point direction) {
+  return local.tangent.x * direction.x + local.tangent.y * direction.y < 0 ? Branch::minus : Branch::plus;
+}
+
+std::string_view name(GrowthFlawCause cause) {
+  switch (cause) {
+    case GrowthFlawCause::failed:
+      return "failed";
+    case GrowthFlawCause::spacing:
+      return "spacing";
+    case GrowthFlawCause::most_rounds:
+      return "most-rounds";
+    case GrowthFlawCause::left_box:
+      return "left-box";
+  }
+  return "";
+}
+
+std::string_view name(GrowthStop stop) {
+  switch (stop) {
+    case GrowthStop::iterates:
+      return "iterates";
+    case GrowthStop::length:
+      return "length";
+    case GrowthStop::points:
+      return "points";
+    case GrowthStop::ended:
+      return "ended";
+    case GrowthStop::failed:
+      return "failed";
+    case GrowthStop::cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
+GrownManifold grow(const PlanarMap& map, const LocalManifold& local, Branch branch, const GrowthOptions& options) {
+  require_sensible(local, options);
+  ManifoldGrowth growth(map, local, branch, options);
+  growth.grow_to(std::numeric_limits<double>::infinity());
+  return std::move(growth.grown());
+}
+
+}  // namespace lober

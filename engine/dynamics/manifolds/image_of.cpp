@@ -1,0 +1,202 @@
+// Images of closed curves, by the same machinery as manifolds.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/manifolds/outcome.hpp"
+#include "engine/dynamics/manifolds/trace.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::size_t batch = 64;
+
+TraceOptions options_for_tracing(const ImageOptions& given, const Samples& guide) {
+  TraceOptions options;
+  options.tolerance = given.tolerance;
+  options.longest = given.longest;
+  options.most_points = std::min<std::size_t>(given.most_points, (std::size_t{1} << 31) - 2) + 1;
+  options.least_spacing = 64 * std::numeric_limits<double>::epsilon() *
+                          std::max(std::fabs(guide.parameters.front()), std::fabs(guide.parameters.back()));
+  options.batch = batch;
+  options.box = given.box;
+  if (!(options.box.width() >= 0)) {
+    constexpr double most = std::numeric_limits<double>::max();
+    options.box = Box::of({-most, -most}, {most, most});
+  }
+  return options;
+}
+
+// Each curve of a sequence in turn: the points of one, carried on, show where the next one needs points. `at` gives
+// curve k at parameters, `onward` turns points of curve k - 1 into those of curve k; a point of curve k costs
+// `steps(k)` steps of the map. `finished` takes each curve and says whether to go on.
+template <typename Steps, typename Finished>
+void trace_in_turn(const ImageOptions& given, Samples guide, std::vector<std::uint32_t> kept, const CurveSequence& at,
+                   const CurveSequence& onward, const Steps& steps, const Finished& finished) {
+  TraceOptions options = options_for_tracing(given, guide);
+  std::uint64_t images = 0;
+  for (int done = 0;; ++done) {
+    const CurveFunction curve = [&](std::span<const double> parameters, std::span<Point> points) {
+      at(done, parameters, points);
+    };
+    const auto count = [&](std::size_t evaluations, int each) {
+      images += static_cast<std::uint64_t>(evaluations) * static_cast<std::uint64_t>(each);
+      if (given.progress && !given.progress({done, 0, 0, images})) throw Cancelled();
+    };
+    options.evaluated = [&](std::size_t evaluations) { count(evaluations, steps(done)); };
+    Trace trace = traced(std::move(guide), std::move(kept), curve, options);
+    CurveImage result;
+    result.images = images;
+    if (trace.out_of_points) result.stop = GrowthStop::points;
+    append_finite(trace, 0, result.points, result.parameters, result.flaws);
+    if (!finished(done, std::move(result)) || trace.out_of_points) return;
+    guide = std::move(trace.samples);
+    kept = std::move(trace.kept);
+    for_each_block(guide.points.size(), batch, [&](std::size_t first, std::size_t last) {
+      onward(done + 1, std::span(guide.parameters).subspan(first, last - first),
+             std::span(guide.points).subspan(first, last - first));
+    });
+    count(guide.points.size(), 1);
+  }
+}
+
+CurveImage traced_image(const PlanarMap& map, int iterates, const ImageOptions& given, Samples guide,
+                        std::vector<std::uint32_t> kept, const CurveFunction& curve) {
+  const int direction = iterates < 0 ? -1 : 1;
+  const CurveSequence at = [&](int done, std::span<const double> parameters, std::span<Point> points) {
+    curve(parameters, points);
+    if (done != 0) map.iterate(points, done * direction);
+  };
+  const CurveSequence onward = [&](int, std::span<const double>, std::span<Point> points) {
+    map.iterate(points, direction);
+  };
+  CurveImage last;
+  trace_in_turn(
+      given, std::move(guide), std::move(kept), at, onward, [](int done) { return done; },
+      [&](int done, CurveImage&& image) {
+        last = std::move(image);
+        return done != std::abs(iterates);
+      });
+  return last;
+}
+
+void require_sensible(const ImageOptions& options) {
+  if (!(options.tolerance > 0)) throw UsageError("image: the tolerance has to be positive");
+  if (!(options.longest > 0)) throw UsageError("image: the longest segment has to be positive");
+  if (options.most_points < 3) throw UsageError("image: there has to be room for three points");
+}
+
+// The last sample repeats the first.
+void close(CurveImage& image) {
+  image.closed = true;
+  if (image.stop != GrowthStop::points && image.points.size() > 1) {
+    image.points.pop_back();
+    image.parameters.pop_back();
+  }
+}
+
+// A few points between any two corners; the corners are kept.
+Samples first_guide(std::span<const double> corners, const CurveFunction& curve, std::vector<std::uint32_t>& kept) {
+  if (corners.size() < 2) throw UsageError("image: the first and the last parameter of the curve have to be given");
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (!std::isfinite(corners[k]) || (k > 0 && !(corners[k] > corners[k - 1]))) {
+      throw UsageError("image: parameters have to be finite and strictly ascending");
+    }
+  }
+  constexpr std::size_t parts = 64;
+  Samples guide;
+  for (std::size_t j = 0; j + 1 < corners.size(); ++j) {
+    kept.push_back(static_cast<std::uint32_t>(guide.parameters.size()));
+    for (std::size_t k = 0; k < parts; ++k) {
+      guide.parameters.push_back(corners[j] + (corners[j + 1] - corners[j]) * static_cast<double>(k) / parts);
+    }
+  }
+  kept.push_back(static_cast<std::uint32_t>(guide.parameters.size()));
+  guide.parameters.push_back(corners.back());
+  guide.points.resize(guide.parameters.size());
+  curve(guide.parameters, guide.points);
+  return guide;
+}
+
+}  // namespace
+
+CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& curve, std::span<const double> corners,
+                    const ImageOptions& options) {
+  require_sensible(options);
+  std::vector<std::uint32_t> kept;
+  Samples guide = first_guide(corners, curve, kept);
+  CurveImage result = traced_image(map, iterates, options, std::move(guide), std::move(kept), curve);
+  close(result);
+  return result;
+}
+
+std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
+                                  const ImageOptions& options, const std::function<bool(const CurveImage&)>& goes_on,
+                                  std::span<const double> guide) {
+  require_sensible(options);
+  const CurveFunction first = [&](std::span<const double> parameters, std::span<Point> points) {
+    curves(0, parameters, points);
+  };
+  std::vector<std::uint32_t> kept;
+  Samples samples;
+  if (guide.empty()) {
+    samples = first_guide(corners, first, kept);
+  } else {
+    samples.parameters.assign(guide.begin(), guide.end());
+    samples.points.resize(guide.size());
+    for (const double corner : corners) {
+      kept.push_back(static_cast<std::uint32_t>(std::lower_bound(guide.begin(), guide.end(), corner) - guide.begin()));
+    }
+    for_each_block(guide.size(), batch, [&](std::size_t begin, std::size_t end) {
+      first(guide.subspan(begin, end - begin), std::span(samples.points).subspan(begin, end - begin));
+    });
+  }
+  std::vector<CurveImage> results;
+  trace_in_turn(
+      options, std::move(samples), std::move(kept), curves, curves, [](int done) { return done + 1; },
+      [&](int, CurveImage&& image) {
+        close(image);
+        results.push_back(std::move(image));
+        return goes_on(results.back());
+      });
+  return results;
+}
+
+CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve, const ImageOptions& options) {
+  require_sensible(options);
+  validate(curve, "image");
+  const std::size_t size = curve.segments() + 1;
+  const auto vertex = [&](std::size_t k) { return curve.points[k < curve.points.size() ? k : 0]; };
+  const CurveFunction on_segments = [&](std::span<const double> parameters, std::span<Point> points) {
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const double number = std::floor(parameters[k]), t = parameters[k] - number;
+      const Point a = vertex(static_cast<std::size_t>(number));
+      if (t == 0) {
+        points[k] = a;
+      } else {
+        const Point b = vertex(static_cast<std::size_t>(number) + 1);
+        points[k] = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+      }
+    }
+  };
+  Samples guide{Buffer<double>(size), Buffer<Point>(size)};
+  std::vector<std::uint32_t> kept(size);
+  for (std::size_t k = 0; k < size; ++k) {
+    guide.parameters[k] = static_cast<double>(k);
+    guide.points[k] = vertex(k);
+    kept[k] = static_cast<std::uint32_t>(k);
+  }
+  CurveImage result = traced_image(map, iterates, options, std::move(guide), std::move(kept), on_segments);
+  if (curve.closed) {
+    close(result);
+  } else {
+    result.closed = false;
+  }
+  return result;
+}
+
+}  // namespace lober

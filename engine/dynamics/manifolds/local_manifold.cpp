@@ -1,0 +1,380 @@
+#include "engine/dynamics/manifolds/local_manifold.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/text.hpp"
+#include "engine/dynamics/maps/linear_algebra.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "kernels/chebyshev.hpp"
+
+namespace lober {
+namespace {
+
+struct Image {
+  Point point;
+  Matrix2 derivative;
+};
+
+// F^steps at many points, side by side.
+std::vector<Image> images_with_derivative(const PlanarMap& map, int steps, std::span<const Point> points) {
+  std::vector<Image> images(points.size());
+  for_each_block(points.size(), 4, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      images[k].point = map.iterate_with_derivative(points[k], steps, images[k].derivative);
+    }
+  });
+  return images;
+}
+
+void iterate_all(const PlanarMap& map, int steps, std::vector<Point>& points) {
+  for_each_block(points.size(), 4, [&](std::size_t first, std::size_t last) {
+    map.iterate(std::span(points).subspan(first, last - first), steps);
+  });
+}
+
+struct Saddle {
+  Point at;
+  double multiplier;
+  Point tangent;
+};
+
+// Newton's method for F(z) = z, until it no longer comes closer; none if that is not close.
+std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
+  Point best = guess, at = guess;
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 50; ++round) {
+    Matrix2 a;
+    const Point image = map.iterate_with_derivative(at, steps, a);
+    const Point r{image.x - at.x, image.y - at.y};
+    const double size = std::hypot(r.x, r.y);
+    if (!is_finite(image)) break;
+    if (!(size < least)) {
+      if (round > 8 || least == 0) break;
+    } else {
+      least = size;
+      best = at;
+    }
+    const double determinant = (a.xx - 1) * (a.yy - 1) - a.xy * a.yx;
+    if (determinant == 0) break;
+    at.x -= (r.x * (a.yy - 1) - a.xy * r.y) / determinant;
+    at.y -= ((a.xx - 1) * r.y - a.yx * r.x) / determinant;
+  }
+  if (!(least <= 1e-7 * (1 + length(best)))) return std::nullopt;
+  return best;
+}
+
+// The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. Of
+// the map and its inverse one may see it from where the other does not.
+Point saddle_place(const PlanarMap& map, int steps, Point guess) {
+  const std::optional<Point> own = refined_fixed_point(map, steps, guess);
+  const std::optional<Point> forward = steps > 0 ? own : refined_fixed_point(map, -steps, guess);
+  if (!own && !forward) throw DataError("no fixed point of the map was found near " + place_text(guess));
+  if (!own) return *forward;
+  const bool same = forward && distance(*forward, *own) <= 1e-8 * (1 + length(*own));
+  return same ? *forward : *own;
+}
+
+Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
+  const Point at = saddle_place(map, steps, guess);
+  Matrix2 a;
+  if (!is_finite(map.iterate_with_derivative(at, steps, a))) {
+    throw DataError("the map cannot be evaluated at its fixed point " + place_text(at));
+  }
+  // Half the trace, and a determinant free of cancellation: eigenvalues m +- sqrt(((axx - ayy) / 2)^2 + axy ayx).
+  const double mean = (a.xx + a.yy) / 2, half = (a.xx - a.yy) / 2;
+  const double discriminant = half * half + a.xy * a.yx;
+  const double root = std::sqrt(std::max(discriminant, 0.0));
+  const double large = mean + std::copysign(root, mean);
+  const double small = (a.xx * a.yy - a.xy * a.yx) / large;
+  if (!(discriminant > 0) || !(std::fabs(large) > 1) || !(std::fabs(small) < 1)) {
+    throw DataError("the fixed point " + place_text(at) + " is not a saddle");
+  }
+  // Either row of A - large gives the eigenvector; the longer one is safe.
+  Point v{a.xy, large - a.xx}, w{large - a.yy, a.yx};
+  if (std::hypot(w.x, w.y) > std::hypot(v.x, v.y)) v = w;
+  double length = std::hypot(v.x, v.y);
+  if (std::fabs(v.x) > 1e-12 * length ? v.x < 0 : v.y < 0) length = -length;
+  return {at, large, {v.x / length, v.y / length}};
+}
+
+// The derivative that a system gives against differences of the map along both axes: everything that is made of it is
+// wrong where it is.
+void require_derivative_fits(const PlanarMap& map, int steps, Point at) {
+  Matrix2 a;
+  if (!is_finite(map.iterate_with_derivative(at, steps, a))) return;
+  const double size = std::max({1.0, std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
+  const double h = 1e-5 * (1 + std::hypot(at.x, at.y)) / size;
+  constexpr double fits = 1e-2;  // curvature and the error of integration are far below
+  for (const bool along_x : {true, false}) {
+    const double dx = along_x ? h : 0, dy = along_x ? 0 : h;
+    Point ends[2] = {{at.x + dx, at.y + dy}, {at.x - dx, at.y - dy}};
+    map.iterate(ends, steps);
+    const Point difference{(ends[0].x - ends[1].x) / (2 * h), (ends[0].y - ends[1].y) / (2 * h)};
+    if (!is_finite(difference)) return;
+    const Point given = along_x ? Point{a.xx, a.yx} : Point{a.xy, a.yy};
+    if (distance(difference, given) <= fits * size) continue;
+    throw DataError("the derivative that the system gives at " + place_text(at) + " does not fit its map: along " +
+                    (along_x ? "x" : "y") + " it is " + place_text(given) + ", differences of the map say " +
+                    place_text(difference));
+  }
+}
+
+// T_0, ..., T_n at x and, if wanted, their derivatives.
+void chebyshev_basis(double x, std::span<double> values, std::span<double> slopes = {}) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    values[k] = k == 0 ? 1 : k == 1 ? x : 2 * x * values[k - 1] - values[k - 2];
+    if (slopes.empty()) continue;
+    slopes[k] = k == 0 ? 0 : k == 1 ? 1 : 2 * values[k - 1] + 2 * x * slopes[k - 1] - slopes[k - 2];
+  }
+}
+
+// P on [-reach, reach] together with lambda, and how well they solve the equation.
+struct Candidate {
+  double reach = 0;
+  double multiplier = 0;
+  std::vector<Point> coefficients;
+  double defect = std::numeric_limits<double>::infinity();
+  double defect_across = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] std::vector<Point> at(std::span<const double> parameters) const {
+    std::vector<Point> points(parameters.size());
+    chebyshev_points(coefficients, 0, reach, parameters, points);
+    return points;
+  }
+};
+
+class Solver {
+ public:
+  Solver(const PlanarMap& map, int steps, const Saddle& saddle, int degree)
+      : map_(map), steps_(steps), saddle_(saddle), size_(static_cast<std::size_t>(degree) + 1) {}
+
+  [[nodiscard]] Candidate linear(double reach) const {
+    Candidate result{reach, saddle_.multiplier, std::vector<Point>(size_)};
+    result.coefficients[0] = saddle_.at;
+    result.coefficients[1] = {saddle_.tangent.x * reach, saddle_.tangent.y * reach};
+    return result;
+  }
+
+  // The same curve, continued by the map to a larger reach.
+  [[nodiscard]] Candidate continued(const Candidate& from, double reach) const {
+    int images = 0;
+    double scale = 1;
+    for (; reach * scale > from.reach; ++images) scale /= std::fabs(from.multiplier);
+    if (from.multiplier < 0 && images % 2 != 0) scale = -scale;
+    std::vector<double> parameters(size_);
+    for (std::size_t k = 0; k < size_; ++k) parameters[k] = reach * chebyshev_node(k, size_) * scale;
+    std::vector<Point> points = from.at(parameters);
+    iterate_all(map_, images * steps_, points);
+    Candidate result{reach, from.multiplier, std::vector<Point>(size_)};
+    chebyshev_coefficients(points, result.coefficients);
+    return result;
+  }
+
+  // Gauss-Newton as long as it gains; nothing when the map fails on the way.
+  [[nodiscard]] std::optional<Candidate> solved(Candidate from) const {
+    std::optional<Candidate> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 20; ++round) {
+      const double residual = step(from, best, least);
+      if (!std::isfinite(residual)) return std::nullopt;
+      if (residual < least) {
+        const bool gains = residual < 0.5 * least;
+        least = residual;
+        if (!gains) break;
+      } else {
+        break;
+      }
+    }
+    if (best) measure(*best);
+    return best;
+  }
+
+ private:
+  // The residual of `from`, kept in `best` if that is the least so far; then `from` is replaced by the next guess.
+  double step(Candidate& from, std::optional<Candidate>& best, double least) const {
+    const std::size_t nodes = 2 * size_;
+    std::vector<double> parameters(nodes);
+    for (std::size_t j = 0; j < nodes; ++j) {
+      parameters[j] = from.reach * chebyshev_node(j, nodes) / std::fabs(saddle_.multiplier);
+    }
+    const std::vector<Image> images = images_with_derivative(map_, steps_, from.at(parameters));
+    const std::size_t rows = 2 * nodes + 1, columns = 2 * size_ + 1;
+    Matrix jacobian(rows, columns);
+    std::vector<double> residual(rows);
+    std::vector<double> here(size_), there(size_), slope(size_);
+    for (std::size_t j = 0; j < nodes; ++j) {
+      const double x = parameters[j] / from.reach;
+      chebyshev_basis(x, here);
+      chebyshev_basis(from.multiplier * x, there, slope);
+      const std::size_t row = 2 * j;
+      const Matrix2& a = images[j].derivative;
+      Point p, velocity;
+      for (std::size_t k = 0; k < size_; ++k) {
+        const Point c = from.coefficients[k];
+        p = {p.x + c.x * there[k], p.y + c.y * there[k]};
+        velocity = {velocity.x + c.x * slope[k], velocity.y + c.y * slope[k]};
+        const std::size_t column = 2 * k;
+        jacobian(row, column) = a.xx * here[k] - there[k];
+        jacobian(row, column + 1) = a.xy * here[k];
+        jacobian(row + 1, column) = a.yx * here[k];
+        jacobian(row + 1, column + 1) = a.yy * here[k] - there[k];
+      }
+      jacobian(row, columns - 1) = -velocity.x * x;
+      jacobian(row + 1, columns - 1) = -velocity.y * x;
+      residual[row] = images[j].point.x - p.x;
+      residual[row + 1] = images[j].point.y - p.y;
+    }
+    // The last row: P'(0) has component 1 along the tangent.
+    chebyshev_basis(0, here, slope);
+    double along = 0;
+    for (std::size_t k = 0; k < size_; ++k) {
+      const std::size_t column = 2 * k;
+      jacobian(rows - 1, column) = saddle_.tangent.x * slope[k];
+      jacobian(rows - 1, column + 1) = saddle_.tangent.y * slope[k];
+      along += slope[k] * (saddle_.tangent.x * from.coefficients[k].x + saddle_.tangent.y * from.coefficients[k].y);
+    }
+    jacobian(rows - 1, columns - 1) = 0;
+    residual[rows - 1] = along - from.reach;
+    const double size = std::sqrt(std::inner_product(residual.begin(), residual.end(), residual.begin(), 0.0));
+    if (!std::isfinite(size)) return size;
+    if (size < least) best = from;
+    const std::vector<double> change = least_squares(jacobian, residual);
+    for (std::size_t k = 0; k < size_; ++k) {
+      const std::size_t column = 2 * k;
+      from.coefficients[k].x -= change[column];
+      from.coefficients[k].y -= change[column + 1];
+    }
+    from.multiplier -= change[columns - 1];
+    return size;
+  }
+
+  // The defect at points that are no nodes, evenly spread and up to the end.
+  void measure(Candidate& candidate) const {
+    const std::size_t count = 8 * size_ + 1;
+    std::vector<double> parameters(count), ahead(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double x = -1 + 2 * static_cast<double>(k) / static_cast<double>(count - 1);
+      ahead[k] = candidate.reach * x;
+      parameters[k] = ahead[k] / candidate.multiplier;
+    }
+    std::vector<Point> images = candidate.at(parameters);
+    iterate_all(map_, steps_, images);
+    const std::vector<Point> expected = candidate.at(ahead);
+    candidate.defect = candidate.defect_across = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!is_finite(images[k])) {
+        candidate.defect = candidate.defect_across = std::numeric_limits<double>::infinity();
+        return;
+      }
+      const Point d{images[k].x - expected[k].x, images[k].y - expected[k].y};
+      const Point a = expected[k == 0 ? 0 : k - 1], b = expected[k + 1 == count ? k : k + 1];
+      const Point e{b.x - a.x, b.y - a.y};
+      const double length = std::hypot(e.x, e.y);
+      candidate.defect = std::max(candidate.defect, std::hypot(d.x, d.y));
+      if (length > 0)
+        candidate.defect_across = std::max(candidate.defect_across, std::fabs(d.x * e.y - d.y * e.x) / length);
+    }
+  }
+
+  const PlanarMap& map_;
+  int steps_;
+  Saddle saddle_;
+  std::size_t size_;
+};
+
+void require_sensible(const LocalManifoldOptions& options) {
+  if (options.period < 1) throw UsageError("local manifold: the period has to be 1 or more");
+  if (options.degree < 2 || options.degree > 200) throw UsageError("local manifold: the degree has to be 2 .. 200");
+  if (!(options.tolerance > 0)) throw UsageError("local manifold: the tolerance has to be positive");
+  if (!(options.longest > 0)) throw UsageError("local manifold: the longest reach has to be positive");
+}
+
+// The largest reach at which the defect is acceptable.
+Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifoldOptions& options) {
+  const double scale = std::max({1.0, std::fabs(saddle.at.x), std::fabs(saddle.at.y)});
+  const double allowed = options.tolerance * scale;
+  // Small enough to be right, so that what defect there is belongs to the map.
+  std::optional<Candidate> best;
+  double reach = std::min(1e-2 * scale, options.longest);
+  for (int attempt = 0; attempt < 20 && !best; ++attempt, reach /= 8) {
+    best = solver.solved(solver.linear(reach));
+    if (best && !(best->defect_across <= 1e-9 * scale)) best.reset();
+  }
+  if (!best) throw DataError("no invariant curve was found through the saddle " + place_text(saddle.at));
+  const double noise = 4 * best->defect_across, noise_along = 4 * best->defect;
+  for (double factor = 4; factor > 1.1;) {
+    const double next = best->reach * factor;
+    std::optional<Candidate> candidate;
+    if (next <= options.longest) candidate = solver.solved(solver.continued(*best, next));
+    const auto acceptable = [&] {
+      return candidate->defect_across <= std::max(allowed, noise) &&
+             candidate->defect <= std::max(allowed * std::fabs(saddle.multiplier), noise_along);
+    };
+    if (candidate && acceptable()) {
+      best = std::move(candidate);
+    } else {
+      factor = std::sqrt(factor);
+    }
+  }
+  return *best;
+}
+
+}  // namespace
+
+Point LocalManifold::at(double s) const {
+  Point point;
+  points_at({&s, 1}, {&point, 1});
+  return point;
+}
+
+void LocalManifold::points_at(std::span<const double> parameters, std::span<Point> points) const {
+  chebyshev_points(coefficients, 0, reach, parameters, points);
+}
+
+Point LocalManifold::slope(double s) const {
+  std::vector<double> values(coefficients.size()), slopes(coefficients.size());
+  chebyshev_basis(s / reach, values, slopes);
+  Point sum;
+  for (std::size_t k = 1; k < coefficients.size(); ++k) {
+    sum.x += coefficients[k].x * slopes[k] / reach;
+    sum.y += coefficients[k].y * slopes[k] / reach;
+  }
+  return sum;
+}
+
+LocalManifold::Image LocalManifold::image() const {
+  if (multiplier < 0) return {2 * steps, multiplier * multiplier};
+  return {steps, multiplier};
+}
+
+LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,
+                             const LocalManifoldOptions& options) {
+  require_sensible(options);
+  if (!is_finite(guess)) throw UsageError("local manifold: the fixed point has to be finite");
+  const int steps = side == ManifoldSide::stable ? -options.period : options.period;
+  const Saddle saddle = saddle_near(map, steps, guess);
+  require_derivative_fits(map, steps, saddle.at);
+  Candidate best = farthest(Solver(map, steps, saddle, options.degree), saddle, options);
+  LocalManifold result;
+  result.saddle = saddle.at;
+  result.tangent = saddle.tangent;
+  result.side = side;
+  result.steps = steps;
+  result.multiplier = best.multiplier;
+  result.reach = best.reach;
+  result.coefficients = std::move(best.coefficients);
+  result.defect = best.defect;
+  result.defect_across = best.defect_across;
+  return result;
+}
+
+}  // namespace lober

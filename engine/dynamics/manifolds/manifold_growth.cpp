@@ -1,0 +1,331 @@
+#include "engine/dynamics/manifolds/manifold_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/dynamics/manifolds/outcome.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "engine/geometry/densify/insertion.hpp"
+
+namespace lober {
+namespace {
+
+// What one point costs at the peak: two copies with their parameters, flags, counts and the next guide.
+constexpr std::size_t bytes_per_point = 120;
+
+// Parameters of P are told apart from here on: P rounds to so many ulps of the largest coordinate.
+constexpr double ulps_apart = 64;
+
+// A piece is stretched by no more than this in one image, but for a little.
+constexpr double stretching = 40;
+
+// Points that the local manifold gives a piece to begin with.
+constexpr std::size_t fewest_in_piece = 17;
+
+}  // namespace
+
+ManifoldGrowth::ManifoldGrowth(const PlanarMap& map, const LocalManifold& local, Branch branch,
+                               const GrowthOptions& options)
+    : map_(map), local_(local), options_(options), side_(static_cast<double>(branch)) {
+  steps_ = local.image().steps;
+  ratio_ = local.image().factor;
+  pieces_ = std::max(1, static_cast<int>(std::ceil(std::log(ratio_) / std::log(stretching))));
+  if (options.iterates >= 0) limit_ = static_cast<double>(options.iterates) / std::abs(steps_ / local.steps);
+  set_up_tracing();
+}
+
+void ManifoldGrowth::set_up_tracing() {
+  std::vector<double> parameters(257);
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    parameters[k] = side_ * local_.reach * static_cast<double>(k) / static_cast<double>(parameters.size() - 1);
+  }
+  std::vector<Point> points(parameters.size());
+  local_.points_at(parameters, points);
+  const double extent = box_of(points).extent();
+  double largest = 0;
+  for (const Point point : points) largest = std::max({largest, std::fabs(point.x), std::fabs(point.y)});
+  const double rounding = largest * std::numeric_limits<double>::epsilon();
+  if (!(options_.tolerance > 8 * rounding)) {
+    throw UsageError("grow: the tolerance is below what coordinates of this size resolve");
+  }
+  trace_options_.tolerance = options_.tolerance;
+  trace_options_.longest = options_.longest > 0 ? options_.longest : extent / 50;
+  trace_options_.least_spacing = ulps_apart * std::max(rounding, local_.reach * 1e-16);
+  trace_options_.box = options_.box;
+  trace_options_.cut = !options_.whole_pieces;
+  if (!(options_.box.width() >= 0)) {
+    const double reach = 100 * extent;
+    trace_options_.box =
+        Box::of({local_.saddle.x - reach, local_.saddle.y - reach}, {local_.saddle.x + reach, local_.saddle.y + reach});
+  }
+  max_points_ = std::min(options_.most_points, options_.most_memory / bytes_per_point);
+  max_points_ = std::min<std::size_t>(max_points_, (std::size_t{1} << 31) - 1);
+  if (max_points_ < 2) throw UsageError("grow: there has to be room for two points");
+}
+
+GrowthStop ManifoldGrowth::grow_to(double end) {
+  try {
+    while (stop_ == GrowthStop::iterates && !(time() >= std::min(end, limit_))) grow_piece();
+  } catch (const Cancelled&) {
+    stop_ = GrowthStop::cancelled;
+  }
+  // One entry more than generations: the number of points.
+  result_.generation_begin.resize(generations_);
+  result_.generation_begin.push_back(result_.points.size());
+  result_.stop = stop_;
+  return stop_;
+}
+
+// The parameter where part `part` of a generation begins.
+double ManifoldGrowth::part_begin(int part) const {
+  if (part == pieces_) return local_.reach;
+  return local_.reach / std::pow(ratio_, static_cast<double>(pieces_ - part) / pieces_);
+}
+
+void ManifoldGrowth::grow_piece() {
+  const bool local = pieces_done_ == 0;
+  const int generation = local ? 0 : (pieces_done_ - 1) / pieces_ + 1;
+  const int part = local ? 0 : (pieces_done_ - 1) % pieces_;
+  const double fraction = limit_ - (generation - 1);  // of this generation that is wanted
+  const double end = !local && (part + 1.0) / pieces_ > fraction ? local_.reach * std::pow(ratio_, fraction - 1)
+                                                                 : part_begin(local ? pieces_ : part + 1);
+  if (part == 0) length_before_ = result_.length;
+  Samples guide;
+  if (local) {
+    guide = first_guide(end);
+  } else {
+    Samples& source = previous_[static_cast<std::size_t>(generation == 1 ? 0 : part)];
+    guide = carried(generation == 1 ? part_of_local(source, part) : std::move(source), generation, end);
+  }
+  std::optional<Trace> trace = traced_piece(std::move(guide), generation);
+  if (!trace) {
+    stop_ = GrowthStop::points;
+    return;
+  }
+  if (part == 0) {
+    result_.generation_begin.resize(generations_++);
+    result_.generation_begin.push_back(result_.points.size());
+  }
+  append(*trace, generation);
+  current_.push_back(std::move(trace->samples));
+  ++pieces_done_;
+  if (trace->out_of_points) {
+    stop_ = GrowthStop::points;
+  } else if (result_.length >= options_.length) {
+    stop_ = GrowthStop::length;
+  } else if (local || part == pieces_ - 1) {
+    end_generation();
+  }
+}
+
+void ManifoldGrowth::end_generation() {
+  short_generations_ = result_.length - length_before_ < options_.tolerance ? short_generations_ + 1 : 0;
+  if (std::none_of(current_.begin(), current_.end(), [&](const Samples& samples) { return alive(samples); })) {
+    stop_ = GrowthStop::failed;
+  } else if (short_generations_ >= 2) {
+    stop_ = GrowthStop::ended;
+  }
+  previous_ = std::exchange(current_, {});
+}
+
+std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> segments, int parts) {
+  struct Insertion {
+    std::uint32_t segment;
+    int generation;
+    double parameter;  // > 0
+    Point point;
+  };
+  Buffer<Insertion> insertions;
+  const auto generation_of = [&](std::size_t vertex) {
+    const auto& begins = result_.generation_begin;
+    return static_cast<int>(std::upper_bound(begins.begin(), begins.end(), vertex) - begins.begin()) - 1;
+  };
+  for (const std::uint32_t k : segments) {
+    const int generation = generation_of(k), next = generation_of(k + 1);
+    const double from = side_ * result_.parameters[k];
+    const double to = side_ * result_.parameters[k + 1] * std::pow(ratio_, next - generation);
+    const double step = (to - from) / parts;
+    if (!(step > trace_options_.least_spacing)) continue;
+    for (int j = 1; j < parts; ++j) insertions.push_back({k, generation, from + j * step, {}});
+  }
+  if (insertions.empty() || insertions.size() > max_points_ - std::min(max_points_, result_.points.size())) return {};
+  if (result_.images > options_.max_images) return {};
+  for_each_block(insertions.size(), trace_options_.batch, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      Insertion& insertion = insertions[i];
+      image(insertion.generation)({&insertion.parameter, 1}, {&insertion.point, 1});
+    }
+  });
+  for (const Insertion& insertion : insertions) {
+    result_.images += static_cast<std::uint64_t>(insertion.generation) * static_cast<std::uint64_t>(std::abs(steps_));
+    if (!is_finite(insertion.point)) return {};
+  }
+  std::vector<std::size_t> added;
+  for (std::size_t i = 0; i < insertions.size(); ++i) added.push_back(insertions[i].segment + 1 + i);
+  result_.points = with_inserted(std::span<const Point>(result_.points), insertions,
+                                 [](const Insertion& insertion) { return insertion.point; });
+  result_.parameters = with_inserted(std::span<const double>(result_.parameters), insertions,
+                                     [&](const Insertion& insertion) { return side_ * insertion.parameter; });
+  // A vertex moves on by the number of points put in before it.
+  const auto moved = [&](std::size_t vertex) {
+    const auto before = std::lower_bound(insertions.begin(), insertions.end(), vertex,
+                                         [](const Insertion& i, std::size_t v) { return i.segment < v; });
+    return vertex + static_cast<std::size_t>(before - insertions.begin());
+  };
+  for (std::size_t& begin : result_.generation_begin) begin = moved(begin);
+  for (GrowthFlaw& flaw : result_.flaws) {
+    const std::size_t end = moved(flaw.first + flaw.count);
+    flaw.first = moved(flaw.first);
+    flaw.count = end - flaw.first;
+  }
+  return added;
+}
+
+CurveFunction ManifoldGrowth::image(int generation) const {
+  return [this, generation](std::span<const double> parameters, std::span<Point> points) {
+    std::vector<double> on_side(parameters.begin(), parameters.end());
+    for (double& parameter : on_side) parameter *= side_;
+    local_.points_at(on_side, points);
+    if (generation > 0) map_.iterate(points, generation * steps_);
+  };
+}
+
+// So many evaluations, each of so many images.
+void ManifoldGrowth::count(std::size_t evaluations, int images) {
+  result_.images += static_cast<std::uint64_t>(evaluations) * static_cast<std::uint64_t>(images) *
+                    static_cast<std::uint64_t>(std::abs(steps_));
+  if (!options_.progress) return;
+  const auto iterates = static_cast<int>(std::max(time(), 0.0) * std::abs(steps_ / local_.steps));
+  if (!options_.progress({iterates, result_.points.size(), result_.length, result_.images})) throw Cancelled();
+}
+
+Samples ManifoldGrowth::first_guide(double end) const {
+  constexpr std::size_t size = 65;
+  Samples guide{Buffer<double>(size), Buffer<Point>(size)};
+  for (std::size_t k = 0; k < size; ++k) {
+    guide.parameters[k] = end * static_cast<double>(k) / static_cast<double>(size - 1);
+  }
+  image(0)(guide.parameters, guide.points);
+  // P(0) but for rounding; the other manifold of a homoclinic tangle begins there too.
+  guide.points[0] = local_.saddle;
+  return guide;
+}
+
+// Nothing where the piece does not fit into what is left of points and of images of the map.
+std::optional<Trace> ManifoldGrowth::traced_piece(Samples guide, int generation) {
+  TraceOptions options = trace_options_;
+  const auto steps = static_cast<std::uint64_t>(std::max(1, generation * std::abs(steps_)));
+  const std::uint64_t images_left = options_.max_images - std::min(options_.max_images, result_.images);
+  const std::size_t room = max_points_ - std::min(max_points_, result_.points.size());
+  options.most_points = static_cast<std::size_t>(std::min<std::uint64_t>(room, images_left / steps));
+  if (options.most_points < 2) {
+    points_needed_ = static_cast<double>(guide.points.size());
+    return std::nullopt;
+  }
+  options.most_length = options_.length - result_.length;
+  options.evaluated = [&](std::size_t evaluations) { count(evaluations, generation); };
+  const auto last = static_cast<std::uint32_t>(guide.points.size() - 1);
+  Trace trace = traced(std::move(guide), {0, last}, image(generation), options);
+  if (trace.out_of_points && !options.cut) {
+    points_needed_ = trace.points_needed;
+    return std::nullopt;
+  }
+  return trace;
+}
+
+// The points of the local manifold in one part of its outermost fundamental segment.
+Samples ManifoldGrowth::part_of_local(const Samples& samples, int part) const {
+  const double begin = part_begin(part), end = part_begin(part + 1);
+  const auto& given = samples.parameters;
+  const auto first = std::upper_bound(given.begin(), given.end(), begin);
+  const auto last = std::lower_bound(first, given.end(), end);
+  std::vector<double> parameters{begin};
+  parameters.insert(parameters.end(), first, last);
+  parameters.push_back(end);
+  if (pieces_ > 1 && parameters.size() < fewest_in_piece) {
+    parameters.resize(fewest_in_piece);
+    for (std::size_t k = 0; k < fewest_in_piece; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(fewest_in_piece - 1);
+      parameters[k] = k + 1 == fewest_in_piece ? end : begin + (end - begin) * share;
+    }
+  }
+  Samples result{Buffer<double>(parameters.size()), Buffer<Point>(parameters.size())};
+  std::copy(parameters.begin(), parameters.end(), result.parameters.begin());
+  image(0)(result.parameters, result.points);
+  return result;
+}
+
+// The next guide: what the points of a piece of the generation before become in one more image.
+Samples ManifoldGrowth::carried(Samples guide, int generation, double end) {
+  if (end < guide.parameters.back()) {
+    const auto size = static_cast<std::size_t>(std::lower_bound(guide.parameters.begin(), guide.parameters.end(), end) -
+                                               guide.parameters.begin());
+    guide.parameters.resize(size + 1);
+    guide.points.resize(size + 1);
+    guide.parameters.back() = end;
+    image(generation - 1)({&end, 1}, {&guide.points.back(), 1});
+  }
+  for_each_block(guide.points.size(), trace_options_.batch, [&](std::size_t first, std::size_t last) {
+    map_.iterate(std::span(guide.points).subspan(first, last - first), steps_);
+  });
+  count(guide.points.size(), 1);
+  return guide;
+}
+
+void ManifoldGrowth::append(const Trace& trace, int generation) {
+  const CancellationScope shield(CancellationScope::Shield{});  // half a generation could not be kept
+  const std::size_t begin = result_.points.size();
+  append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.flaws);
+  if (side_ < 0) {
+    for_each_block(result_.parameters.size() - begin, densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) result_.parameters[begin + k] *= side_;
+    });
+  }
+  add_length(begin);
+}
+
+// The length of the segment behind point k, as far as it counts.
+double ManifoldGrowth::length_behind(std::size_t k) const {
+  const Point a = result_.points[k], b = result_.points[k + 1];
+  if (!meet(Box::of(a, b), trace_options_.box)) return 0;
+  return distance(a, b);
+}
+
+// Adds the length of the segments up to the points from number `begin` on, and ends the curve at the vertex where it
+// is long enough.
+void ManifoldGrowth::add_length(std::size_t begin) {
+  const std::size_t first_segment = begin > 0 ? begin - 1 : 0;
+  const std::size_t count = result_.points.empty() ? 0 : result_.points.size() - 1 - first_segment;
+  std::vector<double> sums((count + densify_grain - 1) / densify_grain, 0);
+  for_each_block(count, densify_grain, [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t k = first; k < last; ++k) sum += length_behind(first_segment + k);
+    sums[first / densify_grain] = sum;
+  });
+  for (std::size_t block = 0; block < sums.size(); ++block) {
+    if (result_.length + sums[block] < options_.length) {
+      result_.length += sums[block];
+      continue;
+    }
+    const std::size_t last = first_segment + std::min(count, (block + 1) * densify_grain);
+    for (std::size_t k = first_segment + block * densify_grain; k < last; ++k) {
+      result_.length += length_behind(k);
+      if (result_.length < options_.length) continue;
+      result_.points.resize(k + 2);
+      result_.parameters.resize(k + 2);
+      cut_flaws(result_.flaws, k + 1);
+      return;
+    }
+  }
+}
+
+// Whether any of the curve is left to grow.
+bool ManifoldGrowth::alive(const Samples& samples) const {
+  return std::any_of(samples.points.begin(), samples.points.end(), [&](Point point) {
+    return std::isfinite(point.x) && std::isfinite(point.y) && meet(Box::of(point, point), trace_options_.box);
+  });
+}
+
+}  // namespace lober

@@ -1,0 +1,83 @@
+// A manifold grown piece by piece (private to engine/).
+//
+// Time on a manifold is counted in its own images (LocalManifold::image): the local manifold ends at time 0, its image
+// under k of them at time k, and the point F^k(P(s)) has the time k + log(s / reach) / log(factor). A generation is
+// traced in as many pieces of equal duration as keep the stretching in each below `stretching`: a saddle whose
+// multiplier is 1e9 makes a curve of length 1e9 in one iterate, of which a tangle needs the first thousandth.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/dynamics/manifolds/grow.hpp"
+#include "engine/dynamics/manifolds/trace.hpp"
+
+namespace lober {
+
+class ManifoldGrowth {
+ public:
+  /// The map, the local manifold and the options must outlive it. No point lies beyond options.iterates and
+  /// options.length, if they are set. Throws UsageError for a tolerance or for sizes that make no sense.
+  ManifoldGrowth(const PlanarMap& map, const LocalManifold& local, Branch branch, const GrowthOptions& options);
+
+  /// Grows on until the time is `end` or more (piece by piece: it is a multiple of piece() then), or something stops
+  /// it. The same points, bit for bit, whether they are grown in one call or in several.
+  GrowthStop grow_to(double end);
+  /// Puts points into segments of the curve, so that each becomes `parts`: images of parameters in between, as far as
+  /// these can be told apart. Segments ascend and lie apart from tears. Returns the numbers of the new points,
+  /// ascending; none when nothing can be gained or points run out. Cost: one pass over the curve.
+  std::vector<std::size_t> refine(std::span<const std::uint32_t> segments, int parts);
+
+  /// Time of the end of the curve; negative before anything has been grown.
+  [[nodiscard]] double time() const { return time_at(pieces_done_); }
+  /// Duration of a piece.
+  [[nodiscard]] double piece() const { return 1.0 / pieces_; }
+  /// What stopped it; `iterates` as long as it can go on.
+  [[nodiscard]] GrowthStop stop() const { return stop_; }
+  /// Points that the piece would need that was not grown because max_points or max_images would be exceeded.
+  [[nodiscard]] double points_needed() const { return points_needed_; }
+  [[nodiscard]] GrownManifold& grown() { return result_; }
+  [[nodiscard]] const GrownManifold& grown() const { return result_; }
+
+ private:
+  void set_up_tracing();
+  [[nodiscard]] double time_at(int pieces) const { return static_cast<double>(pieces - 1) / pieces_; }
+  [[nodiscard]] double part_begin(int part) const;
+  void grow_piece();
+  void end_generation();
+  [[nodiscard]] CurveFunction image(int generation) const;
+  void count(std::size_t evaluations, int images);
+  [[nodiscard]] Samples first_guide(double end) const;
+  [[nodiscard]] std::optional<Trace> traced_piece(Samples guide, int generation);
+  [[nodiscard]] Samples part_of_local(const Samples& samples, int part) const;
+  [[nodiscard]] Samples carried(Samples guide, int generation, double end);
+  void append(const Trace& trace, int generation);
+  [[nodiscard]] double length_behind(std::size_t k) const;
+  void add_length(std::size_t begin);
+  [[nodiscard]] bool alive(const Samples& samples) const;
+
+  const PlanarMap& map_;
+  const LocalManifold& local_;
+  const GrowthOptions& options_;
+  double side_;
+  int steps_ = 1;
+  double ratio_ = 1;  // of the parameters at the ends of a fundamental segment
+  int pieces_ = 1;    // of a generation
+  TraceOptions trace_options_;
+  std::size_t max_points_ = 0;
+
+  double limit_ = std::numeric_limits<double>::infinity();  // of time, from options.iterates
+
+  int pieces_done_ = 0;                      // the local manifold is the first
+  std::size_t generations_ = 0;              // begun
+  std::vector<Samples> previous_, current_;  // pieces of the generation before and of this one; parameters > 0
+  double length_before_ = 0;                 // of the polygon before this generation
+  int short_generations_ = 0;
+  GrowthStop stop_ = GrowthStop::iterates;
+  double points_needed_ = 0;
+  GrownManifold result_;
+};
+
+}  // namespace lober

@@ -1,0 +1,402 @@
+#include "engine/dynamics/manifolds/trace.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/dynamics/manifolds/segment_needs.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "engine/geometry/densify/insertion.hpp"
+#include "engine/geometry/densify/running_sums.hpp"
+
+namespace lober {
+namespace {
+
+// Points are placed this much denser than the estimate asks for, so that few segments turn out too coarse.
+constexpr double reserve = 1.08;
+// A segment is taken for too coarse when the estimate comes so close to the tolerance, because it is one.
+constexpr double caution = 0.97;
+// Points lie by so much, as a fraction, more or less densely, where that lets a point of the guide stay.
+constexpr double most_stretching = 0.04;
+// The guide has to be no coarser than so many parts of a segment, and to turn by no more than so much (radians).
+constexpr double coarsest_guide = 5;
+constexpr double sharpest_guide = 0.7;
+// Where the map fails on one side, the edge is sought to this fraction of the range of the parameter.
+constexpr double edge_resolution = 1e-7;
+constexpr std::size_t chunk = std::size_t{1} << 16;  // evaluations between two reports of progress
+
+// What is to be inserted behind element `segment`.
+struct Insertion {
+  std::uint32_t segment;
+  double parameter;
+  Point point;
+};
+
+class Tracer {
+ public:
+  Tracer(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function, const TraceOptions& options)
+      : samples_(std::move(guide)), kept_(std::move(kept)), function_(function), options_(options) {
+    edge_ = std::max(2 * options.least_spacing,
+                     edge_resolution * (samples_.parameters.back() - samples_.parameters.front()));
+  }
+
+  Trace run() {
+    verdicts_.assign(segments(), open);
+    while (rounds_ < options_.most_rounds && insert_where([&](const TracedSegment& s) { return guided(s); })) {
+    }
+    if (!abandoned()) place_evenly();
+    verdicts_.assign(segments(), open);
+    while (!abandoned() && rounds_ < options_.most_rounds &&
+           insert_where([&](const TracedSegment& s) { return judged(s); })) {
+    }
+    if (!abandoned()) collect_flaws();
+    trace_.samples = std::move(samples_);
+    trace_.kept = std::move(kept_);
+    return std::move(trace_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t segments() const { return samples_.points.size() - 1; }
+  [[nodiscard]] bool abandoned() const { return trace_.out_of_points && !options_.cut; }
+  [[nodiscard]] bool inside(Point a, Point b) const { return meet(Box::of(a, b), options_.box); }
+  [[nodiscard]] double gap(std::size_t k) const { return samples_.parameters[k + 1] - samples_.parameters[k]; }
+
+  // Only segments with two images that meet the box have to be fine; one at whose one end the map fails is pursued
+  // until the edge is found or has left the box.
+  enum class Kind : std::uint8_t { ordinary, edge, failed, outside };
+  [[nodiscard]] Kind kind(std::size_t k) const {
+    const Point a = samples_.points[k], b = samples_.points[k + 1];
+    const bool a_finite = is_finite(a), b_finite = is_finite(b);
+    if (a_finite && b_finite) return inside(a, b) ? Kind::ordinary : Kind::outside;
+    if (!a_finite && !b_finite) return Kind::failed;
+    const Point last = a_finite ? a : b;
+    return inside(last, last) && gap(k) > edge_ ? Kind::edge : Kind::failed;
+  }
+
+  // Points that stay, without those at the ends.
+  [[nodiscard]] std::span<const std::uint32_t> corners() const { return std::span(kept_).subspan(1, kept_.size() - 2); }
+  [[nodiscard]] bool is_corner(std::size_t k) const {
+    return kept_.size() > 2 && std::binary_search(kept_.begin(), kept_.end(), static_cast<std::uint32_t>(k));
+  }
+
+  // Calls body(segment) for begin <= k < end in order.
+  template <typename Body>
+  void for_segments(std::size_t begin, std::size_t end, const Body& body) const {
+    SegmentNeeds needs;
+    for (; begin < end; begin = std::min(begin + SegmentNeeds::most, end)) {
+      const std::size_t until = std::min(begin + SegmentNeeds::most, end);
+      needs.measure(samples_, corners(), options_, begin, until);
+      for (std::size_t k = begin; k < until; ++k) body(needs[k]);
+    }
+  }
+
+  [[nodiscard]] std::uint32_t allowed(const TracedSegment& segment, double parts) const {
+    const double most = std::floor(gap(segment.number) / std::max(options_.least_spacing, 1e-300));
+    return static_cast<std::uint32_t>(std::max(1.0, std::min({std::ceil(parts), most_parts, most})));
+  }
+
+  [[nodiscard]] std::uint32_t parts_for_guide(const TracedSegment& segment) const {
+    const Kind what = kind(segment.number);
+    if (what == Kind::edge) return 2;
+    if (what != Kind::ordinary) return 1;
+    if (segment.unknown) return allowed(segment, 4);
+    const bool sharp = segment.curvature * segment.length > sharpest_guide;
+    if (segment.need > coarsest_guide) return allowed(segment, 2 * segment.need / coarsest_guide);
+    return sharp && segment.need > 1 ? allowed(segment, 2) : 1;
+  }
+
+  [[nodiscard]] std::uint32_t parts_for_tolerance(const TracedSegment& segment, Kind what) const {
+    if (what == Kind::edge) return 2;
+    if (what != Kind::ordinary) return 1;
+    return segment.need > caution ? allowed(segment, segment.need * reserve) : segment.uneven ? allowed(segment, 2) : 1;
+  }
+
+  // What is known of a segment: nothing, that it is fine (for the guide, or once points are placed), or else fine + 1 +
+  // why it is not.
+  using Verdict = std::uint8_t;
+  static constexpr Verdict open = 0, fine = 1;
+  [[nodiscard]] Verdict verdict(const TracedSegment& segment, Kind what) const {
+    GrowthFlawCause cause = GrowthFlawCause::most_rounds;
+    if (what == Kind::ordinary) {
+      if (!(segment.need > 1)) return fine;
+      if (gap(segment.number) < 2 * options_.least_spacing) cause = GrowthFlawCause::spacing;
+    } else {
+      cause = what == Kind::outside ? GrowthFlawCause::left_box : GrowthFlawCause::failed;
+    }
+    return static_cast<Verdict>(fine + 1 + static_cast<int>(cause));
+  }
+
+  // Parts for the guide and for the tolerance; where one is enough, or the end, the verdict is set.
+  [[nodiscard]] std::uint32_t guided(const TracedSegment& segment) {
+    const std::uint32_t parts = parts_for_guide(segment);
+    if (parts == 1) verdicts_[segment.number] = fine;
+    return parts;
+  }
+  [[nodiscard]] std::uint32_t judged(const TracedSegment& segment) {
+    const Kind what = kind(segment.number);
+    const std::uint32_t parts = parts_for_tolerance(segment, what);
+    if (parts == 1) verdicts_[segment.number] = verdict(segment, what);
+    return parts;
+  }
+
+  // Images of parameters that are not known yet, chunk by chunk.
+  template <typename Parameter, typename Result>
+  void evaluate(std::size_t size, const Parameter& parameter, const Result& result) const {
+    for (std::size_t begin = 0; begin < size; begin += chunk) {
+      const std::size_t count = std::min(chunk, size - begin);
+      for_each_block(count, options_.batch, [&](std::size_t first, std::size_t last) {
+        std::vector<double> parameters(last - first);
+        std::vector<Point> points(last - first);
+        for (std::size_t k = first; k < last; ++k) parameters[k - first] = parameter(begin + k);
+        function_(parameters, points);
+        for (std::size_t k = first; k < last; ++k) result(begin + k, points[k - first]);
+      });
+      if (options_.evaluated) options_.evaluated(count);
+    }
+  }
+
+  // One round: false when there was nothing to insert, or no room.
+  template <typename Parts>
+  bool insert_where(const Parts& parts) {
+    Buffer<std::uint32_t> more(segments());  // points to put into each segment
+    const auto settled = [&](std::size_t k) { return verdicts_[k] != open; };
+    for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        more[k] = 0;
+        if (settled(k)) continue;
+        const std::size_t begin = k;
+        while (k + 1 < last && !settled(k + 1)) ++k;
+        for_segments(begin, k + 1, [&](const TracedSegment& segment) { more[segment.number] = parts(segment) - 1; });
+      }
+    });
+    const auto broken = gathered<std::uint32_t>(
+        more.size(), [&](std::size_t k) { return more[k] != 0; },
+        [](std::size_t k) { return static_cast<std::uint32_t>(k); });
+    if (broken.empty()) return false;
+    const auto begin = running_sums(broken.size(), [&](std::size_t k) { return more[broken[k]]; });
+    if (samples_.points.size() + begin[broken.size()] > options_.most_points) {
+      end_where_points_run_out(broken, begin);
+      return !abandoned();
+    }
+    Buffer<Insertion> insertions(begin[broken.size()]);
+    for_each_block(broken.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        const std::uint32_t count = more[broken[k]];
+        const double from = samples_.parameters[broken[k]], step = gap(broken[k]) / (count + 1);
+        for (std::uint32_t j = 0; j < count; ++j) insertions[begin[k] + j] = {broken[k], from + (j + 1) * step, {}};
+      }
+    });
+    evaluate(
+        insertions.size(), [&](std::size_t k) { return insertions[k].parameter; },
+        [&](std::size_t k, Point point) { insertions[k].point = point; });
+    insert(insertions);
+    ++rounds_;
+    return true;
+  }
+
+  void insert(const Buffer<Insertion>& insertions) {
+    samples_.points = with_inserted(std::span<const Point>(samples_.points), insertions,
+                                    [](const Insertion& insertion) { return insertion.point; });
+    samples_.parameters = with_inserted(std::span<const double>(samples_.parameters), insertions,
+                                        [](const Insertion& insertion) { return insertion.parameter; });
+    if (kept_.size() > 2) {
+      for_each_block(kept_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+          kept_[k] += static_cast<std::uint32_t>(
+              std::lower_bound(insertions.begin(), insertions.end(), kept_[k],
+                               [](const Insertion& i, std::uint32_t vertex) { return i.segment < vertex; }) -
+              insertions.begin());
+        }
+      });
+    } else {
+      kept_.back() = static_cast<std::uint32_t>(segments());
+    }
+    // What is near a new point is judged again.
+    verdicts_ = with_inserted(std::span<const Verdict>(verdicts_), insertions, [](const Insertion&) { return open; });
+    for (std::size_t k = 0; k < insertions.size(); ++k) {
+      const std::size_t at = insertions[k].segment + k;  // of the part before the new point
+      for (std::size_t j = at > 1 ? at - 2 : 0; j < std::min(at + 4, segments()); ++j) verdicts_[j] = open;
+    }
+  }
+
+  void truncate(std::size_t size) {
+    samples_.points.resize(size);
+    samples_.parameters.resize(size);
+    verdicts_.resize(size - 1);
+    while (!kept_.empty() && kept_.back() >= size - 1) kept_.pop_back();
+    kept_.push_back(static_cast<std::uint32_t>(size - 1));
+  }
+
+  // Ends the samples where all insertions up to there still fit in.
+  void end_where_points_run_out(const Buffer<std::uint32_t>& broken, const Buffer<std::uint64_t>& begin) {
+    trace_.out_of_points = true;
+    if (!options_.cut) {
+      trace_.points_needed = static_cast<double>(samples_.points.size() + begin[broken.size()]);
+      return;
+    }
+    std::size_t k = 0;
+    while (k < broken.size() && broken[k] + 1 + begin[k + 1] <= options_.most_points) ++k;
+    // Up to broken[k] nothing exceeds; leave room for what the next rounds add there.
+    const std::size_t size = std::max<std::size_t>(
+        2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)], options_.most_points - begin[k]));
+    truncate(std::min(size, samples_.points.size() - 1));
+  }
+
+  // The points of the guide give way to points of equal need, but for those that are kept.
+  void place_evenly() {
+    Buffer<double> need(segments());
+    for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for_segments(first, last, [&](const TracedSegment& segment) {
+        const Kind what = kind(segment.number);
+        // Outside the box nothing is asked for: the guide itself, thinned.
+        double parts = what == Kind::ordinary ? segment.need * reserve : what == Kind::edge ? 1 : 0.5;
+        parts = std::min(parts, gap(segment.number) / std::max(options_.least_spacing, 1e-300));
+        need[segment.number] = parts;
+      });
+    });
+    end_by_length(need);
+    if (abandoned()) return;
+    std::vector<std::uint32_t> known;
+    const Buffer<double> place = places(need, known);
+    const auto size = static_cast<std::size_t>(place.back()) + 1;
+    Samples even{Buffer<double>(size), Buffer<Point>(size)};
+    for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) place_in(k, need, place, even.parameters);
+    });
+    for (std::uint32_t& k : kept_) k = static_cast<std::uint32_t>(place[k]);
+    for (std::uint32_t& k : known) {
+      const auto number = static_cast<std::uint32_t>(place[k]);
+      even.points[number] = samples_.points[k];
+      even.parameters[number] = samples_.parameters[k];
+      k = number;
+    }
+    evaluate_between(known, even);
+    samples_ = std::move(even);
+  }
+
+  // Cuts what lies beyond the length asked for. Chords are shorter than the curve, so enough remains.
+  void end_by_length(Buffer<double>& need) {
+    if (options_.most_length < std::numeric_limits<double>::infinity()) {
+      double length = 0;
+      std::size_t k = 0;
+      while (k < segments() && length <= options_.most_length) {
+        const double more = distance(samples_.points[k], samples_.points[k + 1]);
+        length += std::isfinite(more) ? more : 0;
+        ++k;
+      }
+      if (k < segments()) truncate(k + 1);
+    }
+    double points = 1 + static_cast<double>(kept_.size());
+    if (!options_.cut) {
+      for (std::size_t k = 0; k < segments(); ++k) points += need[k];
+      if (points > static_cast<double>(options_.most_points)) {
+        trace_.out_of_points = true;
+        trace_.points_needed = points;
+      }
+      need.resize(segments());
+      return;
+    }
+    for (std::size_t k = 0; k < segments(); ++k) {
+      points += need[k];
+      if (points > static_cast<double>(options_.most_points)) {
+        trace_.out_of_points = true;
+        truncate(std::max<std::size_t>(k, 1) + 1);
+        break;
+      }
+    }
+    need.resize(segments());
+  }
+
+  // Where each point of the guide comes to lie among the numbers of the new points: kept ones on whole numbers, and
+  // others too where that takes little stretching, so that their images need not be computed again. `known` receives
+  // the numbers of both.
+  [[nodiscard]] Buffer<double> places(const Buffer<double>& need, std::vector<std::uint32_t>& known) const {
+    Buffer<double> place(samples_.points.size());
+    double begin = 0;
+    known.assign(1, 0);
+    std::size_t first = 0;  // the last known one
+    double sum = 0;
+    for (std::size_t k = 0, j = 1; k + 1 < place.size(); ++k) {
+      place[k] = sum;
+      sum += need[k];
+      const bool stays = k + 1 == kept_[j];
+      if (stays) ++j;
+      const double parts = std::max(1.0, stays ? std::ceil(sum) : std::round(sum));
+      if (!stays && !(std::fabs(parts - sum) <= most_stretching * sum)) continue;
+      const double scale = sum > 0 ? parts / sum : 0;
+      for (std::size_t i = first; i <= k; ++i) place[i] = begin + std::min(place[i] * scale, parts);
+      begin += parts;
+      first = k + 1;
+      sum = 0;
+      known.push_back(static_cast<std::uint32_t>(first));
+    }
+    place.back() = begin;
+    return place;
+  }
+
+  // The new points whose numbers fall into segment k of the guide. The density varies linearly along the segment,
+  // from that around its first end to that around the other.
+  void place_in(std::size_t k, const Buffer<double>& need, const Buffer<double>& place,
+                Buffer<double>& parameters) const {
+    const double begin = std::ceil(place[k]), end = place[k + 1];
+    if (!(begin < end)) return;
+    const auto density = [&](std::size_t i, std::size_t j) { return (need[i] + need[j]) / (gap(i) + gap(j)); };
+    const double own = density(k, k);
+    const double low = own / 4, high = own * 4;
+    const double a = k > 0 && !is_corner(k) ? std::clamp(density(k - 1, k), low, high) : own;
+    const double b = k + 1 < segments() && !is_corner(k + 1) ? std::clamp(density(k, k + 1), low, high) : own;
+    const double width = end - place[k];
+    for (auto number = static_cast<std::size_t>(begin); static_cast<double>(number) < end; ++number) {
+      const double part = (static_cast<double>(number) - place[k]) / width;
+      const double t = own > 0 ? part * (a + b) / (a + std::sqrt(a * a + (b - a) * (b + a) * part)) : part;
+      parameters[number] = samples_.parameters[k] + gap(k) * t;
+    }
+  }
+
+  // Images of all points but those that are known.
+  void evaluate_between(const std::vector<std::uint32_t>& known, Samples& even) const {
+    Buffer<std::uint32_t> fresh(even.points.size() - known.size());
+    for_each_block(known.size() - 1, densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t j = first; j < last; ++j) {
+        // Before the j-th known one are known[j] - j others.
+        for (std::uint32_t k = known[j] + 1; k < known[j + 1]; ++k) fresh[k - j - 1] = k;
+      }
+    });
+    evaluate(
+        fresh.size(), [&](std::size_t k) { return even.parameters[fresh[k]]; },
+        [&](std::size_t k, Point point) { even.points[fresh[k]] = point; });
+  }
+
+  void collect_flaws() {
+    if (rounds_ == options_.most_rounds || trace_.out_of_points) {  // some may be open still
+      verdicts_.resize(segments());
+      for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
+        for_segments(first, last, [&](const TracedSegment& s) { verdicts_[s.number] = verdict(s, kind(s.number)); });
+      });
+    }
+    const Buffer<GrowthFlaw> flaws = gathered<GrowthFlaw>(
+        segments(), [&](std::size_t k) { return verdicts_[k] > fine; },
+        [&](std::size_t k) {
+          return GrowthFlaw{k, 1, static_cast<GrowthFlawCause>(verdicts_[k] - fine - 1)};
+        });
+    trace_.flaws.assign(flaws.begin(), flaws.end());
+  }
+
+  Samples samples_;
+  std::vector<std::uint32_t> kept_;
+  const CurveFunction& function_;
+  const TraceOptions& options_;
+  double edge_ = 0;
+  Buffer<Verdict> verdicts_;  // on segments
+  std::uint32_t rounds_ = 0;
+  Trace trace_;
+};
+
+}  // namespace
+
+Trace traced(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function,
+             const TraceOptions& options) {
+  return Tracer(std::move(guide), std::move(kept), function, options).run();
+}
+
+}  // namespace lober

@@ -1,0 +1,54 @@
+// A curve that a function knows, as a polygon whose distance from it meets a tolerance with nearly as few points as
+// can be (private to dynamics/).
+//
+// A polygon through points of a smooth curve lies kappa h^2 / 8 off it (the sagitta; kappa the curvature, h the length
+// of a segment). Where that is the tolerance e in every segment the polygon is optimally graded: it has the least
+// number of points, the integral of sqrt(kappa / (8 e)) over the arc length. Halving segments until they are short
+// enough wastes 44 % on average, so points are not halved into place: a guide, points that roughly resolve the curve,
+// gives the density sqrt(kappa / 8 e) along it; points are placed evenly by that density, and what is then still too
+// coarse, because the guide did not see it, is cut again, round by round.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "engine/base/memory.hpp"
+#include "engine/dynamics/manifolds/grow.hpp"
+
+namespace lober {
+
+/// Points at ascending parameters. A point that is not finite is one where the function fails.
+struct Samples {
+  Buffer<double> parameters;
+  Buffer<Point> points;
+};
+
+struct TraceOptions {
+  double tolerance = 0;
+  double longest = 0;
+  double least_spacing = 0;  ///< parameters come no closer
+  Box box;                   ///< only what lies in it has to meet the tolerance
+  std::size_t most_points = 0;
+  bool cut = true;  ///< where points run out, the samples end there; else the trace is abandoned
+  double most_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
+  std::uint32_t most_rounds = 40;
+  std::size_t batch = 64;
+  std::function<void(std::size_t)> evaluated;  ///< told about so many more evaluations; may throw to cancel
+};
+
+struct Trace {
+  Samples samples;
+  std::vector<std::uint32_t> kept;  ///< where the points that stayed are now
+  std::vector<GrowthFlaw> flaws;    ///< segments of the samples, ascending; each one apart
+  bool out_of_points = false;       ///< most_points was reached: the samples end where that was, or are worthless
+  double points_needed = 0;         ///< of a trace that was abandoned, about
+};
+
+/// Points of the guide with the numbers `kept` (ascending, the first and the last among them) stay; the curve may have
+/// corners there. Parallel; the same bits for any number of threads. O(points) a round, few rounds.
+[[nodiscard]] Trace traced(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function,
+                           const TraceOptions& options);
+
+}  // namespace lober

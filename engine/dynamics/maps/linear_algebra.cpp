@@ -1,0 +1,34 @@
+#include "engine/dynamics/maps/linear_algebra.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+namespace lober {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::MatrixXd converted(const Matrix& matrix) {
+  return Eigen::Map<const RowMajor>(matrix.data(), static_cast<Eigen::Index>(matrix.rows()),
+                                    static_cast<Eigen::Index>(matrix.columns()));
+}
+
+}  // namespace
+
+std::vector<double> least_squares(const Matrix& matrix, const std::vector<double>& right) {
+  const Eigen::Map<const Eigen::VectorXd> b(right.data(), static_cast<Eigen::Index>(right.size()));
+  const Eigen::VectorXd x = converted(matrix).householderQr().solve(b);
+  return {x.data(), x.data() + x.size()};
+}
+
+std::vector<EigenPair> eigen_pairs(const Matrix& matrix) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(converted(matrix));
+  std::vector<EigenPair> pairs;
+  for (Eigen::Index k = 0; k < solver.eigenvalues().size(); ++k) {
+    const Eigen::VectorXcd vector = solver.eigenvectors().col(k);
+    pairs.push_back({solver.eigenvalues()(k), {vector.data(), vector.data() + vector.size()}});
+  }
+  return pairs;
+}
+
+}  // namespace lober

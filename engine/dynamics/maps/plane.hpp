@@ -1,0 +1,35 @@
+// Vectors and matrices of the plane.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "engine/dynamics/maps/planar_map.hpp"
+
+namespace lober {
+
+/// What a point becomes whose orbit cannot be followed.
+inline constexpr Point lost_point{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+inline bool is_finite(Point point) {
+  return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+inline Matrix2 operator*(const Matrix2& a, const Matrix2& b) {
+  return {a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx, a.yx * b.xy + a.yy * b.yy};
+}
+
+inline double determinant(const Matrix2& a) {
+  return a.xx * a.yy - a.xy * a.yx;
+}
+
+inline Matrix2 inverse(const Matrix2& a) {
+  const double d = determinant(a);
+  return {a.yy / d, -a.xy / d, -a.yx / d, a.xx / d};
+}
+
+inline double length(Point v) {
+  return std::hypot(v.x, v.y);
+}
+
+}  // namespace lober

@@ -1,0 +1,226 @@
+// The first return map of an autonomous flow to a section, on a surface of constant energy where there is a
+// Hamiltonian.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/dynamics/maps/crossing.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/maps/right_hand_sides.hpp"
+
+namespace lober {
+
+/// From the chart of a section to phase space and back.
+template <typename Field>
+class SectionChart {
+ public:
+  static constexpr std::size_t n = Field::dimension;
+  using State = std::array<double, n>;
+
+  /// Throws UsageError when the section does not fit the flow.
+  SectionChart(const Field& field, const Section& section, double energy)
+      : field_(field), section_(section), energy_(energy) {
+    const auto bad = [](int coordinate) { return coordinate < 0 || coordinate >= static_cast<int>(n); };
+    const bool hamiltonian = !field.pairs().empty();
+    if (n != (hamiltonian ? 4 : 3)) {
+      throw UsageError("a return map needs a flow of three dimensions, or of four with a Hamiltonian");
+    }
+    if (field.period() != 0) throw UsageError("a return map needs an autonomous flow");
+    std::array<bool, n> used{};
+    for (const int coordinate : {section.coordinate, section.chart_x, section.chart_y, section.solved}) {
+      if (coordinate == section.solved && !hamiltonian && coordinate == -1) continue;
+      if (bad(coordinate) || used[static_cast<std::size_t>(coordinate)]) {
+        throw UsageError("the section must name each coordinate of the flow once");
+      }
+      used[static_cast<std::size_t>(coordinate)] = true;
+    }
+    if (section.direction == 0) throw UsageError("a return map needs a direction of crossing");
+    if (bad(section.bound_coordinate)) throw UsageError("the section is bounded in a coordinate that does not exist");
+    if (!hamiltonian) return;
+    conjugate_ = pair_of(section.coordinate);
+    if (conjugate_.q != section.coordinate || conjugate_.p != section.solved) {
+      throw UsageError("the coordinate solved for must be conjugate to that of the section");
+    }
+  }
+
+  /// The state of a point; false where the energy does not reach, or outside the section's bound.
+  [[nodiscard]] bool lift(Point point, State& x) const {
+    x = {};
+    x[at(section_.coordinate)] = section_.value;
+    x[at(section_.chart_x)] = point.x;
+    x[at(section_.chart_y)] = point.y;
+    if (section_.bound_side * (x[at(section_.bound_coordinate)] - section_.bound) < 0) return false;
+    return n == 3 || solve(x);
+  }
+
+  [[nodiscard]] Point project(const double* x) const { return {x[at(section_.chart_x)], x[at(section_.chart_y)]}; }
+
+  /// The tangent vectors of the lifted chart at x, the velocity there being v.
+  [[nodiscard]] std::array<State, 2> frame(const State& v) const {
+    std::array<State, 2> vectors{};
+    const std::array<int, 2> chart{section_.chart_x, section_.chart_y};
+    for (std::size_t k = 0; k < 2; ++k) {
+      vectors[k][at(chart[k])] = 1;
+      if (n == 4) vectors[k][at(section_.solved)] = -slope(chart[k], v) / slope(section_.solved, v);
+    }
+    return vectors;
+  }
+
+  [[nodiscard]] const Section& section() const { return section_; }
+  [[nodiscard]] double energy() const { return energy_; }
+  /// The factor of the chart's conjugate pair; 0 when the chart is not such a pair.
+  [[nodiscard]] double chart_factor() const {
+    for (const ConjugatePair& pair : field_.pairs()) {
+      if (pair.q == section_.chart_x && pair.p == section_.chart_y) return pair.factor;
+    }
+    return 0;
+  }
+
+ private:
+  static std::size_t at(int coordinate) { return static_cast<std::size_t>(coordinate); }
+
+  [[nodiscard]] ConjugatePair pair_of(int coordinate) const {
+    for (const ConjugatePair& pair : field_.pairs()) {
+      if (pair.q == coordinate || pair.p == coordinate) return pair;
+    }
+    throw UsageError("a coordinate of the section belongs to no conjugate pair");
+  }
+
+  /// dH / d(state[coordinate]), read off the velocity v by Hamilton's equations.
+  [[nodiscard]] double slope(int coordinate, const State& v) const {
+    const ConjugatePair pair = pair_of(coordinate);
+    return coordinate == pair.q ? -pair.factor * v[at(pair.p)] : pair.factor * v[at(pair.q)];
+  }
+
+  /// Fills in the solved coordinate: H is a v^2 + b v + c in it, known from three values.
+  [[nodiscard]] bool solve(State& x) const {
+    double& v = x[at(section_.solved)];
+    const auto excess = [&](double value) {
+      v = value;
+      return field_.hamiltonian(x.data(), 0) - energy_;
+    };
+    const double below = excess(-1), c = excess(0), above = excess(1);
+    const double a = 0.5 * (above + below) - c, b = 0.5 * (above - below);
+    const double scale = std::abs(a) + std::abs(b) + std::abs(c);
+    if (std::abs(excess(2) - (4 * a + 2 * b + c)) > 1e-9 * scale) {
+      throw UsageError("the Hamiltonian is not quadratic in the coordinate that the section solves for");
+    }
+    const double discriminant = b * b - 4 * a * c;
+    // At the edge of what the energy reaches the chart is singular: a trajectory there is tangent to the section.
+    if (!(discriminant > 1e-12 * scale * scale)) return false;
+    // dH/dv = 2 a v + b has the sign of the crossing.
+    const double wanted = std::copysign(std::sqrt(discriminant), section_.direction * conjugate_.factor);
+    double root = wanted * b > 0 ? -2 * c / (b + wanted) : (wanted - b) / (2 * a);
+    root -= excess(root) / wanted;
+    v = root;
+    return std::isfinite(root);
+  }
+
+  Field field_;
+  Section section_;
+  double energy_;
+  ConjugatePair conjugate_;
+};
+
+template <typename Field>
+class SectionMap final : public PlanarMap {
+ public:
+  SectionMap(const Field& field, const Section& section, double energy, const IntegrationOptions& options)
+      : field_(field), chart_(field, section, energy), options_(options) {}
+
+  void iterate(std::span<Point> points, int iterates) const override {
+    const AlongFlow<Field> rhs{field_};
+    Integrator<n, AlongFlow<Field>> integrator(rhs, options_, n);
+    CrossingFinder finder(integrator, rhs, chart_.section(), options_.max_time);
+    const int forward = iterates < 0 ? -1 : 1;
+    for (Point& point : points) {
+      // Each return begins anew from the point, so that two returns are exactly twice one.
+      for (int k = 0; k != iterates; k += forward) {
+        State x;
+        if (!chart_.lift(point, x) || !finder.next(x, forward)) {
+          point = lost_point;
+          break;
+        }
+        point = chart_.project(finder.state.data());
+      }
+    }
+    add_work(integrator.evaluations());
+  }
+
+  Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
+    const int forward = iterates < 0 ? -1 : 1;
+    derivative = {};
+    for (int k = 0; k != iterates; k += forward) {
+      Matrix2 step;
+      if (!derivative_of_return(point, forward, step)) return lost_point;
+      derivative = step * derivative;
+    }
+    return point;
+  }
+
+  [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {
+    const double factor = chart_.chart_factor();
+    State x;
+    if (factor == 0 || !chart_.lift(from, x)) return std::nullopt;
+    using Rhs = WithAction<Field>;
+    const Rhs rhs{field_, 0};
+    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), n);
+    CrossingFinder finder(integrator, rhs, chart_.section(), options_.max_time);
+    std::array<double, Rhs::size> start{};
+    std::copy(x.begin(), x.end(), start.begin());
+    if (!finder.next(start, 1)) return std::nullopt;
+    const Point image = chart_.project(finder.state.data());
+    return finder.state[n] / static_cast<long double>(factor) +
+           static_cast<long double>(to.y) * (static_cast<long double>(to.x) - image.x);
+  }
+  [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
+  [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
+    return std::make_unique<SectionMap>(field_, chart_.section(), chart_.energy(), options_.finer());
+  }
+
+ private:
+  static constexpr std::size_t n = Field::dimension;
+  using State = std::array<double, n>;
+
+  /// Carries the point to its next crossing, with the derivative of that return. False: lost.
+  bool derivative_of_return(Point& point, int forward, Matrix2& derivative) const {
+    using Rhs = WithTangents<Field, 2>;
+    const Rhs rhs{field_};
+    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), n);
+    CrossingFinder finder(integrator, rhs, chart_.section(), options_.max_time);
+    State x, v;
+    if (!chart_.lift(point, x)) return false;
+    field_.velocity(x.data(), v.data(), 0);
+    std::array<double, Rhs::size> start{};
+    std::copy(x.begin(), x.end(), start.begin());
+    const auto frame = chart_.frame(v);
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::copy(frame[k].begin(), frame[k].end(), start.begin() + static_cast<std::ptrdiff_t>(n * (1 + k)));
+    }
+    if (!finder.next(start, forward)) return false;
+    field_.velocity(finder.state.data(), v.data(), 0);
+    // Along the flow back onto the section.
+    const auto axis = static_cast<std::size_t>(chart_.section().coordinate);
+    std::array<Point, 2> column;
+    for (std::size_t k = 0; k < 2; ++k) {
+      double* const w = finder.state.data() + n * (1 + k);
+      const double share = w[axis] / v[axis];
+      for (std::size_t i = 0; i < n; ++i) w[i] -= share * v[i];
+      column[k] = chart_.project(w);
+    }
+    derivative = {column[0].x, column[1].x, column[0].y, column[1].y};
+    point = chart_.project(finder.state.data());
+    return true;
+  }
+
+  Field field_;
+  SectionChart<Field> chart_;
+  IntegrationOptions options_;
+};
+
+}  // namespace lober

@@ -1,0 +1,81 @@
+// The list of systems, and systems from names and values.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/base/error.hpp"
+#include "engine/dynamics/systems/entries.hpp"
+#include "engine/dynamics/systems/shared_library.hpp"
+#include "engine/dynamics/systems/system.hpp"
+
+namespace lober {
+
+namespace {
+
+std::vector<SystemEntry> entries() {
+  return {capsize_entry(),    double_gyre_entry(), duffing_entry(),
+          henon_map_entry(),  vortex_pair_entry(), first_order_vortex_pair_entry(),
+          three_body_entry(), pendulum_entry(),    standard_map_entry()};
+}
+
+/// "a, b, c" of the names of things.
+template <typename Things, typename Name>
+std::string joined(const Things& things, const Name& name) {
+  std::string text;
+  for (const auto& thing : things) text += (text.empty() ? "" : ", ") + name(thing);
+  return text;
+}
+
+}  // namespace
+
+void require_positive(const SystemInfo& info, std::string_view name, double value) {
+  if (!(value > 0)) throw UsageError("system " + info.name + ": parameter " + std::string(name) + " must be positive");
+}
+
+System make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options) {
+  SystemInfo info = entry.info;
+  std::vector<bool> given(info.parameters.size(), false);
+  for (const auto& setting : values) {
+    const std::string& name = setting.first;
+    const double value = setting.second;
+    const auto found = std::find_if(info.parameters.begin(), info.parameters.end(),
+                                    [&](const Parameter& parameter) { return parameter.name == name; });
+    if (found == info.parameters.end()) {
+      throw UsageError("system " + info.name + " has no parameter '" + name + "'; it has: " +
+                       joined(info.parameters, [](const Parameter& parameter) { return parameter.name; }));
+    }
+    const auto at = static_cast<std::size_t>(found - info.parameters.begin());
+    if (given[at]) throw UsageError("system " + info.name + ": parameter " + name + " is given twice");
+    if (!std::isfinite(value)) throw UsageError("system " + info.name + ": parameter " + name + " is not finite");
+    given[at] = true;
+    found->value = value;
+  }
+  if (!(options.tolerance > 0 && options.tolerance < 1))
+    throw UsageError("the tolerance of integration must be in (0, 1)");
+  std::vector<double> numbers;
+  for (const Parameter& parameter : info.parameters) numbers.push_back(parameter.value);
+  System system = entry.make(numbers, options);
+  system.info = std::move(info);
+  return system;
+}
+
+std::vector<SystemInfo> list_systems() {
+  std::vector<SystemInfo> list;
+  for (SystemEntry& entry : entries()) list.push_back(std::move(entry.info));
+  return list;
+}
+
+System make_system(std::string_view name, const ParameterValues& values, const IntegrationOptions& options) {
+  if (names_library(name)) {
+    return make_system(load_system(std::string(name)), values, options);
+  }
+  const std::vector<SystemEntry> all = entries();
+  for (const SystemEntry& entry : all) {
+    if (entry.info.name == name) return make_system(entry, values, options);
+  }
+  throw UsageError("no system is called '" + std::string(name) +
+                   "'; there are: " + joined(all, [](const SystemEntry& entry) { return entry.info.name; }) +
+                   ", or the path of a shared library");
+}
+
+}  // namespace lober

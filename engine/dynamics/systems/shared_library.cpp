@@ -1,0 +1,281 @@
+#include "engine/dynamics/systems/shared_library.hpp"
+
+#include <dlfcn.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/base/input_guard.hpp"
+#include "engine/dynamics/maps/flow_of.hpp"
+#include "engine/dynamics/maps/formula_map.hpp"
+#include "engine/lober/lober_system.h"
+
+namespace lober {
+
+namespace {
+
+/// The library stays loaded as long as anything made of it.
+using Library = std::shared_ptr<void>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// What the functions of a library are called with.
+struct Loaded {
+  Library library;
+  const lober_system* system;
+  std::vector<double> parameters;
+};
+
+/// A map of a library, for FormulaMap.
+class LoadedMap {
+ public:
+  explicit LoadedMap(Loaded loaded) : loaded_(std::make_shared<const Loaded>(std::move(loaded))) {}
+
+  Point forward(Point z) const { return apply(loaded_->system->map->forward, z); }
+  Point backward(Point z) const { return apply(loaded_->system->map->backward, z); }
+  Matrix2 derivative(Point z) const {
+    const std::array<double, 2> from{z.x, z.y};
+    std::array<double, 4> d{};
+    if (loaded_->system->map->derivative(loaded_->parameters.data(), from.data(), d.data()) != 0) d.fill(nan);
+    return {d[0], d[1], d[2], d[3]};
+  }
+
+ protected:
+  [[nodiscard]] const Loaded& loaded() const { return *loaded_; }
+
+ private:
+  [[nodiscard]] Point apply(int (*function)(const double*, const double*, double*), Point z) const {
+    const std::array<double, 2> from{z.x, z.y};
+    std::array<double, 2> to{};
+    if (function(loaded_->parameters.data(), from.data(), to.data()) != 0) return lost_point;
+    return {to[0], to[1]};
+  }
+
+  std::shared_ptr<const Loaded> loaded_;
+};
+
+/// One that has a generating function.
+class LoadedMapWithAction : public LoadedMap {
+ public:
+  using LoadedMap::LoadedMap;
+  long double action(Point from, Point to) const {
+    return loaded().system->map->action(loaded().parameters.data(), from.x, to.x);
+  }
+};
+
+/// A flow of a library as a field (right_hand_sides.hpp).
+template <int N>
+class LoadedField {
+ public:
+  static constexpr int dimension = N;
+
+  explicit LoadedField(Loaded loaded) : loaded_(std::make_shared<const Loaded>(std::move(loaded))) {
+    const lober_flow& flow = *loaded_->system->flow;
+    if (flow.hamiltonian == nullptr) return;
+    for (std::size_t k = 0; k < flow.pair_count; ++k) {
+      const lober_conjugate_pair& pair = flow.pairs[k];
+      pairs_.push_back({pair.q, pair.p, pair.factor != nullptr ? pair.factor(parameters()) : 1});
+    }
+  }
+
+  [[nodiscard]] double period() const {
+    return loaded_->system->flow->period != nullptr ? loaded_->system->flow->period(parameters()) : 0;
+  }
+  [[nodiscard]] std::span<const ConjugatePair> pairs() const { return pairs_; }
+  void velocity(const double* x, double* dxdt, double t) const {
+    if (loaded_->system->flow->velocity(parameters(), x, t, dxdt) != 0) std::fill_n(dxdt, N, nan);
+  }
+  template <int M>
+  void velocity(const Jet<M>* x, Jet<M>* dxdt, double t) const {
+    std::array<double, N> at{}, speed{};
+    std::array<double, static_cast<std::size_t>(N * N)> jacobian{};
+    for (std::size_t i = 0; i < N; ++i) at[i] = x[i].value;
+    velocity(at.data(), speed.data(), t);
+    if (loaded_->system->flow->jacobian(parameters(), at.data(), t, jacobian.data()) != 0) jacobian.fill(nan);
+    for (std::size_t i = 0; i < N; ++i) {
+      dxdt[i] = speed[i];
+      for (std::size_t j = 0; j < N; ++j) {
+        for (std::size_t k = 0; k < M; ++k) dxdt[i].slope[k] += jacobian[i * N + j] * x[j].slope[k];
+      }
+    }
+  }
+  double hamiltonian(const double* x, double t) const { return loaded_->system->flow->hamiltonian(parameters(), x, t); }
+
+ private:
+  [[nodiscard]] const double* parameters() const { return loaded_->parameters.data(); }
+
+  std::shared_ptr<const Loaded> loaded_;
+  std::vector<ConjugatePair> pairs_;
+};
+
+std::shared_ptr<const Flow> make_flow(Loaded loaded) {
+  switch (loaded.system->flow->dimension) {
+    case 1:
+      return std::make_shared<FlowOf<LoadedField<1>>>(LoadedField<1>(std::move(loaded)));
+    case 2:
+      return std::make_shared<FlowOf<LoadedField<2>>>(LoadedField<2>(std::move(loaded)));
+    case 3:
+      return std::make_shared<FlowOf<LoadedField<3>>>(LoadedField<3>(std::move(loaded)));
+    case 4:
+      return std::make_shared<FlowOf<LoadedField<4>>>(LoadedField<4>(std::move(loaded)));
+    case 5:
+      return std::make_shared<FlowOf<LoadedField<5>>>(LoadedField<5>(std::move(loaded)));
+    default:
+      return std::make_shared<FlowOf<LoadedField<6>>>(LoadedField<6>(std::move(loaded)));
+  }
+}
+
+Section section_of(const lober_section& section) {
+  return {.coordinate = section.coordinate,
+          .value = section.value,
+          .direction = section.direction,
+          .chart_x = section.chart_x,
+          .chart_y = section.chart_y,
+          .solved = section.solved,
+          .bound_coordinate = section.bound_coordinate,
+          .bound = section.bound,
+          .bound_side = section.bound_side};
+}
+
+/// Sets the planar map of a flow, if its description says which.
+void set_map(System& made, const lober_system& system, std::span<const double> values,
+             const IntegrationOptions& options) {
+  const lober_flow& flow = *system.flow;
+  if (flow.section != nullptr) {
+    const int energy = flow.section->energy_parameter;
+    made.section = section_of(*flow.section);
+    made.map =
+        made.flow->section_map(*made.section, energy < 0 ? 0 : values[static_cast<std::size_t>(energy)], options);
+  } else if (flow.dimension == 2 && flow.period != nullptr) {
+    if (!(made.flow->period() > 0))
+      throw UsageError(std::string("system ") + system.name + ": its period is not positive");
+    double phase = 0;
+    for (std::size_t k = 0; k < system.parameter_count; ++k) {
+      if (std::string_view(system.parameters[k].name) == "phase") phase = values[k];
+    }
+    made.map = made.flow->stroboscopic_map(phase, options);
+  }
+}
+
+Point point_of(const double (&numbers)[2]) {
+  return {numbers[0], numbers[1]};
+}
+
+/// Those that a library of version 2 describes.
+void set_connections(System& made, const lober_system& system, std::span<const double> values) {
+  if (system.abi < 2) return;
+  for (std::size_t k = 0; k < system.connection_count; ++k) {
+    lober_connection found{};
+    const std::string where = std::string("system ") + system.name + ": connection " + std::to_string(k);
+    if (system.connection(values.data(), k, &found) != 0) throw DataError(where + " is not given for these parameters");
+    if (found.corner_count > LOBER_MAX_CORNERS) throw DataError(where + " has too many corners");
+    Connection connection{point_of(found.from), point_of(found.u_direction), point_of(found.to),
+                          point_of(found.s_direction)};
+    if (found.has_bip != 0) connection.bip = point_of(found.bip);
+    for (std::size_t corner = 0; corner < found.corner_count; ++corner)
+      connection.closure.push_back(point_of(found.corners[corner]));
+    if (k == 0) {
+      made.connection = std::move(connection);
+    } else {
+      made.further.push_back(std::move(connection));
+    }
+  }
+  made.further_needed = system.all_bound_region_1 != 0;
+}
+
+System make(const Library& library, const lober_system& system, std::span<const double> values,
+            const IntegrationOptions& options) {
+  const Loaded loaded{library, &system, {values.begin(), values.end()}};
+  System made;
+  made.window = window(system.window[0], system.window[1], system.window[2], system.window[3]);
+  made.lattice = {system.lattice[0], system.lattice[1]};
+  set_connections(made, system, values);
+  if (system.kind == LOBER_FLOW) {
+    made.flow = make_flow(loaded);
+    set_map(made, system, values, options);
+  } else if (system.map->action != nullptr) {
+    made.map = std::make_shared<FormulaMap<LoadedMapWithAction>>(LoadedMapWithAction(loaded));
+  } else {
+    made.map = std::make_shared<FormulaMap<LoadedMap>>(LoadedMap(loaded));
+  }
+  return made;
+}
+
+/// What is wrong with a flow's description, or null.
+const char* fault(const lober_flow& flow, std::size_t parameters) {
+  if (flow.dimension < 1 || flow.dimension > LOBER_MAX_DIMENSION) return "the dimension is not 1 to 6";
+  if (flow.velocity == nullptr) return "the flow has no velocity";
+  if (flow.jacobian == nullptr) return "the flow has no jacobian";
+  if (flow.pair_count != 0 && flow.pairs == nullptr) return "pairs is null";
+  if (flow.hamiltonian != nullptr && flow.pair_count == 0) return "a Hamiltonian needs its conjugate pairs";
+  for (std::size_t k = 0; k < flow.pair_count; ++k) {
+    const auto inside = [&](int coordinate) { return 0 <= coordinate && coordinate < flow.dimension; };
+    if (!inside(flow.pairs[k].q) || !inside(flow.pairs[k].p))
+      return "a conjugate pair names a coordinate beyond the dimension";
+  }
+  if (flow.section != nullptr && flow.section->energy_parameter >= static_cast<int>(parameters)) {
+    return "energy_parameter is beyond the list of parameters";
+  }
+  if (flow.section != nullptr && flow.hamiltonian != nullptr && flow.section->energy_parameter < 0) {
+    return "the section of a Hamiltonian flow needs energy_parameter";
+  }
+  return nullptr;
+}
+
+/// What is wrong with a description, or null.
+const char* fault(const lober_system* system) {
+  if (system == nullptr) return "lober_system_describe returned null";
+  if (system->abi < 1 || system->abi > LOBER_SYSTEM_ABI) return "it was built for another version of lober_system.h";
+  if (system->name == nullptr || system->summary == nullptr) return "the name or the summary is null";
+  if (system->parameter_count != 0 && system->parameters == nullptr) return "parameters is null";
+  for (std::size_t k = 0; k < system->parameter_count; ++k) {
+    if (system->parameters[k].name == nullptr || system->parameters[k].meaning == nullptr) {
+      return "a parameter's name or meaning is null";
+    }
+  }
+  if (system->abi >= 2 && system->connection_count != 0 && system->connection == nullptr) return "connection is null";
+  switch (system->kind) {
+    case LOBER_MAP:
+      if (system->map == nullptr) return "map is null";
+      if (system->map->forward == nullptr) return "the map has no forward";
+      if (system->map->backward == nullptr) return "the map has no backward";
+      if (system->map->derivative == nullptr) return "the map has no derivative";
+      return nullptr;
+    case LOBER_FLOW:
+      return system->flow == nullptr ? "flow is null" : fault(*system->flow, system->parameter_count);
+  }
+  return "kind is neither LOBER_MAP nor LOBER_FLOW";
+}
+
+}  // namespace
+
+SystemEntry load_system(const std::string& path) {
+  // Without a slash dlopen would search the system's folders.
+  const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
+  void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) throw DataError("cannot load the system: " + std::string(dlerror()));
+  note_input(file);
+  const Library library(handle, [](void* opened) { dlclose(opened); });
+  using Describe = const lober_system* (*)();
+  const auto describe = reinterpret_cast<Describe>(dlsym(handle, "lober_system_describe"));
+  if (describe == nullptr) throw DataError(path + ": the library exports no function lober_system_describe");
+  const lober_system* const system = describe();
+  if (const char* const what = fault(system)) throw DataError(path + ": " + what);
+
+  SystemEntry entry;
+  entry.info.name = system->name;
+  entry.info.summary = system->summary;
+  for (std::size_t k = 0; k < system->parameter_count; ++k) {
+    const lober_parameter& parameter = system->parameters[k];
+    entry.info.parameters.push_back({parameter.name, parameter.default_value, parameter.meaning});
+  }
+  entry.make = [library, system](std::span<const double> values, const IntegrationOptions& options) {
+    return make(library, *system, values, options);
+  };
+  return entry;
+}
+
+}  // namespace lober

@@ -1,0 +1,59 @@
+// A curve that bounds a region and that the map carries along: the boundary B(q) of a tangle and what closes it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/geometry/tangle/tangle.hpp"
+
+namespace lober {
+
+/// A value and an estimate, on the safe side, of what it may be wrong by.
+struct Measured {
+  double value = 0, error = 0;
+  friend Measured operator+(Measured x, Measured y) { return {x.value + y.value, x.error + y.error}; }
+  friend Measured operator-(Measured x, Measured y) { return {x.value - y.value, x.error + y.error}; }
+  friend Measured operator*(double factor, Measured x) {
+    return {factor * x.value, (factor < 0 ? -factor : factor) * x.error};
+  }
+};
+
+/// B(q) = U[p-, q] u S[q, p+], closed by a path from p+ back to p- that the map keeps: walls, an axis, nothing when
+/// homoclinic. The curve f^k(B(q)) consists of the same manifolds and the same path, with the pip f^k(q) for q. The
+/// tangle must outlive it.
+struct Barrier {
+  const Tangle* tangle = nullptr;
+  std::size_t bip = 0;           ///< number of the pip q
+  std::size_t period = 0;        ///< pips from one to its image
+  std::vector<Point> closure{};  ///< corners of the path from p+ to p-, without either; none: the straight chord
+  /// How far the manifolds may lie from the true ones, beside what their polygons leave open: what the integration and
+  /// rounding err by. An area is wrong by no more than that times the length of its boundary.
+  double curve_error = 0;
+  bool lobes_include_it = false;  ///< whether Lobe::smooth_error does already
+  /// Where the manifolds are as fine as asked; beyond, they are followed coarsely. Beyond `true_size` distances are not
+  /// true either. Empty boxes: everywhere.
+  Box fine{}, true_size{};
+
+  /// How many images of q, forward and back, there are among the pips.
+  [[nodiscard]] int images_after() const { return static_cast<int>((tangle->pips.size() - 1 - bip) / period); }
+  [[nodiscard]] int images_before() const { return static_cast<int>(bip / period); }
+  /// The number of the pip f^k(q); also of the first lobe after it.
+  [[nodiscard]] std::size_t pip(int k) const {
+    return bip + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(period) * k);
+  }
+};
+
+/// f^k(B(q)) as a closed polygon. O(its vertices).
+[[nodiscard]] std::vector<Point> outline_of(const Barrier& barrier, int k);
+
+/// Whether the path that closes f^k(B(q)) meets the rest of it elsewhere than at the saddles. Then it bounds nothing.
+[[nodiscard]] bool closure_is_crossed(const Barrier& barrier, int k);
+
+/// The area that f^k(B(q)) encloses, in absolute value: from sums along the manifolds.
+[[nodiscard]] Measured enclosed_area(const Barrier& barrier, int k);
+
+/// What two closed polygons through points of smooth curves have in common, by overlay. `curve_error` as in Barrier.
+[[nodiscard]] Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second,
+                                      double curve_error);
+
+}  // namespace lober

@@ -1,0 +1,78 @@
+#include "engine/dynamics/transport/cylinder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/fixed_points/connecting_orbit.hpp"
+
+namespace lober {
+
+Cylinder::Cylinder(Point period, double depth) : length_(std::hypot(period.x, period.y)), depth_(depth) {
+  along_ = {period.x / length_, period.y / length_};
+}
+
+double Cylinder::height(Point period, Point plane) {
+  return (period.x * plane.y - period.y * plane.x) / std::hypot(period.x, period.y);
+}
+
+Point Cylinder::wrap(Point plane) const {
+  const double s = along_.x * plane.x + along_.y * plane.y, t = along_.x * plane.y - along_.y * plane.x;
+  const double angle = -2 * std::numbers::pi * std::remainder(s, length_) / length_;
+  const double radius = std::sqrt(length_ * (t + depth_) / std::numbers::pi);
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+Point Cylinder::unwrap(Point wrapped) const {
+  const double turns = -std::atan2(wrapped.y, wrapped.x) / (2 * std::numbers::pi);
+  const double s = length_ * (turns < 0 ? turns + 1 : turns);
+  const double t = std::numbers::pi * (wrapped.x * wrapped.x + wrapped.y * wrapped.y) / length_ - depth_;
+  return {along_.x * s - along_.y * t, along_.y * s + along_.x * t};
+}
+
+std::vector<Point> wrapped(const Cylinder& cylinder, const PlanarMap& map, const LocalManifold& local,
+                           const GrownManifold& grown, double tolerance) {
+  const std::size_t segments = grown.points.size() - 1;
+  // How many parts a segment needs: the middle of a straight one bends off its chord by so much.
+  constexpr double most_parts = 1 << 16;
+  std::vector<std::uint32_t> parts(segments);
+  for_each_block(segments, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Point a = grown.points[k], b = grown.points[k + 1];
+      const Point from = cylinder.wrap(a), to = cylinder.wrap(b);
+      const Point middle = cylinder.wrap({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
+      double bend = distance(middle, {0.5 * (from.x + to.x), 0.5 * (from.y + to.y)});
+      // A segment that runs round more than once shows nothing by its middle.
+      const double chord = distance(from, to), straight = distance(a, b);
+      if (chord < 0.5 * straight && straight > tolerance) bend = std::max(bend, straight);
+      parts[k] = static_cast<std::uint32_t>(std::clamp(std::ceil(std::sqrt(bend / tolerance)), 1.0, most_parts));
+    }
+  });
+  std::vector<std::size_t> first(segments + 1);
+  for (std::size_t k = 0; k < segments; ++k) first[k + 1] = first[k] + parts[k];
+  std::vector<Point> points(first[segments] + 1);
+  for_each_block(segments, 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      points[first[k]] = grown.points[k];
+      for (std::uint32_t part = 1; part < parts[k]; ++part) {
+        const double t = static_cast<double>(part) / parts[k];
+        const ManifoldPlace place = place_on(grown, local, {static_cast<std::uint32_t>(k), t});
+        Point at = local.at(place.parameter);
+        map.iterate({&at, 1}, place.images * local.image().steps);
+        const Point a = grown.points[k], b = grown.points[k + 1];
+        const Point chord{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+        // Far out, where manifolds are followed coarsely, segments stay what they are.
+        const bool near = distance(at, chord) <= 0.25 * distance(a, b);
+        points[first[k] + part] = near ? at : chord;
+      }
+    }
+  });
+  points.back() = grown.points[segments];
+  for_each_block(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) points[k] = cylinder.wrap(points[k]);
+  });
+  return points;
+}
+
+}  // namespace lober

@@ -1,0 +1,60 @@
+// The regions that several boundaries make of the plane, and quantities between regions from quantities between
+// boundaries.
+//
+// Let c be the function that is 1 inside boundary c. Boundaries do not cross, so that each region is what lies inside
+// one of them and outside those nested in it; what lies inside none is a region too. The function of a region is a sum
+// of these functions and, for the last kind, of the constant 1; so whatever is bilinear in such functions, the area of
+// species i in region j above all, follows from the same quantity between boundaries.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/dynamics/transport/barrier.hpp"
+
+namespace lober {
+
+struct Region {
+  /// Of the constant 1 and then of each boundary in the function of the region: -1, 0 or 1.
+  std::vector<int> coefficients;
+  Measured area;  ///< NaN when it is not bounded
+  bool bounded = true;
+};
+
+/// Quantities between regions, row by row: row i, column j for the pair (i + 1, j + 1).
+class RegionMatrix {
+ public:
+  RegionMatrix() = default;
+  explicit RegionMatrix(std::size_t regions) : size_(regions), entries_(regions * regions) {}
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] Measured& operator()(std::size_t i, std::size_t j) { return entries_[i * size_ + j]; }
+  [[nodiscard]] const Measured& operator()(std::size_t i, std::size_t j) const { return entries_[i * size_ + j]; }
+
+ private:
+  std::size_t size_ = 0;
+  std::vector<Measured> entries_;
+};
+
+class Partition {
+ public:
+  /// R1 lies inside the first boundary, R2 on the other side of it; the rest follows in the order of the boundaries. A
+  /// region that holds `hole` has no area (the lower end of a cylinder, see cylinder.hpp). Throws DataError when
+  /// boundaries cross.
+  Partition(std::span<const Barrier> barriers, const Point* hole);
+
+  [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
+  [[nodiscard]] std::size_t size() const { return regions_.size(); }
+
+  /// The sum over c, d of the coefficients of i and j times quantity(c, d), where 0 stands for the constant 1 and
+  /// k > 0 for boundary k - 1. Pairs without a coefficient are not asked for.
+  [[nodiscard]] Measured combine(std::size_t i, std::size_t j,
+                                 const std::function<Measured(std::size_t, std::size_t)>& quantity) const;
+
+ private:
+  std::vector<Region> regions_;
+};
+
+}  // namespace lober

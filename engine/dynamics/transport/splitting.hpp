@@ -1,0 +1,43 @@
+// How far apart two manifolds lie along one fundamental segment of a tangle (private to engine/).
+//
+// Where U and S run side by side, S is the graph of a function over U: at the time t along U its distance d(t) from U,
+// along the normal of U. The tangle is thin where d is small; its zeros are the pips, as many in one iterate as the
+// map has pips a period. d is computed from both manifolds' own parameters, not from polygons, so that it tells
+// a splitting of 1e-13 from none where polygons of any tolerance cross at random.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/dynamics/fixed_points/connecting_orbit.hpp"
+
+namespace lober {
+
+struct Splitting {
+  /// The smallest over the lobes of one iterate of the largest |d| on that lobe; without a zero the largest |d| of all.
+  double amplitude = 0;
+  double largest = 0;     ///< |d| anywhere
+  double noise = 0;       ///< of d by rounding and integration, estimated from the roughness of its values
+  double defect = 0;      ///< of the local manifolds: what d may be off by everywhere
+  std::size_t zeros = 0;  ///< sign changes of d within one iterate
+  /// Near the zeros, on U and on S, outward along U.
+  std::vector<std::pair<ManifoldPlace, ManifoldPlace>> places;
+
+  /// Whether what there is of d is noise or the defect: the manifolds coincide as far as can be seen.
+  [[nodiscard]] bool coincide() const {
+    return !(largest > 12 * noise && largest > (zeros == 0 ? 4 * defect : defect));
+  }
+};
+
+/// The splitting on one iterate of U about the place `u`, where S is at the place `s`. Nothing where S is not a
+/// graph over U there, as is usual when it is large. About a thousand steps of the map, with derivatives.
+[[nodiscard]] std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& unstable,
+                                                 const LocalManifold& stable, ManifoldPlace u, ManifoldPlace s);
+
+/// Time along a manifold, in its images: 0 at the end of the local manifold.
+[[nodiscard]] double time_of(const LocalManifold& local, ManifoldPlace place);
+/// The place at a time, in the outermost fundamental segment unless the time is negative.
+[[nodiscard]] ManifoldPlace place_at(const LocalManifold& local, double time, double side);
+
+}  // namespace lober

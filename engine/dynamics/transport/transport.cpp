@@ -1,0 +1,385 @@
+#include "engine/dynamics/transport/transport.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "engine/base/error.hpp"
+#include "engine/base/text.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/transport/particles.hpp"
+#include "engine/dynamics/transport/tangle_growth.hpp"
+
+namespace lober {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// The formulas hold for maps that preserve area. The determinant of the derivative at a saddle tells, to what its
+// cancellation leaves of it.
+void require_areas_preserved(const PlanarMap& map, Point saddle) {
+  Matrix2 a;
+  map.iterate_with_derivative(saddle, 1, a);
+  const double largest = std::max({std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
+  const double factor = std::fabs(a.xx * a.yy - a.xy * a.yx);
+  if (std::fabs(factor - 1) <= 1e-3 + 1e-10 * largest * largest) return;
+  throw DataError("transport: the map does not preserve area, it multiplies it by " + shortest(factor) +
+                  " at the saddle " + place_text(saddle) + "; lober tangle lists its lobes");
+}
+
+std::string pair_text(const char* name, std::size_t i, std::size_t j, int n) {
+  return name + std::to_string(i + 1) + std::to_string(j + 1) + "(" + std::to_string(n) + ")";
+}
+
+// What the rows say of each other and of themselves.
+void compare(Agreement& agreement, const Partition& partition, const TransportStep& step) {
+  const std::size_t regions = partition.size();
+  for (std::size_t i = 0; i < regions; ++i) {
+    for (std::size_t j = 0; j < regions; ++j) {
+      const Measured lobes = step.total(i, j), boundaries = step.by_boundaries(i, j);
+      agreement.compare({pair_text("T", i, j, step.n), "lobes", "boundaries", lobes.value, boundaries.value,
+                         lobes.error + boundaries.error});
+    }
+    const Region& region = partition.regions()[i];
+    if (!region.bounded) continue;
+    // Species i is somewhere.
+    Measured everywhere{}, change{};
+    for (std::size_t j = 0; j < regions; ++j) {
+      everywhere = everywhere + step.total(i, j);
+      change = change + step.flux(i, j);
+    }
+    agreement.compare({"area of species " + std::to_string(i + 1) + " at n = " + std::to_string(step.n), "the region",
+                       "the sum over regions", region.area.value, everywhere.value,
+                       region.area.error + everywhere.error});
+    if (regions == 2) {
+      const Measured out = step.flux(0, 1), in = step.flux(1, 0);
+      agreement.compare({"a(" + std::to_string(step.n) + ")", "what leaves R1", "what enters R1", out.value, in.value,
+                         out.error + in.error});
+    }
+  }
+}
+
+void compare_particles(Agreement& agreement, const TransportStep& step) {
+  for (std::size_t i = 0; i < step.total.size(); ++i) {
+    for (std::size_t j = 0; j < step.total.size(); ++j) {
+      const Measured lobes = step.total(i, j), particles = step.by_particles(i, j);
+      agreement.compare({pair_text("T", i, j, step.n), "lobes", "particles", lobes.value, particles.value,
+                         lobes.error + 5 * particles.error});
+    }
+  }
+}
+
+// How far points of two curves alone are off, by what an area-preserving map would leave unchanged: the area of a lobe
+// of the turnstile and that of its image. The points come from elsewhere, and their spacing says nothing of it. (Images
+// farther out may be drawn coarsely.)
+double point_error_of(const Tangle& tangle) {
+  const std::size_t period = tangle.images.period, bip = tangle.boundary->bip;
+  const auto length = [&](std::size_t lobe) { return perimeter(lobe_outline(tangle, lobe)); };
+  double largest = 0;
+  for (std::size_t k = bip - std::min(bip, period); k < bip && k + period < tangle.lobes.size(); ++k) {
+    const Lobe &lobe = tangle.lobes[k], &image = tangle.lobes[k + period];
+    const double change = std::fabs(image.area - lobe.area);
+    if (change > 0.1 * std::fabs(lobe.area)) {
+      throw DataError("transport: the area of lobe " + std::to_string(k) + " is " + shortest(lobe.area) +
+                      " and that of its image " + shortest(image.area) +
+                      "; the formulas hold for maps that preserve area");
+    }
+    largest = std::max(largest, change / std::min(length(k), length(k + period)));
+  }
+  return largest;
+}
+
+class Builder {
+ public:
+  Builder(const PlanarMap& map, const TransportOptions& options) : map_(map), options_(options) {}
+
+  Transport build(const Connection& connection) {
+    begin(connection);
+    std::optional<TransportSeries> series;
+    for (int n = 1; n <= options_.iterates; ++n) {
+      report("n = " + std::to_string(n));
+      if (!grow_to(n)) break;
+      if (series) {
+        series->extend(barriers());
+      } else {
+        series.emplace(barriers(), result_.cylinder ? std::optional(Point{0, 0}) : std::nullopt);
+      }
+      result_.steps.push_back(series->next());
+      compare(result_.agreement, series->partition(), result_.steps.back());
+      if (options_.on_step) options_.on_step(result_.steps.back(), result_.agreement);
+    }
+    series->extend(barriers());  // of what there is now: the last growth may have added to it without a row
+    finish(*series);
+    return std::move(result_);
+  }
+
+ private:
+  void report(const std::string& line) const {
+    if (options_.progress && !options_.progress(line)) throw Cancelled();
+  }
+
+  void begin(const Connection& connection) {
+    std::vector<Connection> connections{connection};
+    if (options_.bip_near) connections[0].bip = options_.bip_near;
+    connections.insert(connections.end(), options_.further.begin(), options_.further.end());
+    ManifoldTangleOptions growth;
+    growth.tolerance = options_.tolerance;
+    growth.most_points = options_.most_points;
+    growth.max_work = options_.max_work;
+    growth.budget = options_.budget;
+    growth.progress = options_.progress;
+    growth.bip_near = options_.bip_near;
+    for (const Connection& one : connections) {
+      growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth));
+      result_.boundaries.emplace_back().connection = one;
+      growth.bip_near.reset();
+    }
+  }
+
+  // Images of the bip that n takes.
+  [[nodiscard]] static int images_before(int n) { return std::max(1 + (n - 1) / 2, n / 2); }
+  [[nodiscard]] static int images_after(int n) { return n - n / 2; }
+
+  // Whether all tangles are there as far as n takes. Sets boundaries and barriers to what is there.
+  bool grow_to(int n) {
+    std::string limit;
+    for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
+      if (limit.empty() && !growth->grow_to(images_before(n), images_after(n))) limit = growth->limit();
+    }
+    if (!limit.empty() && n == 1) throw DataError(limit);
+    if (n == 1) {
+      for (std::size_t c = 0; c < growths_.size(); ++c) check(result_.boundaries[c].connection, growths_[c]->current());
+    }
+    set_barriers(limit.empty() ? n : n - 1);
+    if (limit.empty()) return true;
+    result_.remarks.push_back("n = 1 to " + std::to_string(n - 1) + " of " + std::to_string(options_.iterates) + ": " +
+                              limit);
+    return false;
+  }
+
+  // What closes the boundary has to stay where it is: else fluid crosses there, and neither route counts it.
+  void require_closure_kept(const Connection& connection, const ManifoldTangle& manifolds) const {
+    constexpr int samples = 7;
+    constexpr double kept = 1e-6;
+    std::vector<Point> path{manifolds.local_s.saddle};
+    path.insert(path.end(), connection.closure.begin(), connection.closure.end());
+    path.push_back(manifolds.local_u.saddle);
+    double length = 0;
+    for (std::size_t k = 1; k < path.size(); ++k) length += distance(path[k - 1], path[k]);
+    if (length <= kept * (1 + lober::length(path[0]))) return;  // homoclinic
+    const auto away = [&](Point z) {
+      double nearest = length;
+      for (std::size_t k = 1; k < path.size(); ++k) {
+        const Point a = path[k - 1], along{path[k].x - a.x, path[k].y - a.y}, to{z.x - a.x, z.y - a.y};
+        const double square = along.x * along.x + along.y * along.y;
+        const double t = square > 0 ? std::clamp((to.x * along.x + to.y * along.y) / square, 0.0, 1.0) : 0;
+        nearest = std::min(nearest, distance(z, {a.x + t * along.x, a.y + t * along.y}));
+      }
+      return nearest;
+    };
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      for (int i = 1; i <= samples; ++i) {
+        const double t = static_cast<double>(i) / (samples + 1);
+        const Point at{path[k - 1].x + t * (path[k].x - path[k - 1].x),
+                       path[k - 1].y + t * (path[k].y - path[k - 1].y)};
+        Point image = at;
+        map_.iterate({&image, 1}, 1);
+        if (is_finite(image) && away(image) <= kept * length) continue;
+        throw DataError("transport: the boundary of R1 is closed from " + place_text(path.front()) + " to " +
+                        place_text(path.back()) + " by a path that the map does not keep: it takes " + place_text(at) +
+                        " to " + place_text(image) +
+                        ", so that fluid crosses there too; give the path that it keeps (closure) or the period of the "
+                        "plane (lattice) in the description of the system. lober tangle lists the lobes");
+      }
+    }
+  }
+
+  void check(const Connection& connection, const ManifoldTangle& manifolds) {
+    require_areas_preserved(map_, manifolds.local_u.saddle);
+    if (options_.lattice == Point{}) require_closure_kept(connection, manifolds);
+    for (Comparison& one : agreement_of(manifolds).comparisons) result_.agreement.compare(std::move(one));
+    if (result_.iterates_a_step == 2) return;
+    if (manifolds.local_u.multiplier < 0 || manifolds.local_s.multiplier < 0) {
+      result_.iterates_a_step = 2;
+      result_.remarks.emplace_back(
+          "both multipliers of a saddle are negative, so that its manifolds swap sides in every iterate: n counts "
+          "second iterates of the map");
+    }
+  }
+
+  void set_barriers(int n) {
+    if (!(options_.lattice == Point{})) set_cylinder();
+    for (std::size_t c = 0; c < growths_.size(); ++c) {
+      TransportBoundary& boundary = result_.boundaries[c];
+      const ManifoldTangle& manifolds = growths_[c]->current();
+      Barrier& barrier = boundary.barrier;
+      barrier.tangle = &manifolds.tangle;
+      barrier.bip = manifolds.bip;
+      barrier.period = manifolds.period();
+      barrier.closure = boundary.connection.closure;
+      barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
+      barrier.lobes_include_it = !result_.cylinder;
+      if (!result_.cylinder) {
+        barrier.fine = manifolds.fine;
+        barrier.true_size = manifolds.true_size;
+      }
+      if (result_.cylinder) {
+        // Points that are added where circles bend lie unevenly, and the smooth curves through them are worse than
+        // their error estimates: by up to a thousandth of the tolerance, measured on the standard map for K = 0.4 to 5.
+        constexpr double unevenness = 2e-3;
+        barrier.curve_error += unevenness * manifolds.tolerance;
+        wrap(boundary, manifolds, n);
+      }
+    }
+  }
+  [[nodiscard]] std::vector<Barrier> barriers() const {
+    std::vector<Barrier> list;
+    for (const TransportBoundary& boundary : result_.boundaries) list.push_back(boundary.barrier);
+    return list;
+  }
+
+  // Deep enough for all that was grown.
+  void set_cylinder() {
+    double low = 0, high = 0;
+    for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
+      for (const GrownManifold* grown : {&growth->current().u, &growth->current().s}) {
+        for (const Point& point : grown->points) {
+          const double height = Cylinder::height(options_.lattice, point);
+          low = std::min(low, height);
+          high = std::max(high, height);
+        }
+      }
+    }
+    const double period = std::hypot(options_.lattice.x, options_.lattice.y);
+    result_.cylinder.emplace(options_.lattice, -low + std::max(0.25 * (high - low), 0.25 * period));
+  }
+
+  // The tangle on the cylinder, as fine as it takes for polygons to have the pips there that the plane has.
+  void wrap(TransportBoundary& boundary, const ManifoldTangle& manifolds, int n) {
+    constexpr int most_refinements = 5;
+    for (int k = 0; k <= most_refinements; ++k) {
+      wrap_to(boundary, manifolds, manifolds.tolerance / std::pow(10, k));
+      if (has_pips_of_plane(boundary, manifolds, n)) return;
+    }
+    throw DataError(
+        "transport: on the cylinder manifolds cross elsewhere than in the plane, by those of the neighbouring "
+        "cells or because they lie too close to each other: the bip " +
+        place_text(manifolds.orbits.back().at) + " bounds no region of it");
+  }
+
+  [[nodiscard]] bool has_pips_of_plane(const TransportBoundary& boundary, const ManifoldTangle& manifolds,
+                                       int n) const {
+    const Tangle& there = *boundary.wrapped;
+    const Barrier& barrier = boundary.barrier;
+    if (barrier.images_before() < images_before(n) || barrier.images_after() < images_after(n)) return false;
+    const auto first = static_cast<std::ptrdiff_t>(barrier.period) * -images_before(n);
+    const auto last = static_cast<std::ptrdiff_t>(barrier.period) * images_after(n);
+    for (std::ptrdiff_t k = first; k <= last; ++k) {
+      const auto number = [&](std::size_t bip) {
+        return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(bip) + k);
+      };
+      const Point place = result_.cylinder->wrap(manifolds.tangle.pips[number(manifolds.bip)].at);
+      if (!(distance(there.pips[number(barrier.bip)].at, place) <= 1e3 * manifolds.tolerance)) return false;
+    }
+    return true;
+  }
+
+  void wrap_to(TransportBoundary& boundary, const ManifoldTangle& manifolds, double tolerance) {
+    const Cylinder& cylinder = *result_.cylinder;
+    boundary.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, tolerance);
+    boundary.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, tolerance);
+    // One and the same saddle, to the bit: else they might cross there.
+    if (distance(boundary.wrapped_u[0], boundary.wrapped_s[0]) <= 1e-8 * (1 + std::fabs(boundary.wrapped_u[0].x))) {
+      boundary.wrapped_s[0] = boundary.wrapped_u[0];
+    }
+    TangleOptions options;
+    options.bip_near = cylinder.wrap(manifolds.orbits.back().at);
+    options.period = static_cast<std::uint32_t>(manifolds.period());
+    options.smooth = true;
+    const CurveView u{boundary.wrapped_u, false}, s{boundary.wrapped_s, false};
+    try {
+      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
+    } catch (const NotSimpleError&) {  // strands closer to each other than polygons show
+      options.check_simple = false;
+      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
+    }
+    if (!boundary.wrapped->boundary) throw DataError("transport: the manifolds do not cross on the cylinder");
+    boundary.barrier.tangle = boundary.wrapped.get();
+    boundary.barrier.bip = boundary.wrapped->boundary->bip;
+  }
+
+  void finish(const TransportSeries& series) {
+    result_.regions = series.partition().regions();
+    const std::vector<Barrier> last = barriers();
+    for (std::size_t c = 0; c < growths_.size(); ++c) {
+      TransportBoundary& boundary = result_.boundaries[c];
+      boundary.enclosed = enclosed_area(last[c], 0);
+      boundary.area12 = series.turnstiles()[c].area12();
+      boundary.area21 = series.turnstiles()[c].area21();
+      boundary.manifolds = growths_[c]->take();
+      const ManifoldTangle& manifolds = *boundary.manifolds;
+      result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
+      boundary.action12 = boundary.action21 = manifolds.areas_by_action.empty() ? unknown : 0;
+      for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
+        const bool leaves = manifolds.tangle.images.labels[manifolds.image_of_bip(-1) + k].from == 1;
+        (leaves ? boundary.action12 : boundary.action21) += std::fabs(manifolds.areas_by_action[k]);
+      }
+    }
+    if (options_.particles > 0) {
+      ParticleOptions how;
+      how.count = options_.particles;
+      how.seed = options_.seed;
+      how.progress = [&](double) { return !options_.progress || options_.progress("particles"); };
+      const auto stride = static_cast<std::size_t>(result_.iterates_a_step);
+      const std::vector<RegionMatrix> counted =
+          count_particles(map_, result_.cylinder ? &*result_.cylinder : nullptr, last, series.partition(),
+                          static_cast<int>(result_.steps.size() * stride), how);
+      for (std::size_t k = 0; k < result_.steps.size(); ++k) {
+        result_.steps[k].by_particles = counted[(k + 1) * stride - 1];
+        compare_particles(result_.agreement, result_.steps[k]);
+      }
+    }
+  }
+
+  const PlanarMap& map_;
+  const TransportOptions& options_;
+  std::vector<std::unique_ptr<TangleGrowth>> growths_;
+  Transport result_;
+};
+
+}  // namespace
+
+Transport transport(const PlanarMap& map, const Connection& connection, const TransportOptions& options) {
+  if (options.iterates < 1) throw UsageError("transport takes at least one iterate");
+  return Builder(map, options).build(connection);
+}
+
+TransportOfCurves transport(const Tangle& tangle, int iterates) {
+  if (iterates < 1) throw UsageError("transport takes at least one iterate");
+  if (!tangle.boundary) throw DataError("transport: the manifolds do not cross");
+  if (tangle.images.period == 0) {
+    throw DataError("transport: which pip is the image of which is not known (" + tangle.images.reason +
+                    "); give the period");
+  }
+  Barrier barrier;
+  barrier.tangle = &tangle;
+  barrier.bip = tangle.boundary->bip;
+  barrier.period = tangle.images.period;
+  barrier.curve_error = point_error_of(tangle);
+  barrier.lobes_include_it = false;
+  TransportSeries series({barrier});
+  TransportOfCurves result;
+  result.regions = series.partition().regions();
+  result.enclosed = enclosed_area(barrier, 0);
+  result.area12 = series.turnstiles()[0].area12();
+  result.area21 = series.turnstiles()[0].area21();
+  while (static_cast<int>(result.steps.size()) < iterates && series.reaches_next()) {
+    result.steps.push_back(series.next());
+    compare(result.agreement, series.partition(), result.steps.back());
+  }
+  result.remarks = tangle.remarks;
+  return result;
+}
+
+}  // namespace lober

@@ -1,0 +1,36 @@
+#include "engine/files/closing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/base/text.hpp"
+
+namespace lober {
+namespace {
+
+double length(Point a, Point b) {
+  return std::hypot(0.5 * b.x - 0.5 * a.x, 0.5 * b.y - 0.5 * a.y);  // half of it, which cannot overflow
+}
+
+}  // namespace
+
+std::string closing_remark(std::span<const Point> points) {
+  constexpr std::size_t sample = 4096;
+  constexpr double much_longer = 10;
+  if (points.size() < 4) return {};
+  const std::size_t segments = points.size() - 1, step = (segments + sample - 1) / sample;
+  std::vector<double> lengths;
+  for (std::size_t k = 0; k < segments; k += step) {
+    if (const double here = length(points[k], points[k + 1]); here > 0) lengths.push_back(here);
+  }
+  if (lengths.empty()) return {};
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double closing = length(points.back(), points.front());
+  if (!(closing > much_longer * *middle)) return {};
+  return "is not closed in its file; it was closed by a straight segment " + shortest(std::round(closing / *middle)) +
+         " times as long as the median segment. Is it an open curve?";
+}
+
+}  // namespace lober

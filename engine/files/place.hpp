@@ -1,0 +1,21 @@
+// Where in a file something is wrong, and the one way to say so.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "engine/base/error.hpp"
+
+namespace lober {
+
+/// A line of a text file, counted from 1.
+struct Place {
+  const std::string& path;
+  std::size_t line;
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw DataError(path + ":" + std::to_string(line) + ": " + message);
+  }
+};
+
+}  // namespace lober

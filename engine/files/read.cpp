@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <utility>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/files/binary_file.hpp"
+#include "engine/files/closing.hpp"
+#include "engine/files/curve_spec.hpp"
+#include "engine/files/file_bytes.hpp"
+#include "engine/files/files.hpp"
+#include "engine/files/foreign.hpp"
+#include "engine/files/plausible.hpp"
+#include "engine/files/read_memory.hpp"
+#include "engine/files/sniff.hpp"
+#include "engine/files/text_file.hpp"
+
+namespace lober {
+namespace {
+
+/// "FILE#0 to FILE#5"
+std::string choices(const std::string& path, std::size_t zones) {
+  return path + "#0 to " + path + "#" + std::to_string(zones - 1);
+}
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return path == "-" || std::filesystem::exists(path, ignored);
+}
+
+/// The zone that `choice` names: by its index when it is a number, otherwise by its title.
+std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
+  const std::size_t zones = file.zones.size();
+  const auto fail = [&](const std::string& message) { throw DataError(file.path + ": " + message); };
+  std::size_t index = 0;
+  const char* const end = choice.data() + choice.size();
+  const auto [stop, error] = std::from_chars(choice.data(), end, index);
+  if (stop == end && error != std::errc::invalid_argument) {
+    if (error == std::errc{} && index < zones) return index;
+    fail("has no zone " + choice + (zones == 1 ? ", only " + file.path + "#0" : ", only " + choices(file.path, zones)));
+  }
+  const auto titled = [&](const Zone& zone) { return zone.title == choice; };
+  const auto found = std::find_if(file.zones.begin(), file.zones.end(), titled);
+  if (found == file.zones.end()) fail("has no zone titled \"" + choice + "\"");
+  if (std::find_if(found + 1, file.zones.end(), titled) != file.zones.end()) {
+    fail("has several zones titled \"" + choice + "\", choose one of " + choices(file.path, zones));
+  }
+  return static_cast<std::size_t>(found - file.zones.begin());
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> split_spec(const std::string& spec) {
+  if (exists(spec)) return {spec, {}};
+  const std::size_t last = spec.rfind('#');
+  if (last == std::string::npos || last == 0) return {spec, {}};
+  for (std::size_t at = last; at != std::string::npos && at != 0; at = spec.rfind('#', at - 1)) {
+    if (exists(spec.substr(0, at))) return {spec.substr(0, at), spec.substr(at + 1)};
+  }
+  return {spec.substr(0, last), spec.substr(last + 1)};
+}
+
+std::string_view name(Format format) {
+  switch (format) {
+    case Format::tecplot:
+      return "tecplot";
+    case Format::text:
+      return "text";
+    case Format::npy:
+      return "npy";
+    case Format::raw:
+      return "raw";
+  }
+  return "unknown";
+}
+
+CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes, std::size_t chunk_size) {
+  CurveFile file;
+  file.path = std::move(name);
+  if (bytes.empty()) throw DataError(file.path + ": the file is empty");
+  if (insists_on_raw(file.path)) {
+    read_raw(bytes, file);
+    return file;
+  }
+  const auto refuse = [&](const std::string& foreign) {
+    if (!foreign.empty()) throw DataError(file.path + ": this is " + foreign);
+  };
+  refuse(foreign_format(bytes));
+  switch (sniff(bytes)) {
+    case Content::npy:
+      read_npy(bytes, file);
+      break;
+    case Content::raw:
+      if (bytes.size() % sizeof(Point) == 0) {  // else that is what is wrong
+        if (const std::string why = implausible_raw(file.path, bytes); !why.empty()) {
+          throw DataError(file.path + ": " + why);
+        }
+      }
+      read_raw(bytes, file);
+      break;
+    case Content::text:
+      const std::span<const std::byte> unmarked = bytes.subspan(byte_order_mark(bytes));
+      const std::string_view text(reinterpret_cast<const char*>(unmarked.data()), unmarked.size());
+      refuse(foreign_text(text));
+      read_text(text, chunk_size, file);
+      break;
+  }
+  return file;
+}
+
+CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
+  constexpr std::size_t worth_two_threads = std::size_t{1} << 16;
+  const FileBytes content(path);
+  CurveFile file;
+  std::string hash;
+  run_together(
+      options.hash && content.bytes().size() > worth_two_threads,
+      [&] { file = read_curve_bytes(path, content.bytes()); },
+      [&] {
+        if (options.hash) hash = sha256(content.bytes());
+      });
+  file.sha256 = std::move(hash);
+  return file;
+}
+
+NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options) {
+  const auto [path, choice] = split_spec(spec);
+  CurveFile file = read_curve_file(path, options);
+  NamedCurve result;
+  result.zones = file.zones.size();
+  const bool chosen = path.size() != spec.size();
+  if (!chosen && result.zones > 1) {
+    throw DataError(path + ": has " + std::to_string(result.zones) + " zones, choose one with " +
+                    choices(path, result.zones));
+  }
+  if (chosen) result.zone = choose_zone(file, choice);
+  Zone& zone = file.zones[result.zone];
+  result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : std::move(zone.title)};
+  result.file = path;
+  result.sha256 = std::move(file.sha256);
+  if (closed) {
+    const std::size_t given = result.curve.points.size();
+    drop_closing_vertex(result.curve.points);
+    if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
+  }
+  validate(result.curve, spec);
+  return result;
+}
+
+}  // namespace lober

@@ -1,0 +1,62 @@
+#include "engine/files/sniff.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "engine/files/tecplot.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::size_t sniffed = 4096;
+
+std::string_view as_text(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+bool is_control(unsigned char c) {
+  constexpr std::string_view white = "\t\n\v\f\r";
+  return (c < 0x20 && white.find(static_cast<char>(c)) == std::string_view::npos) || c == 0x7F;
+}
+
+/// Every lead byte is followed by as many continuation bytes as it announces; the last character may be cut
+/// off.
+bool looks_like_utf8(std::string_view text) {
+  int expected = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool continuation = (byte & 0xC0) == 0x80;
+    if (continuation != (expected > 0)) return false;
+    if (continuation) {
+      --expected;
+    } else if (byte >= 0xC0) {
+      expected = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : 1;
+    }
+  }
+  return true;
+}
+
+bool is_text(std::string_view head) {
+  const std::string_view first = head.substr(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
+  if (tecplot_record(first.substr(0, first.find('\n'))) != TecplotRecord::none) return true;
+  if (std::any_of(head.begin(), head.end(), [](char c) { return is_control(static_cast<unsigned char>(c)); }))
+    return false;
+  const auto high =
+      std::count_if(head.begin(), head.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  return looks_like_utf8(head) || static_cast<std::size_t>(high) <= head.size() / 4;
+}
+
+}  // namespace
+
+std::size_t byte_order_mark(std::span<const std::byte> bytes) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return as_text(bytes).starts_with(mark) ? mark.size() : 0;
+}
+
+Content sniff(std::span<const std::byte> bytes) {
+  const std::span<const std::byte> head = bytes.first(std::min(bytes.size(), sniffed));
+  if (as_text(head).starts_with("\x93NUMPY")) return Content::npy;
+  return is_text(as_text(head.subspan(byte_order_mark(head)))) ? Content::text : Content::raw;
+}
+
+}  // namespace lober

@@ -1,0 +1,46 @@
+// The header records of a Tecplot ASCII file, one line at a time.
+//
+//   TITLE = "..."
+//   VARIABLES = "x", "y"        also "x""y", ''x''''y'' and x, y; may go on over the next lines
+//   ZONE T="...", I=257         also N=, J=1, K=1, F=POINT, DATAPACKING=POINT; may go on over the next lines
+//
+// Keywords in either case. Attributes that say nothing about points on a line (C=RED, STRANDID=1, ...) are
+// ignored.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/files/place.hpp"
+
+namespace lober {
+
+enum class TecplotRecord : std::uint8_t { none, title, variables, zone, ignored };
+
+/// Which record begins on this line, if any. `line` begins with a character other than a blank.
+[[nodiscard]] TecplotRecord tecplot_record(std::string_view line);
+
+/// How many names a VARIABLES line, or a line that continues one, holds.
+[[nodiscard]] std::size_t count_variables(std::string_view line, const Place& place);
+
+/// What a ZONE record says.
+struct TecplotZone {
+  struct Count {
+    std::string key;  ///< as in the file, in upper case
+    std::size_t points = 0;
+    std::size_t line = 0;  ///< of the file, counted from 1
+  };
+  std::string title;
+  std::vector<Count> counts;
+};
+
+/// Reads a ZONE line, or a line that continues one, into `zone`.
+void read_zone_attributes(std::string_view line, const Place& place, TecplotZone& zone);
+
+/// The title as a quoted string that the functions above read back.
+[[nodiscard]] std::string tecplot_title(std::string_view title);
+
+}  // namespace lober

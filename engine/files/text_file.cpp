@@ -1,0 +1,158 @@
+#include "engine/files/text_file.hpp"
+
+#include <algorithm>
+
+#include "engine/base/parallel/ordered_pipeline.hpp"
+#include "engine/files/place.hpp"
+#include "engine/files/tecplot.hpp"
+#include "engine/files/text_points.hpp"
+
+namespace lober {
+namespace {
+
+/// Takes the chunks in their order and builds the zones.
+class Assembler {
+ public:
+  Assembler(std::size_t text_size, CurveFile& file) : text_left_(text_size), file_(file) {
+    file_.format = Format::text;
+  }
+
+  void add(const TextChunk& chunk) {
+    std::size_t taken = 0;
+    for (const OtherLine& other : chunk.others) {
+      append(std::span(chunk.points).subspan(taken, other.points_before - taken));
+      taken = other.points_before;
+      read_line(other.text, line_ + other.line);
+    }
+    append(std::span(chunk.points).subspan(taken));
+    if (chunk.error) Place{file_.path, line_ + chunk.error->line}.fail(chunk.error->message);
+    line_ += chunk.lines;
+    text_left_ -= chunk.text.size();
+    if (file_.zones.size() == 1 && !reserved_) reserve(chunk);
+  }
+
+  void finish() {
+    end_zone();
+    if (file_.zones.empty()) throw DataError(file_.path + ": no points");
+  }
+
+ private:
+  void append(std::span<const Point> points) {
+    if (points.empty()) return;
+    if (variables_line_ != 0 && variables_ != 2) {
+      Place{file_.path, variables_line_}.fail("expected two variables, found " + std::to_string(variables_));
+    }
+    if (!in_zone_) begin_zone(implicit_line_);
+    std::vector<Point>& all = file_.zones.back().points;
+    all.insert(all.end(), points.begin(), points.end());
+    open_record_ = TecplotRecord::none;
+  }
+
+  /// Most files are one long zone: ask for its memory once, in proportion to what the first chunk gave. A
+  /// zone too many costs address space, not memory.
+  void reserve(const TextChunk& chunk) {
+    reserved_ = true;
+    std::vector<Point>& all = file_.zones.back().points;
+    const double points_per_byte =
+        1.02 * static_cast<double>(chunk.points.size()) / static_cast<double>(chunk.text.size());
+    all.reserve(all.size() + static_cast<std::size_t>(points_per_byte * static_cast<double>(text_left_)));
+  }
+
+  void read_line(std::string_view text, std::size_t line) {
+    const Place place{file_.path, line};
+    const TecplotRecord record = tecplot_record(text);
+    if (record == TecplotRecord::none) return continue_record(text, place);
+    if (record == TecplotRecord::ignored) return;
+    file_.format = Format::tecplot;
+    open_record_ = record;
+    // Files put one behind the other: the points that follow belong to another curve.
+    if (record != TecplotRecord::zone && in_zone_ && !file_.zones.back().points.empty()) {
+      end_zone();
+      implicit_line_ = line;
+    }
+    if (record == TecplotRecord::variables) {
+      variables_ = 0;
+      variables_line_ = line;
+      add_variables(text, place);
+    } else if (record == TecplotRecord::zone) {
+      end_zone();
+      begin_zone(line);
+      add_attributes(text, place);
+    }
+  }
+
+  /// A line that begins no record: it continues one, or is the header line of a text file, or is wrong.
+  void continue_record(std::string_view text, const Place& place) {
+    if (open_record_ == TecplotRecord::variables) return add_variables(text, place);
+    if (open_record_ == TecplotRecord::zone) return add_attributes(text, place);
+    const bool first_line = file_.format == Format::text && file_.zones.empty() && !header_line_seen_;
+    if (first_line && !has_number(text)) {
+      header_line_seen_ = true;
+      return;
+    }
+    Point ignored;
+    std::string message = parse_point_line(text, ignored);
+    if (message.empty()) message = "not a point: " + quoted(text);
+    place.fail(message);
+  }
+
+  void add_variables(std::string_view text, const Place& place) {
+    variables_ += count_variables(text, place);
+    if (variables_ > 2) place.fail("expected two variables, found " + std::to_string(variables_));
+  }
+
+  void add_attributes(std::string_view text, const Place& place) {
+    read_zone_attributes(text, place, header_);
+    file_.zones.back().title = header_.title;
+  }
+
+  void begin_zone(std::size_t line) {
+    header_ = {};
+    in_zone_ = true;
+    file_.zones.push_back({{}, {}, line});
+  }
+
+  void end_zone() {
+    if (!in_zone_) return;
+    in_zone_ = false;
+    Zone& zone = file_.zones.back();
+    const std::size_t points = zone.points.size();
+    for (const TecplotZone::Count& count : header_.counts) {
+      if (count.points == points) continue;
+      Place{file_.path, count.line}.fail(count.key + "=" + std::to_string(count.points) + " is declared, found " +
+                                         std::to_string(points) + (points == 1 ? " point" : " points"));
+    }
+    if (points == 0) Place{file_.path, zone.line}.fail("the zone has no points");
+    if (zone.points.capacity() / 2 > points) zone.points.shrink_to_fit();
+  }
+
+  std::size_t text_left_;  ///< bytes after the last chunk
+  std::size_t line_ = 1;   ///< number of the first line of the next chunk
+  CurveFile& file_;
+  TecplotZone header_;                               ///< of the last zone
+  TecplotRecord open_record_ = TecplotRecord::none;  ///< that the next line may continue
+  std::size_t implicit_line_ = 1;                    ///< where a zone begins that has no ZONE line
+  std::size_t variables_ = 0;
+  std::size_t variables_line_ = 0;  ///< where they are named; 0: nowhere
+  bool in_zone_ = false;
+  bool header_line_seen_ = false;
+  bool reserved_ = false;
+};
+
+}  // namespace
+
+void read_text(std::string_view text, std::size_t chunk_size, CurveFile& file) {
+  Assembler assembler(text.size(), file);
+  std::string_view rest = text;
+  const auto next = [&](TextChunk& chunk) {
+    if (rest.empty()) return false;
+    const std::size_t line_end = chunk_size < rest.size() ? rest.find('\n', chunk_size - 1) : std::string_view::npos;
+    chunk.text = rest.substr(0, line_end == std::string_view::npos ? rest.size() : line_end + 1);
+    rest.remove_prefix(chunk.text.size());
+    return true;
+  };
+  ordered_pipeline<TextChunk>(next, parse_chunk, [&](const TextChunk& chunk) { assembler.add(chunk); });
+  assembler.finish();
+}
+
+}  // namespace lober

@@ -1,0 +1,303 @@
+#include "engine/geometry/crossings/contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <memory>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/geometry/curve/countable.hpp"
+#include "engine/geometry/curve/point_along.hpp"
+#include "kernels/pair_filter.hpp"
+
+namespace lober {
+namespace {
+
+// A run of common vertices: vertices first .. last of C1 are vertices of C2 one by one.
+struct Run {
+  std::uint32_t first;
+  std::uint32_t last;
+  int direction;  // of C2
+};
+
+// A contact before its parameters are known.
+struct Hit : ContactKind {
+  std::uint32_t segment1, segment2;
+};
+Hit crossing(std::uint32_t i, std::uint32_t j, int rho) {
+  return {{static_cast<std::int8_t>(rho), 0, false, false}, i, j};
+}
+Hit at_vertex(std::uint32_t i, std::uint32_t j, bool of1, bool of2) {
+  return {{0, 0, of1, of2}, i, j};
+}
+
+struct Block {
+  Buffer<PairVerdict> verdicts;
+  Buffer<Hit> hits;
+  std::vector<Run> runs;
+  std::uint32_t covered_begin = 0;  // segments of C1 inside a known run
+  std::uint32_t covered_end = 0;
+  ContactCounts counts;
+};
+
+class ContactFinder final : public PairConsumer {
+ public:
+  ContactFinder(const CurveView& c1, const CurveView& c2, double scale)
+      : c1_(c1),
+        c2_(c2),
+        source1_{c1.points.data(), static_cast<std::uint32_t>(c1.points.size() - 1)},
+        source2_{c2.points.data(), static_cast<std::uint32_t>(c2.points.size() - 1)},
+        scale_(scale),
+        blocks_((c1.segments() + block_segments - 1) / block_segments) {}
+
+  std::uint32_t consume(std::uint32_t number, std::span<const SegmentPair> pairs) override {
+    std::unique_ptr<Block>& block = blocks_[number];
+    if (!block) block = std::make_unique<Block>();
+    const std::uint32_t end = std::min((number + 1) * block_segments, static_cast<std::uint32_t>(c1_.segments()));
+    block->verdicts.resize(std::max(pairs.size(), block->verdicts.size()));
+    filter_pairs(source1_, source2_, pairs.data(), pairs.size(), block->verdicts.data());
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto [i, j] = pairs[k];
+      const PairVerdict verdict = block->verdicts[k];
+      if (verdict == PairVerdict::apart) continue;
+      if (i >= block->covered_begin && i < block->covered_end) continue;
+      if (verdict == PairVerdict::doubtful) {
+        classify(i, j, end, *block);
+      } else {
+        block->hits.push_back(crossing(i, j, verdict == PairVerdict::crosses_to_left ? 1 : -1));
+      }
+    }
+    return block->covered_end;
+  }
+
+  void finish(std::uint32_t number) override {
+    if (!blocks_[number]) return;
+    Block& block = *blocks_[number];
+    drop_inside_runs(block);
+    sort_by_segment(block.hits, number * block_segments);
+    block.verdicts = {};
+  }
+
+  // Turns the hits of all blocks into contacts, in order along C1.
+  Contacts gather() {
+    Contacts result;
+    std::vector<std::size_t> begin(blocks_.size() + 1, 0);
+    for (std::size_t k = 0; k < blocks_.size(); ++k)
+      begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->hits.size() : 0);
+    require_countable(begin.back(), "points where the curves meet");
+    result.list = ContactList(begin.back());
+    std::atomic<bool> all_proper{true};
+    for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
+      if (!blocks_[k]) return;
+      Block& block = *blocks_[k];
+      Buffer<Contact> contacts(block.hits.size());
+      if (!place(block, contacts)) all_proper = false;
+      order_on_segments(contacts, block);
+      for (std::size_t m = 0; m < contacts.size(); ++m) result.list.set(begin[k] + m, contacts[m]);
+      block.hits = {};
+    });
+    result.all_proper = all_proper;
+    for (const std::unique_ptr<Block>& block : blocks_) {
+      if (!block) continue;
+      result.counts.predicates += block->counts.predicates;
+      result.counts.exact_parameters += block->counts.exact_parameters;
+      result.counts.exact_orders += block->counts.exact_orders;
+      result.counts.comparisons += block->counts.comparisons;
+      result.counts.shared_vertices += block->counts.shared_vertices;
+    }
+    return result;
+  }
+
+ private:
+  void classify(std::uint32_t i, std::uint32_t j, std::uint32_t block_end, Block& block) {
+    const auto [a, b] = c1_.segment(i);
+    const auto [c, d] = c2_.segment(j);
+    PredicateCounts& counts = block.counts.predicates;
+    const int side_c = orient2d(a, b, c, counts), side_d = orient2d(a, b, d, counts);
+    if (side_c * side_d > 0) return;
+    const int side_a = orient2d(c, d, a, counts), side_b = orient2d(c, d, b, counts);
+    if (side_a * side_b > 0) return;
+    if (side_a * side_b < 0 && side_c * side_d < 0) {
+      block.hits.push_back(crossing(i, j, side_d));
+      return;
+    }
+    if (a == b || c == d) return;  // repeated vertices carry no segment
+    if (a == c) {
+      block.hits.push_back(at_vertex(i, j, true, true));
+      follow_run(i, j, block_end, block);
+      return;
+    }
+    if (side_a == 0 && a != d && on_segment(c, d, a, counts)) block.hits.push_back(at_vertex(i, j, true, false));
+    if (side_c == 0 && c != b && on_segment(a, b, c, counts)) block.hits.push_back(at_vertex(i, j, false, true));
+  }
+
+  // Vertex i of C1 is vertex j of C2: follows both as long as they have the same vertices, inside the block.
+  void follow_run(std::uint32_t i, std::uint32_t j, std::uint32_t block_end, Block& block) {
+    for (const int direction : {1, -1}) {
+      std::uint32_t last = i, other = j;
+      while (last < block_end) {
+        // A run that is known already (pairs may come in descending order) is taken over whole.
+        if (!block.runs.empty() && block.runs.back().first == last && block.runs.back().direction == direction) {
+          last = block.runs.back().last;
+          break;
+        }
+        const std::uint32_t next = last + 1 == c1_.points.size() ? 0 : last + 1;
+        const std::uint32_t next_other = step(c2_, other, direction);
+        if (next_other == no_vertex) break;
+        const Point here = c1_.points[next];
+        if (!(here == c2_.points[next_other]) || here == c1_.points[last]) break;
+        other = next_other;
+        ++last;
+      }
+      if (last == i) continue;
+      block.hits.back().run = static_cast<std::int8_t>(direction);
+      block.runs.push_back({i, last, direction});
+      block.covered_begin = i;
+      block.covered_end = last;
+      return;
+    }
+  }
+
+  static constexpr std::uint32_t no_vertex = 0xffffffff;
+  static std::uint32_t step(const CurveView& curve, std::uint32_t vertex, int direction) {
+    const auto last = static_cast<std::uint32_t>(curve.points.size() - 1);
+    if (direction > 0) return vertex < last ? vertex + 1 : (curve.closed ? 0 : no_vertex);
+    return vertex > 0 ? vertex - 1 : (curve.closed ? last : no_vertex);
+  }
+
+  // Contacts inside a run that were found before the run was known.
+  static void drop_inside_runs(Block& block) {
+    if (block.runs.empty()) return;
+    std::sort(block.runs.begin(), block.runs.end(), [](const Run& x, const Run& y) { return x.first < y.first; });
+    std::vector<Run> merged;
+    for (const Run& run : block.runs) {
+      if (!merged.empty() && run.first < merged.back().last) {
+        merged.back().last = std::max(merged.back().last, run.last);
+      } else {
+        merged.push_back(run);
+      }
+    }
+    for (const Run& run : merged) block.counts.shared_vertices += run.last - run.first;
+    std::erase_if(block.hits, [&](const Hit& hit) {
+      const auto after = std::upper_bound(merged.begin(), merged.end(), hit.segment1,
+                                          [](std::uint32_t value, const Run& run) { return value <= run.first; });
+      return after != merged.begin() && hit.segment1 < std::prev(after)->last;
+    });
+  }
+
+  // Counting sort: a block has few segments and, when this matters, many hits.
+  static void sort_by_segment(Buffer<Hit>& hits, std::uint32_t first_segment) {
+    const auto less = [](const Hit& x, const Hit& y) { return x.segment1 < y.segment1; };
+    if (std::is_sorted(hits.begin(), hits.end(), less)) return;
+    std::array<std::uint32_t, block_segments + 1> begin{};
+    for (const Hit& hit : hits) ++begin[hit.segment1 - first_segment + 1];
+    for (std::uint32_t k = 0; k < block_segments; ++k) begin[k + 1] += begin[k];
+    Buffer<Hit> sorted(hits.size());
+    for (const Hit& hit : hits) sorted[begin[hit.segment1 - first_segment]++] = hit;
+    hits.swap(sorted);
+  }
+
+  // Computes the parameters of all hits of the block. Returns whether all are proper crossings.
+  bool place(Block& block, std::span<Contact> contacts) {
+    constexpr std::size_t batch = 256;
+    std::array<SegmentCrossing, batch> crossings;
+    std::array<CrossingParameters, batch> parameters;
+    std::array<std::uint32_t, batch> target;
+    std::size_t waiting = 0;
+    bool all_proper = true;
+    const auto flush = [&] {
+      block.counts.exact_parameters += crossing_parameters(crossings.data(), waiting, scale_, parameters.data());
+      for (std::size_t k = 0; k < waiting; ++k) {
+        contacts[target[k]].t1 = parameters[k].t1;
+        contacts[target[k]].t2 = parameters[k].t2;
+      }
+      waiting = 0;
+    };
+    for (std::uint32_t k = 0; k < block.hits.size(); ++k) {
+      const Hit& hit = block.hits[k];
+      const auto [a, b] = c1_.segment(hit.segment1);
+      const auto [c, d] = c2_.segment(hit.segment2);
+      Contact& contact = contacts[k];
+      contact = {hit.kind(), hit.segment1, hit.segment2, {}, {}};
+      if (hit.proper()) {
+        crossings[waiting] = {a, b, c, d};
+        target[waiting++] = k;
+        if (waiting == batch) flush();
+      } else {
+        all_proper = false;
+        if (!hit.vertex1) contact.t1 = exact_parameter(a, b, {c, c, true});
+        if (!hit.vertex2) contact.t2 = exact_parameter(c, d, {a, a, true});
+      }
+    }
+    flush();
+    return all_proper;
+  }
+
+  // Brings the contacts of each segment of C1 into their order along it. Nearly always there are a few and they come in
+  // order or in the opposite one; where there are more, insertion would cost the square of their number.
+  void order_on_segments(std::span<Contact> list, Block& block) {
+    constexpr std::size_t few = 16;
+    const auto less = [&](const Contact& x, const Contact& y) { return before(x, y, block); };
+    for (std::size_t first = 0; first < list.size();) {
+      std::size_t last = first + 1;
+      while (last < list.size() && list[last].segment1 == list[first].segment1) ++last;
+      if (last - first > few) {
+        std::stable_sort(&list[first], &list[first] + (last - first), less);
+      } else {
+        for (std::size_t k = first + 1; k < last; ++k) {
+          for (std::size_t m = k; m > first && less(list[m], list[m - 1]); --m) std::swap(list[m], list[m - 1]);
+        }
+      }
+      first = last;
+    }
+  }
+
+  bool before(const Contact& x, const Contact& y, Block& block) const {
+    ++block.counts.comparisons;
+    if (x.vertex1 != y.vertex1) return x.vertex1;
+    const double difference = (x.t1.hi - y.t1.hi) + (x.t1.lo - y.t1.lo);
+    if (difference < -parameter_doubt) return true;
+    if (difference > parameter_doubt) return false;
+    ++block.counts.exact_orders;
+    const auto [a, b] = c1_.segment(x.segment1);
+    return compare_along(a, b, implicit(x), implicit(y)) < 0;
+  }
+
+  [[nodiscard]] ImplicitPoint implicit(const Contact& contact) const {
+    if (contact.vertex1) {
+      const Point vertex = c1_.points[contact.segment1];
+      return {vertex, vertex, true};
+    }
+    const auto [c, d] = c2_.segment(contact.segment2);
+    return contact.proper() ? ImplicitPoint{c, d} : ImplicitPoint{c, c, true};
+  }
+
+  CurveView c1_, c2_;
+  SegmentSource source1_, source2_;
+  double scale_;
+  std::vector<std::unique_ptr<Block>> blocks_;
+};
+
+}  // namespace
+
+Point place_of(const Contact& contact, const CurveView& c1, const CurveView& c2) {
+  if (contact.vertex1) return c1.points[contact.segment1];
+  if (contact.vertex2) return c2.points[contact.segment2];
+  return point_along(c1.segment(contact.segment1), contact.t1);
+}
+
+Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind) {
+  const double scale = unite(c1.tree().box(), c2.tree().box()).extent();
+  const Stopwatch watch;
+  ContactFinder finder(c1.view(), c2.view(), scale);
+  const SearchCounts search = find_pairs(c1, c2, kind, finder);
+  Contacts contacts = finder.gather();
+  contacts.search_seconds = watch.seconds();
+  contacts.counts.search = search;
+  contacts.order2 = sort_along_second(contacts.list, c1.view(), c2.view(), contacts.counts);
+  contacts.order_seconds = watch.seconds() - contacts.search_seconds;
+  return contacts;
+}
+
+}  // namespace lober

@@ -1,0 +1,57 @@
+// The planar graph of two curves at the places where they meet: what overlay/ (and later tangle/) walk on.
+//
+// A node is a point or a shared arc, in either case a small disc out of which four arms lead: C1 onwards (out1), C2
+// onwards (out2), and the two ways back (in1, in2). Their cyclic order is all the geometry that is left at a node: it
+// says whether the curves cross or touch, and on which side. Directions are those of the input.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/geometry/crossings/contacts.hpp"
+
+namespace lober {
+
+enum Arm : std::uint8_t { out1 = 0, out2 = 1, in1 = 2, in2 = 3 };
+
+/// The arms counter-clockwise from out1. The six possible orders; a node stores its number.
+inline constexpr std::array<std::array<Arm, 4>, 6> arm_orders{{
+    {out1, out2, in1, in2},  // a crossing, C2 from right to left: rho = +1 for curves that run counter-clockwise
+    {out1, in2, in1, out2},  // a crossing, C2 from left to right: rho = -1
+    {out1, out2, in2, in1},  // a touch, C2 on the left of C1 (two ways)
+    {out1, in2, out2, in1},
+    {out1, in1, out2, in2},  // a touch, C2 on the right of C1 (two ways)
+    {out1, in1, in2, out2},
+}};
+enum ArmOrder : std::uint8_t { rightward_to_left = 0, leftward_to_right = 1, first_touch = 2 };
+
+/// First and last contact of a node along C1. `direction` is 0 for a point, else how C2 runs along the shared arc
+/// compared with C1, as the input runs.
+struct NodeSpan {
+  std::uint32_t first;
+  std::uint32_t last;
+  std::int8_t direction;
+};
+
+struct NodeGraph {
+  ContactList contacts;             ///< in order along C1
+  Buffer<NodeSpan> spans;           ///< in order along C1; empty when every node is the contact of the same number
+  Buffer<std::uint8_t> order;       ///< ArmOrder of each node
+  Buffer<std::uint32_t> contacts2;  ///< contact numbers in order along C2
+  Buffer<std::uint32_t> nodes2;     ///< node numbers in order along C2; empty when `spans` is: then see along2()
+  Buffer<std::uint32_t> rank2;      ///< place of each node in along2()
+  std::int8_t same_curve = 0;  ///< +1 / -1: the two curves are one and the same, run in the same / opposite direction
+  ContactCounts counts;
+  double search_seconds = 0, order_seconds = 0;
+
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order.size()); }
+  [[nodiscard]] const Buffer<std::uint32_t>& along2() const { return spans.empty() ? contacts2 : nodes2; }
+  [[nodiscard]] NodeSpan span(std::uint32_t node) const {
+    return spans.empty() ? NodeSpan{node, node, 0} : spans[node];
+  }
+};
+
+/// Finds all contacts and joins them to nodes. O(n + m + candidates), parallel where it is long.
+[[nodiscard]] NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind);
+
+}  // namespace lober

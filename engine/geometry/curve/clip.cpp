@@ -1,0 +1,39 @@
+#include "engine/geometry/curve/clip.hpp"
+
+namespace lober {
+namespace {
+
+// The half-plane sign * coordinate <= bound.
+struct HalfPlane {
+  bool of_x;
+  double sign, bound;
+  [[nodiscard]] double beyond(Point p) const { return sign * (of_x ? p.x : p.y) - bound; }
+  [[nodiscard]] Point on_side(Point a, Point b) const {
+    const double from = beyond(a), to = beyond(b), t = from / (from - to);
+    Point p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+    (of_x ? p.x : p.y) = sign * bound;
+    return p;
+  }
+};
+
+std::vector<Point> cut(const std::vector<Point>& polygon, const HalfPlane& half) {
+  std::vector<Point> kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point a = polygon[k], b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+    const bool a_in = half.beyond(a) <= 0, b_in = half.beyond(b) <= 0;
+    if (a_in) kept.push_back(a);
+    if (a_in != b_in) kept.push_back(half.on_side(a, b));
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Point> clipped(const std::vector<Point>& polygon, const Box& box) {
+  std::vector<Point> rest = cut(polygon, {true, 1, box.max_x()});
+  rest = cut(rest, {true, -1, -box.min_x()});
+  rest = cut(rest, {false, 1, box.max_y()});
+  return cut(rest, {false, -1, -box.min_y()});
+}
+
+}  // namespace lober

@@ -1,0 +1,13 @@
+// Points inside segments.
+#pragma once
+
+#include "engine/geometry/curve/curve.hpp"
+#include "kernels/double_double.hpp"
+
+namespace lober {
+
+/// The point a + t (b - a) of a segment, 0 <= t <= 1, rounded to double: right to about an ulp, also where the segment
+/// is longer than the largest double.
+[[nodiscard]] Point point_along(const Segment& segment, DD t);
+
+}  // namespace lober

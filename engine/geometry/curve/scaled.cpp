@@ -1,0 +1,61 @@
+#include "engine/geometry/curve/scaled.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace lober {
+namespace {
+
+constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::unite,
+                             &Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::symmetric_difference};
+
+}  // namespace
+
+int comfortable_exponent(const Box& box) {
+  constexpr int comfortable = 300;  // centroids take products of three lengths, parameters of crossings those too
+  int size = 0;
+  for (const double lane : box.lane) size = std::max(size, std::abs(lane) == 0 ? 0 : std::ilogb(lane));
+  const int extent = box.extent() == 0 ? 0 : std::ilogb(box.extent());
+  return size > comfortable ? -size : extent < -comfortable ? -extent : 0;
+}
+
+std::vector<Point> scaled(const CurveView& curve, int exponent) {
+  std::vector<Point> points;
+  points.reserve(curve.points.size());
+  for (const Point& p : curve.points) {
+    const Point q{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+    if (!(Point{std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent)} == p)) {
+      throw DataError("coordinates range too widely: an area in double precision cannot span them");
+    }
+    points.push_back(q);
+  }
+  return points;
+}
+
+double scaled_area(double area, int exponent) {
+  const double result = std::ldexp(area, exponent);
+  if (!std::isfinite(result)) {
+    throw DataError(
+        "an area is larger than the largest double, 1.8e308: coordinates in a larger unit, for which it is not, will "
+        "do");
+  }
+  return result;
+}
+
+void scale(Areas& areas, int exponent) {
+  for (double Areas::*const member : members) areas.*member = scaled_area(areas.*member, exponent);
+}
+
+double scaled_bound(double bound, int exponent) {
+  return std::min(std::ldexp(bound, exponent) + std::numeric_limits<double>::denorm_min(),
+                  std::numeric_limits<double>::max());
+}
+
+void scale_bounds(Areas& bounds, int exponent) {
+  for (double Areas::*const member : members) bounds.*member = scaled_bound(bounds.*member, exponent);
+}
+
+}  // namespace lober

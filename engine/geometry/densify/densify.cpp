@@ -1,0 +1,204 @@
+#include "engine/geometry/densify/densify.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geometry/densify/criteria.hpp"
+#include "engine/geometry/densify/distinct_curve.hpp"
+#include "engine/geometry/densify/running_sums.hpp"
+#include "engine/geometry/densify/subdivision.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::uint64_t most_vertices = (std::uint64_t{1} << 31) - 1;
+
+double largest_coordinate(std::span<const Point> points) {
+  std::vector<double> largest((points.size() + densify_grain - 1) / densify_grain, 0);
+  for_each_block(points.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+    double here = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      here = std::max(here, std::max(std::fabs(points[k].x), std::fabs(points[k].y)));
+    }
+    largest[first / densify_grain] = here;
+  });
+  return *std::max_element(largest.begin(), largest.end());
+}
+
+// What is known about a segment. `waiting`: it or a neighbour changed since it was judged.
+enum class State : std::uint8_t { met, waiting, too_short, corner, unmet };
+
+State state_of(const Need& need) {
+  return need.corner ? State::corner : need.too_short ? State::too_short : State::met;
+}
+
+// The number of parts of every segment, brought up round by round.
+class Rounds {
+ public:
+  Rounds(const Judge& judge, std::size_t segments, std::size_t vertices, std::uint64_t most_points)
+      : judge_(judge),
+        extra_(vertices - segments),
+        most_points_(std::min(most_points, most_vertices)),
+        parts_(segments),
+        next_(segments),
+        state_(segments) {}
+
+  void run(bool closed, std::uint32_t most_rounds) {
+    for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+      std::fill(parts_.begin() + static_cast<std::ptrdiff_t>(first), parts_.begin() + static_cast<std::ptrdiff_t>(last),
+                1U);
+    });
+    if (!judge_.estimate_is_final()) enough_.resize(parts_.size());
+    round(
+        [&](std::size_t k) {
+          const Need need = judge_.estimate(k);
+          if (!enough_.empty()) enough_[k] = need.enough;
+          return need;
+        },
+        [](State) { return true; });
+    if (judge_.estimate_is_final() || !fits_) return;
+    std::fill(state_.begin(), state_.end(), State::waiting);
+    while (rounds_ < most_rounds) {
+      const bool changed = round([&](std::size_t k) { return judge_.judge(k, parts_, enough_[k]); },
+                                 [](State state) { return state == State::waiting; });
+      if (!changed || !fits_) return;
+      wake_neighbours(closed);
+    }
+    give_up();
+  }
+
+  [[nodiscard]] const Buffer<std::uint32_t>& parts() const { return parts_; }
+  [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
+
+  [[nodiscard]] std::vector<Flaw> flaws(const Buffer<std::uint64_t>& begin) const {
+    const auto cause = [&](std::size_t k) {
+      return state_[k] == State::corner      ? FlawCause::corner
+             : state_[k] == State::too_short ? FlawCause::shortest
+                                             : unmet_cause_;
+    };
+    const Buffer<Flaw> found = gathered<Flaw>(
+        parts_.size(), [&](std::size_t k) { return state_[k] != State::met; },
+        [&](std::size_t k) {
+          return Flaw{static_cast<std::uint32_t>(begin[k]), parts_[k], cause(k)};
+        });
+    return {found.begin(), found.end()};
+  }
+
+ private:
+  // One round: what each segment needs, trimmed to what fits. Returns whether anything changed.
+  template <typename NeedOf, typename Concerned>
+  bool round(const NeedOf& need_of, const Concerned& concerned) {
+    for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        next_[k] = parts_[k];
+        if (!concerned(state_[k])) continue;
+        const Need need = need_of(k);
+        next_[k] = need.parts;
+        state_[k] = state_of(need);
+      }
+    });
+    trim();
+    const bool changed = sum_of(parts_.size(), [&](std::size_t k) { return next_[k] != parts_[k] ? 1 : 0; }) != 0;
+    parts_.swap(next_);  // next_ now holds the parts before: wake_neighbours compares
+    if (changed) ++rounds_;
+    return changed;
+  }
+
+  // If the result would have too many points, no segment gets more than the largest number with which it has not.
+  void trim() {
+    const auto points_with = [&](std::uint32_t cap) {
+      return extra_ +
+             sum_of(parts_.size(), [&](std::size_t k) { return std::max(parts_[k], std::min(next_[k], cap)); });
+    };
+    if (points_with(~0U) <= most_points_) return;
+    std::uint32_t low = 1, high = ~0U;  // low fits, or nothing does; high does not
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      (points_with(middle) <= most_points_ ? low : high) = middle;
+    }
+    fits_ = false;
+    unmet_cause_ = FlawCause::most_points;
+    for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        const std::uint32_t allowed = std::max(parts_[k], std::min(next_[k], low));
+        if (allowed < next_[k]) state_[k] = State::unmet;
+        next_[k] = allowed;
+      }
+    });
+  }
+
+  void wake_neighbours(bool closed) {
+    const std::size_t size = parts_.size();
+    const auto changed = [&](std::size_t k) { return parts_[k] != next_[k]; };
+    for_each_block(size, densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        const bool before = k > 0 ? changed(k - 1) : closed && changed(size - 1);
+        const bool after = k + 1 < size ? changed(k + 1) : closed && changed(0);
+        if (changed(k) || before || after) state_[k] = State::waiting;
+      }
+    });
+  }
+
+  // No round is left: what still waits is judged for the last time.
+  void give_up() {
+    for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        if (state_[k] != State::waiting) continue;
+        const Need need = judge_.judge(k, parts_, enough_[k]);
+        state_[k] = need.parts > parts_[k] ? State::unmet : state_of(need);
+      }
+    });
+  }
+
+  const Judge& judge_;
+  std::uint64_t extra_;  // the last vertex of an open curve
+  std::uint64_t most_points_;
+  Buffer<std::uint32_t> parts_, next_;
+  Buffer<std::uint32_t> enough_;  // see Need; only where estimates are not final
+  Buffer<State> state_;
+  std::uint32_t rounds_ = 0;
+  bool fits_ = true;
+  FlawCause unmet_cause_ = FlawCause::most_rounds;
+};
+
+}  // namespace
+
+std::string_view name(FlawCause cause) {
+  switch (cause) {
+    case FlawCause::most_points:
+      return "most_points";
+    case FlawCause::most_rounds:
+      return "most_rounds";
+    case FlawCause::spacing:
+      return "spacing";
+    case FlawCause::not_finite:
+      return "not_finite";
+    case FlawCause::corner:
+      return "corner";
+    case FlawCause::shortest:
+      break;
+  }
+  return "shortest";
+}
+
+DensifiedCurve densify(CurveView curve, const Criteria& criteria, const DensifyOptions& options) {
+  require_sensible(criteria);
+  const bool linear = options.interpolation == Interpolation::linear;
+  if (linear && criteria.angle < Criteria::off) {
+    throw UsageError("densify: points on the chords turn no corner; the angle needs another interpolation than linear");
+  }
+  const DistinctCurve distinct(curve);
+  const Interpolant interpolant(distinct.view(), options.interpolation);
+  const Judge judge(interpolant, criteria, largest_coordinate(distinct.view().points));
+  Rounds rounds(judge, distinct.view().segments(), distinct.view().points.size(), options.most_points);
+  rounds.run(curve.closed, options.most_rounds);
+  DensifiedCurve result;
+  Buffer<std::uint64_t> begin;
+  result.points = subdivided(interpolant, rounds.parts(), begin);
+  result.closed = curve.closed;
+  result.flaws = rounds.flaws(begin);
+  result.rounds = rounds.rounds();
+  return result;
+}
+
+}  // namespace lober

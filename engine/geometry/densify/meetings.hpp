@@ -1,0 +1,24 @@
+// Where a curve meets another one, in order along it (private to densify/).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/base/memory.hpp"
+#include "engine/geometry/crossings/crossings.hpp"
+#include "engine/geometry/curve/curve.hpp"
+
+namespace lober {
+
+struct Meeting {
+  Position at;     ///< t = 1 for the last vertex of an open curve only
+  Point point;     ///< the same bits on both curves
+  bool at_vertex;  ///< of this curve: `point` is one of its vertices
+};
+
+/// The meetings of two curves, either of which may be open or cross itself, in exact order along the first and along
+/// the second. Vertices inside an arc that both share vertex by vertex are left out. Neither may have repeated
+/// vertices. O(N + M + candidates), parallel.
+[[nodiscard]] std::array<Buffer<Meeting>, 2> find_meetings(CurveView first, CurveView second);
+
+}  // namespace lober

@@ -1,0 +1,72 @@
+// The curve-order box tree: boxes over consecutive segments, over consecutive boxes, and so on.
+//
+// The points of a curve come in order, so no sorting is needed: the tree is built in one pass over contiguous memory,
+// and everything else that only that pass can give cheaply (shoelace sums, monotone runs) is taken along.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/memory.hpp"
+#include "engine/geometry/curve/curve.hpp"
+#include "kernels/box_pyramid.hpp"
+#include "kernels/leaf.hpp"
+
+namespace lober {
+
+class BoxTree {
+ public:
+  /// Builds the tree of a curve that stays alive as long as the tree does. O(N), parallel; about 2 bytes per
+  /// point. The curve is not validated: NaN coordinates give a useless tree, no fault.
+  explicit BoxTree(CurveView curve);
+
+  [[nodiscard]] const CurveView& curve() const { return curve_; }
+  [[nodiscard]] std::size_t segments() const { return curve_.segments(); }
+  [[nodiscard]] std::size_t leaves() const { return level_size_[0]; }
+  [[nodiscard]] std::uint32_t levels() const { return levels_; }
+  [[nodiscard]] std::uint32_t nodes(std::uint32_t level) const { return level_size_[level]; }
+  [[nodiscard]] TreeNode root() const { return {levels_ - 1, 0}; }
+  [[nodiscard]] const Box& box(TreeNode node) const { return boxes_[level_begin_[node.level] + node.index]; }
+  [[nodiscard]] BoxPyramid pyramid() const { return {boxes_.data(), level_begin_.data(), level_size_.data()}; }
+  [[nodiscard]] const Box& box() const { return box(root()); }
+  /// MonotoneFlags of the whole node.
+  [[nodiscard]] std::uint8_t flags(TreeNode node) const { return flags_[level_begin_[node.level] + node.index]; }
+  [[nodiscard]] const Box* leaf_boxes() const { return boxes_.data(); }
+  /// Shoelace sums of the leaves, see summarise_leaves.
+  /// A whole number of stretches of them: behind the last leaf they are zero.
+  [[nodiscard]] const DD* leaf_sums() const { return sums_.data(); }
+  /// Shoelace sums of stretches of leaf_size leaves, each about its first point (the last one may be shorter).
+  [[nodiscard]] const Buffer<DD>& stretch_sums() const { return stretch_sums_; }
+  /// False when the shoelace sums came out infinite or not a number: then some coordinate is not finite, or so large
+  /// that products overflow. A curve with a bad coordinate never passes. O(N / 1024).
+  [[nodiscard]] bool sums_finite() const;
+  /// Where leaf `leaf` begins; leaves() is allowed and means the end of the curve (the first point again, if closed).
+  [[nodiscard]] Point leaf_begin(std::size_t leaf) const { return starts_[leaf]; }
+  /// leaf_begin of the leaf_size leaves of a stretch and of the next one; behind the end of the curve its last point.
+  [[nodiscard]] const Point* stretch_points(std::size_t stretch) const { return &starts_[stretch * leaf_size]; }
+  /// leaf_size + 1 points of a leaf; behind the end of the curve its last point is repeated.
+  [[nodiscard]] const Point* leaf_points(std::size_t leaf) const {
+    return leaf + 1 == leaves() ? tail_.data() : curve_.points.data() + leaf * leaf_size;
+  }
+  /// Bytes held besides the curve.
+  [[nodiscard]] std::size_t memory() const;
+
+ private:
+  void sum_stretches(std::size_t begin, std::size_t end);
+  void build_upper(std::uint32_t level, std::size_t begin, std::size_t end);
+
+  CurveView curve_;
+  std::uint32_t levels_ = 0;
+  std::array<std::uint32_t, 32> level_size_{};
+  std::array<std::uint32_t, 32> level_begin_{};
+  Buffer<Box> boxes_;
+  Buffer<std::uint8_t> flags_;
+  Buffer<DD> sums_;
+  Buffer<DD> stretch_sums_;
+  Buffer<Point> starts_;
+  std::array<Point, leaf_size + 1> tail_{};
+};
+
+}  // namespace lober

@@ -1,0 +1,42 @@
+#include "engine/geometry/index/index.hpp"
+
+#include "engine/geometry/index/search.hpp"
+
+namespace lober {
+
+std::string_view name(IndexKind kind) {
+  switch (kind) {
+    case IndexKind::automatic:
+      return "auto";
+    case IndexKind::tree:
+      return "tree";
+    case IndexKind::grid:
+      return "grid";
+    case IndexKind::kd:
+      return "kd";
+  }
+  return "";
+}
+
+IndexKind index_kind(std::string_view wanted) {
+  for (const IndexKind kind : {IndexKind::tree, IndexKind::grid, IndexKind::kd}) {
+    if (name(kind) == wanted) return kind;
+  }
+  return IndexKind::automatic;
+}
+
+SearchCounts find_pairs(const IndexedCurve& first, const IndexedCurve& second, IndexKind kind, PairConsumer& consumer) {
+  switch (kind) {
+    case IndexKind::grid:
+      return find_pairs_by_grid(first, second, consumer);
+    case IndexKind::kd:
+      return find_pairs_by_kd(first, second, consumer);
+    case IndexKind::tree:
+      return find_pairs_by_tree(first, second, consumer);
+    case IndexKind::automatic:
+      break;
+  }
+  throw UsageError("find_pairs needs a definite index, see choose_index");
+}
+
+}  // namespace lober

@@ -1,0 +1,78 @@
+#include "engine/geometry/index/orientation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/geometry/curve/require.hpp"
+#include "kernels/predicates.hpp"
+#include "kernels/shoelace.hpp"
+
+namespace lober {
+namespace {
+
+// Twice the area, from the sums that the tree brings along, if its sign is beyond doubt; else 0.
+double certain_twice_area(const BoxTree& tree) {
+  const Point origin = tree.leaf_begin(0);
+  DD twice_area;
+  for (std::size_t k = 0; k < tree.stretch_sums().size(); ++k) {
+    twice_area += tree.stretch_sums()[k] + shoelace(*tree.stretch_points(k), *tree.stretch_points(k + 1), origin);
+  }
+  // A term is wrong by 2^-102 of the square of the extent at most, an addition by less; what underflows is lost whole.
+  const double extent = tree.box().extent();
+  const double lost = static_cast<double>(tree.segments()) * (extent * extent * 0x1p-98 + 0x1p-1000);
+  return std::fabs(twice_area.hi) > lost ? twice_area.hi : 0;
+}
+
+// The turn at the extreme vertex, where a simple curve is convex.
+int extreme_turn(const BoxTree& tree) {
+  const CurveView& curve = tree.curve();
+  const std::uint32_t segment = extreme_segment(tree);
+  const auto [at, after] = curve.segment(segment);
+  std::size_t before = segment;
+  do {
+    before = before == 0 ? curve.points.size() - 1 : before - 1;
+  } while (curve.points[before] == at && before != segment);
+  PredicateCounts counts;
+  return orient2d(curve.points[before], at, after, counts);
+}
+
+}  // namespace
+
+std::uint32_t extreme_segment(const BoxTree& tree) {
+  const double greatest_x = tree.box().max_x();
+  std::vector<TreeNode> open{tree.root()};
+  std::uint32_t best = 0;
+  bool found = false;
+  while (!open.empty()) {
+    const TreeNode node = open.back();
+    open.pop_back();
+    if (tree.box(node).max_x() < greatest_x) continue;
+    if (node.level > 0) {
+      for (std::uint32_t child = 2 * node.index; child < 2 * node.index + 2; ++child) {
+        if (child < tree.nodes(node.level - 1)) open.push_back({node.level - 1, child});
+      }
+      continue;
+    }
+    const std::size_t begin = node.index * leaf_size, end = std::min(begin + leaf_size, tree.segments());
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto [a, b] = tree.curve().segment(k);
+      if (a == b || a.x < greatest_x) continue;
+      const Point rival = tree.curve().points[best];
+      if (found && (a.y < rival.y || (a.y == rival.y && k > best))) continue;
+      best = static_cast<std::uint32_t>(k);
+      found = true;
+    }
+  }
+  return best;
+}
+
+Orientation orientation(const IndexedCurve& curve) {
+  require_closed(curve.view(), "the curve", "orientation");
+  const double twice_area = certain_twice_area(curve.tree());
+  const bool positive = twice_area > 0, negative = twice_area < 0;
+  const int sign = positive ? 1 : negative ? -1 : extreme_turn(curve.tree());
+  return sign > 0 ? Orientation::counter_clockwise : sign < 0 ? Orientation::clockwise : Orientation::degenerate;
+}
+
+}  // namespace lober

@@ -1,0 +1,20 @@
+// How closed curves run, exactly.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/geometry/index/index.hpp"
+
+namespace lober {
+
+/// The segment, of those with a length, that begins at the vertex of the curve greatest by x, then by y. About log N
+/// unless many leaves reach the greatest x.
+[[nodiscard]] std::uint32_t extreme_segment(const BoxTree& tree);
+
+/// How a closed curve runs. Exact for every simple curve, however thin it is and whatever the range of its coordinates:
+/// where the rounding of the shoelace sum might hide its sign, the turn at the extreme vertex decides. For a curve that
+/// crosses itself, the sign of its area where that is beyond rounding. `degenerate` if a curve that is not simple turns
+/// back at its extreme vertex. Throws UsageError for an open curve. O(N / 1024).
+[[nodiscard]] Orientation orientation(const IndexedCurve& curve);
+
+}  // namespace lober

@@ -1,0 +1,251 @@
+// Pairs of segments from two box trees walked against each other.
+//
+// The walk goes down the first tree in curve order and carries along the list of nodes of the second tree whose boxes
+// meet the present one, always split to about its size. So everything found for a leaf is found together and comes
+// out in curve order, which makes sorting the crossings nearly free.
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "engine/base/memory.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/index/index.hpp"
+#include "engine/geometry/index/search.hpp"
+#include "kernels/box_pyramid.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::uint32_t block_level = 6;  // a block is a node of this level
+static_assert(block_segments == leaf_size << block_level);
+
+// The nodes of the second tree that are carried along, for each of the nodes below one node of the first.
+struct Carried {
+  std::array<Buffer<TreeNode>, nodes_at_once> met;
+  std::array<std::size_t, nodes_at_once> count{};
+};
+
+class TreeSearch {
+ public:
+  TreeSearch(const BoxTree& first, const BoxTree& second, bool self) : first_(first), second_(second), self_(self) {}
+
+  // Where the walk starts: the root of the first tree with what it meets.
+  [[nodiscard]] std::vector<TreeNode> start(SearchCounts& counts) const {
+    ++counts.boxes_tested;
+    if (!meet(first_.box(), second_.box())) return {};
+    Buffer<TreeNode> list{second_.root()};
+    std::size_t count = 1;
+    split_to_size(first_.root(), list, count, counts);
+    return {list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count)};
+  }
+
+  // Levels from a node to those that the walk goes on to: two, one where that makes the level even.
+  [[nodiscard]] static std::uint32_t step_from(std::uint32_t level) { return level % 2 == 1 ? 1 : levels_at_once; }
+
+  // For each node below `node` of the first tree the nodes of the second that meet it, out of those in `list`, split to
+  // about its size.
+  void go_down(TreeNode node, std::span<const TreeNode> list, Carried& carried, SearchCounts& counts) const {
+    const TreeNode below = first_below(node);
+    const std::size_t present = nodes_below(node);
+    std::array<TreeNode*, nodes_at_once> room{};
+    for (std::size_t i = 0; i < nodes_at_once; ++i) {
+      make_room(carried.met[i], list.size() + 1);
+      room[i] = carried.met[i].data();
+    }
+    distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), room, carried.count);
+    counts.boxes_tested += present * list.size();
+    for (std::size_t i = 0; i < present; ++i) {
+      const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
+      if (self_) drop_apart(child, carried.met[i], carried.count[i]);
+      if (carried.count[i] > 0) split_to_size(child, carried.met[i], carried.count[i], counts);
+    }
+  }
+
+  [[nodiscard]] static TreeNode first_below(TreeNode node) {
+    const std::uint32_t step = step_from(node.level);
+    return {node.level - step, node.index << step};
+  }
+  [[nodiscard]] std::size_t nodes_below(TreeNode node) const {
+    const TreeNode below = first_below(node);
+    return std::min<std::size_t>(std::size_t{1} << step_from(node.level), first_.nodes(below.level) - below.index);
+  }
+
+  struct Scratch {
+    std::array<Carried, 32> carried;  // by level of the first tree
+    Buffer<SegmentPair> pairs;
+    std::uint32_t skip_before = 0;
+    SearchCounts counts;
+  };
+
+  void walk(TreeNode node, std::span<const TreeNode> list, std::uint32_t block, PairConsumer& consumer,
+            Scratch& scratch) const {
+    if (list.empty()) return;
+    if (static_cast<std::size_t>(node.index + 1) * (leaf_size << node.level) <= scratch.skip_before) return;
+    if (node.level == 0) {
+      leaf_pairs(node, list, scratch.pairs, scratch.counts);
+      if (!scratch.pairs.empty()) {
+        scratch.counts.pairs_proposed += scratch.pairs.size();
+        scratch.skip_before = consumer.consume(block, scratch.pairs);
+      }
+      return;
+    }
+    Carried& carried = scratch.carried[node.level];
+    go_down(node, list, carried, scratch.counts);
+    const TreeNode below = first_below(node);
+    for (std::size_t i = 0; i < nodes_below(node); ++i) {
+      walk({below.level, below.index + static_cast<std::uint32_t>(i)}, {carried.met[i].data(), carried.count[i]}, block,
+           consumer, scratch);
+    }
+  }
+
+ private:
+  static void make_room(Buffer<TreeNode>& buffer, std::size_t size) {
+    if (buffer.size() < size) buffer.resize(2 * size);
+  }
+
+  void drop_apart(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) const {
+    const auto end = std::remove_if(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count),
+                                    [&](TreeNode candidate) { return apart(node, candidate); });
+    count = static_cast<std::size_t>(end - list.begin());
+  }
+
+  // Replaces nodes of the second tree that are larger than `node` of the first by those below them that meet it; at a
+  // leaf, down to the leaves.
+  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    const Box& box = first_.box(node);
+    const double largest = node.level == 0 ? -1 : box.extent();
+    thread_local Buffer<TreeNode> waiting, split;
+    std::size_t kept = 0, waiting_count = count;
+    make_room(waiting, count);
+    std::copy_n(list.begin(), count, waiting.begin());
+    while (waiting_count > 0) {
+      make_room(list, kept + waiting_count + 1);
+      make_room(split, nodes_at_once * waiting_count + 1);
+      const SplitCounts refined =
+          refine(box, largest, second_.pyramid(), waiting.data(), waiting_count, &list[kept], split.data());
+      counts.boxes_tested += nodes_at_once * (waiting_count - refined.kept);
+      kept += refined.kept;
+      waiting.swap(split);
+      waiting_count = refined.split;
+      if (self_) drop_apart(node, waiting, waiting_count);
+    }
+    count = kept;
+  }
+
+  // In a search of a curve against itself: nothing to find between these two nodes.
+  [[nodiscard]] bool apart(TreeNode node, TreeNode candidate) const {
+    const std::uint32_t begin = node.index << node.level, end = (node.index + 1) << node.level;
+    const std::uint32_t other_begin = candidate.index << candidate.level;
+    const std::uint32_t other_end = (candidate.index + 1) << candidate.level;
+    if (other_end <= begin) return true;  // the pair is found the other way round
+    const std::uint8_t common = first_.flags(node) & second_.flags(candidate);
+    if (common == 0) return false;
+    if (other_begin < end) return true;  // one contains the other, and the larger is one monotone run
+    const bool wraps = begin == 0 && other_end >= second_.leaves() && second_.curve().closed;
+    return other_begin == end || wraps;
+  }
+
+  void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs,
+                  SearchCounts& counts) const {
+    SegmentBoxes boxes;
+    segment_boxes(first_.leaf_points(leaf.index), boxes);
+    const auto begin = static_cast<std::uint32_t>(leaf.index * leaf_size);
+    pairs.clear();
+    for (const TreeNode& other : others) {
+      const std::size_t before = pairs.size();
+      pairs.resize(before + leaf_size * leaf_size);
+      const auto other_begin = static_cast<std::uint32_t>(other.index * leaf_size);
+      std::size_t found = meeting_segments(boxes, begin, second_.leaf_points(other.index), second_.box(other),
+                                           other_begin, pairs.data() + before);
+      if (self_ && other.index == leaf.index) found = keep_upper(pairs.data() + before, found);
+      pairs.resize(before + found);
+    }
+    drop_padding(pairs);
+    counts.boxes_tested += others.size();
+  }
+
+  // Of the pairs of a leaf with itself, those with first < second.
+  static std::size_t keep_upper(SegmentPair* pairs, std::size_t count) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (pairs[k].first < pairs[k].second) pairs[kept++] = pairs[k];
+    }
+    return kept;
+  }
+
+  // The last leaf is filled up with segments of no length that are not there.
+  void drop_padding(Buffer<SegmentPair>& pairs) const {
+    const std::size_t first_count = first_.segments(), second_count = second_.segments();
+    std::erase_if(pairs,
+                  [&](const SegmentPair& pair) { return pair.first >= first_count || pair.second >= second_count; });
+  }
+
+  const BoxTree& first_;
+  const BoxTree& second_;
+  bool self_;
+};
+
+// A node of the first tree with the nodes of the second that it meets.
+struct Meeting {
+  TreeNode node;
+  std::vector<TreeNode> list;
+};
+
+// The upper part of the walk, from `from` down to `level`.
+void collect(const TreeSearch& search, const Meeting& from, std::uint32_t level, std::vector<Meeting>& collected,
+             SearchCounts& counts) {
+  if (from.list.empty()) return;
+  if (from.node.level <= level) {
+    collected.push_back(from);
+    return;
+  }
+  Carried carried;
+  search.go_down(from.node, from.list, carried, counts);
+  const TreeNode below = TreeSearch::first_below(from.node);
+  for (std::size_t i = 0; i < search.nodes_below(from.node); ++i) {
+    const TreeNode* list = carried.met[i].data();
+    collect(search, {{below.level, below.index + static_cast<std::uint32_t>(i)}, {list, list + carried.count[i]}},
+            level, collected, counts);
+  }
+}
+
+SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self, PairConsumer& consumer) {
+  constexpr std::uint32_t task_level =
+      block_level + 2;  // a task is four blocks: what lies above is walked by one thread
+  static_assert(block_level % 2 == 0, "the walk passes through even levels");
+  const TreeSearch search(first, second, self);
+  SearchCounts counts;
+  std::vector<Meeting> tasks;
+  collect(search, {first.root(), search.start(counts)}, task_level, tasks, counts);
+
+  std::vector<SearchCounts> task_counts(tasks.size());
+  for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {
+    std::vector<Meeting> blocks;
+    TreeSearch::Scratch scratch;
+    collect(search, tasks[task], block_level, blocks, scratch.counts);
+    for (Meeting& block : blocks) {
+      scratch.skip_before = 0;
+      search.walk(block.node, block.list, block.node.index, consumer, scratch);
+      consumer.finish(block.node.index);
+    }
+    scratch.counts.blocks_searched = blocks.size();
+    task_counts[task] = scratch.counts;
+  });
+  for (const SearchCounts& task : task_counts) counts += task;
+  counts.blocks_skipped = first.nodes(std::min(block_level, first.levels() - 1)) - counts.blocks_searched;
+  return counts;
+}
+
+}  // namespace
+
+SearchCounts find_pairs_by_tree(const IndexedCurve& first, const IndexedCurve& second, PairConsumer& consumer) {
+  return search_trees(first.tree(), second.tree(), false, consumer);
+}
+
+SearchCounts find_self_pairs(const IndexedCurve& curve, PairConsumer& consumer) {
+  return search_trees(curve.tree(), curve.tree(), true, consumer);
+}
+
+}  // namespace lober

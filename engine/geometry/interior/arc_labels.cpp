@@ -1,0 +1,95 @@
+#include "engine/geometry/interior/arc_labels.hpp"
+
+#include <optional>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "kernels/predicates.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::size_t grain = 1024;
+
+// Whether q lies ahead of `at` in the direction of p, all three on one line.
+bool same_way(Point at, Point p, Point q) {
+  return (p.x > at.x) == (q.x > at.x) && (p.x < at.x) == (q.x < at.x) && (p.y > at.y) == (q.y > at.y) &&
+         (p.y < at.y) == (q.y < at.y);
+}
+
+// On which side of the way back -> at -> onwards the direction from `at` to q leads: +1 left, -1 right, 0 along it.
+int side_of_bend(Point back, Point at, Point onwards, Point q) {
+  PredicateCounts counts;
+  const int of_first = orient2d(back, at, q, counts), of_second = orient2d(at, onwards, q, counts);
+  if (of_second == 0 && same_way(at, onwards, q)) return 0;
+  if (of_first == 0 && same_way(at, back, q)) return 0;
+  const int bend = orient2d(back, at, onwards, counts);
+  const bool left = bend > 0 ? of_first > 0 && of_second > 0 : bend < 0 ? of_first > 0 || of_second > 0 : of_second > 0;
+  return left ? 1 : -1;
+}
+
+class ArcLabeller {
+ public:
+  ArcLabeller(const CurveView& own, const IndexedCurve& other, bool other_clockwise, const ContactsAlong& contacts)
+      : own_(own), other_(other), other_clockwise_(other_clockwise), contacts_(contacts) {}
+
+  Side label(std::size_t k, std::uint64_t& queries) const {
+    const SeenContact from = contacts_[k];
+    if (const std::optional<Point> vertex = vertex_after(k, from)) {
+      ++queries;
+      return side_of(other_, *vertex);
+    }
+    if (from.proper) return to_left(!from.other_goes_left);
+    const CurveView& other = other_.view();
+    const auto [begin, onwards] = other.segment(from.other_segment);
+    const Point at = from.at_own_vertex ? own_.points[from.own_segment] : begin;
+    const Point back = from.at_other_vertex ? vertex_before(other, from.other_segment) : begin;
+    const int side = side_of_bend(back, at, onwards, own_.segment(from.own_segment).b);
+    return side == 0 ? Side::on : to_left(side > 0);
+  }
+
+ private:
+  [[nodiscard]] Side to_left(bool left) const { return left != other_clockwise_ ? Side::inside : Side::outside; }
+
+  // The first vertex strictly between contact k and the next one, if there is any.
+  [[nodiscard]] std::optional<Point> vertex_after(std::size_t k, const SeenContact& from) const {
+    const bool last = k + 1 == contacts_.size();
+    const SeenContact to = contacts_[last ? 0 : k + 1];
+    if (!last && from.own_segment == to.own_segment) return std::nullopt;
+    const Point vertex = own_.segment(from.own_segment).b;
+    // Repeated vertices carry no segment, and the contact is at the last of them.
+    if (to.at_own_vertex && own_.points[to.own_segment] == vertex) return std::nullopt;
+    return vertex;
+  }
+
+  // The last vertex before `vertex` at another place.
+  static Point vertex_before(const CurveView& curve, std::size_t vertex) {
+    std::size_t before = vertex;
+    do {
+      before = before == 0 ? curve.points.size() - 1 : before - 1;
+    } while (curve.points[before] == curve.points[vertex] && before != vertex);
+    return curve.points[before];
+  }
+
+  const CurveView& own_;
+  const IndexedCurve& other_;
+  bool other_clockwise_;
+  const ContactsAlong& contacts_;
+};
+
+}  // namespace
+
+ArcLabels label_arcs(const CurveView& own, const IndexedCurve& other, bool other_clockwise,
+                     const ContactsAlong& contacts) {
+  const ArcLabeller labeller(own, other, other_clockwise, contacts);
+  const std::size_t count = contacts.size();
+  ArcLabels result;
+  result.after.resize(count);
+  std::vector<std::uint64_t> queries((count + grain - 1) / grain);
+  for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) result.after[k] = labeller.label(k, queries[begin / grain]);
+  });
+  for (const std::uint64_t part : queries) result.queries += part;
+  return result;
+}
+
+}  // namespace lober

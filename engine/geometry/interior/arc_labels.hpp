@@ -1,0 +1,19 @@
+// The side of each part of a curve between two contacts with the other one (private to interior/).
+#pragma once
+
+#include "engine/geometry/interior/contacts_along.hpp"
+#include "engine/geometry/interior/interior.hpp"
+
+namespace lober {
+
+struct ArcLabels {
+  Buffer<Side> after;         ///< of the part that follows each contact
+  std::uint64_t queries = 0;  ///< how many of them took a winding number
+};
+
+/// Labels the parts of `own`. One that has a vertex strictly inside gets the label of the first one, by its winding
+/// number; a straight one is decided at the contact where it begins. All exact. Parallel, O(contacts log N).
+[[nodiscard]] ArcLabels label_arcs(const CurveView& own, const IndexedCurve& other, bool other_clockwise,
+                                   const ContactsAlong& contacts);
+
+}  // namespace lober

@@ -1,0 +1,88 @@
+// Labels carried along a curve: they change at nodes only.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+#include "engine/geometry/interior/interior.hpp"
+
+namespace lober {
+namespace {
+
+// The side of the stretch that leaves a node. The region of a counter-clockwise curve lies between its way
+// out and its way in, turning counter-clockwise.
+Side side_after(const Crossings& nodes, int curve, std::uint32_t node) {
+  const std::array<Arm, 4>& order = arm_orders[nodes.graph().order[node]];
+  const auto place = [&](Arm arm) { return std::find(order.begin(), order.end(), arm); };
+  // Arms are listed from out1 on, so a turn from out2 meets in1 before it comes round to out1 if in1 is
+  // listed after it.
+  const bool on_left = curve == 1 ? place(in2) < place(out2) : place(out2) < place(in1);
+  const bool clockwise = curve == 1 ? nodes.clockwise2() : nodes.clockwise1();
+  return on_left != clockwise ? Side::inside : Side::outside;
+}
+
+}  // namespace
+
+std::vector<SideChange> side_changes(const Crossings& nodes, int curve) {
+  const NodeGraph& graph = nodes.graph();
+  constexpr std::uint8_t unchanged = 0xff;
+  std::vector<std::uint8_t> after(graph.contacts.size(), unchanged);
+  for (std::uint32_t node = 0; node < graph.size(); ++node) {
+    const NodeSpan span = graph.span(node);
+    const bool along = curve == 1 || span.direction >= 0;
+    after[along ? span.first : span.last] = static_cast<std::uint8_t>(Side::on);
+    after[along ? span.last : span.first] = static_cast<std::uint8_t>(side_after(nodes, curve, node));
+  }
+  std::vector<SideChange> changes;
+  changes.reserve(graph.size());
+  for (std::uint32_t place = 0; place < graph.contacts.size(); ++place) {
+    const std::uint32_t number = curve == 1 ? place : graph.contacts2[place];
+    if (after[number] == unchanged) continue;
+    const Contact contact = graph.contacts[number];
+    const auto side = static_cast<Side>(after[number]);
+    if (curve == 1) {
+      changes.push_back({{contact.segment1, contact.t1.hi}, contact.vertex1, nodes.place(contact), side});
+    } else {
+      changes.push_back({{contact.segment2, contact.t2.hi}, contact.vertex2, nodes.place(contact), side});
+    }
+  }
+  return changes;
+}
+
+Buffer<Side> label_vertices(const Crossings& nodes, int curve) {
+  const CurveView& own = curve == 1 ? nodes.curve1() : nodes.curve2();
+  const CurveView& other = curve == 1 ? nodes.curve2() : nodes.curve1();
+  const auto size = static_cast<std::uint32_t>(own.points.size());
+  Buffer<Side> labels(size);
+  const auto fill = [&](std::size_t begin, std::size_t end, Side side) {
+    if (begin < end) std::memset(labels.data() + begin, static_cast<int>(side), end - begin);
+  };
+  if (nodes.same_curve()) {
+    fill(0, size, Side::on);
+    return labels;
+  }
+  const std::vector<SideChange> changes = side_changes(nodes, curve);
+  if (changes.empty()) {
+    fill(0, size, side_of(IndexedCurve(other), own.points[0]));
+    return labels;
+  }
+  fill(0, changes.front().at.segment + std::size_t{1}, changes.back().side);
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const std::size_t end = k + 1 < changes.size() ? changes[k + 1].at.segment + std::size_t{1} : size;
+    fill(changes[k].at.segment + std::size_t{1}, end, changes[k].side);
+  }
+  for (const SideChange& change : changes) {
+    if (!change.at_vertex) continue;
+    // Of vertices at one place only the last begins a segment; the copies before it are on the other curve as
+    // well.
+    std::uint32_t vertex = change.at.segment;
+    do {
+      labels[vertex] = Side::on;
+      vertex = vertex == 0 ? size - 1 : vertex - 1;
+    } while (own.points[vertex] == change.point && labels[vertex] != Side::on);
+  }
+  return labels;
+}
+
+}  // namespace lober

@@ -1,0 +1,107 @@
+#include "engine/geometry/overlay/boundary.hpp"
+
+#include <algorithm>
+
+#include "engine/geometry/overlay/faces.hpp"
+
+namespace lober {
+namespace {
+
+// The contacts at which a walk along one curve leaves a node and enters the next.
+struct Ends {
+  std::uint32_t leaves, enters;
+};
+Ends ends_of(const NodeSpan& span, int curve, bool forward) {
+  const bool first_to_last = (curve == 1 || span.direction >= 0) == forward;
+  return first_to_last ? Ends{span.last, span.first} : Ends{span.first, span.last};
+}
+
+}  // namespace
+
+Directions directions(const Overlay& result, Pairing pairing) {
+  const bool left1 = pairing != Pairing::c2_minus_c1, left2 = pairing != Pairing::c1_minus_c2;
+  return {left1 != result.nodes.clockwise1(), left2 != result.nodes.clockwise2()};
+}
+
+std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint32_t> steps, std::size_t begin,
+                               std::size_t end, Directions forward) {
+  const NodeGraph& graph = result.nodes.graph();
+  std::vector<Stretch> list;
+  if (steps.size() == 1 && steps[0] >= Pieces::whole1) {
+    const bool first = steps[0] == Pieces::whole1;
+    list.push_back({first ? 1 : 2, first ? forward.forward1 : forward.forward2, Stretch::none, Stretch::none});
+    return list;
+  }
+  for (std::size_t k = begin; k < end; ++k) {
+    const Step step = unpack(steps[k]), before = unpack(steps[k == 0 ? steps.size() - 1 : k - 1]);
+    const Step after = unpack(steps[k + 1 == steps.size() ? 0 : k + 1]);
+    const NodeSpan span = graph.span(step.node);
+    const auto runs_forward = [&](std::uint32_t curve) { return curve == 0 ? forward.forward1 : forward.forward2; };
+    const int curve = step.curve == 0 ? 1 : 2, curve_before = before.curve == 0 ? 1 : 2;
+    const std::uint32_t arrived = ends_of(span, curve_before, runs_forward(before.curve)).enters;
+    const std::uint32_t leaves = ends_of(span, curve, runs_forward(step.curve)).leaves;
+    if (arrived != leaves) list.push_back({1, arrived == span.first, arrived, leaves});
+    const std::uint32_t enters = ends_of(graph.span(after.node), curve, runs_forward(step.curve)).enters;
+    list.push_back({curve, runs_forward(step.curve), leaves, enters});
+  }
+  return list;
+}
+
+StretchPoints points_of(const Overlay& result, const Stretch& stretch) {
+  const std::span<const Point> vertices = (stretch.curve == 1 ? result.nodes.curve1() : result.nodes.curve2()).points;
+  const std::size_t size = vertices.size();
+  if (stretch.from == Stretch::none) return {stretch.forward, true, {}, vertices, {}};
+  const ContactList& contacts = result.nodes.graph().contacts;
+  const Contact from = contacts[stretch.from], to = contacts[stretch.to];
+  const auto segment_of = [&](const Contact& c) { return stretch.curve == 1 ? c.segment1 : c.segment2; };
+  const auto at_vertex = [&](const Contact& c) { return stretch.curve == 1 ? c.vertex1 : c.vertex2; };
+  const auto parameter = [&](const Contact& c) { return stretch.curve == 1 ? c.t1 : c.t2; };
+
+  // Vertices strictly between, `count` of them.
+  const std::size_t begin = segment_of(stretch.forward ? from : to), end = segment_of(stretch.forward ? to : from);
+  const Contact &low = stretch.forward ? from : to, &high = stretch.forward ? to : from;
+  const bool same_segment = begin == end;
+  const DD gap = parameter(high) - parameter(low);
+  const bool wraps = end < begin || (same_segment && (stretch.from == stretch.to || gap.hi < 0));
+  std::size_t count = wraps ? size - begin + end : end - begin;
+  if (at_vertex(high) && count > 0) --count;
+  const std::size_t first = begin + 1 == size ? 0 : begin + 1, before_wrap = std::min(count, size - first);
+  return {stretch.forward, false, result.nodes.place(from), vertices.subspan(first, before_wrap),
+          vertices.first(count - before_wrap)};
+}
+
+std::size_t count_points(const Overlay& result, std::span<const std::uint32_t> steps, Directions forward) {
+  std::size_t count = 0;
+  constexpr std::size_t at_once = 256;
+  for (std::size_t k = 0; k < steps.size(); k += at_once) {
+    for (const Stretch& stretch : stretches(result, steps, k, std::min(k + at_once, steps.size()), forward)) {
+      count += points_of(result, stretch).size();
+    }
+  }
+  return count;
+}
+
+std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing, std::size_t piece) {
+  const Pieces& pieces = result.pieces(pairing);
+  const Directions forward = directions(result, pairing);
+  const auto polygon = [&](std::span<const std::uint32_t> steps) {
+    std::vector<Point> points;
+    for (const Stretch& stretch : stretches(result, steps, 0, steps.size(), forward)) {
+      const StretchPoints part = points_of(result, stretch);
+      if (!part.whole) points.push_back(part.first);
+      if (part.forward) {
+        points.insert(points.end(), part.low.begin(), part.low.end());
+        points.insert(points.end(), part.high.begin(), part.high.end());
+      } else {
+        points.insert(points.end(), part.high.rbegin(), part.high.rend());
+        points.insert(points.end(), part.low.rbegin(), part.low.rend());
+      }
+    }
+    return points;
+  };
+  std::vector<std::vector<Point>> polygons{polygon(pieces.outer(piece))};
+  for (const Pieces::Hole& hole : pieces.holes_of(piece)) polygons.push_back(polygon(hole.steps));
+  return polygons;
+}
+
+}  // namespace lober

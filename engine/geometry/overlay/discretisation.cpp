@@ -1,0 +1,162 @@
+// What polygons lose against smooth curves, arc by arc, for every area.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/curve/require.hpp"
+#include "engine/geometry/overlay/arc_sums.hpp"
+#include "engine/geometry/overlay/faces.hpp"
+#include "kernels/sagitta.hpp"
+#include "kernels/shoelace.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::size_t stretch = 8;  // a bulge costs 40 ns: a contact has to compute half of so many again
+constexpr std::size_t grain = 4096;
+static_assert(grain % stretch == 0);
+
+double bulge(const CurveView& curve, std::size_t number) {
+  const std::size_t size = curve.points.size();
+  const auto at = [&](std::size_t k) { return curve.points[k >= size ? k - size : k]; };
+  const Point from = at(number), to = at(number + 1);
+  if (from == to) return 0;
+  // The next vertices to either side that are others; there are at least two more.
+  std::size_t back = number == 0 ? size - 1 : number - 1, forth = number + 2 >= size ? number + 2 - size : number + 2;
+  while (at(back) == from) back = back == 0 ? size - 1 : back - 1;
+  while (at(forth) == to) forth = forth + 1 == size ? 0 : forth + 1;
+  const Point before = at(back), after = at(forth);
+  const double area = twice_sagitta_area(before, from, to, after);
+  if (std::isfinite(area)) return area;
+  // Squares of lengths have left the range of double.
+  constexpr int down = -600;
+  const auto small = [](Point p) { return Point{std::ldexp(p.x, down), std::ldexp(p.y, down)}; };
+  return std::ldexp(twice_sagitta_area(small(before), small(from), small(to), small(after)), -2 * down);
+}
+
+// Calls take(k, sum) with the running sum of the bulges up to contact k, like sum_along for the shoelace sums.
+template <typename ContactAt, typename Take>
+void bulges_at_contacts(const DiscretisationSums& sums, std::size_t count, const ContactAt& contact, const Take& take) {
+  const CurveView& curve = sums.curve();
+  for_each_block(count, 1024, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last;) {
+      const std::size_t begin = contact(k).segment / stretch * stretch;
+      DD sum = sums.before(begin / stretch);
+      for (std::size_t number = begin; k < last && contact(k).segment < begin + stretch; ++number) {
+        const double here = bulge(curve, number);
+        for (; k < last && contact(k).segment == number; ++k) {
+          take(k, sum + DD{here * sagitta_fraction(contact(k).t), 0});
+        }
+        sum += DD{here, 0};
+      }
+    }
+  });
+}
+
+struct Place {
+  std::uint32_t segment;
+  double t;
+};
+
+}  // namespace
+
+DiscretisationSums::DiscretisationSums(CurveView curve) : curve_(curve) {
+  require_region(curve, "the curve", "discretisation error");
+  const std::size_t segments = curve.segments(), blocks = (segments + grain - 1) / grain;
+  before_.resize((segments + stretch - 1) / stretch);
+  Buffer<DD> block_sums(blocks);
+  for_each_block(segments, grain, [&](std::size_t begin, std::size_t end) {
+    std::array<double, grain> bulges;
+    const std::size_t size = curve.points.size();
+    // The points of a segment and its neighbours follow each other, but for those at the first vertex.
+    const std::size_t inner_begin = std::min(std::max<std::size_t>(begin, 1), end);
+    const std::size_t inner_end = std::max(inner_begin, std::min(end, size < 2 ? 0 : size - 2));
+    twice_sagitta_areas(&curve.points[inner_begin] - 1, inner_end - inner_begin, &bulges[inner_begin - begin]);
+    for (std::size_t k = begin; k < inner_begin; ++k) bulges[k - begin] = bulge(curve, k);
+    for (std::size_t k = inner_end; k < end; ++k) bulges[k - begin] = bulge(curve, k);
+    DD sum;
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k % stretch == 0) before_[k / stretch] = sum;
+      const double here = bulges[k - begin];
+      // The neighbours of a segment next to repeated vertices lie farther away.
+      const bool inner = k >= inner_begin && k < inner_end;
+      const bool repeated =
+          inner && (curve.points[k - 1] == curve.points[k] || curve.points[k + 1] == curve.points[k + 2]);
+      sum += DD{std::isfinite(here) && !repeated ? here : bulge(curve, k), 0};
+    }
+    block_sums[begin / grain] = sum;
+  });
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const std::size_t end = std::min((block + 1) * (grain / stretch), before_.size());
+    for (std::size_t k = block * (grain / stretch); k < end; ++k) before_[k] = total_ + before_[k];
+    total_ += block_sums[block];
+  }
+}
+
+Areas discretisation_error(const Overlay& result) {
+  return discretisation_error(result, DiscretisationSums(result.nodes.curve1()),
+                              DiscretisationSums(result.nodes.curve2()));
+}
+
+Areas discretisation_error(const Overlay& result, const DiscretisationSums& first, const DiscretisationSums& second) {
+  const NodeGraph& graph = result.nodes.graph();
+  const std::size_t count = graph.contacts.size();
+  constexpr double largest = std::numeric_limits<double>::max();
+  // Products of double-doubles need some room below the largest double.
+  const int exponent = result.largest_coordinate > 0x1p400 ? -200 : 0;
+  const auto reduced = [&](DD sum) { return DD{std::ldexp(sum.hi, exponent), std::ldexp(sum.lo, exponent)}; };
+  ArcSums sums;
+  sums.gap.resize(count);
+  sums.total1 = reduced(first.total());
+  sums.total2 = reduced(second.total());
+  bulges_at_contacts(
+      first, count,
+      [&](std::size_t k) {
+        return Place{graph.contacts[k].segment1, graph.contacts[k].t1.hi};
+      },
+      [&](std::size_t k, DD sum) { sums.gap[k] = reduced(sum); });
+  bulges_at_contacts(
+      second, count,
+      [&](std::size_t k) {
+        const Contact contact = graph.contacts[graph.contacts2[k]];
+        return Place{contact.segment2, contact.t2.hi};
+      },
+      [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= reduced(sum); });
+  find_wraps(graph, sums);
+
+  const auto lost = [&](DD twice) { return std::min(std::ldexp(std::fabs(0.5 * twice.hi), -exponent), largest); };
+  const DD gain1 = result.nodes.clockwise1() ? -sums.total1 : sums.total1,
+           gain2 = result.nodes.clockwise2() ? -sums.total2 : sums.total2;
+  DD minus12, minus21, common;
+  if (graph.size() > 0) {
+    const Handedness hands{result.nodes.clockwise1(), result.nodes.clockwise2()};
+    const FaceTotals totals = total_of_faces(graph, sums, hands);
+    minus12 = totals.only1;
+    minus21 = totals.only2;
+    common = totals.both;
+  } else if (result.areas.intersection == 0) {
+    minus12 = gain1;
+    minus21 = gain2;
+  } else if (result.areas.c1 >= result.areas.c2) {
+    minus12 = gain1 - gain2;
+    common = gain2;
+  } else {
+    minus21 = gain2 - gain1;
+    common = gain1;
+  }
+  if (result.nodes.same_curve()) minus12 = minus21 = {};
+  Areas areas;
+  areas.c1 = lost(gain1);
+  areas.c2 = lost(gain2);
+  areas.c1_minus_c2 = lost(minus12);
+  areas.c2_minus_c1 = lost(minus21);
+  areas.intersection = lost(common);
+  areas.symmetric_difference = lost(minus12 + minus21);
+  areas.unite = lost(minus12 + minus21 + common);
+  return areas;
+}
+
+}  // namespace lober

@@ -1,0 +1,306 @@
+#include "engine/geometry/overlay/faces.hpp"
+
+#include <array>
+#include <bit>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "kernels/shoelace.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::size_t grain = std::size_t{1} << 14;
+
+// What happens to a walk that arrives along an arm, its face on the left: the arm it leaves by and the side of each
+// curve (as the input runs) that the face lies on.
+struct Turn {
+  Arm leave;
+  bool left1, left2;
+};
+
+constexpr std::array<std::array<Turn, 4>, 6> make_turns() {
+  std::array<std::array<Turn, 4>, 6> turns{};
+  for (std::size_t order = 0; order < 6; ++order) {
+    std::array<unsigned, 4> place{};
+    for (unsigned k = 0; k < 4; ++k) place[arm_orders[order][k]] = k;
+    for (unsigned arrive = 0; arrive < 4; ++arrive) {
+      const unsigned sector = (place[arrive] + 3) % 4;  // the face lies between arm `sector` and the next
+      const auto left_of = [&](Arm out, Arm in) {
+        return (sector + 4 - place[out]) % 4 < (place[in] + 4 - place[out]) % 4;
+      };
+      turns[order][arrive] = {arm_orders[order][sector], left_of(out1, in1), left_of(out2, in2)};
+    }
+  }
+  return turns;
+}
+constexpr std::array<std::array<Turn, 4>, 6> turns = make_turns();
+
+// The arms along which a walk with the wanted face on its left can arrive at a node, as bits, for each arm order.
+std::array<std::uint8_t, 6> arrivals(Handedness hands, Membership wanted) {
+  std::array<std::uint8_t, 6> bits{};
+  for (std::size_t order = 0; order < 6; ++order) {
+    for (unsigned arrive = 0; arrive < 4; ++arrive) {
+      const Turn& turn = turns[order][arrive];
+      const Membership here{turn.left1 != hands.clockwise1, turn.left2 != hands.clockwise2};
+      if (here == wanted) bits[order] = static_cast<std::uint8_t>(bits[order] | 1U << arrive);
+    }
+  }
+  return bits;
+}
+
+// At which end of a shared arc an arm is.
+bool at_last(Arm arm, int direction) {
+  switch (arm) {
+    case in1:
+      return false;
+    case out1:
+      return true;
+    case in2:
+      return direction < 0;
+    case out2:
+      return direction > 0;
+  }
+  return false;
+}
+
+constexpr bool on_second(Arm arm) {
+  return arm == out2 || arm == in2;
+}
+
+// What a walk collects at a node: S1 - S2 where it comes along C1 and goes on along C2, S2 - S1 the other way round
+// (ends of a shared arc apart, its first vertex included).
+DD at_node(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, Arm arrive, Arm leave) {
+  const bool came2 = on_second(arrive), goes2 = on_second(leave);
+  const NodeSpan& span = graph.spans[node];
+  const bool from = at_last(arrive, span.direction), to = at_last(leave, span.direction);
+  DD sum;
+  if (goes2) sum += sums.gap[to ? span.last : span.first];
+  if (came2) sum -= sums.gap[from ? span.last : span.first];
+  if (node == sums.wraps_inside && from != to) sum += to ? sums.total1 : -sums.total1;
+  return sum;
+}
+
+// How often a set of walks passes the first vertex of each curve, forward less back.
+struct Turns {
+  int round1 = 0, round2 = 0;
+  [[nodiscard]] DD sum(const ArcSums& sums) const {
+    return DD{static_cast<double>(round1), 0} * sums.total1 + DD{static_cast<double>(round2), 0} * sums.total2;
+  }
+};
+
+}  // namespace
+
+void fail_not_simple() {
+  throw DataError("the curves cannot be overlaid: at least one of them crosses or touches itself");
+}
+
+int sectors_at(std::uint8_t arm_order, Handedness hands, Membership wanted) {
+  return std::popcount(arrivals(hands, wanted)[arm_order]);
+}
+
+namespace {
+
+// Walks all faces that have an arrival in `open`; those that begin with an arrival in `second` are the second kind.
+// Where all nodes are points, which is nearly always, what is collected at a node is its gap or nothing.
+template <bool points_only>
+void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
+              const std::array<std::uint8_t, 6>& second, std::array<Faces, 2>& faces) {
+  const std::uint32_t count = graph.size();
+  const std::uint32_t *along2 = graph.along2().data(), *rank2 = graph.rank2.data();
+  const std::uint8_t* order = graph.order.data();
+  const DD* gap = sums.gap.data();
+  std::array<std::uint32_t*, 2> next_step{faces[0].steps.data(), faces[1].steps.data()};
+  const std::array<const std::uint32_t*, 2> end_step{next_step[0] + faces[0].steps.size(),
+                                                     next_step[1] + faces[1].steps.size()};
+  for (std::uint32_t start = 0; start < count; ++start) {
+    while (open[start] != 0) {
+      std::uint32_t node = start;
+      auto arrive = static_cast<Arm>(__builtin_ctz(open[start]));
+      const std::size_t kind = second[order[start]] >> arrive & 1U;
+      std::uint32_t* step = next_step[kind];
+      RunningSum twice_area;
+      Turns rounds;
+      do {
+        open[node] = static_cast<std::uint8_t>(open[node] & ~(1U << arrive));
+        const Arm leave = turns[order[node]][arrive].leave;
+        const bool goes2 = on_second(leave), came2 = on_second(arrive);
+        if constexpr (points_only) {
+          if (goes2 != came2) twice_area.add(goes2 ? gap[node] : -gap[node]);
+        } else {
+          twice_area.add(at_node(graph, sums, node, arrive, leave));
+        }
+        if (step == end_step[kind]) fail_not_simple();
+        *step++ = pack({node, goes2});
+        switch (leave) {
+          case out1:
+            rounds.round1 += node == sums.wraps1;
+            node = node + 1 == count ? 0 : node + 1;
+            arrive = in1;
+            break;
+          case in1:
+            node = node == 0 ? count - 1 : node - 1;
+            rounds.round1 -= node == sums.wraps1;
+            arrive = out1;
+            break;
+          case out2: {
+            const std::uint32_t rank = rank2[node];
+            rounds.round2 += rank == sums.wraps2;
+            node = along2[rank + 1 == count ? 0 : rank + 1];
+            arrive = in2;
+            break;
+          }
+          case in2: {
+            const std::uint32_t rank = rank2[node] == 0 ? count - 1 : rank2[node] - 1;
+            rounds.round2 -= rank == sums.wraps2;
+            node = along2[rank];
+            arrive = out2;
+            break;
+          }
+        }
+      } while ((open[node] & 1U << arrive) != 0);
+      if (rounds.round1 != 0 || rounds.round2 != 0) twice_area.add(rounds.sum(sums));
+      const DD sum = twice_area.value();
+      faces[kind].area.push_back(0.5 * (sum.hi + sum.lo));
+      faces[kind].begin.push_back(static_cast<std::uint32_t>(step - faces[kind].steps.data()));
+      next_step[kind] = step;
+    }
+  }
+}
+
+}  // namespace
+
+std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands,
+                                const std::array<Membership, 2>& wanted) {
+  const std::uint32_t count = graph.size();
+  const std::array arrive{arrivals(hands, wanted[0]), arrivals(hands, wanted[1])};
+  std::array<std::uint8_t, 6> arrive_either{};
+  for (std::size_t order = 0; order < 6; ++order)
+    arrive_either[order] = static_cast<std::uint8_t>(arrive[0][order] | arrive[1][order]);
+
+  Buffer<std::uint8_t> open(count);  // arrivals that no walk has used yet
+  std::array<std::size_t, 6> nodes_of_order{};
+  for (std::uint32_t node = 0; node < count; ++node) {
+    open[node] = arrive_either[graph.order[node]];
+    ++nodes_of_order[graph.order[node]];
+  }
+  std::array<Faces, 2> faces;
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    std::size_t corners = 0;
+    for (std::size_t order = 0; order < 6; ++order) {
+      corners += nodes_of_order[order] * static_cast<std::size_t>(std::popcount(arrive[kind][order]));
+    }
+    faces[kind].steps.resize(corners);
+    faces[kind].area.reserve(corners / 2 + 1);
+    faces[kind].begin.reserve(corners / 2 + 2);
+    faces[kind].begin.push_back(0);
+  }
+  if (graph.spans.empty()) {
+    walk_all<true>(graph, sums, open.data(), arrive[1], faces);
+  } else {
+    walk_all<false>(graph, sums, open.data(), arrive[1], faces);
+  }
+  return faces;
+}
+
+namespace {
+
+// Where all nodes are points, what the walks of a membership collect at one depends on its arm order only: so many
+// times the gap.
+int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
+  int times = 0;
+  for (unsigned bits = arrivals_wanted; bits != 0; bits &= bits - 1) {
+    const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
+    const Arm leave = turns[order][arrive].leave;
+    times += static_cast<int>(on_second(leave)) - static_cast<int>(on_second(arrive));
+  }
+  return times;
+}
+
+// Several sums over the nodes at once: of_block(begin, end) adds them up over a block, and blocks are joined in order.
+template <std::size_t sums, typename SumsOfBlock>
+std::array<DD, sums> sums_over_nodes(std::size_t count, const SumsOfBlock& of_block) {
+  std::vector<std::array<DD, sums>> partial((count + grain - 1) / grain);
+  for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
+    const std::array<RunningSum, sums> block =
+        of_block(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+    for (std::size_t k = 0; k < sums; ++k) partial[begin / grain][k] = block[k].value();
+  });
+  std::array<DD, sums> total{};
+  for (const std::array<DD, sums>& part : partial) {
+    for (std::size_t k = 0; k < sums; ++k) total[k] += part[k];
+  }
+  return total;
+}
+
+// Sums of the gaps over the nodes of either order of a proper crossing: curves that meet in points that need no span
+// have no others.
+std::array<DD, 2> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
+  return sums_over_nodes<2>(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
+    RunningSum to_left, to_right;
+    for (std::uint32_t node = begin; node < end; ++node) {
+      (graph.order[node] == rightward_to_left ? to_left : to_right).add(sums.gap[node]);
+    }
+    return std::array{to_left, to_right};
+  });
+}
+
+using ArrivalsWanted = std::array<std::array<std::uint8_t, 6>, 3>;  ///< of three memberships, by arm order
+
+// The same with shared arcs, node by node, for each membership.
+std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const ArrivalsWanted& wanted) {
+  return sums_over_nodes<3>(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
+    std::array<RunningSum, 3> sum;
+    for (std::uint32_t node = begin; node < end; ++node) {
+      const std::uint8_t order = graph.order[node];
+      for (std::size_t m = 0; m < 3; ++m) {
+        for (unsigned bits = wanted[m][order]; bits != 0; bits &= bits - 1) {
+          const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
+          sum[m].add(at_node(graph, sums, node, arrive, turns[order][arrive].leave));
+        }
+      }
+    }
+    return sum;
+  });
+}
+
+}  // namespace
+
+FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands) {
+  constexpr std::array<Membership, 3> memberships{{{true, false}, {false, true}, {true, true}}};
+  const std::uint32_t count = graph.size();
+  ArrivalsWanted wanted;
+  for (std::size_t m = 0; m < 3; ++m) wanted[m] = arrivals(hands, memberships[m]);
+  std::array<DD, 3> total{};
+  if (graph.spans.empty()) {
+    const std::array<DD, 2> gaps = gaps_by_order(graph, sums);
+    for (std::size_t m = 0; m < 3; ++m) {
+      for (const std::uint8_t order : {rightward_to_left, leftward_to_right})
+        total[m] += DD{static_cast<double>(times_gap(order, wanted[m][order])), 0} * gaps[order];
+    }
+  } else {
+    total = collected_at_nodes(graph, sums, wanted);
+  }
+  for (std::size_t m = 0; m < 3; ++m) {
+    // Whole turns: a walk goes along the way past the first vertex if it leaves the node before by that way, and back
+    // if it leaves the node after.
+    const auto leaving = [&](std::uint32_t node, Arm by) {
+      int times = 0;
+      for (unsigned bits = wanted[m][graph.order[node]]; bits != 0; bits &= bits - 1) {
+        times += turns[graph.order[node]][static_cast<unsigned>(__builtin_ctz(bits))].leave == by;
+      }
+      return times;
+    };
+    const auto next = [&](std::uint32_t place) { return place + 1 == count ? 0 : place + 1; };
+    Turns rounds;
+    if (sums.wraps1 != ArcSums::nowhere) {
+      rounds.round1 = leaving(sums.wraps1, out1) - leaving(next(sums.wraps1), in1);
+    }
+    if (sums.wraps2 != ArcSums::nowhere) {
+      rounds.round2 = leaving(graph.along2()[sums.wraps2], out2) - leaving(graph.along2()[next(sums.wraps2)], in2);
+    }
+    total[m] += rounds.sum(sums);
+  }
+  return {total[0], total[1], total[2]};
+}
+
+}  // namespace lober

@@ -1,0 +1,377 @@
+#include "engine/geometry/overlay/overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/geometry/curve/require.hpp"
+#include "engine/geometry/curve/scaled.hpp"
+#include "engine/geometry/index/orientation.hpp"
+#include "engine/geometry/index/sums_along.hpp"
+#include "engine/geometry/overlay/arc_sums.hpp"
+#include "engine/geometry/overlay/faces.hpp"
+
+namespace lober {
+namespace {
+
+constexpr Membership only1{true, false}, only2{false, true}, both{true, true}, neither{false, false};
+
+double half(DD twice) {
+  return std::max(0.0, 0.5 * (twice.hi + twice.lo));
+}
+// Twice the area of a curve that runs so, from its signed sum.
+DD turned(DD twice_area, Orientation orientation) {
+  return orientation == Orientation::clockwise ? -twice_area : twice_area;
+}
+
+}  // namespace
+
+std::string_view name(Pairing pairing) {
+  switch (pairing) {
+    case Pairing::c1_minus_c2:
+      return "c1_minus_c2";
+    case Pairing::c2_minus_c1:
+      return "c2_minus_c1";
+    case Pairing::intersection:
+      return "intersection";
+    case Pairing::unite:
+      return "union";
+  }
+  return "";
+}
+
+Piece Pieces::operator[](std::size_t number) const {
+  Piece piece;
+  piece.area = areas_[number];
+  const auto add = [&](std::span<const std::uint32_t> steps) {
+    for (const std::uint32_t step : steps) {
+      if (step < whole1) piece.crossings.push_back(unpack(step).node);
+    }
+  };
+  add(outer(number));
+  for (const Hole& hole : holes_of(number)) {
+    add(hole.steps);
+    ++piece.holes;
+  }
+  return piece;
+}
+
+std::span<const Pieces::Hole> Pieces::holes_of(std::size_t piece) const {
+  const auto first = std::lower_bound(holes_.begin(), holes_.end(), piece,
+                                      [](const Hole& hole, std::size_t number) { return hole.piece < number; });
+  auto last = first;
+  while (last != holes_.end() && last->piece == piece) ++last;
+  return {first, last};
+}
+
+// Puts an Overlay together. One for each call.
+class OverlayBuilder {
+ public:
+  // The curves are the caller's times 2^exponent.
+  OverlayBuilder(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent)
+      : c1_(c1), c2_(c2), options_(options), exponent_(exponent) {}
+
+  Overlay build() {
+    const Stopwatch watch;
+    report(0);
+    if (options_.check_simple) {
+      for (const SimpleCheck& check : {require_simple(c1_, 1, exponent_), require_simple(c2_, 2, exponent_)}) {
+        result_.statistics.simple_check += check.search;
+        result_.statistics.simple_check_pairs += check.pairs;
+      }
+    }
+    result_.timing.check = watch.seconds();
+    report(0.3);
+    const IndexKind kind = options_.index == IndexKind::automatic ? choose_index(c1_, c2_) : options_.index;
+    NodeGraph graph = build_node_graph(c1_, c2_, kind);
+    result_.timing.crossings = graph.search_seconds;
+    result_.timing.order = graph.order_seconds;
+    report(0.7);
+
+    const Stopwatch area_watch;
+    sums_ = sum_arcs(c1_, c2_, graph);
+    measure_curves();
+    result_.orientation1 = orientation(c1_);
+    result_.orientation2 = orientation(c2_);
+    result_.statistics.index = kind;
+    result_.statistics.counts = graph.counts;
+    result_.statistics.index_bytes = c1_.tree().memory() + c2_.tree().memory();
+    result_.nodes = Crossings(std::move(graph), c1_.view(), c2_.view(), result_.orientation1, result_.orientation2);
+    if (result_.nodes.size() > 0) {
+      overlay_connected();
+    } else {
+      overlay_apart();
+    }
+    result_.timing.areas = area_watch.seconds();
+    result_.timing.total = watch.seconds();
+    report(1);
+    return std::move(result_);
+  }
+
+  // Multiplies all areas by a power of two and lets the result speak of other points.
+  static void rescale(Overlay& result, int exponent, CurveView c1, CurveView c2) {
+    scale(result.areas, exponent);
+    scale_bounds(result.rounding, exponent);
+    for (Pieces& pieces : result.pieces_) {
+      for (double& area : pieces.areas_) area = std::ldexp(area, exponent);
+    }
+    for (double* length : {&result.largest_coordinate, &result.longest_segment}) {
+      *length = std::ldexp(*length, exponent / 2);
+    }
+    result.nodes = std::move(result.nodes).on(c1, c2);
+  }
+
+ private:
+  void report(double fraction) const {
+    if (options_.progress && !options_.progress(fraction)) throw Cancelled();
+  }
+
+  void measure_curves() {
+    for (const IndexedCurve* curve : {&c1_, &c2_}) {
+      const BoxTree& tree = curve->tree();
+      for (const double lane : tree.box().lane) {
+        result_.largest_coordinate = std::max(result_.largest_coordinate, std::fabs(lane));
+      }
+      for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
+        result_.longest_segment = std::max(result_.longest_segment, tree.leaf_boxes()[leaf].extent());
+      }
+    }
+  }
+
+  [[nodiscard]] DD twice_area1() const { return turned(sums_.total1, result_.orientation1); }
+  [[nodiscard]] DD twice_area2() const { return turned(sums_.total2, result_.orientation2); }
+  [[nodiscard]] Handedness hands() const { return {result_.nodes.clockwise1(), result_.nodes.clockwise2()}; }
+  Pieces& pieces(Pairing pairing) { return result_.pieces_[static_cast<std::size_t>(pairing)]; }
+
+  // Twice the areas of A1 \ A2, A2 \ A1 and A1 n A2; none for a region that is empty, the only one whose area is known
+  // without error. A thin region may well have a computed area of 0, and then has a bound.
+  using TwiceArea = std::optional<DD>;
+  void set_areas(const TwiceArea& minus12, const TwiceArea& minus21, const TwiceArea& common) {
+    const double extent = unite(c1_.tree().box(), c2_.tree().box()).extent();
+    const double lost = lost_in_sums(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
+    const auto set = [&](double Areas::*area, DD twice, bool some = true) {
+      result_.areas.*area = half(twice);
+      result_.rounding.*area = some ? result_.areas.*area * 0x1p-53 + lost : 0;
+    };
+    const DD in1 = minus12.value_or(DD{}), in2 = minus21.value_or(DD{}), in_both = common.value_or(DD{});
+    set(&Areas::c1, twice_area1());
+    set(&Areas::c2, twice_area2());
+    set(&Areas::c1_minus_c2, in1, minus12.has_value());
+    set(&Areas::c2_minus_c1, in2, minus21.has_value());
+    set(&Areas::intersection, in_both, common.has_value());
+    set(&Areas::symmetric_difference, in1 + in2, minus12.has_value() || minus21.has_value());
+    set(&Areas::unite, in1 + in2 + in_both);
+  }
+
+  // ------------------------------------------------------------------------------ curves that meet
+
+  void overlay_connected() {
+    const NodeGraph& graph = result_.nodes.graph();
+    const FaceTotals totals = total_of_faces(graph, sums_, hands());
+    // The arrangement is connected: every face has a corner at some node.
+    const auto unless_empty = [&](Membership wanted, DD twice) {
+      const bool some = std::any_of(graph.order.begin(), graph.order.end(),
+                                    [&](std::uint8_t order) { return sectors_at(order, hands(), wanted) > 0; });
+      return some ? TwiceArea(twice) : std::nullopt;
+    };
+    set_areas(unless_empty(only1, totals.only1), unless_empty(only2, totals.only2), unless_empty(both, totals.both));
+    if (!options_.pieces) return;
+    run_together(
+        graph.size() > 4096,
+        [&] {
+          auto [in1, in_both] = walk_faces(graph, sums_, hands(), {only1, both});
+          take_faces(std::move(in1), Pairing::c1_minus_c2);
+          take_faces(std::move(in_both), Pairing::intersection);
+        },
+        [&] {
+          auto [in2, outside] = walk_faces(graph, sums_, hands(), {only2, neither});
+          take_faces(std::move(in2), Pairing::c2_minus_c1);
+          unite_connected(outside);
+        });
+    classify();
+  }
+
+  void take_faces(Faces faces, Pairing pairing) {
+    Pieces& target = pieces(pairing);
+    for (double& area : faces.area) area = std::max(area, 0.0);
+    target.areas_ = std::move(faces.area);
+    target.begin_ = std::move(faces.begin);
+    target.steps_ = std::move(faces.steps);
+    // One curve inside the other with a single touch: the walk runs round both, but what it encloses has a hole.
+    const NodeGraph& graph = result_.nodes.graph();
+    if (graph.size() == 1 && graph.span(0).direction == 0 && target.steps_.size() == 2) {
+      const std::uint32_t hole = pairing == Pairing::c1_minus_c2 ? 1 : 0;
+      target.steps_ = {pack({0, 1 - hole})};
+      target.begin_ = {0, 1};
+      target.holes_.push_back({0, {pack({0, hole})}});
+    }
+  }
+
+  // The union is what the faces outside both curves leave. It is in one piece, unless the curves only touch from
+  // outside.
+  void unite_connected(const Faces& faces) {
+    const NodeGraph& graph = result_.nodes.graph();
+    Pieces& target = pieces(Pairing::unite);
+    bool one_piece = false;
+    for (std::uint32_t node = 0; node < graph.size() && !one_piece; ++node) {
+      one_piece = graph.span(node).direction != 0 || sectors_at(graph.order[node], hands(), both) > 0;
+    }
+    if (!one_piece) {
+      const auto round = [&](std::uint32_t curve, bool backward) {
+        std::vector<std::uint32_t> steps(graph.size());
+        for (std::uint32_t k = 0; k < graph.size(); ++k) steps[k] = pack({curve == 0 ? k : graph.along2()[k], curve});
+        if (backward) std::reverse(steps.begin(), steps.end());
+        return steps;
+      };
+      add_piece(target, result_.areas.c1, round(0, hands().clockwise1));
+      add_piece(target, result_.areas.c2, round(1, hands().clockwise2));
+      return;
+    }
+    if (faces.size() == 0) fail_not_simple();
+    const auto outside =
+        static_cast<std::size_t>(std::min_element(faces.area.begin(), faces.area.end()) - faces.area.begin());
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      if (k != outside) {
+        std::vector<std::uint32_t> steps(faces.begin[k + 1] - faces.begin[k]);
+        reverse_face(faces, k, steps.data());
+        target.holes_.push_back({0, std::move(steps)});
+      }
+    }
+    target.areas_ = {result_.areas.unite};
+    target.steps_.resize(faces.begin[outside + 1] - faces.begin[outside]);
+    target.begin_ = {0, static_cast<std::uint32_t>(target.steps_.size())};
+    reverse_face(faces, outside, target.steps_.data());
+  }
+
+  static void add_piece(Pieces& target, double area, std::span<const std::uint32_t> steps) {
+    target.areas_.push_back(area);
+    target.steps_.insert(target.steps_.end(), steps.begin(), steps.end());
+    target.begin_.push_back(static_cast<std::uint32_t>(target.steps_.size()));
+  }
+
+  // A face walked the other way round, so that the outside of it is on the left.
+  static void reverse_face(const Faces& faces, std::size_t face, std::uint32_t* steps) {
+    const std::uint32_t begin = faces.begin[face], end = faces.begin[face + 1];
+    for (std::uint32_t k = end; k-- > begin;) {
+      const Step arc_before = unpack(faces.steps[k == begin ? end - 1 : k - 1]);
+      *steps++ = pack({unpack(faces.steps[k]).node, arc_before.curve});
+    }
+  }
+
+  // Equivalence classes of the crossings under sigma.
+  void classify() {
+    const NodeGraph& graph = result_.nodes.graph();
+    const std::uint32_t count = graph.size();
+    result_.classes.assign(count, Overlay::no_class);
+    if (result_.nodes.crossings() == count) {  // then classes are faces, which are numbered the same way
+      const Pieces& faces = pieces(Pairing::c1_minus_c2);
+      for (std::size_t face = 0; face < faces.size(); ++face) {
+        for (const std::uint32_t step : faces.outer(face))
+          result_.classes[unpack(step).node] = static_cast<std::uint32_t>(face);
+      }
+      result_.class_count = faces.size();
+      return;
+    }
+    const Buffer<std::uint32_t>& along2 = graph.along2();
+    const auto next_crossing = [&](std::uint32_t node, bool on_first, bool forward) {
+      do {
+        const std::uint32_t place = on_first ? node : graph.rank2[node];
+        const std::uint32_t next =
+            forward ? (place + 1 == count ? 0 : place + 1) : (place == 0 ? count - 1 : place - 1);
+        node = on_first ? next : along2[next];
+      } while (result_.nodes.rho(node) == 0);
+      return node;
+    };
+    for (std::uint32_t start = 0; start < count; ++start) {
+      if (result_.nodes.rho(start) == 0 || result_.classes[start] != Overlay::no_class) continue;
+      const auto number = static_cast<std::uint32_t>(result_.class_count++);
+      for (std::uint32_t node = start; result_.classes[node] == Overlay::no_class;) {
+        result_.classes[node] = number;
+        node = result_.nodes.rho(node) > 0 ? next_crossing(node, true, !hands().clockwise1)
+                                           : next_crossing(node, false, hands().clockwise2);
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------------------ curves that do not meet
+
+  void overlay_apart() {
+    const DD area1 = twice_area1(), area2 = twice_area2();
+    constexpr std::uint32_t whole1 = Pieces::whole1, whole2 = Pieces::whole2;
+    if (result_.nodes.same_curve()) {
+      set_areas(std::nullopt, std::nullopt, area1);
+      add_whole(Pairing::intersection, result_.areas.c1, whole1);
+      add_whole(Pairing::unite, result_.areas.c1, whole1);
+    } else if (encloses(c1_, c2_.view().points[0])) {
+      set_areas(area1 - area2, std::nullopt, area2);
+      add_whole(Pairing::c1_minus_c2, result_.areas.c1_minus_c2, whole1, whole2);
+      add_whole(Pairing::intersection, result_.areas.c2, whole2);
+      add_whole(Pairing::unite, result_.areas.c1, whole1);
+    } else if (encloses(c2_, c1_.view().points[0])) {
+      set_areas(std::nullopt, area2 - area1, area1);
+      add_whole(Pairing::c2_minus_c1, result_.areas.c2_minus_c1, whole2, whole1);
+      add_whole(Pairing::intersection, result_.areas.c1, whole1);
+      add_whole(Pairing::unite, result_.areas.c2, whole2);
+    } else {
+      set_areas(area1, area2, std::nullopt);
+      add_whole(Pairing::c1_minus_c2, result_.areas.c1, whole1);
+      add_whole(Pairing::c2_minus_c1, result_.areas.c2, whole2);
+      add_whole(Pairing::unite, result_.areas.c1, whole1);
+      add_whole(Pairing::unite, result_.areas.c2, whole2);
+    }
+  }
+
+  void add_whole(Pairing pairing, double area, std::uint32_t curve, std::uint32_t hole = 0) {
+    if (!options_.pieces) return;
+    Pieces& target = pieces(pairing);
+    add_piece(target, area, std::array{curve});
+    if (hole != 0) target.holes_.push_back({static_cast<std::uint32_t>(target.size() - 1), {hole}});
+  }
+
+  const IndexedCurve& c1_;
+  const IndexedCurve& c2_;
+  const OverlayOptions& options_;
+  int exponent_;
+  ArcSums sums_;
+  Overlay result_;
+};
+
+namespace {
+
+Overlay overlay_scaled(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent) {
+  const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
+  const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
+  Overlay result = OverlayBuilder(scaled1, scaled2, options, exponent).build();
+  OverlayBuilder::rescale(result, -2 * exponent, c1.view(), c2.view());
+  return result;
+}
+
+}  // namespace
+
+Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options) {
+  require_region(c1.view(), "curve 1", "overlay");
+  require_region(c2.view(), "curve 2", "overlay");
+  const int exponent = comfortable_exponent(unite(c1.tree().box(), c2.tree().box()));
+  if (exponent != 0) return overlay_scaled(c1, c2, options, exponent);
+  return OverlayBuilder(c1, c2, options, 0).build();
+}
+
+Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
+  require_region(c1, "curve 1", "overlay");
+  require_region(c2, "curve 2", "overlay");
+  const Stopwatch watch;
+  const IndexedCurve first(c1), second(c2);
+  // The streaming pass over the points sees a coordinate that is not finite; only then is it worth another to say
+  // which.
+  if (!first.tree().sums_finite()) validate(c1, "curve 1");
+  if (!second.tree().sums_finite()) validate(c2, "curve 2");
+  const double index_seconds = watch.seconds();
+  Overlay result = overlay(first, second, options);
+  result.timing.index = index_seconds;
+  result.timing.total += index_seconds;
+  return result;
+}
+
+}  // namespace lober

@@ -1,0 +1,25 @@
+// Everything known about the arrangement of one or two curves (private to regions/).
+#pragma once
+
+#include "engine/geometry/regions/faces.hpp"
+#include "engine/geometry/regions/regions.hpp"
+
+namespace lober {
+
+struct Arrangement {
+  Strands strands;
+  Marks marks;
+  HalfEdges graph;
+  Faces faces;
+  int area_exponent = 0;  ///< areas are those of curves scaled by 2^-(area_exponent / 2)
+  double lost = 0;        ///< bound on the error of any area before it is rounded to double
+
+  [[nodiscard]] double area(DD twice) const;
+  [[nodiscard]] Point node_place(std::uint32_t node) const { return place(strands, marks.list[first_mark[node]]); }
+  Buffer<std::uint32_t> first_mark;  ///< of each node
+};
+
+/// Whether a point with these winding numbers belongs to the region.
+[[nodiscard]] bool belongs(Windings windings, WindingRule rule, Pairing pairing);
+
+}  // namespace lober

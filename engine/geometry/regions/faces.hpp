@@ -1,0 +1,43 @@
+// The faces of the arrangement with their winding numbers (private to regions/).
+//
+// Each curve is connected, so the graph has one component, or two when the curves do not meet. The boundary of a face
+// is one closed walk, plus the outer walk of the other component if that lies inside the face.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/geometry/regions/half_edges.hpp"
+
+namespace lober {
+
+struct Windings {
+  std::int32_t of1, of2;
+  friend auto operator<=>(const Windings&, const Windings&) = default;
+};
+
+struct Faces {
+  static constexpr std::uint32_t unbounded = 0;
+
+  Buffer<std::uint32_t> of;     ///< the face to the left of each half-edge that stands for itself
+  Buffer<DD> twice_area;        ///< of each face, meaningless for the unbounded one
+  Buffer<Windings> windings;    ///< of each face
+  Buffer<std::uint32_t> entry;  ///< a half-edge on its boundary; to the right of it lies a face of lower rank
+  Buffer<std::uint32_t> rank;   ///< breadth-first order from the unbounded face
+
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(twice_area.size()); }
+};
+
+/// `sums`: of each edge, the shoelace sum about the common origin of all. `curves_meet`: whether C1 and C2 have a point
+/// in common. O(marks), and one ray through the curves when they do not meet.
+[[nodiscard]] Faces make_faces(const Strands& strands, const Marks& marks, const HalfEdges& graph,
+                               const Buffer<DD>& sums, bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2,
+                               PredicateCounts& counts);
+
+/// What a ray from `point`, which does not lie on the curve, to greater x meets first, on the side of greater y when it
+/// runs through a vertex: the half-edge of curve `number` (0 or 1) that has the point on its left; or none.
+inline constexpr std::uint32_t no_half_edge = 0xffffffff;
+[[nodiscard]] std::uint32_t half_edge_right_of(Point point, const Strands& strands, const Marks& marks,
+                                               const HalfEdges& graph, const IndexedCurve& curve, int number,
+                                               PredicateCounts& counts);
+
+}  // namespace lober

@@ -1,0 +1,295 @@
+#include "engine/geometry/regions/regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "engine/base/stopwatch.hpp"
+#include "engine/geometry/curve/require.hpp"
+#include "engine/geometry/curve/scaled.hpp"
+#include "engine/geometry/index/orientation.hpp"
+#include "engine/geometry/index/sums_along.hpp"
+#include "engine/geometry/regions/arrangement.hpp"
+
+namespace lober {
+
+std::string_view name(WindingRule rule) {
+  switch (rule) {
+    case WindingRule::nonzero:
+      return "nonzero";
+    case WindingRule::evenodd:
+      return "evenodd";
+    case WindingRule::positive:
+      return "positive";
+    case WindingRule::negative:
+      return "negative";
+  }
+  return "";
+}
+
+bool inside(WindingRule rule, int winding) {
+  switch (rule) {
+    case WindingRule::nonzero:
+      return winding != 0;
+    case WindingRule::evenodd:
+      return winding % 2 != 0;
+    case WindingRule::positive:
+      return winding > 0;
+    case WindingRule::negative:
+      return winding < 0;
+  }
+  return false;
+}
+
+bool belongs(Windings windings, WindingRule rule, Pairing pairing) {
+  const bool in1 = inside(rule, windings.of1), in2 = inside(rule, windings.of2);
+  switch (pairing) {
+    case Pairing::c1_minus_c2:
+      return in1 && !in2;
+    case Pairing::c2_minus_c1:
+      return in2 && !in1;
+    case Pairing::intersection:
+      return in1 && in2;
+    case Pairing::unite:
+      return in1 || in2;
+  }
+  return false;
+}
+
+double Arrangement::area(DD twice) const {
+  return scaled_area(std::max(0.0, 0.5 * (twice.hi + twice.lo)), area_exponent);
+}
+
+// Puts a result together. One for each call.
+class RegionBuilder {
+ public:
+  // `view1`, `view2`: the curves of the caller, of which c1 and c2 are copies scaled by 2^exponent.
+  RegionBuilder(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOptions& options, int exponent,
+                CurveView view1, CurveView view2)
+      : c1_(c1), c2_(c2), options_(options), exponent_(exponent), view1_(view1), view2_(view2) {}
+
+  Regions build() {
+    const Stopwatch watch;
+    report(0);
+    auto arrangement = std::make_shared<Arrangement>();
+    Arrangement& scene = *arrangement;
+    scene.strands = c2_ == nullptr ? Strands(c1_.view()) : Strands(c1_.view(), c2_->view());
+    const IndexKind kind = c2_ == nullptr                           ? IndexKind::tree
+                           : options_.index != IndexKind::automatic ? options_.index
+                                                                    : choose_index(c1_, *c2_);
+    Incidences incidences = find_incidences(c1_, c2_, kind);
+    RegionTiming& timing = result_.timing_;
+    timing.search = watch.seconds();
+    report(0.5);
+
+    const Stopwatch node_watch;
+    const std::uint32_t extreme1 = extreme_segment(c1_.tree());
+    const std::uint32_t extreme2 = c2_ == nullptr ? 0 : scene.strands.first_of(1) + extreme_segment(c2_->tree());
+    scene.marks = make_marks(scene.strands, incidences, {extreme1, extreme2});
+    const IncidenceCounts found = incidences.counts;
+    incidences = {};
+    scene.first_mark.resize(scene.marks.nodes);
+    for (std::uint32_t mark = scene.marks.size(); mark-- > 0;) scene.first_mark[scene.marks.list[mark].node] = mark;
+    timing.nodes = node_watch.seconds();
+    report(0.7);
+
+    const Stopwatch graph_watch;
+    scene.graph = connect(scene.strands, scene.marks);
+    timing.graph = graph_watch.seconds();
+
+    const Stopwatch face_watch;
+    const Buffer<DD> sums = sum_edges(scene);
+    PredicateCounts placing;
+    scene.faces = make_faces(scene.strands, scene.marks, scene.graph, sums, found.mutual > 0, c1_, c2_, placing);
+    scene.area_exponent = -2 * exponent_;
+    make_table(scene);
+    timing.faces = face_watch.seconds();
+
+    count(scene, found, placing, kind);
+    if (exponent_ != 0) {  // the result speaks of the caller's points
+      scene.strands = c2_ == nullptr ? Strands(view1_) : Strands(view1_, view2_);
+    }
+    result_.arrangement_ = std::move(arrangement);
+    timing.total = watch.seconds();
+    report(1);
+    return std::move(result_);
+  }
+
+ private:
+  void report(double fraction) const {
+    if (options_.progress && !options_.progress(fraction)) throw Cancelled();
+  }
+
+  // Shoelace sums of all edges about one origin. Also bounds what areas lose: the gap at each node
+  // (crossing_parameters.hpp) times the size of the scene, and the additions of RunningSum, relative to the largest
+  // sum.
+  Buffer<DD> sum_edges(Arrangement& scene) {
+    const Marks& marks = scene.marks;
+    Buffer<DD> sums(marks.size());
+    double largest = 0, additions = 4096;
+    for (int curve = 0; curve < scene.strands.curves(); ++curve) {
+      const BoxTree& tree = curve == 0 ? c1_.tree() : c2_->tree();
+      const std::uint32_t first = marks.begin[static_cast<std::size_t>(curve)];
+      const std::uint32_t count = marks.begin[static_cast<std::size_t>(curve) + 1] - first;
+      const std::uint32_t offset = scene.strands.first_of(curve);
+      Buffer<DD> at(count);
+      const SumAlong along = sum_along(
+          tree, c1_.view().points[0], count,
+          [&](std::size_t k) {
+            const Mark& mark = marks.list[first + k];
+            return PlaceAlong{mark.segment - offset, mark.t};
+          },
+          [&](std::size_t k, DD sum) { at[k] = sum; });
+      for (std::uint32_t k = 0; k < count; ++k) {
+        sums[first + k] = (k + 1 < count ? at[k + 1] : at[0] + along.total) - at[k];
+      }
+      largest = std::max({largest, along.largest, std::fabs(along.total.hi)});
+      for (const DD& sum : at) largest = std::max(largest, std::fabs(sum.hi));
+      additions += static_cast<double>(tree.segments()) / 1024;
+      result_.signed_areas_[static_cast<std::size_t>(curve)] =
+          scaled_area(0.5 * (along.total.hi + along.total.lo), -2 * exponent_);
+    }
+    const double extent = (c2_ == nullptr ? c1_.tree().box() : unite(c1_.tree().box(), c2_->tree().box())).extent();
+    const double size = extent * extent;
+    scene.lost = size * marks.size() * 0x1p-91 + (size + largest) * additions * 0x1p-104;
+    return sums;
+  }
+
+  void make_table(const Arrangement& scene) {
+    std::map<Windings, RunningSum> sums;
+    const Faces& faces = scene.faces;
+    for (std::uint32_t face = 0; face < faces.size(); ++face) {
+      const Windings windings = faces.windings[face];
+      if (windings == Windings{0, 0}) continue;
+      sums[windings].add(faces.twice_area[face]);
+    }
+    for (const auto& [windings, sum] : sums) {
+      result_.table_.push_back({windings.of1, windings.of2, scene.area(sum.value())});
+      result_.twice_areas_.push_back(sum.value());
+    }
+  }
+
+  void count(const Arrangement& scene, const IncidenceCounts& found, const PredicateCounts& placing, IndexKind kind) {
+    RegionCounts& counts = result_.counts_;
+    counts.nodes = scene.marks.nodes - scene.marks.plain;
+    // A plain node cuts an edge in two, unless it is the only one of its curve.
+    counts.edges = scene.marks.size() - scene.graph.merged - scene.marks.plain;
+    if (found.mutual == 0 && found.self1 == 0) ++counts.edges;
+    if (found.mutual == 0 && found.self2 == 0 && c2_ != nullptr) ++counts.edges;
+    counts.faces = scene.faces.size();
+    counts.self1 = found.self1;
+    counts.self2 = found.self2;
+    counts.mutual = found.mutual;
+    counts.index = kind;
+    counts.search = found.search;
+    counts.predicates = found.predicates;
+    counts.predicates += scene.graph.predicates;
+    counts.predicates += placing;
+    counts.exact_parameters = found.exact_parameters;
+    counts.exact_orders = scene.marks.exact_orders;
+  }
+
+  const IndexedCurve& c1_;
+  const IndexedCurve* c2_;
+  const RegionOptions& options_;
+  int exponent_;
+  CurveView view1_, view2_;
+  Regions result_;
+};
+
+namespace {
+
+// The areas by what they are made of.
+struct Part {
+  double Areas::*area;
+  bool (*wanted)(bool in1, bool in2);
+};
+constexpr std::array<Part, 7> parts{{
+    {&Areas::c1, [](bool in1, bool) { return in1; }},
+    {&Areas::c2, [](bool, bool in2) { return in2; }},
+    {&Areas::intersection, [](bool in1, bool in2) { return in1 && in2; }},
+    {&Areas::unite, [](bool in1, bool in2) { return in1 || in2; }},
+    {&Areas::c1_minus_c2, [](bool in1, bool in2) { return in1 && !in2; }},
+    {&Areas::c2_minus_c1, [](bool in1, bool in2) { return !in1 && in2; }},
+    {&Areas::symmetric_difference, [](bool in1, bool in2) { return in1 != in2; }},
+}};
+
+bool takes(const Part& part, WindingRule rule, const WindingArea& entry) {
+  return part.wanted(inside(rule, entry.w1), inside(rule, entry.w2));
+}
+
+}  // namespace
+
+Areas Regions::areas(WindingRule rule) const {
+  Areas areas;
+  for (const Part& part : parts) {
+    RunningSum sum;
+    for (std::size_t k = 0; k < table_.size(); ++k) {
+      if (takes(part, rule, table_[k])) sum.add(twice_areas_[k]);
+    }
+    areas.*part.area = arrangement_->area(sum.value());
+  }
+  return areas;
+}
+
+double Regions::rounding(double area) const {
+  return area * 0x1p-53 + scaled_bound(arrangement_->lost, arrangement_->area_exponent);
+}
+
+Areas Regions::rounding(WindingRule rule) const {
+  const Areas computed = areas(rule);
+  Areas bounds;
+  for (const Part& part : parts) {
+    const bool some =
+        std::any_of(table_.begin(), table_.end(), [&](const WindingArea& entry) { return takes(part, rule, entry); });
+    bounds.*part.area = some ? rounding(computed.*part.area) : 0;  // the area of nothing is exact
+  }
+  return bounds;
+}
+
+namespace {
+
+Regions build(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOptions& options) {
+  require_region(c1.view(), "curve 1", "regions");
+  if (c2 != nullptr) require_region(c2->view(), "curve 2", "regions");
+  const CurveView view1 = c1.view(), view2 = c2 == nullptr ? CurveView{} : c2->view();
+  const int exponent = comfortable_exponent(c2 == nullptr ? c1.tree().box() : unite(c1.tree().box(), c2->tree().box()));
+  if (exponent == 0) return RegionBuilder(c1, c2, options, 0, view1, view2).build();
+  const std::vector<Point> first = scaled(view1, exponent), second = scaled(view2, exponent);
+  const IndexedCurve scaled1(CurveView{first});
+  if (c2 == nullptr) return RegionBuilder(scaled1, nullptr, options, exponent, view1, view2).build();
+  const IndexedCurve scaled2(CurveView{second});
+  return RegionBuilder(scaled1, &scaled2, options, exponent, view1, view2).build();
+}
+
+IndexedCurve indexed(CurveView curve, std::string_view name) {
+  require_region(curve, name, "regions");
+  IndexedCurve result(curve);
+  if (!result.tree().sums_finite()) validate(curve, name);
+  return result;
+}
+
+}  // namespace
+
+Regions regions(const IndexedCurve& c1, const RegionOptions& options) {
+  return build(c1, nullptr, options);
+}
+
+Regions regions(const IndexedCurve& c1, const IndexedCurve& c2, const RegionOptions& options) {
+  return build(c1, &c2, options);
+}
+
+Regions regions(CurveView c1, std::optional<CurveView> c2, const RegionOptions& options) {
+  const Stopwatch watch;
+  const IndexedCurve first = indexed(c1, "curve 1");
+  std::optional<IndexedCurve> second;
+  if (c2) second.emplace(indexed(*c2, "curve 2"));
+  const double index_seconds = watch.seconds();
+  Regions result = build(first, second ? &*second : nullptr, options);
+  result.timing_.index = index_seconds;
+  result.timing_.total += index_seconds;
+  return result;
+}
+
+}  // namespace lober

@@ -1,0 +1,24 @@
+#include <cmath>
+
+#include "engine/base/error.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/smooth/smooth.hpp"
+
+namespace lober {
+
+CommonArea common_area(CurveView first, CurveView second) {
+  try {
+    OverlayOptions options;
+    options.pieces = false;
+    const SmoothAreas smooth = smooth_areas(overlay(first, second, options));
+    return {smooth.areas.intersection, smooth.error.intersection};
+  } catch (const NotSimpleError&) {
+    const Areas areas = regions(first, second).areas(WindingRule::nonzero);
+    const double doubt = std::fabs(areas.c1 - std::fabs(smooth_area(first).area)) +
+                         std::fabs(areas.c2 - std::fabs(smooth_area(second).area));
+    return {areas.intersection, doubt};
+  }
+}
+
+}  // namespace lober

@@ -1,0 +1,174 @@
+#include "engine/geometry/smooth/smooth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/curve/scaled.hpp"
+#include "engine/geometry/smooth/arc_totals.hpp"
+#include "engine/geometry/smooth/bulges.hpp"
+#include "engine/geometry/smooth/smooth_crossing.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::size_t grain = 256;
+
+class Builder {
+ public:
+  // Areas of these curves times 2^exponent are those of the result.
+  Builder(const Overlay& result, CurveView c1, CurveView c2, int exponent)
+      : result_(result), graph_(result.nodes.graph()), c1_(c1), c2_(c2), exponent_(exponent) {}
+
+  SmoothAreas build() {
+    move_crossings();
+    restore_order();
+    ArcEnds ends = sum_at_contacts();
+    SmoothAreas smooth;
+    smooth.fallback_segments = fallback_segments_;
+    smooth.fallback_crossings = fallback_crossings_;
+    const RegionBulges bulges =
+        graph_.size() > 0 ? bulges_of_regions(result_.nodes, ends) : bulges_apart(result_, ends.total1, ends.total2);
+    add(&Areas::c1, bulges.c1, smooth);
+    add(&Areas::c2, bulges.c2, smooth);
+    add(&Areas::c1_minus_c2, bulges.only1, smooth);
+    add(&Areas::c2_minus_c1, bulges.only2, smooth);
+    add(&Areas::intersection, bulges.both, smooth);
+    add(&Areas::unite, bulges.unite, smooth);
+    add(&Areas::symmetric_difference, bulges.only1 + bulges.only2, smooth);
+    return smooth;
+  }
+
+ private:
+  [[nodiscard]] bool is_crossing(std::uint32_t node) const {
+    return graph_.span(node).direction == 0 && graph_.order[node] < first_touch;
+  }
+  // Where neither curve leaves its segment the contact of the polygons is right as it is.
+  [[nodiscard]] bool straight(const Contact& contact) const {
+    return c1_.segment(contact.segment1).kind != SmoothSegment::Kind::smooth &&
+           c2_.segment(contact.segment2).kind != SmoothSegment::Kind::smooth;
+  }
+
+  void move_crossings() {
+    moved_.resize(graph_.size());
+    straight_.resize(graph_.contacts.size());
+    for_each_block(graph_.contacts.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) straight_[k] = straight(graph_.contacts[k]);
+    });
+    for_each_block(graph_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto node = static_cast<std::uint32_t>(k);
+        const std::uint32_t contact = graph_.span(node).first;
+        if (is_crossing(node) && !straight_[contact]) {
+          moved_[k] = find_smooth_crossing(c1_, c2_, graph_.contacts[contact], graph_.order[node] == rightward_to_left);
+        }
+      }
+    });
+  }
+
+  // Crossings that would overtake one another stay where they were. That may put them in the way of others, so look
+  // again, a few times.
+  void restore_order() {
+    const std::uint32_t count = graph_.size();
+    const Buffer<std::uint32_t>& along2 = graph_.along2();
+    bool changed = count > 1;
+    for (int round = 0; changed && round < 8; ++round) {
+      changed = false;
+      for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t next = k + 1 == count ? 0 : k + 1;
+        const NodeSpan here = graph_.span(k), there = graph_.span(next);
+        if (overtakes<&SmoothCrossing::place1>(k, here.last, next, there.first)) changed |= put_back(k, next);
+        const std::uint32_t from = along2[k], to = along2[next];
+        const std::uint32_t leaves = leaves2(graph_.span(from)), enters = enters2(graph_.span(to));
+        if (overtakes<&SmoothCrossing::place2>(from, leaves, to, enters)) changed |= put_back(from, to);
+      }
+    }
+  }
+  // Whether a node and the one that follows it along a curve have changed places. Their contacts say whether the first
+  // vertex lies between them.
+  template <SmoothPlace SmoothCrossing::*on>
+  [[nodiscard]] bool overtakes(std::uint32_t node, std::uint32_t contact, std::uint32_t next,
+                               std::uint32_t next_contact) const {
+    constexpr bool first = on == &SmoothCrossing::place1;
+    const auto position = [](const SmoothPlace& place) { return static_cast<double>(place.segment) + place.u; };
+    const auto before = [&](std::uint32_t k) {
+      const Contact at = graph_.contacts[k];
+      return position(first ? SmoothPlace{at.segment1, at.t1.hi} : SmoothPlace{at.segment2, at.t2.hi});
+    };
+    const double turn =
+        before(next_contact) < before(contact) ? static_cast<double>((first ? c1_ : c2_).segments()) : 0;
+    const double from = moved_[node] ? position((*moved_[node]).*on) : before(contact);
+    const double to = moved_[next] ? position((*moved_[next]).*on) : before(next_contact);
+    return from > to + turn;
+  }
+  bool put_back(std::uint32_t node, std::uint32_t other) {
+    const bool any = moved_[node].has_value() || moved_[other].has_value();
+    moved_[node].reset();
+    moved_[other].reset();
+    return any;
+  }
+  ArcEnds sum_at_contacts() {
+    const std::size_t count = graph_.contacts.size();
+    std::vector<std::uint32_t> segments1(count), segments2(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      segments1[k] = graph_.contacts[k].segment1;
+      segments2[k] = graph_.contacts[graph_.contacts2[k]].segment2;
+    }
+    BulgeSums sums1 = sum_bulges(c1_, segments1), sums2 = sum_bulges(c2_, segments2);
+    fallback_segments_ = sums1.fallbacks + sums2.fallbacks;
+    ArcEnds ends{std::move(sums1.before), Buffer<Bulge>(count), sums1.total, sums2.total, 0};
+    for (std::size_t k = 0; k < count; ++k) ends.on2[graph_.contacts2[k]] = sums2.before[k];
+
+    std::vector<double> doubt(graph_.size());
+    for_each_block(graph_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const NodeSpan span = graph_.span(static_cast<std::uint32_t>(k));
+        for (const std::uint32_t contact : {span.first, span.last}) {
+          const EndOfArcs end_here = end_of_arcs(c1_, c2_, graph_.contacts[contact], moved_[k]);
+          if (!straight_[contact]) {
+            ends.on1[contact].area += DD{end_here.on1, 0};
+            ends.on2[contact].area += DD{end_here.on2, 0};
+          }
+          doubt[k] += end_here.doubt;
+          if (span.first == span.last) break;
+        }
+      }
+    });
+    for (std::uint32_t k = 0; k < graph_.size(); ++k) {
+      ends.doubt += doubt[k];
+      fallback_crossings_ += is_crossing(k) && !straight_[graph_.span(k).first] && !moved_[k];
+    }
+    return ends;
+  }
+
+  // An area that comes out negative is one that smooth curves do not enclose.
+  void add(double Areas::*member, const Bulge& bulge, SmoothAreas& smooth) const {
+    const auto half = [&](double twice) { return scaled_area(twice, exponent_ - 1); };
+    const double area = result_.areas.*member + half(bulge.area.hi + bulge.area.lo);
+    smooth.areas.*member = std::max(area, 0.0);
+    smooth.error.*member = result_.rounding.*member + half(bulge.error) + std::max(-area, 0.0) +
+                           (bulge.area.hi == 0 ? 0 : std::fabs(area) * 0x1p-53);
+  }
+
+  const Overlay& result_;
+  const NodeGraph& graph_;
+  SmoothCurve c1_, c2_;
+  int exponent_;
+  std::vector<std::optional<SmoothCrossing>> moved_;  // by node
+  std::vector<char> straight_;                        // by contact
+  std::uint64_t fallback_segments_ = 0, fallback_crossings_ = 0;
+};
+
+}  // namespace
+
+SmoothAreas smooth_areas(const Overlay& result) {
+  const CurveView &c1 = result.nodes.curve1(), &c2 = result.nodes.curve2();
+  const int exponent = comfortable_exponent(unite(box_of(c1.points), box_of(c2.points)));
+  if (exponent == 0) return Builder(result, c1, c2, 0).build();
+  const std::vector<Point> first = scaled(c1, exponent), second = scaled(c2, exponent);
+  return Builder(result, CurveView{first}, CurveView{second}, -2 * exponent).build();
+}
+
+}  // namespace lober

@@ -1,0 +1,29 @@
+// The area of one smooth closed curve.
+
+#include <cmath>
+
+#include "engine/geometry/curve/require.hpp"
+#include "engine/geometry/curve/scaled.hpp"
+#include "engine/geometry/smooth/bulges.hpp"
+#include "engine/geometry/smooth/smooth.hpp"
+#include "kernels/box.hpp"
+
+namespace lober {
+
+SmoothArea smooth_area(CurveView curve) {
+  require_closed(curve, "the curve", "smooth area");
+  validate(curve, "smooth area");
+  const int exponent = comfortable_exponent(box_of(curve.points));
+  std::vector<Point> points;
+  if (exponent != 0) points = scaled(curve, exponent);
+  const CurveView comfortable = exponent != 0 ? CurveView{points, true} : CurveView{curve.points, true};
+  const BulgeSums sums = sum_bulges(SmoothCurve(comfortable), {});
+  SmoothArea result;
+  const double scale = std::ldexp(0.5, -2 * exponent), polygon = signed_area(comfortable);
+  result.area = scaled_area(2 * polygon + sums.total.area.hi + sums.total.area.lo, -1 - 2 * exponent);
+  result.error = scale * sums.total.error + std::fabs(result.area) * 0x1p-50;
+  result.fallback_segments = sums.fallbacks;
+  return result;
+}
+
+}  // namespace lober

@@ -1,0 +1,73 @@
+// A curve made of smooth segments (private to smooth/).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/geometry/curve/curve.hpp"
+#include "kernels/smooth_segment.hpp"
+
+namespace lober {
+
+/// Numbers of vertices and segments of a closed curve wrap. An open one goes on beyond its ends in straight segments so
+/// long that no fit makes use of them.
+class SmoothCurve {
+ public:
+  explicit SmoothCurve(CurveView view) : view_(view), size_(static_cast<std::int64_t>(view.points.size())) {}
+
+  [[nodiscard]] std::size_t segments() const { return view_.segments(); }
+  [[nodiscard]] Point vertex(std::int64_t k) const {
+    if (k >= 0 && k < size_) return view_.points[static_cast<std::size_t>(k)];
+    if (!view_.closed) return beyond(k);
+    return view_.points[static_cast<std::size_t>((k % size_ + size_) % size_)];
+  }
+  /// Curves of fewer vertices than a segment looks at stay polygons.
+  [[nodiscard]] SmoothSegment segment(std::int64_t k) const {
+    if (size_ < 8) {
+      const Point a = vertex(k), b = vertex(k + 1);
+      SmoothSegment straight;
+      straight.chord = {b.x - a.x, b.y - a.y};
+      return straight;
+    }
+    std::array<Point, 8> window;
+    window[3] = vertex(k);
+    window[4] = vertex(k + 1);
+    for (std::int64_t j = 2, at = k; j >= 0; --j) window[static_cast<std::size_t>(j)] = next_distinct(at, -1);
+    for (std::int64_t j = 5, at = k + 1; j < 8; ++j) window[static_cast<std::size_t>(j)] = next_distinct(at, 1);
+    return fit_smooth_segment(window);
+  }
+
+ private:
+  [[nodiscard]] Point beyond(std::int64_t k) const {
+    constexpr double much_longer = 1024;
+    const std::int64_t end = k < 0 ? 0 : size_ - 1, inward = k < 0 ? 1 : -1;
+    std::int64_t other = end;
+    while (vertex(other) == vertex(end)) other += inward;
+    const Point from = vertex(other), to = vertex(end);
+    const double times = much_longer * static_cast<double>(k < 0 ? -k : k - end);
+    return {to.x + times * (to.x - from.x), to.y + times * (to.y - from.y)};
+  }
+
+  // Moves on from a vertex to the next one at another place: repeated vertices carry no segment.
+  [[nodiscard]] Point next_distinct(std::int64_t& at, int direction) const {
+    const Point from = vertex(at);
+    Point to;
+    do {
+      at += direction;
+      to = vertex(at);
+    } while (to == from);
+    return to;
+  }
+
+  CurveView view_;
+  std::int64_t size_;
+};
+
+/// A place on a smooth curve. `segment` may lie a few segments outside the curve, so that places near the first vertex
+/// keep their order.
+struct SmoothPlace {
+  std::int64_t segment = 0;
+  double u = 0;
+};
+
+}  // namespace lober

@@ -1,0 +1,107 @@
+#include "engine/geometry/smooth/smooth_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/smooth/bulges.hpp"
+#include "engine/geometry/smooth/smooth_crossing.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::size_t grain = 256;
+
+class GapFinder {
+ public:
+  GapFinder(CurveView c1, CurveView c2, const NodeGraph& graph, std::span<const std::uint32_t> nodes)
+      : c1_(c1), c2_(c2), view1_(c1), view2_(c2), graph_(graph), nodes_(nodes), moved_(nodes.size()) {}
+
+  SmoothGaps find() {
+    for_each_block(nodes_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        if (graph_.span(nodes_[k]).direction != 0) continue;
+        moved_[k] = find_smooth_crossing(c1_, c2_, contact(k), graph_.order[nodes_[k]] == rightward_to_left);
+      }
+    });
+    // In order along C2.
+    std::vector<std::uint32_t> order(nodes_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t x, std::uint32_t y) { return graph_.rank2[nodes_[x]] < graph_.rank2[nodes_[y]]; });
+    restore_order(order);
+
+    SmoothGaps gaps;
+    gaps.at.resize(nodes_.size());
+    std::vector<std::uint32_t> segments1(nodes_.size()), segments2(nodes_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      segments1[k] = contact(k).segment1;
+      segments2[k] = contact(order[k]).segment2;
+    }
+    const BulgeSums sums1 = sum_bulges(c1_, segments1), sums2 = sum_bulges(c2_, segments2);
+    gaps.fallback_segments = sums1.fallbacks + sums2.fallbacks;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      gaps.at[k].twice += sums1.before[k].area;
+      gaps.at[k].error1 = sums1.before[k].error;
+      gaps.at[order[k]].twice -= sums2.before[k].area;
+      gaps.at[order[k]].error2 = sums2.before[k].error;
+    }
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      SmoothGap& gap = gaps.at[k];
+      const EndOfArcs end = end_of_arcs(c1_, c2_, contact(k), moved_[k]);
+      gap.twice += two_diff(end.on1, end.on2);
+      gap.doubt = end.doubt;
+      gap.moved = moved_[k].has_value();
+      gap.at = gap.moved ? place(moved_[k]->place1) : place_of(contact(k), view1_, view2_);
+      gaps.fallback_crossings += !gap.moved;
+    }
+    return gaps;
+  }
+
+ private:
+  [[nodiscard]] Contact contact(std::size_t k) const { return graph_.contacts[graph_.span(nodes_[k]).first]; }
+  [[nodiscard]] Point place(const SmoothPlace& at) const {
+    const Point from = c1_.vertex(at.segment), offset = c1_.segment(at.segment).at(at.u);
+    return {from.x + offset.x, from.y + offset.y};
+  }
+  [[nodiscard]] double position(std::size_t k, bool on_first) const {
+    const auto sum = [](const SmoothPlace& at) { return static_cast<double>(at.segment) + at.u; };
+    if (moved_[k]) return sum(on_first ? moved_[k]->place1 : moved_[k]->place2);
+    const Contact here = contact(k);
+    return on_first ? sum({here.segment1, here.t1.hi}) : sum({here.segment2, here.t2.hi});
+  }
+
+  // Crossings that would overtake one another stay where they were, which may put them in the way of others.
+  void restore_order(const std::vector<std::uint32_t>& order) {
+    bool changed = true;
+    const auto keep_apart = [&](std::size_t k, std::size_t next, bool on_first) {
+      if (position(k, on_first) <= position(next, on_first)) return;
+      changed |= moved_[k].has_value() || moved_[next].has_value();
+      moved_[k].reset();
+      moved_[next].reset();
+    };
+    while (changed) {
+      changed = false;
+      for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+        keep_apart(k, k + 1, true);
+        keep_apart(order[k], order[k + 1], false);
+      }
+    }
+  }
+
+  SmoothCurve c1_, c2_;
+  CurveView view1_, view2_;
+  const NodeGraph& graph_;
+  std::span<const std::uint32_t> nodes_;
+  std::vector<std::optional<SmoothCrossing>> moved_;
+};
+
+}  // namespace
+
+SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
+  return GapFinder(c1, c2, graph, nodes).find();
+}
+
+}  // namespace lober

@@ -1,0 +1,35 @@
+// Areas between two smooth open curves, up to each crossing.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/crossings/node_graph.hpp"
+#include "engine/geometry/curve/curve.hpp"
+#include "kernels/double_double.hpp"
+
+namespace lober {
+
+/// What the smooth curves through the points have more than the polygons at one crossing.
+struct SmoothGap {
+  DD twice;            ///< to be added to S_1 - S_2 up to the crossing (engine/geometry/tangle/tangle.hpp)
+  double error1 = 0;   ///< twice the error of that, summed along C1 and C2 from their beginnings: an arc between
+  double error2 = 0;   ///< two crossings has the difference
+  double doubt = 0;    ///< twice the area that may hide at the crossing itself
+  Point at;            ///< where the smooth curves cross
+  bool moved = false;  ///< false where they do not cross near by in the same order: then the polygons' crossing
+};
+
+struct SmoothGaps {
+  std::vector<SmoothGap> at;
+  std::uint64_t fallback_segments = 0;   ///< of both curves, that stay straight
+  std::uint64_t fallback_crossings = 0;  ///< that were not moved
+};
+
+/// At the given nodes, which ascend, in the method of smooth_areas (engine/geometry/smooth/smooth.hpp). Coordinates
+/// must be of a comfortable size (curve/scaled.hpp). O(n + m), parallel; the same bits for any number of threads.
+[[nodiscard]] SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const NodeGraph& graph,
+                                     std::span<const std::uint32_t> nodes);
+
+}  // namespace lober

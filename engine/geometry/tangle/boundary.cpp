@@ -1,0 +1,172 @@
+#include "engine/geometry/tangle/boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/tangle/gaps.hpp"
+#include "engine/geometry/tangle/lobe_topology.hpp"
+
+namespace lober {
+namespace {
+
+// Where the chord from p+ to p- meets a manifold, but where the manifold begins.
+std::vector<Position> chord_meetings(const IndexedCurve& chord, const IndexedCurve& curve) {
+  const Point start = curve.view().points[0];
+  std::vector<Position> meetings;
+  const ContactList contacts = find_contacts(chord, curve, IndexKind::tree).list;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact contact = contacts[k];
+    const auto points = curve.view().points.first(contact.segment2 + 1);
+    const bool at_start = contact.vertex1 && contact.vertex2 &&
+                          std::all_of(points.begin(), points.end(), [&](Point p) { return p == start; });
+    if (!at_start) meetings.push_back({contact.segment2, contact.t2.hi});
+  }
+  return meetings;
+}
+
+// What the chord cuts.
+struct ChordCuts {
+  bool boundary = false;
+  std::vector<bool> lobes;
+};
+ChordCuts cuts_of_chord(const Tangle& tangle) {
+  ChordCuts cuts{false, std::vector<bool>(tangle.lobes.size())};
+  const TangleCurves& curves = *tangle.curves;
+  const std::array<Point, 2> ends{curves.s().view().points[0], curves.u().view().points[0]};
+  if (ends[0] == ends[1]) return cuts;
+  const IndexedCurve chord({ends, false});
+  // Parameters are rounded: what lies that near to a pip counts for both sides.
+  constexpr double doubt = 1e-12;
+  const auto not_after = [](Position x, Position y) {
+    return x.segment != y.segment ? x.segment < y.segment : x.t <= y.t + doubt;
+  };
+  const Pip& bip = tangle.pips[tangle.boundary->bip];
+  const auto mark = [&](const std::vector<Position>& meetings, Position Pip::*on) {
+    const bool outward = on == &Pip::u;  // pips come the other way round along S
+    const auto& pips = tangle.pips;
+    for (const Position at : meetings) {
+      cuts.boundary = cuts.boundary || not_after(at, bip.*on);
+      // A lobe is cut unless both its pips lie before the place or both behind it.
+      const auto ended = std::partition_point(pips.begin(), pips.end(), [&](const Pip& pip) {
+        return outward ? !not_after(at, pip.*on) : !not_after(pip.*on, at);
+      });
+      const auto begun = std::partition_point(pips.begin(), pips.end(), [&](const Pip& pip) {
+        return outward ? not_after(pip.*on, at) : not_after(at, pip.*on);
+      });
+      const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(ended - pips.begin() - 1, 0));
+      const auto to = std::min(static_cast<std::size_t>(begun - pips.begin()), cuts.lobes.size());
+      for (std::size_t k = from; k < to; ++k) cuts.lobes[k] = true;
+    }
+  };
+  mark(chord_meetings(chord, curves.u()), &Pip::u);
+  mark(chord_meetings(chord, curves.s()), &Pip::s);
+  return cuts;
+}
+
+double nonzero_area(const std::vector<Point>& polygon) {
+  return regions(CurveView{polygon}).areas(WindingRule::nonzero).c1;
+}
+
+double common_area(const std::vector<Point>& first, const std::vector<Point>& second) {
+  return regions(CurveView{first}, CurveView{second}).areas(WindingRule::nonzero).intersection;
+}
+
+// The crossings of the boundary with lobes: node numbers, and for each the lobe it is on.
+struct BoundaryCrossings {
+  std::vector<std::uint32_t> nodes, lobes;
+};
+BoundaryCrossings crossings_with_lobes(const Tangle& tangle) {
+  const auto bip = static_cast<std::int32_t>(tangle.boundary->bip);
+  const auto lobes = static_cast<std::int32_t>(tangle.lobes.size());
+  const std::vector<ArcsAt> arcs = arcs_at_nodes(tangle);
+  BoundaryCrossings found;
+  for (std::uint32_t node = 0; node < arcs.size(); ++node) {
+    const ArcsAt at = arcs[node];
+    if (tangle.nodes.rho(node) == 0 || at.generation() == 0) continue;
+    std::int32_t lobe = -1;
+    if (at.u >= bip && at.s >= bip && at.u < lobes) lobe = at.u;
+    if (at.u < bip && at.s >= 0) lobe = at.s;  // then at.s < at.u < bip
+    if (lobe < 0) continue;
+    found.nodes.push_back(node);
+    found.lobes.push_back(static_cast<std::uint32_t>(lobe));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& options) {
+  if (options.bip && options.bip_near) throw UsageError("the bip is given twice, by number and by place");
+  if (options.bip) {
+    if (*options.bip >= pips.size()) {
+      throw UsageError("there is no pip " + std::to_string(*options.bip) + ": they are numbered 0 to " +
+                       std::to_string(pips.size() - 1));
+    }
+    return *options.bip;
+  }
+  if (!options.bip_near) return pips.size() / 2;
+  const auto distance = [&](const Pip& pip) {
+    return std::hypot(pip.at.x - options.bip_near->x, pip.at.y - options.bip_near->y);
+  };
+  const auto nearest =
+      std::min_element(pips.begin(), pips.end(), [&](const Pip& x, const Pip& y) { return distance(x) < distance(y); });
+  return static_cast<std::size_t>(nearest - pips.begin());
+}
+
+void bound_lobes(Tangle& tangle) {
+  Boundary& boundary = *tangle.boundary;
+  const TangleCurves& curves = *tangle.curves;
+  const std::size_t bip = boundary.bip;
+  const DD twice_area = tangle.pips[bip].gap;  // p- is the origin, so the chord adds nothing
+  boundary.orientation = twice_area.hi < 0 ? -1 : 1;
+  const ChordCuts chord = cuts_of_chord(tangle);
+  boundary.crosses_itself = chord.boundary;
+  std::vector<Point> outline;  // made when it is needed
+  const auto polygon = [&]() -> const std::vector<Point>& {
+    if (outline.empty()) outline = boundary_outline(tangle);
+    return outline;
+  };
+  boundary.area = boundary.crosses_itself ? nonzero_area(polygon()) : std::fabs(curves.area(twice_area));
+  if (curves.smooth) {
+    boundary.smooth_error = curves.area({tangle.pips[bip].gap_error, 0}) + tangle.rounding(boundary.area);
+  }
+
+  const BoundaryCrossings crossings = crossings_with_lobes(tangle);
+  const Buffer<DD> gaps = gaps_at(curves, tangle.nodes.graph(), crossings.nodes);
+  std::vector<DD> sums(tangle.lobes.size());
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    DD& sum = sums[crossings.lobes[k]];
+    sum = tangle.nodes.rho(crossings.nodes[k]) > 0 ? sum + gaps[k] : sum - gaps[k];
+  }
+  std::vector<bool> crossed(tangle.lobes.size());
+  for (const std::uint32_t lobe : crossings.lobes) crossed[lobe] = true;
+
+  for (std::size_t m = 0; m < tangle.lobes.size(); ++m) {
+    Lobe& lobe = tangle.lobes[m];
+    const double area = std::fabs(lobe.area);
+    lobe.meets_chord = chord.lobes[m];
+    if (boundary.crosses_itself || lobe.meets_chord || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
+      const double common = common_area(lobe_outline(tangle, m), polygon());
+      const bool speck = common <= tangle.rounding(area);  // corners of outlines are rounded
+      lobe.inside = speck ? 0 : std::min(area, common);
+      lobe.outside = area - lobe.inside;
+      continue;
+    }
+    const int hands = lobe.orientation() * boundary.orientation;
+    const bool begins_inside = hands == (m >= bip ? -1 : 1);
+    if (!crossed[m]) {
+      (begins_inside ? lobe.inside : lobe.outside) = area;
+      continue;
+    }
+    const DD signed_twice = tangle.pips[m + 1].gap - tangle.pips[m].gap;
+    const DD twice = lobe.orientation() > 0 ? signed_twice : -signed_twice;
+    const DD part = hands == (m >= bip ? -1 : 1) ? sums[m] : -sums[m];
+    // Along the shared arc the lobe is inside or outside; the crossings take away from that or add to it.
+    lobe.inside = std::clamp(curves.area(begins_inside ? twice + part : part), 0.0, area);
+    lobe.outside = std::clamp(curves.area(begins_inside ? -part : twice - part), 0.0, area);
+  }
+}
+
+}  // namespace lober

@@ -1,0 +1,22 @@
+// The boundary B(q) and the parts of the lobes inside it (private to tangle/).
+#pragma once
+
+#include "engine/geometry/tangle/curves.hpp"
+
+namespace lober {
+
+/// The number of the pip that the options ask for. Throws UsageError if it does not exist. There must be a pip.
+[[nodiscard]] std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& options);
+
+/// Fills in `boundary` for its bip, and `inside` and `outside` of every lobe. Exact decisions only: a lobe that the
+/// boundary does not cross lies inside or outside by the side on which it is, with no area computed.
+///
+/// Lobe m >= b shares S_m with the boundary, and its U_m may cross S[q_b, p+]; lobe m < b shares U_m, and its S_m may
+/// cross U[p-, q_b]. With o_m, o_B the orientations, it lies inside along the shared arc if o_m = -o_B (m >= b) or
+/// o_m = o_B (m < b); then
+///   2 inside = [inside along the shared arc] 2 |area| -+ o_m o_B sum of rho D over those crossings.
+/// This holds if neither p- nor p+ lies in the lobe and the chord meets neither the lobe nor the rest of the boundary.
+/// Otherwise polygons are overlaid.
+void bound_lobes(Tangle& tangle);
+
+}  // namespace lober

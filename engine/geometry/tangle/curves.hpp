@@ -1,0 +1,28 @@
+// What a tangle keeps of its curves (private to tangle/).
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "engine/geometry/curve/scaled.hpp"
+#include "engine/geometry/index/index.hpp"
+#include "engine/geometry/tangle/tangle.hpp"
+
+namespace lober {
+
+/// Both curves indexed, at a scale where products stay in range (curve/scaled.hpp).
+struct TangleCurves {
+  int exponent = 0;  // coordinates were multiplied by 2^exponent
+  std::vector<Point> scaled_u, scaled_s;
+  std::shared_ptr<const IndexedCurve> index_u, index_s;  // of the caller's own, or of what was made here
+  bool smooth = false;
+
+  [[nodiscard]] const IndexedCurve& u() const { return *index_u; }
+  [[nodiscard]] const IndexedCurve& s() const { return *index_s; }
+
+  [[nodiscard]] double area(DD twice) const { return scaled_area(twice.hi + twice.lo, -1 - 2 * exponent); }
+  [[nodiscard]] Point origin() const { return u().view().points[0]; }
+};
+
+}  // namespace lober

@@ -1,0 +1,70 @@
+// Lobes and boundary as polygons.
+
+#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/tangle/curves.hpp"
+
+namespace lober {
+namespace {
+
+// The vertices of a curve strictly between two places, the first of which comes first.
+void append_between(const CurveView& curve, Position from, Position to, std::vector<Point>& points) {
+  const auto first = curve.points.begin() + from.segment + 1, last = curve.points.begin() + to.segment + 1;
+  points.insert(points.end(), first, last);
+}
+
+// Where the polygons have it.
+Point place_of_pip(const Tangle& tangle, std::size_t pip) {
+  return tangle.nodes[tangle.pips.at(pip).node].begin;
+}
+
+void append(std::vector<Point>& points, Point point) {
+  if (points.empty() || !(points.back() == point)) points.push_back(point);
+}
+
+}  // namespace
+
+double perimeter(const std::vector<Point>& polygon) {
+  double length = distance(polygon.back(), polygon.front());
+  for (std::size_t k = 1; k < polygon.size(); ++k) length += distance(polygon[k - 1], polygon[k]);
+  return length;
+}
+
+std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe) {
+  const Pip &first = tangle.pips[lobe], &last = tangle.pips[lobe + 1];
+  const Point begin = place_of_pip(tangle, lobe);
+  std::vector<Point> points{begin};
+  append_between(tangle.u(), first.u, last.u, points);
+  append(points, place_of_pip(tangle, lobe + 1));
+  append_between(tangle.s(), last.s, first.s, points);  // S runs from the later pip to the earlier one
+  while (points.size() > 1 && points.back() == begin) points.pop_back();
+  return points;
+}
+
+std::vector<Point> boundary_outline(const Tangle& tangle) {
+  return boundary_outline(tangle, tangle.boundary->bip);
+}
+
+std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t number) {
+  const Pip& bip = tangle.pips.at(number);
+  const auto u = tangle.u().points.first(bip.u.segment + 1);
+  const auto s = tangle.s().points.first(bip.s.segment + 1);
+  std::vector<Point> points(u.begin(), u.end());
+  append(points, place_of_pip(tangle, number));
+  for (std::size_t k = s.size(); k-- > 0;) append(points, s[k]);
+  return points;
+}
+
+SweptArea swept_area(const Tangle& tangle, std::size_t number) {
+  const Pip& pip = tangle.pips.at(number);  // p- is the origin of D, so that the chord adds nothing
+  const double area = tangle.curves->area(pip.gap);
+  return {area, tangle.curves->area({pip.gap_error, 0}) + tangle.rounding(area)};
+}
+
+std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe) {
+  const std::vector<Point> outline = lobe_outline(tangle, lobe);
+  const Regions region = regions(CurveView{outline});
+  const RegionPieces pieces = region.pieces(WindingRule::nonzero, Pairing::c1_minus_c2);
+  return {pieces.areas().begin(), pieces.areas().end()};
+}
+
+}  // namespace lober

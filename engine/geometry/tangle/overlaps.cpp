@@ -1,0 +1,151 @@
+// What lobes have in common, from the crossings alone.
+//
+// Let lobes i < j have orientations o_i, o_j, +1 if the lobe is on the left of its arcs. The boundary of their common
+// part consists of parts of U_i, S_i inside lobe j and of U_j, S_j inside lobe i. They begin and end at crossings x of
+// U_i with S_j or of U_j with S_i (U does not cross U, nor S cross S), where U passes from the left of S to its right
+// if rho(x) = 1. So U_i leaves lobe j there if rho o_j = 1, and S_j leaves lobe i if -rho o_i = 1; with the sums along
+// both curves up to x the two contribute o_i o_j rho (S_U - S_S). The arcs end at pips too: q_i and q_i+1 lie in lobe j
+// if and only if p- does, because U[p-, q_i+1] does not meet lobe j; then all of lobe i is added. Likewise lobe j if p+
+// lies in lobe i.
+//
+// The boundary's length, and the errors of its arcs, are sums of the same kind without the orientations: what has run
+// up along U where it leaves a lobe less what had where it came in, and the same along S.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/smooth/smooth_gaps.hpp"
+#include "engine/geometry/tangle/gaps.hpp"
+#include "engine/geometry/tangle/lobe_topology.hpp"
+
+namespace lober {
+namespace {
+
+// A crossing of U_j with S_i.
+struct Term {
+  std::uint32_t i, j;
+  std::uint32_t node;
+};
+struct Sum {
+  std::uint32_t i, j;
+  DD twice{};
+  double error = 0, length = 0;
+};
+
+// What runs up along the curves to one crossing: the gap, twice the estimated errors of the areas, lengths.
+struct Along {
+  DD gap;
+  double error_u = 0, error_s = 0, doubt = 0;
+  double length_u = 0, length_s = 0;
+};
+
+// Length of a curve up to each vertex.
+std::vector<double> lengths(const CurveView& curve) {
+  std::vector<double> sums(curve.points.size());
+  for (std::size_t k = 1; k < sums.size(); ++k) sums[k] = sums[k - 1] + distance(curve.points[k - 1], curve.points[k]);
+  return sums;
+}
+double length_to(std::span<const double> sums, Position at) {
+  const double from = sums[at.segment];
+  return at.segment + 1 < sums.size() ? from + at.t * (sums[at.segment + 1] - from) : from;
+}
+
+std::vector<Along> sums_along(const Tangle& tangle, std::span<const std::uint32_t> nodes) {
+  std::vector<Along> along(nodes.size());
+  if (nodes.empty()) return along;
+  const Buffer<DD> gaps = polygon_gaps_at(*tangle.curves, tangle.nodes.graph(), nodes);
+  std::vector<double> u, s;
+  run_together(
+      tangle.u().segments() + tangle.s().segments() > 100'000, [&] { u = lengths(tangle.u()); },
+      [&] { s = lengths(tangle.s()); });
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Node node = tangle.nodes[nodes[k]];
+    along[k].gap = gaps[k];
+    along[k].length_u = length_to(u, node.begin1);
+    along[k].length_s = length_to(s, node.begin2);
+  }
+  if (!tangle.curves->smooth) return along;
+  const SmoothGaps smooth =
+      smooth_gaps(tangle.curves->u().view(), tangle.curves->s().view(), tangle.nodes.graph(), nodes);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    along[k].gap += smooth.at[k].twice;
+    along[k].error_u = smooth.at[k].error1;
+    along[k].error_s = smooth.at[k].error2;
+    along[k].doubt = smooth.at[k].doubt;
+  }
+  return along;
+}
+
+DD twice_area(const Tangle& tangle, std::size_t lobe) {
+  const DD twice = tangle.pips[lobe + 1].gap - tangle.pips[lobe].gap;
+  return tangle.lobes[lobe].orientation() > 0 ? twice : -twice;
+}
+
+}  // namespace
+
+std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
+  const auto lobes = static_cast<std::uint32_t>(tangle.lobes.size());
+  const std::vector<ArcsAt> arcs = arcs_at_nodes(tangle);
+  std::vector<std::uint32_t> nodes;
+  std::vector<Term> terms;
+  for (std::uint32_t node = 0; node < arcs.size(); ++node) {
+    const ArcsAt at = arcs[node];  // at.s < at.u, but for pips
+    if (at.s < 0 || at.generation() <= 0 || at.u >= static_cast<std::int32_t>(lobes)) continue;
+    if (tangle.nodes.rho(node) == 0) continue;
+    terms.push_back(
+        {static_cast<std::uint32_t>(at.s), static_cast<std::uint32_t>(at.u), static_cast<std::uint32_t>(nodes.size())});
+    nodes.push_back(node);
+  }
+  const std::vector<Along> along = sums_along(tangle, nodes);
+  std::stable_sort(terms.begin(), terms.end(),
+                   [](const Term& x, const Term& y) { return x.i != y.i ? x.i < y.i : x.j < y.j; });
+
+  std::vector<Sum> sums;
+  for (std::size_t k = 0; k < terms.size();) {
+    Sum sum{terms[k].i, terms[k].j};
+    const int o_i = tangle.lobes[sum.i].orientation(), o_j = tangle.lobes[sum.j].orientation();
+    for (; k < terms.size() && terms[k].i == sum.i && terms[k].j == sum.j; ++k) {
+      const Along& here = along[terms[k].node];
+      const int rho = tangle.nodes.rho(nodes[terms[k].node]);
+      sum.twice = rho > 0 ? sum.twice + here.gap : sum.twice - here.gap;
+      // The crossing is one of U_j with S_i: U leaves lobe i if rho o_i = 1, S leaves lobe j if -rho o_j = 1.
+      sum.error += rho * (o_i * here.error_u - o_j * here.error_s) + here.doubt;
+      sum.length += rho * (o_i * here.length_u - o_j * here.length_s);
+    }
+    if (o_i != o_j) sum.twice = -sum.twice;
+    sums.push_back(sum);
+  }
+  // Lobes that hold a fixed point hold whole lobes; there are hardly ever any.
+  for (std::uint32_t m = 0; m < lobes; ++m) {
+    const auto add = [&](std::uint32_t i, std::uint32_t j, std::uint32_t whole) {
+      sums.push_back({i, j, twice_area(tangle, whole), 2 * tangle.lobes[whole].smooth_error,
+                      perimeter(lobe_outline(tangle, whole))});
+    };
+    if (holds_start_of_u(tangle, m)) {
+      for (std::uint32_t i = 0; i < m; ++i) add(i, m, i);
+    }
+    if (holds_start_of_s(tangle, m)) {
+      for (std::uint32_t j = m + 1; j < lobes; ++j) add(m, j, j);
+    }
+  }
+  std::stable_sort(sums.begin(), sums.end(),
+                   [](const Sum& x, const Sum& y) { return x.i != y.i ? x.i < y.i : x.j < y.j; });
+  std::vector<LobeOverlap> result;
+  for (std::size_t k = 0; k < sums.size();) {
+    Sum total{sums[k].i, sums[k].j};
+    for (; k < sums.size() && sums[k].i == total.i && sums[k].j == total.j; ++k) {
+      total.twice += sums[k].twice;
+      total.error += sums[k].error;
+      total.length += sums[k].length;
+    }
+    const double area = std::max(0.0, tangle.curves->area(total.twice));
+    // Infinite where a whole lobe is added whose area is not known.
+    const double of_arcs = std::isinf(total.error) ? total.error : tangle.curves->area({std::max(0.0, total.error), 0});
+    const double error = of_arcs + tangle.rounding(area);
+    result.push_back({total.i, total.j, area, error, std::max(0.0, total.length)});
+  }
+  return result;
+}
+
+}  // namespace lober

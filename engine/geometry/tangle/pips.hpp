@@ -1,0 +1,16 @@
+// Which crossings are primary, and between which of them the others lie (private to tangle/).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/memory.hpp"
+#include "engine/geometry/crossings/crossings.hpp"
+
+namespace lober {
+
+/// Node numbers of the pips in order along U. One sweep: records of nearness along S. O(nodes). With `turn_u`,
+/// `turn_s`, what they would be if that curve ran the other way.
+[[nodiscard]] std::vector<std::uint32_t> find_pips(const Crossings& nodes, bool turn_u = false, bool turn_s = false);
+
+}  // namespace lober

@@ -1,0 +1,172 @@
+#include "engine/geometry/tangle/tangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/stopwatch.hpp"
+#include "engine/geometry/curve/require.hpp"
+#include "engine/geometry/index/sums_along.hpp"
+#include "engine/geometry/smooth/smooth_gaps.hpp"
+#include "engine/geometry/tangle/boundary.hpp"
+#include "engine/geometry/tangle/gaps.hpp"
+#include "engine/geometry/tangle/images.hpp"
+#include "engine/geometry/tangle/lobe_topology.hpp"
+#include "engine/geometry/tangle/pips.hpp"
+
+namespace lober {
+namespace {
+
+std::shared_ptr<const IndexedCurve> borrowed(const IndexedCurve& index) {
+  return {std::shared_ptr<const IndexedCurve>(), &index};
+}
+
+// At a scale where products stay in range; at that of the given indexes whenever possible.
+std::shared_ptr<const TangleCurves> scaled_curves(std::shared_ptr<const IndexedCurve> u,
+                                                  std::shared_ptr<const IndexedCurve> s, bool smooth) {
+  if (!u->tree().sums_finite()) validate(u->view(), "U");
+  if (!s->tree().sums_finite()) validate(s->view(), "S");
+  auto curves = std::make_shared<TangleCurves>();
+  curves->exponent = comfortable_exponent(unite(u->tree().box(), s->tree().box()));
+  curves->smooth = smooth;
+  if (curves->exponent != 0) {
+    curves->scaled_u = scaled(u->view(), curves->exponent);
+    curves->scaled_s = scaled(s->view(), curves->exponent);
+    u = std::make_shared<const IndexedCurve>(CurveView{curves->scaled_u, false});
+    s = std::make_shared<const IndexedCurve>(CurveView{curves->scaled_s, false});
+  }
+  curves->index_u = std::move(u);
+  curves->index_s = std::move(s);
+  return curves;
+}
+
+std::shared_ptr<const TangleCurves> index_curves(CurveView u, CurveView s, bool smooth) {
+  require_enough_vertices(u, "U");
+  require_enough_vertices(s, "S");
+  return scaled_curves(std::make_shared<const IndexedCurve>(u), std::make_shared<const IndexedCurve>(s), smooth);
+}
+
+// Moves the pips, and the areas of the lobes with them, to where the smooth curves have them.
+void smooth_lobes(Tangle& tangle) {
+  const TangleCurves& curves = *tangle.curves;
+  std::vector<std::uint32_t> nodes;
+  for (const Pip& pip : tangle.pips) nodes.push_back(pip.node);
+  const SmoothGaps smooth = smooth_gaps(curves.u().view(), curves.s().view(), tangle.nodes.graph(), nodes);
+  tangle.fallback_segments = smooth.fallback_segments;
+  tangle.fallback_pips = smooth.fallback_crossings;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Point at = smooth.at[k].at;
+    tangle.pips[k].at = {std::ldexp(at.x, -curves.exponent), std::ldexp(at.y, -curves.exponent)};
+    tangle.pips[k].gap += smooth.at[k].twice;
+    tangle.pips[k].gap_error = smooth.at[k].error1 + smooth.at[k].error2 + smooth.at[k].doubt;
+  }
+  for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
+    const SmoothGap &first = smooth.at[k], &last = smooth.at[k + 1];
+    const double error = last.error1 - first.error1 + (first.error2 - last.error2) + first.doubt + last.doubt;
+    tangle.lobes[k].area = curves.area(tangle.pips[k + 1].gap - tangle.pips[k].gap);
+    tangle.lobes[k].smooth_error = curves.area({error, 0}) + tangle.rounding(tangle.lobes[k].area);
+  }
+}
+
+// How many pips there would be if one of the curves, or both, were given from the other end.
+void remark_direction(Tangle& tangle) {
+  constexpr std::size_t fewest = 5, times = 3;
+  const std::size_t suspicious = std::max(fewest, times * tangle.pips.size());
+  if (tangle.nodes.crossings() < suspicious) return;
+  const auto remark = [&](const char* which, std::size_t pips) {
+    if (pips < suspicious) return;
+    tangle.remarks.push_back(std::string(which) + " given inward? The other way round there would be " +
+                             std::to_string(pips) + " pips instead of " + std::to_string(tangle.pips.size()));
+  };
+  remark("is U", find_pips(tangle.nodes, true, false).size());
+  remark("is S", find_pips(tangle.nodes, false, true).size());
+  remark("are U and S", find_pips(tangle.nodes, true, true).size());
+}
+
+// `index` makes the curves ready.
+template <typename Index>
+Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const Index& index) {
+  const auto report = [&](double fraction) {
+    if (options.progress && !options.progress(fraction)) throw Cancelled();
+  };
+  const Stopwatch watch;
+  Tangle result;
+  report(0);
+  result.curves = index();
+  const TangleCurves& curves = *result.curves;
+  result.timing.index = watch.seconds();
+  if (options.check_simple) {
+    for (const SimpleCheck& check :
+         {require_simple(curves.u(), 1, curves.exponent), require_simple(curves.s(), 2, curves.exponent)}) {
+      result.simple_check.search += check.search;
+      result.simple_check.pairs += check.pairs;
+    }
+  }
+  result.timing.check = watch.seconds() - result.timing.index;
+  report(0.3);
+  result.index = options.index == IndexKind::automatic ? choose_index(curves.u(), curves.s()) : options.index;
+  NodeGraph graph = build_node_graph(curves.u(), curves.s(), result.index);
+  result.timing.crossings = graph.search_seconds;
+  result.timing.order = graph.order_seconds;
+  report(0.8);
+
+  const Stopwatch area_watch;
+  result.nodes = Crossings(std::move(graph), u, s, Orientation::counter_clockwise, Orientation::counter_clockwise);
+  const std::vector<std::uint32_t> pips = find_pips(result.nodes);
+  const Buffer<DD> gaps = polygon_gaps_at(curves, result.nodes.graph(), pips);
+  for (std::size_t k = 0; k < pips.size(); ++k) {
+    const Node node = result.nodes[pips[k]];
+    result.pips.push_back({pips[k], node.begin, node.begin1, node.begin2, node.rho, gaps[k]});
+  }
+  for (std::size_t k = 0; k + 1 < pips.size(); ++k) {
+    result.lobes.emplace_back();
+    result.lobes.back().area = result.lobes.back().polygon_area = curves.area(gaps[k + 1] - gaps[k]);
+  }
+  if (options.smooth && !pips.empty()) smooth_lobes(result);
+  // Who names the bip by its number and the period knows the pips, as those do who grew the manifolds.
+  if (!options.bip || options.period == 0) remark_direction(result);
+  result.timing.pips = area_watch.seconds();
+  if (pips.empty()) {
+    if (options.bip || options.bip_near) throw UsageError("a bip is given, but the manifolds do not cross");
+    const auto first = u.points, second = s.points;
+    result.remarks.emplace_back(std::equal(first.begin(), first.end(), second.begin(), second.end()) ||
+                                        std::equal(first.begin(), first.end(), second.rbegin(), second.rend())
+                                    ? "U and S are one and the same curve: no pip, no lobe, no boundary"
+                                    : "the manifolds do not cross: no pip, no lobe, no boundary");
+  } else {
+    if (pips.size() == 1) result.remarks.emplace_back("one pip only: a boundary, but no lobe");
+    result.boundary = Boundary{.bip = choose_bip(result.pips, options)};
+    if (result.nodes.touches() + result.nodes.shared_arcs() > 0) mark_pinched_lobes(result);
+    bound_lobes(result);
+  }
+  result.images = find_images(result, options.period);
+  result.timing.areas = area_watch.seconds() - result.timing.pips;
+  result.timing.total = watch.seconds();
+  report(1);
+  return result;
+}
+
+}  // namespace
+
+double Tangle::rounding(double area) const {
+  const Box box = unite(curves->u().tree().box(), curves->s().tree().box());
+  const double lost = lost_in_sums(box.extent(), nodes.size(), u().segments() + s().segments());
+  if (curves->exponent == 0) return std::fabs(area) * 0x1p-53 + lost;
+  return std::fabs(area) * 0x1p-53 + scaled_bound(lost, -2 * curves->exponent);
+}
+
+Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
+  require_open(u, "U", "tangle");
+  require_open(s, "S", "tangle");
+  return find_tangle(u, s, options, [&] { return index_curves(u, s, options.smooth); });
+}
+
+Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options) {
+  require_open(u.view(), "U", "tangle");
+  require_open(s.view(), "S", "tangle");
+  require_enough_vertices(u.view(), "U");
+  require_enough_vertices(s.view(), "S");
+  return find_tangle(u.view(), s.view(), options,
+                     [&] { return scaled_curves(borrowed(u), borrowed(s), options.smooth); });
+}
+
+}  // namespace lober

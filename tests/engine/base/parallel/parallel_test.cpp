@@ -1,0 +1,42 @@
+#include "engine/base/parallel/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <set>
+#include <thread>
+
+namespace lober {
+namespace {
+
+// Every piece waits until so many threads are in one at the same time; false when they never are.
+bool meet_at_once(std::size_t threads) {
+  std::mutex mutex;
+  std::condition_variable all_here;
+  std::set<std::thread::id> present;
+  bool met = true;
+  for_each_block(threads, 1, [&](std::size_t, std::size_t) {
+    std::unique_lock lock(mutex);
+    present.insert(std::this_thread::get_id());
+    all_here.notify_all();
+    // As long as a very busy machine may take to start a thread.
+    if (!all_here.wait_for(lock, std::chrono::seconds(60), [&] { return present.size() == threads; })) met = false;
+  });
+  return met;
+}
+
+TEST(Parallel, SoManyThreadsWorkAtOnceAlsoMoreThanTheMachineHas) {
+  for (const int threads : {2, 3, 7}) {
+    EXPECT_TRUE(with_threads(threads, [&] { return meet_at_once(static_cast<std::size_t>(threads)); }))
+        << threads << " threads";
+  }
+}
+
+TEST(Parallel, FewerThreadsWithinMore) {
+  EXPECT_TRUE(with_threads(7, [] { return with_threads(3, [] { return meet_at_once(3); }); }));
+}
+
+}  // namespace
+}  // namespace lober

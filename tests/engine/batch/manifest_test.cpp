@@ -1,0 +1,169 @@
+#include "engine/batch/manifest.hpp"
+
+#include <algorithm>
+
+#include "engine/batch/curve_set.hpp"
+#include "engine/batch/dealer.hpp"
+#include "engine/batch/plan.hpp"
+#include "engine/files/files.hpp"
+#include "tests/engine/batch/scratch_folder.hpp"
+
+namespace lober {
+namespace {
+
+class ManifestTest : public ScratchFolder {
+ protected:
+  ManifestTest() {
+    for (const char* const name : {"separ.0", "separ.1", "separ.2", "separ.10", "other.a", "other.b"}) {
+      write(name, "0 0\n1 0\n0 1\n");
+    }
+    write_tecplot(path("zones.dat"), std::vector<Zone>{{"one", wavy(9, 0), 1}, {"two", wavy(9, 1), 1}});
+  }
+  Plan plan(const std::string& text) {
+    write("job.toml", text);
+    return make_plan(read_manifest(path("job.toml")));
+  }
+  // "first second" of each job.
+  std::vector<std::string> pairs(const std::string& text) {
+    const Plan all = plan(text);
+    std::vector<std::string> names;
+    for (const PlannedJob& job : all.jobs) {
+      names.push_back(all.curves[job.first].name + (job.second == no_curve ? "" : " " + all.curves[job.second].name));
+    }
+    return names;
+  }
+  // What is refused, without the folder.
+  std::string refusal(const std::string& text) {
+    try {
+      (void)plan(text);
+    } catch (const UsageError& error) {
+      return std::string(error.what()).substr(path("").size());
+    }
+    return "";
+  }
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(ManifestTest, AllPairsInThreeLines) {
+  EXPECT_EQ(pairs("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"all\"\n"),
+            (Names{"separ.0 separ.1", "separ.0 separ.2", "separ.0 separ.10", "separ.1 separ.2", "separ.1 separ.10",
+                   "separ.2 separ.10"}));
+}
+
+TEST_F(ManifestTest, KindsOfPairs) {
+  const std::string head = "operation = \"overlay\"\ncurves = \"separ.*\"\n";
+  EXPECT_EQ(pairs(head + "pairs = \"consecutive\""), (Names{"separ.0 separ.1", "separ.1 separ.2", "separ.2 separ.10"}));
+  EXPECT_EQ(pairs(head + "pairs = { lag = 3 }"), (Names{"separ.0 separ.10"}));
+  EXPECT_EQ(pairs("operation = \"overlay\"\ncurves = [\"other.*\", \"separ.1\"]\nwith = \"separ.[01]\"\npairs = "
+                  "\"product\""),
+            (Names{"other.a separ.0", "other.a separ.1", "other.b separ.0", "other.b separ.1", "separ.1 separ.0"}));
+  EXPECT_EQ(
+      pairs("operation = \"overlay\"\npairs = [[\"separ.2\", \"other.b\"], [\"zones.dat#1\", \"zones.dat#one\"]]"),
+      (Names{"separ.2 other.b", "zones.dat#1 zones.dat#0"}));
+  EXPECT_EQ(pairs("operation = \"densify\"\ncurves = \"other.?\"\noptions.tau = 0.1"), (Names{"other.a", "other.b"}));
+  EXPECT_EQ(pairs("operation = \"overlay\"\ncurves = \"zones.dat#*\""), (Names{"zones.dat#0 zones.dat#1"}));
+}
+
+TEST_F(ManifestTest, GroupsOptionsAndGrids) {
+  const Plan all = plan(R"(curves = "separ.*"
+options = { index = "tree" }
+[[group]]
+operation = "overlay"
+pairs = "consecutive"
+[[group]]
+name = "fine"
+operation = "interior"
+pairs = { lag = 3 }
+options = { method = "ends", index = "grid" }
+grid = { passes = [1, 2], points = [10, 20] }
+)");
+  ASSERT_EQ(all.groups.size(), 5U);
+  EXPECT_EQ(all.groups[0].spelled(), "areas_only=false discretisation=true lobes=false index=tree");
+  EXPECT_EQ(all.groups[1].spelled(), "method=ends passes=1 points=10 index=grid");
+  EXPECT_EQ(all.groups[4].spelled(), "method=ends passes=2 points=20 index=grid");
+  EXPECT_EQ(all.groups[4].name, "fine");
+  EXPECT_EQ(all.jobs.size(), 3U + 4);
+  EXPECT_EQ(options_of(all.groups[3]).spelled(), all.groups[3].spelled());
+}
+
+TEST_F(ManifestTest, RefusalsNameLineAndKey) {
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npair = \"all\"").substr(0, 43),
+            "job.toml:3: pair: there is no such key; the");
+  EXPECT_EQ(
+      refusal("operation = \"overly\"\ncurves = \"separ.*\""),
+      "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, tangle, "
+      "densify, transport");
+  EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
+  EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");
+  EXPECT_EQ(refusal("operation = \"overlay\"\n\ncurves = \"sepra.*\""), "job.toml:3: curves: there is no file sepra.*");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"al\"").substr(0, 53),
+            "job.toml:3: pairs: \"al\" is none of all, consecutive, ");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\n[options]\nindex = \"gird\""),
+            "job.toml:4: options.index: \"gird\" is none of auto, tree, grid, kd");
+  EXPECT_EQ(refusal("operation = \"interior\"\ncurves = \"separ.*\"\n[grid]\npasses = [1,\n  -1]"),
+            "job.toml:5: options.passes: has to be at least 0");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\""), "job.toml:2: curves: no pair comes of this");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"zones.dat#three\""),
+            "job.toml:2: curves: zones.dat has no zone titled \"three\"");
+  EXPECT_EQ(refusal("operation = \"overlay\"\nsystem = \"standard\"").substr(0, 18), "job.toml:2: system");
+  EXPECT_EQ(refusal("operation = \"tangle\"\ncurves = \"separ.*\"\nclosed = true"),
+            "job.toml:3: closed: tangle takes open curves");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = = 3").substr(0, 11), "job.toml:2:");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"single\""),
+            "job.toml:3: pairs: overlay takes two curves");
+}
+
+TEST_F(ManifestTest, ShardsAreAPartition) {
+  const Plan all = plan(R"(curves = "separ.*"
+[[group]]
+operation = "overlay"
+[[group]]
+operation = "interior"
+)");
+  std::vector<int> seen(all.jobs.size());
+  for (std::size_t k = 0; k < 5; ++k) {
+    for (const std::uint32_t job : jobs_of(all, {k, 5})) ++seen[job];
+  }
+  EXPECT_EQ(seen, std::vector<int>(all.jobs.size(), 1));
+}
+
+TEST_F(ManifestTest, DealerDealsEachJobOnceInShrinkingPortions) {
+  const Plan all = plan("operation = \"densify\"\ncurves = \"separ.*\"\n[grid]\ntau = [" + [] {
+    std::string taus = "1";
+    for (int k = 2; k < 1000; ++k) taus += "," + std::to_string(k);
+    return taus;
+  }() + "]");
+  std::vector<std::uint32_t> numbers = jobs_of(all, {});
+  Dealer dealer(all, path("job.toml"), numbers, 3);
+  std::vector<std::uint32_t> dealt;
+  std::size_t before = numbers.size();
+  for (std::vector<std::uint32_t> portion = dealer.deal(); !portion.empty(); portion = dealer.deal()) {
+    EXPECT_LE(portion.size(), before);
+    before = portion.size();
+    dealt.insert(dealt.end(), portion.begin(), portion.end());
+  }
+  std::sort(dealt.begin(), dealt.end());
+  EXPECT_EQ(dealt, numbers);
+  EXPECT_LT(before, numbers.size() / 10);
+}
+
+TEST_F(ManifestTest, PlanComesBackFromItsBytes) {
+  const Plan all = plan("operation = \"overlay\"\ncurves = [\"separ.*\", \"zones.dat#*\"]");
+  const std::string bytes = all.encoded();
+  EXPECT_EQ(Plan::decoded(bytes).encoded(), bytes);
+  EXPECT_THROW((void)Plan::decoded(bytes.substr(0, bytes.size() / 2)), DataError);
+}
+
+TEST(NaturalOrder, RunsOfDigitsAreNumbers) {
+  EXPECT_TRUE(natural_less("a2", "a10"));
+  EXPECT_FALSE(natural_less("a10", "a2"));
+  EXPECT_TRUE(natural_less("a9.x", "a10.b"));
+  EXPECT_TRUE(natural_less("a", "b"));
+  EXPECT_TRUE(natural_less("a", "a1"));
+  EXPECT_FALSE(natural_less("a1", "a1"));
+  EXPECT_NE(natural_less("a01", "a1"), natural_less("a1", "a01"));
+}
+
+}  // namespace
+}  // namespace lober

@@ -1,0 +1,372 @@
+// Tubes and the table of escape against reference values: areas by action in quadruple precision, fractions from curves
+// of another program and 1.2e8 trajectories.
+#include "engine/dynamics/escape/escape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/escape/monte_carlo.hpp"
+#include "engine/dynamics/systems/system.hpp"
+
+namespace lober {
+namespace {
+
+constexpr double energy = 0.25307;
+constexpr std::array<double, 9> known{
+    0, 0, 0, 0, 0.111522124886, 0.029905210198, 0.001081405359, 0.003073452366, 0.009601023222};
+
+const System& ship() {
+  static const System system = make_system("capsize");
+  return system;
+}
+
+Escape table(double tolerance, int crossings, double integration = 1e-13) {
+  EscapeOptions options;
+  options.tolerance = tolerance;
+  options.crossings = crossings;
+  options.integration.tolerance = integration;
+  return escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+}
+
+// Coarse, but good enough for the nine digits asked for.
+const Escape& coarse() {
+  static const Escape result = table(1e-5, 4);
+  return result;
+}
+
+// The m of F_m by entry, exit and n: enter left, exit right after n crossings is m = 2n - 2, and so on.
+int expected_iterates(const EscapeFraction& row) {
+  if (row.entry == 0) return row.exit == 1 ? 2 * row.crossings - 2 : 2 * row.crossings - 1;
+  return row.exit == 0 ? 2 * row.crossings : 2 * row.crossings - 1;
+}
+
+TEST(Tube, EnclosesTheActionOfItsOrbit) {
+  EscapeOptions options;
+  options.tolerance = 1e-7;
+  options.integration.tolerance = 1e-14;
+  const auto necks =
+      bottlenecks(*ship().flow, *ship().section, energy, std::vector<FlowState>{ship().saddles[1]}, options);
+  ASSERT_EQ(necks.size(), 1U);
+  const double area = 0.012534801639697775517;
+  EXPECT_NEAR(necks[0].area, area, 1e-12 * area);
+  EXPECT_NEAR(necks[0].entry[0].area, area, 1e-11 * area);
+  EXPECT_NEAR(necks[0].exit[0].area, area, 1e-11 * area);
+  EXPECT_LE(necks[0].defect_across, 1e-13);
+  EXPECT_NEAR(necks[0].multiplier, 39.09601030324, 1e-8);
+}
+
+void check_areas() {
+  for (const Bottleneck& neck : coarse().bottlenecks) {
+    EXPECT_EQ(neck.entry.size(), 5U);
+    EXPECT_EQ(neck.exit.size(), 5U);
+    EXPECT_LT(neck.area_defect, 1e-6);
+    for (const auto* curves : {&neck.entry, &neck.exit}) {
+      for (const TubeCurve& curve : *curves) {
+        EXPECT_LE(std::fabs(curve.area - neck.area), curve.area_error + neck.area_error);
+      }
+    }
+  }
+}
+
+TEST(Tube, OfTheThreeBodyProblemReachesTheOuterSection) {
+  const System system = make_system("pcr3bp");
+  EscapeOptions options;
+  options.tolerance = 1e-5;
+  const auto necks =
+      bottlenecks(*system.flow, *system.section, -1.515, std::vector<FlowState>{system.saddles[1]}, options);
+  EXPECT_LT(necks[0].area_defect, 1e-8);
+  // The reversor (x, px) -> (x, -px) exchanges both tubes.
+  const auto box_of = [](CurveView curve, double sign) {
+    Box box;
+    for (const Point& p : curve.points) box = unite(box, Box::of({p.x, sign * p.y}, {p.x, sign * p.y}));
+    return box;
+  };
+  const Box in = box_of(necks[0].entry[0].view(), 1), out = box_of(necks[0].exit[0].view(), -1);
+  EXPECT_NEAR(in.min_x(), out.min_x(), 1e-4);
+  EXPECT_NEAR(in.max_x(), out.max_x(), 1e-4);
+  EXPECT_NEAR(in.min_y(), out.min_y(), 1e-4);
+  EXPECT_NEAR(in.max_y(), out.max_y(), 1e-4);
+  EXPECT_LT(in.max_x(), -1);
+}
+
+void check_values() {
+  const Escape& result = coarse();
+  ASSERT_EQ(result.table.size(), 16U);
+  for (const EscapeFraction& row : result.table) {
+    SCOPED_TRACE(row.iterates);
+    EXPECT_EQ(row.iterates, expected_iterates(row));
+    ASSERT_TRUE(row.known());
+    EXPECT_NEAR(row.fraction, known[static_cast<std::size_t>(row.iterates)], 1e-9);
+    EXPECT_LE(std::fabs(row.fraction - known[static_cast<std::size_t>(row.iterates)]), row.error + 1e-12);
+    EXPECT_LT(row.error, 1e-7);
+  }
+}
+
+void check_splits() {
+  int compared = 0;
+  for (const EscapeFraction& row : coarse().table) {
+    if (!(row.other == row.other)) continue;
+    EXPECT_NE(row.forward, row.other_forward);
+    EXPECT_NEAR(row.fraction, row.other, 1e-9);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 14);  // all but m = 0 and m = 8
+  EXPECT_LT(coarse().largest_split_difference, 1e-9);
+}
+
+void check_symmetry() {
+  // (x, vx) -> (-x, -vx) exchanges left and right; nothing in the engine knows.
+  for (const EscapeFraction& a : coarse().table) {
+    for (const EscapeFraction& b : coarse().table) {
+      if (a.iterates != b.iterates) continue;
+      EXPECT_NEAR(a.fraction, b.fraction, a.error + b.error + 1e-14);
+    }
+  }
+}
+
+void check_survival() {
+  for (std::size_t entry = 0; entry < 2; ++entry) {
+    const auto steps = survival(coarse(), entry);
+    ASSERT_EQ(steps.size(), 4U);
+    const int last = entry == 0 ? 7 : 8;
+    const double gone = std::accumulate(known.begin(), known.begin() + last + 1, 0.0);
+    EXPECT_NEAR(steps.back().remains, 1 - gone, 1e-8);
+    EXPECT_EQ(steps.front().remains, 1);
+    for (const Survival& step : steps) EXPECT_NEAR(step.left[0] + step.left[1] + step.remains, 1, 1e-15);
+  }
+}
+
+void check_trajectories() {
+  MonteCarloOptions options;
+  options.trajectories = 10000;
+  const MonteCarlo two = with_threads(2, [&] { return monte_carlo(*ship().flow, coarse(), options); });
+  EXPECT_EQ(two.lost, 0U);
+  EXPECT_LE(two.largest_deviation, 3.0);
+  options.trajectories = 3000;
+  const auto counts = [&](int threads) {
+    std::vector<std::uint64_t> list;
+    const MonteCarlo result = with_threads(threads, [&] { return monte_carlo(*ship().flow, coarse(), options); });
+    for (const MonteCarloFraction& row : result.table) list.push_back(row.count);
+    return list;
+  };
+  const auto one = counts(1);
+  EXPECT_EQ(one, counts(3));
+  options.seed = 2;
+  EXPECT_NE(one, counts(1));
+}
+
+// One test, because each one is a process of its own and all need the same table.
+TEST(Escape, TableOfTheShip) {
+  check_areas();
+  check_values();
+  check_splits();
+  check_symmetry();
+  check_survival();
+  check_trajectories();
+}
+
+TEST(Escape, GoesOnWhereImagesAreTorn) {
+  EscapeOptions options;
+  options.tolerance = 3e-5;
+  options.crossings = 5;
+  const Escape result = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  ASSERT_EQ(result.table.size(), 20U);
+  int torn = 0;
+  for (const EscapeFraction& row : result.table) {
+    SCOPED_TRACE(row.iterates);
+    ASSERT_TRUE(row.known());
+    EXPECT_EQ(row.torn, row.iterates > 8);
+    if (!row.torn) continue;
+    ++torn;
+    // What the program gives at ten times the resolution; splits and the mirror image agree with it to the error bars.
+    EXPECT_NEAR(row.fraction, row.iterates == 9 ? 0.0124649 : 0.0081919, row.error);
+    EXPECT_LT(row.error, 1e-4);
+    if (!(row.other == row.other)) continue;
+    EXPECT_NEAR(row.fraction, row.other, 2 * row.error);
+  }
+  EXPECT_EQ(torn, 3);
+  // What is torn holds all that has not left.
+  for (const Bottleneck& neck : result.bottlenecks) {
+    for (const auto* curves : {&neck.entry, &neck.exit}) {
+      ASSERT_EQ(curves->size(), 6U);
+      EXPECT_TRUE(curves->back().torn);
+      EXPECT_NEAR(std::fabs(signed_area(curves->back().view())), neck.area * (1 - known[4]), 1e-3 * neck.area);
+    }
+  }
+}
+
+TEST(Escape, FindsTheTangency) {
+  // F_6 is born at energy 0.252962.
+  for (const bool above : {false, true}) {
+    EscapeOptions options;
+    options.tolerance = 1e-5;
+    options.crossings = 3;
+    const Escape result = escape(*ship().flow, *ship().section, above ? 0.252965 : 0.252959, ship().saddles, options);
+    for (const EscapeFraction& row : result.table) {
+      if (row.iterates != 6) continue;
+      EXPECT_EQ(row.fraction > 0, above);
+    }
+  }
+}
+
+TEST(Escape, EndsBeforeTheNextImageIsTooMuch) {
+  EscapeOptions options;
+  options.tolerance = 1e-5;
+  options.crossings = 30;
+  options.most_points = 3000;
+  const Escape result = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  EXPECT_EQ(result.stop, EscapeStop::points);
+  EXPECT_GE(result.crossings, 1);
+  EXPECT_LT(result.crossings, 30);
+  EXPECT_GT(result.points_ahead, 3000);
+  EXPECT_EQ(result.table.size(), 4U * static_cast<std::size_t>(result.crossings));
+  for (const EscapeFraction& row : result.table) {
+    EXPECT_TRUE(row.known());
+    EXPECT_NEAR(row.fraction, known[static_cast<std::size_t>(row.iterates)], 1e-8);
+  }
+  options.most_points = 1'000'000;
+  options.budget = 1e-9;
+  const Escape none = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  EXPECT_EQ(none.stop, EscapeStop::budget);
+  EXPECT_EQ(none.crossings, 0);
+  EXPECT_TRUE(none.table.empty());
+  EXPECT_EQ(none.bottlenecks.size(), 2U);
+}
+
+TEST(Escape, RowsComeOneByOneAndOutliveAnInterrupt) {
+  EscapeOptions options;
+  options.tolerance = 1e-4;
+  options.crossings = 4;
+  std::vector<int> told;
+  options.rows_known = [&](const Escape& so_far, int n) {
+    told.push_back(n);
+    EXPECT_EQ(so_far.crossings, n);
+    EXPECT_EQ(so_far.table.size(), 4U * static_cast<std::size_t>(n));
+    EXPECT_EQ(so_far.bottlenecks.size(), 2U);
+  };
+  options.progress = [](const EscapeProgress& at) { return at.images < 3; };
+  const Escape result = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  EXPECT_EQ(told, (std::vector<int>{1, 2}));
+  EXPECT_EQ(result.stop, EscapeStop::cancelled);
+  EXPECT_EQ(result.crossings, 2);
+  EXPECT_EQ(result.table.size(), 8U);
+  EXPECT_EQ(survival(result, 0).size(), 2U);
+  options.progress = [](const EscapeProgress&) { return false; };
+  EXPECT_THROW((void)escape(*ship().flow, *ship().section, energy, ship().saddles, options), Cancelled);
+}
+
+// A flow whose integral of p dq is wrong by one part in a hundred million.
+class WrongAction final : public Flow {
+ public:
+  explicit WrongAction(const Flow& flow) : flow_(flow) {}
+  [[nodiscard]] int dimension() const override { return flow_.dimension(); }
+  [[nodiscard]] double period() const override { return flow_.period(); }
+  [[nodiscard]] FlowState velocity(const FlowState& x, double t) const override { return flow_.velocity(x, t); }
+  [[nodiscard]] FlowMatrix jacobian(const FlowState& x, double t) const override { return flow_.jacobian(x, t); }
+  [[nodiscard]] std::span<const ConjugatePair> conjugate_pairs() const override { return flow_.conjugate_pairs(); }
+  [[nodiscard]] double hamiltonian(const FlowState& x, double t) const override { return flow_.hamiltonian(x, t); }
+  void integrate(std::span<FlowState> states, double from, double to, const IntegrationOptions& o) const override {
+    flow_.integrate(states, from, to, o);
+  }
+  FlowState integrate_with_derivative(const FlowState& x, double from, double to, FlowMatrix& derivative,
+                                      const IntegrationOptions& o) const override {
+    return flow_.integrate_with_derivative(x, from, to, derivative, o);
+  }
+  FlowState integrate_with_action(const FlowState& x, double from, double to, double& action,
+                                  const IntegrationOptions& o) const override {
+    const FlowState end = flow_.integrate_with_action(x, from, to, action, o);
+    action *= 1 + 1e-8;
+    return end;
+  }
+  void to_section(std::span<FlowState> states, std::span<double> times, const Section& section, int crossings,
+                  const IntegrationOptions& o) const override {
+    flow_.to_section(states, times, section, crossings, o);
+  }
+  [[nodiscard]] std::unique_ptr<PlanarMap> stroboscopic_map(double phase, const IntegrationOptions& o) const override {
+    return flow_.stroboscopic_map(phase, o);
+  }
+  [[nodiscard]] std::unique_ptr<PlanarMap> section_map(const Section& section, double at,
+                                                       const IntegrationOptions& o) const override {
+    return flow_.section_map(section, at, o);
+  }
+  [[nodiscard]] FlowState on_section(const Section& section, double at, Point point) const override {
+    return flow_.on_section(section, at, point);
+  }
+
+ private:
+  const Flow& flow_;
+};
+
+TEST(Escape, SaysWhenTwoRoutesDisagree) {
+  EscapeOptions options;
+  options.crossings = 2;
+  options.tolerance = 1e-5;
+  const Escape right = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  int splits = 0, areas = 0, mirrored = 0, reversed = 0;
+  for (const Comparison& comparison : right.agreement.comparisons) {
+    EXPECT_TRUE(comparison.agrees()) << comparison.what << ' ' << comparison.difference() << ' ' << comparison.bar;
+    splits += comparison.first_by.starts_with("split") ? 1 : 0;
+    areas += comparison.second_by == "action" ? 1 : 0;
+    mirrored += comparison.second_by.starts_with("symmetry") ? 1 : 0;
+    reversed += comparison.second_by.starts_with("time reversal") ? 1 : 0;
+  }
+  EXPECT_GT(splits, 0);
+  EXPECT_GE(areas, 12);
+  EXPECT_GT(mirrored, 0);
+  EXPECT_GT(reversed, 0);
+  const Escape wrong = escape(WrongAction(*ship().flow), *ship().section, energy, ship().saddles, options);
+  EXPECT_FALSE(wrong.agreement.agrees());
+}
+
+TEST(Escape, ComparesTrajectoriesWithCurves) {
+  const Escape& result = coarse();
+  MonteCarloOptions options;
+  options.trajectories = 5000;
+  MonteCarlo counted = monte_carlo(*ship().flow, result, options);
+  Agreement agreement;
+  compare(result, counted, agreement);
+  EXPECT_EQ(agreement.comparisons.size(), result.table.size());
+  EXPECT_TRUE(agreement.agrees());
+  for (MonteCarloFraction& row : counted.table) row.fraction += 0.02;
+  compare(result, counted, agreement);
+  EXPECT_FALSE(agreement.agrees());
+}
+
+TEST(Escape, SameBitsForAnyNumberOfThreads) {
+  const auto of = [](int threads) { return with_threads(threads, [] { return table(1e-3, 2); }); };
+  const Escape one = of(1);
+  for (const int threads : {2, 5}) {
+    const Escape other = of(threads);
+    for (std::size_t k = 0; k < one.table.size(); ++k) EXPECT_EQ(one.table[k].fraction, other.table[k].fraction);
+    for (std::size_t k = 0; k < 2; ++k) {
+      ASSERT_EQ(one.bottlenecks[k].entry.size(), other.bottlenecks[k].entry.size());
+      for (std::size_t j = 0; j < one.bottlenecks[k].entry.size(); ++j) {
+        EXPECT_EQ(one.bottlenecks[k].entry[j].image.points, other.bottlenecks[k].entry[j].image.points);
+      }
+    }
+  }
+}
+
+TEST(Escape, SaysWhatIsWrong) {
+  const Flow& flow = *ship().flow;
+  const auto attempt = [&](const Section& section, double at, std::span<const FlowState> saddles) {
+    (void)escape(flow, section, at, saddles, {});
+  };
+  Section section = *ship().section;
+  EXPECT_THROW(attempt(section, 0.2, ship().saddles), UsageError);
+  EXPECT_THROW(attempt(section, energy, {}), UsageError);
+  EXPECT_THROW(attempt(section, energy, std::vector<FlowState>{ship().saddles[0], ship().saddles[0]}), UsageError);
+  section.direction = 0;
+  EXPECT_THROW(attempt(section, energy, ship().saddles), UsageError);
+  section = *ship().section;
+  section.coordinate = 2;
+  EXPECT_THROW(attempt(section, energy, ship().saddles), UsageError);
+}
+
+}  // namespace
+}  // namespace lober

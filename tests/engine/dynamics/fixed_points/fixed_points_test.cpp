@@ -1,0 +1,136 @@
+// Fixed points against reference values, and scans that find all of them.
+#include "engine/dynamics/fixed_points/fixed_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/error.hpp"
+#include "engine/dynamics/dynamics.hpp"
+
+namespace lober {
+namespace {
+
+struct Reference {
+  const char* system;
+  double gamma, x, lambda;
+};
+
+// 18 digits, from quadruple precision.
+constexpr Reference references[] = {{"ovp", 0.5, 1.451260038107551142, 5.075684315001539492},
+                                    {"ovp1", 0.5, 1.455237909563602025, 5.095707482544454574},
+                                    {"ovp", 1.81, 1.566971704841645925, 389.431939040229329},
+                                    {"ovp1", 1.81, 1.565153556496252236, 392.076048038816274}};
+
+TEST(FixedPoints, OfTheVortexPair) {
+  for (const Reference& reference : references) {
+    SCOPED_TRACE(reference.system + std::string(" ") + std::to_string(reference.gamma));
+    const System system = make_system(reference.system, {{"gamma", reference.gamma}, {"eps", 0.1}});
+    // A scan of the window finds both, and nothing takes them for others.
+    int found = 0;
+    for (const FixedPoint& p : find_fixed_points(*system.map, system.window)) {
+      if (p.kind != FixedPointKind::saddle || std::abs(p.at.y) > 1e-9) continue;
+      ++found;
+      const double side = p.at.x < 0 ? -1 : 1;
+      EXPECT_NEAR(p.at.x, side * reference.x, 1e-12);
+      EXPECT_NEAR(p.at.y, 0, 1e-12);
+      EXPECT_NEAR(p.eigenvalues[0].real() / reference.lambda, 1, 1e-12);
+      EXPECT_NEAR(p.eigenvalues[1].real() * reference.lambda, 1, 1e-12);
+      // y = 0 is invariant: it is unstable on the left.
+      EXPECT_NEAR(p.directions[side < 0 ? 0 : 1].x, 1, 1e-12);
+      EXPECT_LT(p.residual, 1e-11);
+    }
+    EXPECT_EQ(found, 2);
+  }
+}
+
+TEST(FixedPoints, OfTheThreeBodyProblem) {
+  const System system = make_system("pcr3bp");
+  const FixedPoint p = find_fixed_point(*system.map, {-2.03, 0.001});
+  EXPECT_EQ(p.kind, FixedPointKind::saddle);
+  EXPECT_NEAR(p.at.x, -2.02957956736457496, 2e-12);
+  EXPECT_NEAR(p.at.y, 0, 1e-12);
+  EXPECT_NEAR(p.eigenvalues[0].real() / 31.552237923806206, 1, 1e-12);
+  EXPECT_NEAR(p.directions[0].y / p.directions[0].x, 0.28723120925948504, 1e-12);
+  EXPECT_NEAR(p.directions[1].y / p.directions[1].x, -0.28723120925948504, 1e-12);
+}
+
+TEST(FixedPoints, OfMapsByFormula) {
+  const double k = 1.2;
+  const System standard = make_system("standard", {{"K", k}});
+  const FixedPoint saddle = find_fixed_point(*standard.map, {0.2, 0.1});
+  EXPECT_NEAR(saddle.at.x, 0, 1e-15);
+  EXPECT_NEAR(saddle.at.y, 0, 1e-15);
+  EXPECT_NEAR(saddle.eigenvalues[0].real(), 1 + k / 2 + std::sqrt(k + k * k / 4), 1e-14);
+  const FixedPoint centre = find_fixed_point(*standard.map, {3, 0.1});
+  EXPECT_EQ(centre.kind, FixedPointKind::centre);
+  EXPECT_NEAR(std::abs(centre.eigenvalues[0]), 1, 1e-14);
+  EXPECT_NEAR(2 * centre.eigenvalues[0].real(), 2 - k, 1e-14);
+  // A rotation by 2 pi a step is fixed modulo the lattice.
+  const FixedPoint rotation = find_fixed_point(*standard.map, {0.2, 6}, {.shift = standard.lattice});
+  EXPECT_NEAR(rotation.at.y, 2 * std::numbers::pi, 1e-14);
+  EXPECT_EQ(rotation.kind, FixedPointKind::saddle);
+
+  const FixedPoint inverse = find_fixed_point(*make_system("standard", {{"K", 5}}).map, {3, 0.1});
+  EXPECT_EQ(inverse.kind, FixedPointKind::inverse_saddle);
+  EXPECT_NEAR(inverse.eigenvalues[0].real(), -1.5 - std::sqrt(1.25), 1e-13);
+}
+
+TEST(FixedPoints, ScanFindsAllOfTheHenonMap) {
+  const System henon = make_system("henon", {{"k", 0.5}});
+  const std::vector<FixedPoint> points = find_fixed_points(*henon.map, henon.window);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(points[0].at.x, 1 - std::sqrt(1.5), 1e-14);
+  EXPECT_EQ(points[0].kind, FixedPointKind::centre);
+  EXPECT_NEAR(points[1].at.x, 1 + std::sqrt(1.5), 1e-14);
+  EXPECT_EQ(points[1].kind, FixedPointKind::saddle);
+  // x + x' = c^2 - k twice over: for k > 3 two points of period 2 more, x = -1 +- sqrt(k - 3).
+  const System wide = make_system("henon", {{"k", 4}});
+  const std::vector<FixedPoint> two = find_fixed_points(*wide.map, wide.window, {.period = 2});
+  ASSERT_EQ(two.size(), 4U);
+  EXPECT_EQ(two[1].period, 1);
+  EXPECT_EQ(two[2].period, 2);
+  EXPECT_NEAR(two[2].at.x, -2, 1e-13);
+  EXPECT_NEAR(two[3].at.x, 0, 1e-13);
+}
+
+TEST(FixedPoints, ScanFindsThePointsOfFlows) {
+  const System duffing = make_system("duffing", {{"eps", 0.01}});
+  const std::vector<FixedPoint> points =
+      find_fixed_points(*duffing.map, Box::of({-1.2, -0.3}, {1.2, 0.3}), {.grid = 16});
+  // The unperturbed equilibria (-1, 0), (0, 0), (1, 0) go on.
+  int near_equilibria = 0;
+  for (const FixedPoint& p : points) {
+    near_equilibria += std::abs(p.at.x - std::round(p.at.x)) < 0.05 && std::abs(p.at.y) < 0.05 ? 1 : 0;
+  }
+  EXPECT_EQ(near_equilibria, 3);
+}
+
+TEST(FixedPoints, OfTheShipAreNotOnTheEdgeOfTheChart) {
+  // Where vx = 0 the section is tangent to the flow; the map goes on there as a map of the edge, whose fixed points are
+  // none.
+  const System ship = make_system("capsize");
+  for (const FixedPoint& p : find_fixed_points(*ship.map, ship.window)) {
+    EXPECT_LT(p.residual, 1e-11);
+    EXPECT_GT(ship.flow->on_section(*ship.section, 0.25307, p.at)[2], 1e-3);
+  }
+}
+
+TEST(FixedPoints, NoneIsSaidClearly) {
+  const System system = make_system("henon");
+  try {
+    static_cast<void>(find_fixed_points(*system.map, Box::of({5, 5}, {6, 6})));
+    FAIL();
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("no point of period 1 in [5, 6] x [5, 6]"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_THROW(static_cast<void>(find_fixed_point(*make_system("capsize").map, {2, 0})), DataError);
+  // k < -1: no fixed points at all.
+  EXPECT_THROW(static_cast<void>(find_fixed_point(*make_system("henon", {{"k", -1.5}}).map, {1, 1})), DataError);
+  EXPECT_THROW(static_cast<void>(find_fixed_point(*system.map, {1, 1}, {.period = 0})), UsageError);
+}
+
+}  // namespace
+}  // namespace lober

@@ -1,0 +1,373 @@
+#include "engine/dynamics/manifolds/grow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/error.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/systems/system.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/smooth/smooth.hpp"
+#include "tests/engine/dynamics/test_maps.hpp"
+
+namespace lober {
+namespace {
+
+using testing::HenonMap;
+using testing::StandardMap;
+
+double distance_to_segment(Point p, Point a, Point b) {
+  const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
+  double t = square > 0 ? ((p.x - a.x) * x + (p.y - a.y) * y) / square : 0;
+  t = std::clamp(t, 0.0, 1.0);
+  return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
+}
+
+struct Sagittas {
+  double worst = 0;           // in units of the tolerance
+  double optimal_points = 0;  // of a polygon whose every segment is as far off as allowed: sum of sqrt(distance / e)
+};
+
+// The true distance of the curve from each segment, by sixteen points between its ends.
+Sagittas measured(const PlanarMap& map, const LocalManifold& local, const GrownManifold& grown, double tolerance) {
+  Sagittas result;
+  const bool inverse = local.multiplier < 0;
+  const double ratio = inverse ? local.multiplier * local.multiplier : local.multiplier;
+  for (std::size_t k = 0; k + 1 < grown.generation_begin.size(); ++k) {
+    for (std::size_t i = std::max<std::size_t>(grown.generation_begin[k], 1); i < grown.generation_begin[k + 1]; ++i) {
+      const double to = grown.parameters[i];
+      const double from = grown.parameters[i - 1] / (i == grown.generation_begin[k] ? ratio : 1);
+      double most = 0;
+      for (int j = 1; j < 16; ++j) {
+        Point point = local.at(from + (to - from) * j / 16);
+        map.iterate({&point, 1}, static_cast<int>(k) * local.steps * (inverse ? 2 : 1));
+        most = std::max(most, distance_to_segment(point, grown.points[i - 1], grown.points[i]));
+      }
+      result.worst = std::max(result.worst, most / tolerance);
+      result.optimal_points += std::sqrt(most / tolerance);
+    }
+  }
+  return result;
+}
+
+struct Case {
+  const char* name;
+  double k;
+  Point saddle;
+  ManifoldSide side;
+  Branch branch;
+  int iterates;
+};
+
+TEST(Grow, MeetsTheToleranceWithFewPoints) {
+  const Case cases[] = {{"unstable", 1.2, {0, 0}, ManifoldSide::unstable, Branch::plus, 6},
+                        {"stable", 1.2, {2 * std::numbers::pi, 0}, ManifoldSide::stable, Branch::minus, 6},
+                        {"slow", 0.1, {0, 0}, ManifoldSide::unstable, Branch::plus, 12},
+                        {"inverse saddle", 5, {std::numbers::pi, 0}, ManifoldSide::unstable, Branch::minus, 3}};
+  for (const Case& c : cases) {
+    const StandardMap map(c.k);
+    const LocalManifold local = local_manifold(map, c.saddle, c.side);
+    for (const double tolerance : {1e-4, 1e-6}) {
+      const GrownManifold grown =
+          grow(map, local, c.branch, {.tolerance = tolerance, .iterates = c.iterates, .longest = 1});
+      EXPECT_EQ(grown.stop, GrowthStop::iterates);
+      EXPECT_TRUE(grown.flaws.empty()) << c.name;
+      const Sagittas sagittas = measured(map, local, grown, tolerance);
+      // The distance is estimated; estimates are good where the tolerance is far below the radius of the folds.
+      EXPECT_LE(sagittas.worst, tolerance > 1e-5 ? 1.25 : 1.0) << c.name << ' ' << tolerance;
+      EXPECT_LE(static_cast<double>(grown.points.size()), (tolerance > 1e-5 ? 1.3 : 1.15) * sagittas.optimal_points)
+          << c.name << ' ' << tolerance;
+    }
+  }
+}
+
+TEST(Grow, VerticesAreExactImages) {
+  const StandardMap map(1.2);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
+  const GrownManifold grown = grow(map, local, Branch::minus, {.tolerance = 1e-4, .iterates = 5});
+  ASSERT_EQ(grown.generation_begin.size(), 7U);
+  EXPECT_EQ(grown.points[0], local.saddle);
+  for (std::size_t k = 0; k + 1 < grown.generation_begin.size(); ++k) {
+    for (std::size_t i = std::max<std::size_t>(grown.generation_begin[k], 1); i < grown.generation_begin[k + 1]; ++i) {
+      Point point = local.at(grown.parameters[i]);
+      map.iterate({&point, 1}, static_cast<int>(k));
+      ASSERT_EQ(grown.points[i], point) << i;
+      if (i > grown.generation_begin[k]) {
+        ASSERT_LT(grown.parameters[i], grown.parameters[i - 1]);
+      }
+    }
+  }
+}
+
+TEST(Grow, ManifoldsOfOneSaddleBeginInOnePoint) {
+  const System duffing = make_system("duffing", {{"omega", 2}});
+  const Point guess = duffing.connection->from;
+  const LocalManifold u = local_manifold(*duffing.map, guess, ManifoldSide::unstable);
+  const LocalManifold s = local_manifold(*duffing.map, guess, ManifoldSide::stable);
+  const GrowthOptions options{.tolerance = 1e-4, .iterates = 1};
+  EXPECT_EQ(grow(*duffing.map, u, Branch::plus, options).points[0],
+            grow(*duffing.map, s, Branch::plus, options).points[0]);
+}
+
+TEST(Grow, ImagesAreNotComputedTwice) {
+  const StandardMap map(1.2);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
+  const GrownManifold grown = grow(map, local, Branch::plus, {.tolerance = 1e-6, .iterates = 6});
+  double bare = 0;
+  for (std::size_t k = 1; k + 1 < grown.generation_begin.size(); ++k) {
+    bare += static_cast<double>(k * (grown.generation_begin[k + 1] - grown.generation_begin[k]));
+  }
+  EXPECT_LE(static_cast<double>(grown.images), 1.15 * bare);
+}
+
+TEST(Grow, SameBitsForAnyNumberOfThreads) {
+  const HenonMap map(0.5);
+  const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::unstable);
+  const GrowthOptions options{.tolerance = 1e-6, .iterates = 6, .box = Box::of({-5, -5}, {5, 5})};
+  const GrownManifold one = with_threads(1, [&] { return grow(map, local, Branch::minus, options); });
+  EXPECT_GT(one.points.size(), 10'000U);
+  for (const int threads : {2, 7}) {
+    const GrownManifold other = with_threads(threads, [&] { return grow(map, local, Branch::minus, options); });
+    EXPECT_EQ(one.points, other.points);
+    EXPECT_EQ(one.parameters, other.parameters);
+    EXPECT_EQ(one.flaws, other.flaws);
+    EXPECT_EQ(one.length, other.length);
+  }
+}
+
+TEST(Grow, ReportsWhatEscapes) {
+  const HenonMap map(0.5);
+  const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::unstable);
+  const Box box = Box::of({-5, -5}, {5, 5});
+  const GrownManifold grown = grow(map, local, Branch::minus, {.tolerance = 1e-4, .iterates = 14, .box = box});
+  bool left = false;
+  for (const GrowthFlaw& flaw : grown.flaws) {
+    left = left || flaw.cause == GrowthFlawCause::left_box;
+    EXPECT_LE(flaw.first + flaw.count, grown.points.size() - 1);
+  }
+  EXPECT_TRUE(left);
+  for (const Point point : grown.points) ASSERT_TRUE(std::isfinite(point.x) && std::isfinite(point.y));
+  // The other branch goes straight to infinity.
+  const GrownManifold gone = grow(map, local, Branch::plus, {.tolerance = 1e-4, .length = 1e9, .box = box});
+  EXPECT_EQ(gone.stop, GrowthStop::failed);
+  EXPECT_GT(gone.points.size(), 2U);
+}
+
+// A map whose orbits end at x = 8.
+class Torn : public StandardMap {
+ public:
+  using StandardMap::StandardMap;
+  void iterate(std::span<Point> points, int iterates) const override {
+    for (Point& point : points) {
+      for (int n = 0; n < iterates; ++n) {
+        StandardMap::iterate({&point, 1}, 1);
+        if (point.x > 8) point = {std::nan(""), std::nan("")};
+      }
+    }
+  }
+};
+
+TEST(Grow, GoesOnBehindTears) {
+  const LocalManifold local = local_manifold(StandardMap(1.2), {0, 0}, ManifoldSide::unstable, {.longest = 1});
+  const GrownManifold grown = grow(Torn(1.2), local, Branch::plus, {.tolerance = 1e-4, .iterates = 8});
+  const GrownManifold whole = grow(StandardMap(1.2), local, Branch::plus, {.tolerance = 1e-4, .iterates = 8});
+  EXPECT_EQ(grown.stop, GrowthStop::iterates);
+  EXPECT_LT(grown.points.size(), whole.points.size());
+  std::size_t tears = 0;
+  for (const GrowthFlaw& flaw : grown.flaws) {
+    EXPECT_EQ(flaw.cause, GrowthFlawCause::failed);
+    EXPECT_EQ(flaw.count, 1U);
+    tears += flaw.count;
+    // Both ends of the tear are followed until nothing more of the curve is to be had.
+    if (tears == 1) {
+      EXPECT_NEAR(grown.points[flaw.first].x, 8, 1e-4);
+    }
+  }
+  EXPECT_GT(tears, 0U);
+  for (const Point point : grown.points) ASSERT_LE(point.x, 8);  // and so finite
+}
+
+TEST(Grow, Stops) {
+  const StandardMap map(1.2);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
+  const GrownManifold by_length = grow(map, local, Branch::plus, {.tolerance = 1e-5, .length = 40});
+  EXPECT_EQ(by_length.stop, GrowthStop::length);
+  EXPECT_GE(by_length.length, 40);
+  EXPECT_LT(by_length.length, 40.5);
+  const GrownManifold by_points =
+      grow(map, local, Branch::plus, {.tolerance = 1e-6, .length = 1e9, .most_points = 5000});
+  EXPECT_EQ(by_points.stop, GrowthStop::points);
+  EXPECT_LE(by_points.points.size(), 5000U);
+  EXPECT_GT(by_points.points.size(), 4000U);
+  const GrownManifold by_memory =
+      grow(map, local, Branch::plus, {.tolerance = 1e-6, .length = 1e9, .most_memory = 600'000});
+  EXPECT_EQ(by_memory.points, by_points.points);
+  // What there is agrees with a longer run.
+  const GrownManifold longer = grow(map, local, Branch::plus, {.tolerance = 1e-5, .length = 60});
+  ASSERT_GT(longer.points.size(), by_length.generation_begin[2]);
+  EXPECT_TRUE(std::equal(by_length.points.begin(),
+                         by_length.points.begin() + static_cast<std::ptrdiff_t>(by_length.generation_begin[2]),
+                         longer.points.begin()));
+  int calls = 0;
+  const GrownManifold cancelled =
+      grow(map, local, Branch::plus, {.tolerance = 1e-6, .iterates = 8, .progress = [&](const GrowthProgress& at) {
+                                        ++calls;
+                                        return at.iterates < 3;
+                                      }});
+  EXPECT_EQ(cancelled.stop, GrowthStop::cancelled);
+  EXPECT_GT(calls, 3);
+  EXPECT_GE(cancelled.generation_begin.size(), 4U);
+  EXPECT_GT(cancelled.points.size(), 1000U);
+}
+
+// The stable branch of the oscillating vortex pair on the line y = 0 runs into the other saddle.
+TEST(Grow, ABranchMayEnd) {
+  const System system = make_system("ovp");
+  const LocalManifold local = local_manifold(*system.map, {1.45, 0}, ManifoldSide::stable);
+  const GrownManifold grown = grow(*system.map, local, Branch::minus, {.tolerance = 1e-3, .length = 4});
+  EXPECT_EQ(grown.stop, GrowthStop::ended);
+  EXPECT_NEAR(grown.length, 2 * 1.451260038107551142, 1e-3);
+  EXPECT_NEAR(grown.points.back().x, -1.451260038107551142, 1e-3);
+}
+
+TEST(Grow, RefusesOptionsWithoutSense) {
+  const StandardMap map(1.2);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
+  EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 0, .iterates = 1}), UsageError);
+  EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-5}), UsageError);
+  EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-15, .iterates = 1}), UsageError);
+  EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-5, .iterates = 1, .most_points = 1}), UsageError);
+  EXPECT_THROW((void)grow(map, LocalManifold{}, Branch::plus, {.tolerance = 1e-5, .iterates = 1}), UsageError);
+}
+
+// ------------------------------------------------------------------------------------------- lobes
+
+// The part of a curve from where x first is at or past `from` to where it is past `to`; either may be the larger.
+std::vector<Point> between(const GrownManifold& curve, double from, double to) {
+  std::vector<Point> part;
+  const double sign = to > from ? 1 : -1;
+  for (const Point point : curve.points) {
+    if (sign * point.x > sign * to) break;
+    if (sign * point.x >= sign * from) part.push_back(point);
+  }
+  return part;
+}
+
+struct Lobe {
+  double polygon, smooth, error;
+  std::size_t points;
+};
+
+// The lobe of the standard map between the pips q_B and q_A. Both arcs are graphs over x a little beyond the pips; the
+// one that is below in between is closed far above, the other one far below, so that the lobe is what they share.
+Lobe lobe(double k, Point q_b, Point q_a, double tolerance) {
+  const StandardMap map(k);
+  const LocalManifoldOptions near{.longest = 0.5};  // so that it takes some growing
+  const LocalManifold u = local_manifold(map, {0, 0}, ManifoldSide::unstable, near);
+  const LocalManifold s = local_manifold(map, {2 * std::numbers::pi, 0}, ManifoldSide::stable, near);
+  const GrowthOptions options{.tolerance = tolerance, .length = 6, .longest = 1};
+  const GrownManifold grown_u = grow(map, u, Branch::plus, options), grown_s = grow(map, s, Branch::minus, options);
+  std::vector<Point> first = between(grown_u, q_b.x - 0.05, q_a.x + 0.05);
+  std::vector<Point> second = between(grown_s, q_a.x + 0.05, q_b.x - 0.05);
+  const std::size_t points = first.size() + second.size();
+  const auto middle = [&](const std::vector<Point>& curve) {
+    const double x = (q_a.x + q_b.x) / 2;
+    return std::min_element(curve.begin(), curve.end(),
+                            [&](Point a, Point b) { return std::fabs(a.x - x) < std::fabs(b.x - x); })
+        ->y;
+  };
+  const double far = middle(first) < middle(second) ? 10 : -10;
+  first.push_back({first.back().x, far});
+  first.push_back({first.front().x, far});
+  second.push_back({second.back().x, -far});
+  second.push_back({second.front().x, -far});
+  const Overlay result = overlay(CurveView{first}, CurveView{second});
+  const SmoothAreas smooth = smooth_areas(result);
+  return {result.areas.intersection, smooth.areas.intersection, smooth.error.intersection, points};
+}
+
+TEST(Grow, LobesOfTheStandardMap) {
+  struct {
+    double k;
+    Point q_b, q_a;
+    double area;
+  } const lobes[] = {
+      {1.2, {1.96284212884713, 1.24854584790906}, {std::numbers::pi, 1.91735321036680}, 0.05805630576704178}};
+  for (const auto& expected : lobes) {
+    // The error of polygons falls with the tolerance, that is with the square of the spacing.
+    double error[3];
+    for (int k = 0; k < 3; ++k) {
+      const double tolerance = 1e-4 * std::pow(0.1, k);
+      error[k] = std::fabs(lobe(expected.k, expected.q_b, expected.q_a, tolerance).polygon - expected.area);
+      EXPECT_LE(error[k], 4 * tolerance);
+    }
+    EXPECT_LE(error[2], error[0] / 30);
+    const Lobe fine = lobe(expected.k, expected.q_b, expected.q_a, 1e-8);
+    EXPECT_LE(fine.points, 100'000U);
+    EXPECT_NEAR(fine.smooth, expected.area, 1e-12 * expected.area) << fine.points << ' ' << fine.error;
+  }
+}
+
+// ------------------------------------------------------------------------------------------- images of curves
+
+// The circle with this radius about (pi, 0) under the map.
+TEST(ImageOf, SmoothCurveMeetsTheTolerance) {
+  const StandardMap map(1.2);
+  const CurveFunction circle = [](std::span<const double> parameters, std::span<Point> points) {
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      points[k] = {std::numbers::pi + 2 * std::cos(parameters[k]), 2 * std::sin(parameters[k])};
+    }
+  };
+  const double corners[] = {0, 2 * std::numbers::pi};
+  for (const int iterates : {0, 1, 5, -4}) {
+    const ImageOptions options{.tolerance = 1e-5};
+    const CurveImage image = image_of(map, iterates, circle, corners, options);
+    EXPECT_TRUE(image.flaws.empty());
+    double worst = 0, optimal = 0;
+    for (std::size_t i = 0; i < image.points.size(); ++i) {
+      const bool last = i + 1 == image.points.size();
+      const double from = image.parameters[i], to = last ? corners[1] : image.parameters[i + 1];
+      double most = 0;
+      for (int j = 1; j < 16; ++j) {
+        const double t = from + (to - from) * j / 16;
+        Point point;
+        circle({&t, 1}, {&point, 1});
+        map.iterate({&point, 1}, iterates);
+        most = std::max(most, distance_to_segment(point, image.points[i], image.points[last ? 0 : i + 1]));
+      }
+      worst = std::max(worst, most / options.tolerance);
+      optimal += std::sqrt(most / options.tolerance);
+    }
+    EXPECT_LE(worst, 1) << iterates;
+    EXPECT_LE(static_cast<double>(image.points.size()), 1.3 * optimal) << iterates;
+    // Area is preserved; the polygon inscribed in the curve misses length times 2/3 of the tolerance at most.
+    EXPECT_NEAR(std::fabs(signed_area(image)), 4 * std::numbers::pi, 1e-3) << iterates;
+  }
+}
+
+TEST(ImageOf, PolygonsKeepTheirVertices) {
+  const StandardMap map(1.2);
+  const std::vector<Point> square{{1, -1}, {4, -1}, {4, 1}, {1, 1}};
+  const CurveImage image = image_of(map, 3, CurveView{square}, {.tolerance = 1e-6});
+  ASSERT_GT(image.points.size(), 100U);
+  for (std::size_t k = 0; k < square.size(); ++k) {
+    Point point = square[k];
+    map.iterate({&point, 1}, 3);
+    const auto at = std::find(image.parameters.begin(), image.parameters.end(), static_cast<double>(k));
+    ASSERT_NE(at, image.parameters.end());
+    EXPECT_EQ(image.points[static_cast<std::size_t>(at - image.parameters.begin())], point);
+  }
+  EXPECT_NEAR(std::fabs(signed_area(image)), 6, 1e-4);
+  const CurveImage same = with_threads(7, [&] { return image_of(map, 3, CurveView{square}, {.tolerance = 1e-6}); });
+  EXPECT_EQ(image.points, same.points);
+  const CurveImage few = image_of(map, 3, CurveView{square}, {.tolerance = 1e-6, .most_points = 50});
+  EXPECT_EQ(few.stop, GrowthStop::points);
+  EXPECT_LE(few.points.size(), 51U);
+  EXPECT_THROW((void)image_of(map, 1, CurveView{square}, {.tolerance = 0}), UsageError);
+}
+
+}  // namespace
+}  // namespace lober

@@ -1,0 +1,112 @@
+// Systems by name and from shared libraries.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "engine/base/error.hpp"
+#include "engine/dynamics/dynamics.hpp"
+#include "tests/paths.hpp"
+
+namespace lober {
+namespace {
+
+/// What make_system says about a request that it refuses.
+template <typename Refusal>
+std::string refusal(const std::string& name, const ParameterValues& values = {}) {
+  try {
+    static_cast<void>(make_system(name, values));
+  } catch (const Refusal& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Systems, AreListedWithDefaultsThatWork) {
+  EXPECT_EQ(list_systems().size(), 9U);
+  for (const SystemInfo& info : list_systems()) {
+    SCOPED_TRACE(info.name);
+    EXPECT_FALSE(info.summary.empty());
+    const System system = make_system(info.name);
+    EXPECT_NE(system.map, nullptr);
+    EXPECT_GT(system.window.width(), 0);
+    ParameterValues all;
+    for (const Parameter& parameter : info.parameters) {
+      EXPECT_FALSE(parameter.meaning.empty());
+      all.emplace_back(parameter.name, parameter.value);
+    }
+    const Point z{system.window.min_x() + 0.4 * system.window.width(), 0.1};
+    Point a = z, b = z;
+    system.map->iterate({&a, 1}, 1);
+    make_system(info.name, all).map->iterate({&b, 1}, 1);
+    EXPECT_TRUE(a == b || (std::isnan(a.x) && std::isnan(b.x)));
+  }
+}
+
+TEST(Systems, KeepTheValuesChosen) {
+  const System system = make_system("ovp", {{"eps", 0.2}, {"gamma", 0.7}});
+  EXPECT_EQ(system.info.parameters[0].value, 0.7);
+  EXPECT_EQ(system.info.parameters[1].value, 0.2);
+  EXPECT_EQ(system.info.parameters[2].value, 0);
+}
+
+TEST(Systems, UnknownNamesAreRefusedWithTheAlternatives) {
+  EXPECT_TRUE(mentions(refusal<UsageError>("lorenz"), "no system is called 'lorenz'; there are: capsize, double-gyre"));
+  EXPECT_TRUE(
+      mentions(refusal<UsageError>("ovp", {{"epsilon", 1}}), "has no parameter 'epsilon'; it has: gamma, eps, phase"));
+  EXPECT_TRUE(mentions(refusal<UsageError>("ovp", {{"eps", 1}, {"eps", 1}}), "given twice"));
+  EXPECT_TRUE(mentions(refusal<UsageError>("ovp", {{"gamma", -1}}), "gamma must be positive"));
+  EXPECT_TRUE(mentions(refusal<UsageError>("henon", {{"k", std::nan("")}}), "k is not finite"));
+  EXPECT_THROW(static_cast<void>(make_system("ovp", {}, {.tolerance = 0})), UsageError);
+}
+
+TEST(Systems, FromSharedLibraries) {
+  const System quadratic = make_system(LOBER_EXAMPLES "/quadratic_map.so", {{"angle", 0.5}});
+  EXPECT_EQ(quadratic.info.name, "quadratic");
+  Point z{0.3, 0.2};
+  quadratic.map->iterate({&z, 1}, 1);
+  EXPECT_DOUBLE_EQ(z.x, 0.3 * std::cos(0.5) - (0.2 - 0.09) * std::sin(0.5));
+  EXPECT_DOUBLE_EQ(z.y, 0.3 * std::sin(0.5) + (0.2 - 0.09) * std::cos(0.5));
+  EXPECT_TRUE(mentions(refusal<UsageError>(LOBER_EXAMPLES "/quadratic_map.so", {{"k", 1}}), "it has: angle"));
+
+  const System flow = make_system(LOBER_EXAMPLES "/henon_heiles.so");
+  ASSERT_NE(flow.flow, nullptr);
+  EXPECT_EQ(flow.flow->dimension(), 4);
+  // The eight families of short periodic orbits (Henon & Heiles 1964), one of which runs within x = 0: four centres and
+  // three saddles are left.
+  int saddles = 0, centres = 0;
+  for (const FixedPoint& point : find_fixed_points(*flow.map, flow.window, {.grid = 20})) {
+    saddles += point.kind == FixedPointKind::saddle ? 1 : 0;
+    centres += point.kind == FixedPointKind::centre ? 1 : 0;
+  }
+  EXPECT_EQ(saddles, 3);
+  EXPECT_EQ(centres, 4);
+}
+
+TEST(Systems, LibrariesDescribeTheirRegions) {
+  const System second = make_system(LOBER_TEST_LIBRARIES "/with_connection.so", {{"k", 0.5}});
+  ASSERT_TRUE(second.connection);
+  EXPECT_DOUBLE_EQ(second.connection->from.x, 1 + std::sqrt(1.5));
+  ASSERT_TRUE(second.connection->bip);
+  EXPECT_EQ(second.connection->bip->y, 0.925);
+  EXPECT_TRUE(second.further.empty());
+  const System first = make_system(LOBER_TEST_LIBRARIES "/first_version.so");
+  EXPECT_FALSE(first.connection);
+  EXPECT_FALSE(first.further_needed);
+}
+
+TEST(Systems, LibrariesThatCannotBeUsedAreRefusedWithTheReason) {
+  EXPECT_TRUE(mentions(refusal<DataError>("./absent.so"), "cannot load the system: ./absent.so"));
+  EXPECT_TRUE(mentions(refusal<DataError>("absent.so"), "./absent.so"));
+  const std::string folder = LOBER_TEST_LIBRARIES "/";
+  EXPECT_TRUE(mentions(refusal<DataError>(folder + "no_description.so"), "exports no function lober_system_describe"));
+  EXPECT_TRUE(mentions(refusal<DataError>(folder + "other_version.so"), "built for another version"));
+  EXPECT_TRUE(mentions(refusal<DataError>(folder + "no_backward.so"), "the map has no backward"));
+}
+
+}  // namespace
+}  // namespace lober

@@ -1,0 +1,91 @@
+// Tangles whose lobes are thinner than any polygon that one would grow unasked, and those that are none.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+#include <string>
+
+#include "engine/base/error.hpp"
+#include "engine/dynamics/systems/system.hpp"
+#include "engine/dynamics/transport/manifold_tangle.hpp"
+
+namespace lober {
+namespace {
+
+std::unique_ptr<ManifoldTangle> turnstile(const std::string& name, const ParameterValues& values) {
+  const System system = make_system(name, values);
+  return grow_tangle(*system.map, *system.connection);
+}
+
+struct Thin {
+  std::string system, parameter;
+  double value;
+  double area;       // of a lobe of the turnstile
+  double tolerance;  // relative
+};
+
+void PrintTo(const Thin& thin, std::ostream* out) {
+  *out << thin.system << ' ' << thin.parameter << '=' << thin.value;
+}
+
+class ThinTangles : public testing::TestWithParam<Thin> {};
+
+// References: the actions of the symmetric orbits, in 110-digit arithmetic for maps; for the oscillator Melnikov's
+// integral, eps 2 sqrt(2) pi omega / cosh(pi omega / 2), to O(eps^2).
+TEST_P(ThinTangles, HaveTwoLobesOfTheRightArea) {
+  const Thin& thin = GetParam();
+  const auto found = turnstile(thin.system, {{thin.parameter, thin.value}});
+  ASSERT_EQ(found->period(), 2U);
+  ASSERT_EQ(found->areas_by_action.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Lobe& lobe = found->tangle.lobes[found->image_of_bip(-1) + k];
+    const double action = found->areas_by_action[k];
+    EXPECT_NEAR(std::fabs(lobe.area), thin.area, thin.tolerance * thin.area);
+    EXPECT_NEAR(std::fabs(action), thin.area, thin.tolerance * thin.area);
+    EXPECT_LE(std::fabs(lobe.area - action), lobe.smooth_error + found->action_errors[k]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , ThinTangles,
+    testing::Values(Thin{"standard", "K", 0.25, 1.5629978e-6, 1e-7}, Thin{"standard", "K", 0.2, 1.5515588e-7, 1e-7},
+                    Thin{"standard", "K", 0.15, 5.2242777e-9, 1e-6}, Thin{"henon", "k", -0.95, 1.3966981e-7, 1e-7},
+                    Thin{"duffing", "eps", 1e-3, 3.5413044e-3, 1e-6}, Thin{"duffing", "eps", 1e-6, 3.5413e-6, 1e-5}),
+    [](const auto& each) { return each.param.system + std::to_string(each.index); });
+
+TEST(ThinTangle, AgreesWithMelnikov) {
+  const double eps = 1e-4, pi = 3.14159265358979323846;
+  const auto found = turnstile("duffing", {{"eps", eps}});
+  const double expected = eps * 2 * std::sqrt(2.0) * pi / std::cosh(pi / 2);
+  EXPECT_NEAR(std::fabs(found->areas_by_action[0]), expected, 20 * eps * expected);
+}
+
+std::string refusal(const std::string& name, const ParameterValues& values) {
+  try {
+    (void)turnstile(name, values);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(ThinTangle, ThatIsNoneIsSaidToCoincide) {
+  EXPECT_NE(refusal("ovp", {{"eps", 0}}).find("coincide"), std::string::npos);
+  EXPECT_NE(refusal("duffing", {{"eps", 0}}).find("coincide"), std::string::npos);
+  EXPECT_NE(refusal("ovp", {{"gamma", 0.01}}).find("coincide"), std::string::npos);
+}
+
+// Where polygons cannot show the lobes the action still knows them.
+TEST(ThinTangle, BeyondPolygonsHasTheAreaByAction) {
+  const std::string text = refusal("standard", {{"K", 0.08}});
+  EXPECT_NE(text.find("no polygons in double precision"), std::string::npos) << text;
+  EXPECT_NE(text.find("by action"), std::string::npos) << text;
+}
+
+TEST(ThinTangle, EndsWhereTheWorkIsTooMuch) {
+  const std::string text = refusal("duffing", {{"omega", 0.3}});
+  EXPECT_NE(text.find("more work than is done unasked"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace lober

@@ -1,0 +1,74 @@
+// Curves that are not simple are refused, with the place; all others are not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "engine/geometry/crossings/crossings.hpp"
+
+namespace lober::testing {
+namespace {
+
+using Points = std::vector<Point>;
+
+NotSimpleError refusal(const Points& points) {
+  try {
+    require_simple(IndexedCurve(CurveView{points}), 1);
+  } catch (const NotSimpleError& error) {
+    return error;
+  }
+  ADD_FAILURE() << "not refused";
+  return {0, 0, 0, {}};
+}
+
+TEST(RequireSimple, NamesTheCrossing) {
+  const NotSimpleError error = refusal({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+  EXPECT_EQ(error.segment1, 0U);
+  EXPECT_EQ(error.segment2, 2U);
+  EXPECT_EQ(error.at, (Point{2, 2}));
+}
+
+TEST(RequireSimple, RefusesTouchesSpikesAndOverlaps) {
+  EXPECT_EQ(refusal({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).at, (Point{2, 0})) << "a vertex on a segment";
+  EXPECT_EQ(refusal({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}).at, (Point{2, 2})) << "a vertex twice";
+  (void)refusal({{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}});  // out and back
+  (void)refusal({{0, 0}, {6, 0}, {3, 0}, {3, 4}});          // a spike
+  (void)refusal({{0, 0}, {6, 0}, {6, 2}, {5, 0}, {1, 0}, {0, 4}});
+}
+
+TEST(RequireSimple, AcceptsRepeatedVerticesAndStraightAngles) {
+  for (const Points& points :
+       {Points{{0, 0}, {1, 0}, {0, 1}}, Points{{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 0}, {0, 1}, {0, 0}},
+        Points{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 1}}}) {
+    EXPECT_NO_THROW(require_simple(IndexedCurve(CurveView{points}), 1));
+  }
+}
+
+TEST(RequireSimple, FindsOneBadPlaceAmongManySegments) {
+  Points points(50000);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points.size());
+    points[k] = {std::cos(angle), std::sin(angle)};
+  }
+  EXPECT_NO_THROW(require_simple(IndexedCurve(CurveView{points}), 1));
+  for (const std::size_t k :
+       {std::size_t{0}, std::size_t{31}, std::size_t{32}, std::size_t{12345}, std::size_t{49998}}) {
+    Points bent = points;
+    std::swap(bent[k], bent[k + 1]);  // a loop of three segments
+    const NotSimpleError error = refusal(bent);
+    EXPECT_NEAR(std::hypot(error.at.x - points[k].x, error.at.y - points[k].y), 0, 1e-3);
+  }
+}
+
+TEST(RequireSimple, SkipsMonotoneRuns) {
+  Points points(50000);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points.size());
+    points[k] = {std::cos(angle), std::sin(angle)};
+  }
+  EXPECT_LT(require_simple(IndexedCurve(CurveView{points}), 1).pairs, 1000U) << "of 50000 segments";
+}
+
+}  // namespace
+}  // namespace lober::testing

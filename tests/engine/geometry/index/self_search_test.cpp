@@ -1,0 +1,127 @@
+// The search of a curve against itself, monotone runs left out, against brute force.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <string>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "tests/engine/geometry/index/scenes.hpp"
+#include "tests/engine/geometry/index/search_testing.hpp"
+
+namespace lober::testing {
+namespace {
+
+// Whether segments i < j have more in common than the end that joins them.
+bool meet_beyond_a_joint(const CurveView& curve, std::uint32_t i, std::uint32_t j) {
+  const Ends s = ends_of(curve, i), t = ends_of(curve, j);
+  if (s.a == s.b || t.a == t.b || !have_common_point(s, t)) return false;
+  const bool follows = j == i + 1, wraps = curve.closed && i == 0 && j + 1 == curve.segments();
+  if (!follows && !wraps) return true;
+  // Neighbours, of which the joint is known, meet elsewhere only when they fold back onto each other.
+  const Ends& before = follows ? s : t;
+  const Ends& after = follows ? t : s;
+  if (exact_orientation(before.a, before.b, after.b) != 0) return false;
+  const auto turns_back = [](double from, double joint, double to) {
+    return (from < joint && to < joint) || (from > joint && to > joint);
+  };
+  return turns_back(before.a.x, before.b.x, after.b.x) || turns_back(before.a.y, before.b.y, after.b.y);
+}
+
+void expect_complete(const Curve& curve) {
+  const IndexedCurve indexed(curve);
+  Recorder recorder(curve, curve);
+  const SearchCounts counts = find_self_pairs(indexed, recorder);
+  const std::vector<SegmentPair> found = recorder.sorted();
+  EXPECT_EQ(counts.pairs_proposed, found.size());
+  std::vector<SegmentPair> wanted;
+  const auto segments = static_cast<std::uint32_t>(indexed.segments());
+  for (std::uint32_t i = 0; i < segments; ++i) {
+    for (std::uint32_t j = i + 1; j < segments; ++j) {
+      if (meet_beyond_a_joint(curve, i, j)) wanted.push_back({i, j});
+    }
+  }
+  const auto lost = missing(wanted, found);
+  ASSERT_TRUE(lost.empty()) << listed(lost);
+  for (const SegmentPair& pair : found) ASSERT_LT(pair.first, pair.second);
+}
+
+class SelfSearch : public ::testing::TestWithParam<SceneKind> {};
+
+TEST_P(SelfSearch, ProposesEveryPairThatMeetsBeyondAJoint) {
+  Random random(seed());
+  for (const std::size_t size : {3U, 4U, 31U, 32U, 33U, 64U, 65U, 130U, 300U, 2048U, 2049U}) {
+    if (size > GetParam().largest) break;
+    SCOPED_TRACE(size);
+    const Scene made = GetParam().make(random, size);
+    expect_complete(made.first);
+    expect_complete(made.second);
+  }
+}
+
+TEST_P(SelfSearch, DoesTheSameForAnyNumberOfThreads) {
+  const tbb::global_control at_most(tbb::global_control::max_allowed_parallelism, 7);
+  Random random(seed());
+  const Scene made = GetParam().make(random, GetParam().size_for_threads());
+  const IndexedCurve curve(made.first);
+  Recorder expected(made.first, made.first);
+  const SearchCounts counts = with_threads(1, [&] { return find_self_pairs(curve, expected); });
+  for (const int threads : {2, 7}) {
+    Recorder recorder(made.first, made.first);
+    EXPECT_TRUE(same(counts, with_threads(threads, [&] { return find_self_pairs(curve, recorder); })));
+    ASSERT_EQ(recorder.by_block(), expected.by_block()) << threads << " threads";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SelfSearch, ::testing::ValuesIn(scene_kinds()),
+                         [](const auto& kind) { return std::string(kind.param.name); });
+
+// A walk of monotone stretches that turn back and cross what came before, or fold back onto it.
+Curve monotone_stretches(Random& random, int shortest, int longest) {
+  Curve curve;
+  Point at{0, 0};
+  curve.points.push_back(at);
+  while (curve.points.size() < 704) {
+    const double dx = random.integer(-1, 1), dy = random.integer(-1, 1);
+    for (int left = random.integer(shortest, longest); left > 0; --left) {
+      const double noise = random.chance(0.5) ? random.unit() : 0;
+      curve.points.push_back(at = {at.x + dx * (1 + noise), at.y + dy + noise * 0.5});
+    }
+  }
+  curve.points.resize(704);  // a whole number of leaves
+  curve.closed = random.chance(0.7);
+  return curve;
+}
+
+TEST(SelfSearchOfMonotoneRuns, LosesNothingWhereverRunsEnd) {
+  Random random(seed());
+  for (int k = 0; k < 40; ++k) {
+    SCOPED_TRACE(k);
+    expect_complete(monotone_stretches(random, 1, 150));
+  }
+}
+
+TEST(SelfSearchOfMonotoneRuns, LosesNothingWhenRunsAreLeaves) {
+  Random random(seed());
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    expect_complete(monotone_stretches(random, leaf_size, leaf_size));
+  }
+}
+
+TEST(SelfSearchOfMonotoneRuns, SkipsASimpleConvexCurve) {
+  const Curve curve = scene::circle(100000, {0, 0}, 1);
+  Recorder recorder(curve, curve);
+  const SearchCounts counts = find_self_pairs(IndexedCurve(curve), recorder);
+  EXPECT_LT(counts.pairs_proposed, 3000U) << "only near the turns in x and in y that no leaf border hits";
+}
+
+TEST(SelfSearchOfMonotoneRuns, FindsNeighboursThatFoldBack) {
+  const Curve spike{{{0, 0}, {2, 0}, {1, 0}, {1, 1}}, true, ""};
+  Recorder recorder(spike, spike);
+  find_self_pairs(IndexedCurve(spike), recorder);
+  const auto found = recorder.sorted();
+  EXPECT_TRUE(std::binary_search(found.begin(), found.end(), SegmentPair{0, 1}));
+}
+
+}  // namespace
+}  // namespace lober::testing

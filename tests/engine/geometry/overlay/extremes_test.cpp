@@ -1,0 +1,111 @@
+// What happens at the ends of the range of double.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/curve/countable.hpp"
+#include "engine/geometry/index/index.hpp"
+#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/smooth/smooth.hpp"
+#include "engine/geometry/tangle/tangle.hpp"
+
+namespace lober::testing {
+namespace {
+
+using Points = std::vector<Point>;
+
+Points box(double left, double low, double right, double high) {
+  return {{left, low}, {right, low}, {right, high}, {left, high}};
+}
+
+template <typename Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "not refused";
+  return {};
+}
+
+TEST(Extremes, AnAreaBeyondTheLargestDoubleIsAnError) {
+  const Points first = box(-1e155, -1e155, 1e155, 1e155), second = box(0, 0, 2e155, 1e155);
+  const CurveView c1{first}, c2{second};
+  const std::string reason = "larger than the largest double";
+  EXPECT_NE(refusal([&] { (void)overlay(c1, c2); }).find(reason), std::string::npos);
+  EXPECT_NE(refusal([&] { (void)interior_areas(c1, c2); }).find(reason), std::string::npos);
+  EXPECT_NE(refusal([&] { (void)regions(c1, c2); }).find(reason), std::string::npos);
+  EXPECT_NE(refusal([&] { (void)regions(c1); }).find(reason), std::string::npos);
+  EXPECT_NE(refusal([&] { (void)signed_area(c1); }).find(reason), std::string::npos);
+  EXPECT_NE(refusal([&] { (void)smooth_area(c1); }).find(reason), std::string::npos);
+  const Points u{{0, 0}, {1e155, 1e155}, {2e155, -1e155}, {3e155, 1e155}}, s{{9e155, 0}, {-1e155, 0}};
+  EXPECT_NE(refusal([&] { (void)tangle(CurveView{u, false}, CurveView{s, false}); }).find(reason), std::string::npos);
+}
+
+TEST(Extremes, AnAreaJustBelowItIsNot) {
+  const Points first = box(-5e153, -5e153, 5e153, 5e153), second = box(0, 0, 9e153, 5e153);
+  const Overlay result = overlay(CurveView{first}, CurveView{second});
+  EXPECT_NEAR(result.areas.unite / 1.2e308, 1, 1e-15);
+  EXPECT_EQ(result.areas.c1, signed_area(CurveView{first}));
+  EXPECT_NEAR(regions(CurveView{first}, CurveView{second}).areas(WindingRule::nonzero).unite / 1.2e308, 1, 1e-15);
+  EXPECT_TRUE(std::isfinite(discretisation_error(result).unite));
+}
+
+TEST(Extremes, CrossingsOfSegmentsLongerThanTheLargestDoubleHaveAPlace) {
+  const Points first = box(-1.5e308, -0.25, 1.5e308, 0.25), second = box(-1e307, -0.5, 2e307, 0.5);
+  const Overlay result = overlay(CurveView{first}, CurveView{second});
+  ASSERT_EQ(result.nodes.crossings(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point at = result.nodes[k].begin;
+    EXPECT_NEAR(std::min(std::fabs(at.x / 1e307 + 1), std::fabs(at.x / 1e307 - 2)), 0, 1e-13) << k;
+    EXPECT_EQ(std::fabs(at.y), 0.25) << k;
+  }
+  for (const Pairing pairing : all_pairings) {
+    for (const Point centroid : centroids(result, pairing)) {
+      EXPECT_TRUE(std::isfinite(centroid.x) && std::isfinite(centroid.y)) << name(pairing);
+    }
+  }
+  const Regions found = regions(CurveView{first}, CurveView{second});
+  for (const Points& polygon : found.pieces(WindingRule::nonzero, Pairing::intersection).outline(0)) {
+    for (const Point p : polygon) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
+  }
+}
+
+TEST(Extremes, TheRefusalOfACurveNamesThePlaceAsTheCallerKnowsIt) {
+  const double scale = 0x1p600;
+  Points loop{{0, 0}, {4, 4}, {4, 0}, {0, 4}}, other = box(0, 0, 1, 1);
+  for (Points* points : {&loop, &other}) {
+    for (Point& p : *points) p = {scale * p.x, scale * p.y};
+  }
+  const auto place = [](const auto& call) {
+    try {
+      call();
+    } catch (const NotSimpleError& error) {
+      return error.at;
+    }
+    return Point{};
+  };
+  const Point expected{2 * scale, 2 * scale};
+  EXPECT_EQ(place([&] { (void)overlay(CurveView{loop}, CurveView{other}); }), expected);
+  EXPECT_EQ(place([&] { (void)interior_areas(CurveView{loop}, CurveView{other}); }), expected);
+  EXPECT_EQ(place([&] { (void)tangle(CurveView{loop, false}, CurveView{other, false}); }), expected);
+}
+
+// Nothing of the curves is read: there is only one point.
+TEST(Extremes, MoreSegmentsThanCanBeNumberedAreRefused) {
+  const Point point;
+  const CurveView huge{{&point, std::size_t{1} << 31}};
+  EXPECT_NE(refusal([&] { (void)IndexedCurve(huge); }).find("the limit is 2147483647"), std::string::npos);
+  EXPECT_NE(refusal([&] { (void)overlay(huge, huge); }).find("the limit is 2147483647"), std::string::npos);
+  EXPECT_NO_THROW(require_countable(max_count, "contacts"));
+  EXPECT_EQ(refusal([&] { require_countable(max_count + 1, "contacts"); }),
+            "2147483648 contacts, the limit is 2147483647");
+}
+
+}  // namespace
+}  // namespace lober::testing

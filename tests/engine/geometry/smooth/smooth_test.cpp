@@ -1,0 +1,374 @@
+#include "engine/geometry/smooth/smooth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "engine/base/parallel/parallel.hpp"
+
+namespace lober {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Points = std::vector<Point>;
+using Shape = std::function<Point(double)>;
+
+constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::unite,
+                             &Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::symmetric_difference};
+
+Points sample(const Shape& shape, int n, double phase = 0.137) {
+  Points points(static_cast<std::size_t>(n));
+  for (int k = 0; k < n; ++k) points[static_cast<std::size_t>(k)] = shape(2 * pi * (k + phase) / n);
+  return points;
+}
+Shape ellipse(double x, double y, double a, double b) {
+  return [=](double t) { return Point{x + a * std::cos(t), y + b * std::sin(t)}; };
+}
+Shape wavy(double a, int k) {
+  return [=](double t) {
+    const double r = 1 + a * std::sin(k * t);
+    return Point{r * std::cos(t), r * std::sin(t)};
+  };
+}
+
+Areas from(double c1, double c2, double common) {
+  return {c1, c2, common, c1 + c2 - common, c1 - common, c2 - common, c1 + c2 - 2 * common};
+}
+
+// Two unit circles, centres `apart`.
+Areas lens(double apart) {
+  return from(pi, pi, 2 * std::acos(apart / 2) - apart / 2 * std::sqrt(4 - apart * apart));
+}
+// x^2 / a^2 + y^2 = 1 and the same turned by 90 degrees: four times (1/2) int r^2 over |angle| < pi / 4 of the one
+// whose radius is less there.
+Areas crossed_ellipses(double a) {
+  return from(pi * a, pi * a, 4 * a * std::atan(1 / a));
+}
+// r = 1 + a sin k theta and the unit circle; inside both, r = 1 on half of the angles and less on the other half.
+Areas waves(double a) {
+  return from(pi * (1 + a * a / 2), pi, pi / 2 + (pi / 2 - 2 * a + pi * a * a / 4));
+}
+
+Points jittered(Points points, double size, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal(0, size);
+  for (Point& p : points) {
+    p.x += normal(engine);
+    p.y += normal(engine);
+  }
+  return points;
+}
+
+double worst(const Areas& areas, const Areas& exact) {
+  double error = 0;
+  for (const auto member : members) error = std::max(error, std::fabs(areas.*member / (exact.*member) - 1));
+  return error;
+}
+
+struct Scene {
+  const char* name;
+  Shape c1, c2;
+  Areas exact;
+};
+std::vector<Scene> scenes() {
+  return {{"lens", ellipse(0, 0, 1, 1), ellipse(0.7, 0, 1, 1), lens(0.7)},
+          {"ellipses", ellipse(0, 0, 1.8, 1), ellipse(0, 0, 1, 1.8), crossed_ellipses(1.8)},
+          {"waves", wavy(0.1, 5), ellipse(0, 0, 1, 1), waves(0.1)}};
+}
+
+TEST(Smooth, AnalyticScenesConvergeWithOrderFourAtLeast) {
+  for (const Scene& scene : scenes()) {
+    double first = 0;
+    for (const int n : {125, 250, 500, 1000, 2000, 4000}) {
+      const Points c1 = sample(scene.c1, n), c2 = sample(scene.c2, n + n / 7, 0.391);
+      const Overlay result = overlay(CurveView{c1}, CurveView{c2});
+      const SmoothAreas smooth = smooth_areas(result);
+      const double error = worst(smooth.areas, scene.exact);
+      if (n == 125) first = error;
+      std::printf("%-9s N = %4d: polygons %.1e, smooth %.1e, order %.2f, bar %.1e\n", scene.name, n,
+                  worst(result.areas, scene.exact), error, std::log2(first / error) / std::log2(n / 125.0),
+                  smooth.error.symmetric_difference / scene.exact.symmetric_difference);
+      EXPECT_EQ(smooth.fallback_segments, 0U);
+      EXPECT_EQ(smooth.fallback_crossings, 0U);
+      EXPECT_LE(error, std::max(2e-14, first * std::pow(125.0 / n, 4))) << scene.name << n;
+      for (const auto member : members) {
+        EXPECT_LE(std::fabs(smooth.areas.*member - scene.exact.*member), smooth.error.*member + 2e-15)
+            << scene.name << n;
+      }
+    }
+  }
+}
+
+SmoothAreas smooth_of(const Points& c1, const Points& c2) {
+  return smooth_areas(overlay(CurveView{c1}, CurveView{c2}));
+}
+
+void expect_equal(const Areas& a, const Areas& b) {
+  for (const auto member : members) EXPECT_EQ(a.*member, b.*member);
+}
+void expect_near(const Areas& a, const Areas& b, double tolerance) {
+  for (const auto member : members) EXPECT_NEAR(a.*member, b.*member, tolerance);
+}
+
+TEST(Smooth, AThousandPointsOnTheLens) {
+  const Points c1 = sample(ellipse(0, 0, 1, 1), 1000), c2 = sample(ellipse(0.7, 0, 1, 1), 1000);
+  EXPECT_LT(worst(smooth_of(c1, c2).areas, lens(0.7)), 1e-9);
+}
+
+TEST(Smooth, OrientationAndFirstVertexDoNotMatter) {
+  Points c1 = sample(wavy(0.1, 5), 500), c2 = sample(ellipse(0, 0, 1, 1), 500);
+  const Areas before = smooth_of(c1, c2).areas;
+  std::reverse(c1.begin(), c1.end());
+  expect_near(smooth_of(c1, c2).areas, before, 1e-14);
+  std::reverse(c2.begin(), c2.end());
+  expect_near(smooth_of(c1, c2).areas, before, 1e-14);
+  for (int turn = 0; turn < 50; ++turn) {  // a crossing among them passes the first vertex
+    std::rotate(c1.begin(), c1.begin() + 10, c1.end());
+    std::rotate(c2.begin(), c2.begin() + 7, c2.end());
+    expect_near(smooth_of(c1, c2).areas, before, 1e-14);
+  }
+}
+
+TEST(Smooth, CrossingAtVertices) {
+  // Circles about (-a, 0) and (a, 0) meet in (0, +-b).
+  const double a = 0.6, b = 0.8, angle = std::atan2(b, a);
+  for (const int n : {400, 401}) {
+    Points c1, c2;
+    for (int k = 0; k < n; ++k) {
+      const double t = angle + 2 * pi * k / n;
+      c1.push_back(k == 0 ? Point{0, b} : Point{-a + std::cos(t), std::sin(t)});
+      c2.push_back(k == 0 ? Point{0, b} : Point{a - std::cos(t), std::sin(t)});
+    }
+    EXPECT_LT(worst(smooth_of(c1, c2).areas, lens(2 * a)), 1e-10);
+  }
+}
+
+TEST(Smooth, UnevenPoints) {
+  // Segments grow by a factor of 1000 along each half, by a few per cent from one to the next.
+  const auto uneven = [](const Shape& shape) {
+    Points points;
+    const int half = 400;
+    for (const int sign : {1, -1}) {
+      for (int k = 0; k < half; ++k) {
+        const double part = (std::pow(1000.0, (k + 0.0) / half) - 1) / 999;
+        const double angle = sign > 0 ? pi * part : 2 * pi - pi * part;
+        if (sign > 0) points.push_back(shape(angle));
+        if (sign < 0 && k > 0) points.push_back(shape(angle));
+      }
+      if (sign > 0) points.push_back(shape(pi));
+    }
+    std::reverse(points.begin() + half + 1, points.end());
+    return points;
+  };
+  const Points c1 = uneven(ellipse(0, 0, 1, 1)), c2 = uneven(ellipse(0.7, 0, 1, 1));
+  const Overlay result = overlay(CurveView{c1}, CurveView{c2});
+  const SmoothAreas smooth = smooth_areas(result);
+  EXPECT_LT(worst(smooth.areas, lens(0.7)), 1e-4 * worst(result.areas, lens(0.7)));
+  for (const auto member : members) {
+    EXPECT_LE(std::fabs(smooth.areas.*member - lens(0.7).*member), smooth.error.*member);
+  }
+}
+
+TEST(Smooth, PolygonsStayPolygons) {
+  const auto expect_polygon = [](const Points& c1, const Points& c2) {
+    const Overlay result = overlay(CurveView{c1}, CurveView{c2});
+    expect_equal(smooth_areas(result).areas, result.areas);
+  };
+  const Points square{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, other{{0.3, 0.2}, {1.6, 0.4}, {0.9, 1.7}};
+  expect_polygon(square, other);
+  expect_polygon(square, {{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}});
+  Points divided;  // sides with vertices on them
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point a = square[k], b = square[(k + 1) % 4];
+    for (int j = 0; j < 16; ++j) divided.push_back({a.x + (b.x - a.x) * j / 16, a.y + (b.y - a.y) * j / 16});
+  }
+  expect_polygon(divided, other);
+  Points star;  // every vertex turns by more than 45 degrees
+  for (int k = 0; k < 40; ++k) {
+    const double r = k % 2 == 0 ? 1 : 0.6, t = 2 * pi * k / 40;
+    star.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  expect_polygon(star, square);
+}
+
+TEST(Smooth, CornersOnASmoothCurve) {
+  // The upper half of the unit disc, its diameter divided evenly or not at all, against a disc that it does not cut.
+  double previous = 0;
+  for (const int n : {50, 100, 200, 400}) {
+    for (const int across : {1, n}) {
+      Points half;
+      for (int k = 0; k < n; ++k) half.push_back({std::cos(pi * k / n), std::sin(pi * k / n)});
+      for (int k = 0; k < across; ++k) half.push_back({-1 + 2.0 * k / across, 0});
+      const Points circle = sample(ellipse(0, 0.25, 1, 1), n);
+      const SmoothAreas smooth = smooth_of(half, circle);
+      // The circle's part below y = 0 is a segment of the disc at distance 1/4; the upper arcs meet at y = 1/8.
+      EXPECT_LE(std::fabs(smooth.areas.c1 - pi / 2), smooth.error.c1);
+      const double error = std::fabs(smooth.areas.c1 - pi / 2);
+      if (across == n) {
+        if (previous > 0) {
+          EXPECT_LT(error, previous / 14);
+        }
+        previous = error;
+      }
+    }
+  }
+}
+
+TEST(Smooth, NoiseCostsNoMoreThanTheBar) {
+  const Areas exact = lens(0.7);
+  for (const int n : {200, 2000}) {
+    for (const double size : {1e-9, 1e-6, 1e-3, 1e-2, 0.1, 0.3}) {
+      for (unsigned seed = 0; seed < 20; ++seed) {
+        const double h = 2 * pi / n;
+        const Points c1 = jittered(sample(ellipse(0, 0, 1, 1), n), size * h, 2 * seed);
+        const Points c2 = jittered(sample(ellipse(0.7, 0, 1, 1), n), size * h, 2 * seed + 1);
+        Overlay result;
+        try {
+          result = overlay(CurveView{c1}, CurveView{c2});
+        } catch (const NotSimpleError&) {
+          continue;  // jitter may make a knot
+        }
+        const SmoothAreas smooth = smooth_areas(result);
+        for (const auto member : members) {
+          EXPECT_LE(std::fabs(smooth.areas.*member - exact.*member),
+                    std::fabs(result.areas.*member - exact.*member) + smooth.error.*member)
+              << n << " " << size << " " << seed;
+        }
+        if (size == 0.3) {
+          EXPECT_GT(smooth.fallback_segments, static_cast<std::uint64_t>(n))  // of 2 n
+          ;
+        }
+      }
+    }
+  }
+}
+
+TEST(Smooth, SharedArcsAreNoLobes) {
+  const Points circle = sample(ellipse(0, 0, 1, 1), 300);
+  const SmoothAreas same = smooth_of(circle, circle);
+  EXPECT_EQ(same.areas.symmetric_difference, 0);
+  EXPECT_EQ(same.error.symmetric_difference, 0);
+  EXPECT_NEAR(same.areas.intersection, pi, 1e-10);
+
+  // One half shared, in the other half a smaller radius with corners at the ends: nothing of C2 outside C1.
+  Points inner = circle;
+  for (Point& p : inner) {
+    if (p.y < 0) p = {0.9 * p.x, 0.9 * p.y};
+  }
+  const SmoothAreas half = smooth_of(circle, inner);
+  EXPECT_EQ(half.areas.c2_minus_c1, 0);
+  EXPECT_NEAR(half.areas.unite, pi, 1e-9);
+  std::rotate(inner.begin(), inner.begin() + 77, inner.end());
+  std::reverse(inner.begin(), inner.end());
+  const SmoothAreas turned = smooth_of(circle, inner);
+  expect_near(turned.areas, half.areas, 1e-14);
+  EXPECT_EQ(turned.areas.c2_minus_c1, 0);
+
+  // Outside instead, along the same arc run the other way.
+  Points outer = circle;
+  for (Point& p : outer) {
+    if (p.y < 0) p = {p.x, 2.5 - p.y};
+  }
+  const SmoothAreas apart = smooth_of(circle, outer);
+  EXPECT_EQ(apart.areas.intersection, 0);
+  EXPECT_NEAR(apart.areas.c1_minus_c2, pi, 1e-9);
+}
+
+TEST(Smooth, RepeatedVerticesDoNotMatter) {
+  const Points c1 = sample(wavy(0.1, 5), 500), c2 = sample(ellipse(0, 0, 1, 1), 500);
+  Points repeated;
+  for (std::size_t k = 0; k < c1.size(); ++k) repeated.insert(repeated.end(), 1 + k % 3, c1[k]);
+  expect_near(smooth_of(repeated, c2).areas, smooth_of(c1, c2).areas, 1e-15);
+}
+
+TEST(Smooth, BunchedVerticesHaveAnErrorBar) {
+  // Pairs of vertices a hundred times closer than the pairs are: no stencil fits.
+  const auto bunched = [](double x) {
+    Points points;
+    for (int k = 0; k < 400; ++k) {
+      for (const double t : {2 * pi * k / 400, 2 * pi * (k + 0.01) / 400})
+        points.push_back({x + std::cos(t), std::sin(t)});
+    }
+    return points;
+  };
+  const SmoothAreas smooth = smooth_of(bunched(0), bunched(0.7));
+  EXPECT_GT(smooth.fallback_segments, 0U);
+  for (const auto member : members) {
+    EXPECT_LE(std::fabs(smooth.areas.*member - lens(0.7).*member), smooth.error.*member);
+  }
+}
+
+TEST(Smooth, CurvesThatDoNotMeet) {
+  const Points outer = sample(ellipse(0, 0, 2, 2), 400), inner = sample(ellipse(0.1, 0, 1, 1), 400),
+               aside = sample(ellipse(5, 0, 1, 1), 400);
+  expect_near(smooth_of(outer, inner).areas, from(4 * pi, pi, pi), 1e-10);
+  expect_near(smooth_of(inner, outer).areas, from(pi, 4 * pi, pi), 1e-10);
+  expect_near(smooth_of(inner, aside).areas, from(pi, pi, 0), 1e-10);
+}
+
+TEST(Smooth, NearTangentCurvesKeepTheirBar) {
+  // Lobes down to a thousandth of the sagitta of a segment, which polygons get wrong altogether.
+  for (const double depth : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    const Points c1 = sample(ellipse(0, 0, 1, 1), 400), c2 = sample(ellipse(2 - depth, 0, 1, 1), 400, 0.713);
+    const SmoothAreas smooth = smooth_of(c1, c2);
+    const Areas exact = lens(2 - depth);
+    if (smooth.areas.intersection > 0) {
+      EXPECT_LE(std::fabs(smooth.areas.intersection - exact.intersection), smooth.error.intersection) << depth;
+    }
+  }
+  const Points wave = sample(wavy(1e-6, 40), 1000), circle = sample(ellipse(0, 0, 1, 1), 1000, 0.6);
+  const SmoothAreas smooth = smooth_of(wave, circle);
+  EXPECT_LE(std::fabs(smooth.areas.symmetric_difference - waves(1e-6).symmetric_difference),
+            smooth.error.symmetric_difference);
+}
+
+TEST(Smooth, SameBitsForAnyNumberOfThreads) {
+  const Points c1 = sample(wavy(0.05, 61), 20000), c2 = sample(ellipse(0, 0, 1, 1), 20000);
+  const Overlay result = overlay(CurveView{c1}, CurveView{c2});
+  const SmoothAreas one = with_threads(1, [&] { return smooth_areas(result); });
+  for (const int threads : {2, 7}) {
+    const SmoothAreas more = with_threads(threads, [&] { return smooth_areas(result); });
+    expect_equal(more.areas, one.areas);
+    expect_equal(more.error, one.error);
+  }
+}
+
+TEST(Smooth, AnyScale) {
+  const Points c1 = sample(wavy(0.1, 5), 300), c2 = sample(ellipse(0, 0, 1, 1), 300);
+  const Areas plain = smooth_of(c1, c2).areas;
+  for (const int exponent : {-500, 500, 20}) {
+    const auto scaled = [&](Points points) {
+      for (Point& p : points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      return points;
+    };
+    const Areas areas = smooth_of(scaled(c1), scaled(c2)).areas;
+    for (const auto member : members) EXPECT_NEAR(std::ldexp(areas.*member, -2 * exponent), plain.*member, 1e-15);
+  }
+}
+
+TEST(Smooth, AreaOfOneCurve) {
+  Points wave = sample(wavy(0.1, 5), 1000);
+  const double area = pi * (1 + 0.1 * 0.1 / 2);
+  for (const double orientation : {1.0, -1.0}) {
+    for (const int exponent : {0, -500}) {
+      Points scaled = wave;
+      for (Point& p : scaled) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      const SmoothArea found = smooth_area(CurveView{scaled});
+      EXPECT_NEAR(std::ldexp(found.area, -2 * exponent), orientation * area, 1e-11);
+      EXPECT_LE(std::fabs(std::ldexp(found.area, -2 * exponent) - orientation * area),
+                std::ldexp(found.error, -2 * exponent));
+      EXPECT_EQ(found.fallback_segments, 0U);
+    }
+    std::reverse(wave.begin(), wave.end());
+  }
+}
+
+}  // namespace
+}  // namespace lober
