@@ -27,8 +27,9 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/batch.hpp"
-#include "engine/files/files.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/files.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober::bench {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/geometry/densify/densify.hpp"
+#include "lober/densify.hpp"
 
 namespace lober {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/dynamics/manifolds/grow.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/manifolds.hpp"
+#include "lober/systems.hpp"
 
 namespace lober {
 namespace {

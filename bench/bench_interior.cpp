@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "bench/scenes/scenes.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/views.hpp"
+#include "kernels/box.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 namespace {

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "kernels/box.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/leaf.hpp"
 #include "kernels/predicates.hpp"

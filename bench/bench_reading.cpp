@@ -10,8 +10,8 @@
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace {
 

@@ -11,7 +11,8 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/crossings/contacts.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/tangle.hpp"
 
 namespace lober {
 namespace {

@@ -22,12 +22,12 @@
 #include "cli/published/published_tangle.hpp"
 #include "cli/tangle/tangle_command.hpp"
 #include "cli/transport/transport_command.hpp"
-#include "engine/base/agreement.hpp"
-#include "engine/base/error.hpp"
 #include "engine/base/input_guard.hpp"
-#include "engine/base/parallel/cancellation.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "kernels/cpu.hpp"
+#include "lober/agreement.hpp"
+#include "lober/cancellation.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

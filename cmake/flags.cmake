@@ -26,6 +26,7 @@ endfunction()
 # -fno-math-errno, -fno-trapping-math: nobody reads errno or the exception flags. No result changes, and loops with
 # square roots and choices become vectors.
 function(lober_own_code target)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     $<$<BOOL:${LOBER_WERROR}>:-Werror>

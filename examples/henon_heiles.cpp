@@ -2,7 +2,7 @@
 // with its section x = 0, px > 0 in (y, py).
 //
 //     c++ -std=c++20 -shared -fPIC -O2 -I. examples/henon_heiles.cpp -o henon_heiles.so
-#include "engine/lober/lober_system.h"
+#include "lober/lober_system.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
        cc -shared -fPIC -O2 -I. examples/quadratic_map.c -o quadratic_map.so -lm */
 #include <math.h>
 
-#include "engine/lober/lober_system.h"
+#include "lober/lober_system.h"
 
 static int forward(const double* a, const double z[2], double image[2]) {
   const double c = cos(a[0]), s = sin(a[0]), y = z[1] - z[0] * z[0];

@@ -29,6 +29,7 @@ struct alignas(32) Box {
   [[nodiscard]] LOBER_INLINE double max_y() const { return -lane[3]; }
   [[nodiscard]] LOBER_INLINE double width() const { return max_x() - min_x(); }
   [[nodiscard]] LOBER_INLINE double height() const { return max_y() - min_y(); }
+  operator Rectangle() const { return {min_x(), min_y(), max_x(), max_y()}; }  // NOLINT(google-explicit-constructor)
   /// Half the perimeter: the measure of size that never vanishes for a segment.
   [[nodiscard]] LOBER_INLINE double extent() const { return width() + height(); }
 };
@@ -40,6 +41,10 @@ inline Box unite(const Box& a, const Box& b) {
 
 inline bool meet(const Box& a, const Box& b) {
   return a.lane[0] <= -b.lane[2] && a.lane[1] <= -b.lane[3] && a.lane[2] <= -b.lane[0] && a.lane[3] <= -b.lane[1];
+}
+
+inline Box box_of(const Rectangle& rectangle) {
+  return {{rectangle.min_x, rectangle.min_y, -rectangle.max_x, -rectangle.max_y}};
 }
 
 /// The box of all points; empty, meeting none, when there are none.

@@ -8,19 +8,9 @@
 
 #include "kernels/double_double.hpp"
 #include "kernels/point.hpp"
+#include "lober/counts.hpp"
 
 namespace lober {
-
-/// How often each stage decided. Summed over tasks, so the same for any number of threads.
-struct PredicateCounts {
-  std::uint64_t filter_failures = 0;  ///< the filter could not tell
-  std::uint64_t exact_calls = 0;      ///< ... and neither could an exact product of exact differences
-  PredicateCounts& operator+=(const PredicateCounts& other) {
-    filter_failures += other.filter_failures;
-    exact_calls += other.exact_calls;
-    return *this;
-  }
-};
 
 /// Forward error of the filter of orient2d, relative to |left| + |right|. With u = 2^-53: each difference has relative
 /// error u, each product one more, the final subtraction one more, so |error| <= (3 u + O(u^2)) (|left| + |right|); the

@@ -6,15 +6,9 @@
 
 #include "kernels/box.hpp"
 #include "kernels/leaf.hpp"
+#include "lober/segment_pair.hpp"
 
 namespace lober {
-
-/// A segment of the first curve and one of the second.
-struct SegmentPair {
-  std::uint32_t first;
-  std::uint32_t second;
-  friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
-};
 
 /// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once, the same of each
 /// group of four segments, and a strip that holds the leaf.

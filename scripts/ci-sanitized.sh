@@ -6,11 +6,11 @@ set -uo pipefail
 cd "$(dirname "$0")/.."
 build=$1
 if [ -n "${LOBER_CI_ALL:-}" ]; then
-  export LOBER_RANDOM_PAIRS=500 LOBER_RANDOM_REGIONS=500 LOBER_RANDOM_TANGLES=30 LOBER_STABILITY_PAIRS=20
+  export LOBER_RANDOM_PAIRS=500 LOBER_RANDOM_REGIONS=500 LOBER_RANDOM_TANGLES=2000 LOBER_STABILITY_PAIRS=20
   export LOBER_DISCRETISATION_PAIRS=20
   long='*Transport*:*Escape*:*Large*:*Discretisation*:*Grow*:*TangleOfMap*'
 else
-  export LOBER_RANDOM_PAIRS=200 LOBER_RANDOM_REGIONS=200 LOBER_RANDOM_TANGLES=20 LOBER_STABILITY_PAIRS=5
+  export LOBER_RANDOM_PAIRS=200 LOBER_RANDOM_REGIONS=200 LOBER_RANDOM_TANGLES=200 LOBER_STABILITY_PAIRS=5
   export LOBER_DISCRETISATION_PAIRS=5
   long='*OracleAgreement*:*Transport*:*Escape*:*Tube*:*ThinTangle*:*ActionAtRest*:*Systems*:*FixedPoints*:*Large*'
   long+=':*Discretisation*:*Grow*:*TangleOfMap*:*BulkMemory*'

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "bench/accuracy/accuracy.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
+#include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
+#include "lober/smooth.hpp"
 
 namespace lober::bench {
 namespace {

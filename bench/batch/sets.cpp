@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace lober::bench {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/views.hpp"
 
 namespace lober::bench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "bench/scenes/scenes.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober::bench {
 

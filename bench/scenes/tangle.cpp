@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "bench/scenes/shapes.hpp"
+#include "kernels/box.hpp"
 
 namespace lober::bench {
 namespace {

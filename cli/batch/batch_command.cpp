@@ -9,9 +9,9 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/report/report.hpp"
-#include "engine/base/parallel/cancellation.hpp"
 #include "engine/batch/export.hpp"
 #include "engine/batch/forecast.hpp"
+#include "lober/cancellation.hpp"
 
 namespace lober::cli {
 namespace {

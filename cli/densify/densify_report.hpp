@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/densify/densify.hpp"
+#include "lober/densify.hpp"
+#include "lober/files.hpp"
 
 namespace lober::cli {
 

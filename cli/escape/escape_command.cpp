@@ -10,9 +10,9 @@
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/agreement_report.hpp"
-#include "engine/base/error.hpp"
-#include "engine/base/parallel/cancellation.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/cancellation.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "cli/escape/escape_report.hpp"
 #include "cli/report/svg.hpp"
-#include "engine/files/files.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/files.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober::cli {
 namespace {
@@ -38,7 +38,7 @@ std::vector<Drawn> curves_on_section(const Escape& result) {
   return curves;
 }
 
-void add_overlap(std::string& path, const View& view, CurveView first, CurveView second) {
+void add_overlap(std::string& path, const View& view, const ClosedCurve& first, const ClosedCurve& second) {
   const Overlay common = overlay(first, second);
   path += path_of(view, most_points, [&](PathWriter& writer) {
     for (std::size_t k = 0; k < common.pieces(Pairing::intersection).size(); ++k) {
@@ -86,7 +86,7 @@ std::string curve_path(const View& view, const CurveView& curve) {
 void write_escape_picture(const std::string& path, const EscapeReport& report) {
   const std::vector<Drawn> curves = curves_on_section(report.result);
   if (curves.empty()) throw DataError("no curve crosses the section in its direction");
-  Box window;
+  Rectangle window;
   for (const Drawn& drawn : curves) window = include(window, drawn.curve.points);
   const View view(window);
   std::string svg;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/dynamics/escape/monte_carlo.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/monte_carlo.hpp"
+#include "lober/systems.hpp"
 
 namespace lober::cli {
 

@@ -9,9 +9,9 @@
 #include "cli/program/system_options.hpp"
 #include "cli/report/point_file.hpp"
 #include "cli/report/text.hpp"
-#include "engine/base/parallel/cancellation.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/dynamics/fixed_points/fixed_points.hpp"
+#include "lober/cancellation.hpp"
+#include "lober/fixed_points.hpp"
 
 namespace lober::cli {
 namespace {
@@ -82,7 +82,7 @@ void check(Request& request) {
   if (!request.box.empty()) {
     const Point low{request.box[0], request.box[1]}, high{request.box[2], request.box[3]};
     if (!(low.x < high.x && low.y < high.y)) throw UsageError("--box: X0 < X1 and Y0 < Y1 are needed");
-    request.growth.box = Box::of(low, high);
+    request.growth.box = Rectangle::of(low, high);
   }
   if (!request.output.empty()) (void)format_of(request.output);
 }

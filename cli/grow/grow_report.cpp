@@ -36,8 +36,8 @@ Json options_json(const GrowReport& report) {
             {"iterates", options.iterates < 0 ? Json(nullptr) : Json(options.iterates)},
             {"length", number(options.length)},
             {"max_points", options.most_points}};
-  if (options.box.width() >= 0) {
-    json["box"] = {options.box.min_x(), options.box.min_y(), options.box.max_x(), options.box.max_y()};
+  if (!options.box.empty()) {
+    json["box"] = {options.box.min_x, options.box.min_y, options.box.max_x, options.box.max_y};
   }
   return json;
 }

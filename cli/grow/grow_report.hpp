@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "engine/dynamics/manifolds/grow.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/manifolds.hpp"
+#include "lober/systems.hpp"
 
 namespace lober::cli {
 

@@ -12,7 +12,7 @@
 #include "cli/program/progress.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cli/report/report.hpp"
-#include "engine/base/agreement.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/agreement.hpp"
+#include "lober/interior.hpp"
 
 namespace lober::cli {
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "cli/mpi/messages.hpp"
-#include "engine/base/error.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/dealer.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

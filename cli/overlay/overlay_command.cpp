@@ -15,7 +15,7 @@
 #include "cli/program/progress.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/interior.hpp"
 
 namespace lober::cli {
 namespace {
@@ -217,7 +217,8 @@ RegionsReport compute_by_rule(const Request& request, Progress& progress) {
   RegionOptions options;
   options.index = report.index;
   options.progress = [&](double fraction) { return progress.advance(fraction); };
-  report.result = regions(CurveView(report.inputs[0].curve), CurveView(report.inputs[1].curve), options);
+  report.result = regions(ClosedCurve::borrow(report.inputs[0].curve.points),
+                          ClosedCurve::borrow(report.inputs[1].curve.points), options);
   progress.phase("pieces", 0.8, 0.9);
   const Stopwatch pieces_watch;
   if (!report.areas_only) {

@@ -33,7 +33,7 @@ void format_crossing(std::string& text, const OverlayReport& report, std::size_t
   append_all(text, k, ",", node.begin.x, ",", node.begin.y, ",", node.rho, ",", kind_of(node), ",", node.begin1.segment,
              ",", node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",");
   if (!result.classes.empty() && result.classes[k] != Overlay::no_class) append(text, result.classes[k]);
-  append_all(text, ",", result.nodes.graph().rank2[k]);
+  append_all(text, ",", result.nodes.rank2(k));
   if (node.shared == 0) {
     text += ",,,,,,\n";
   } else {

@@ -51,7 +51,7 @@ void write_crossings_member(OutputFile& file, const OverlayReport& report) {
   file.write("\"list\": ");
   write_list(file, result.nodes.size(), [&](std::string& line, std::size_t k) {
     const std::uint32_t class_number = result.classes.empty() ? Overlay::no_class : result.classes[k];
-    format_node(line, result.nodes[k], k, class_number, result.nodes.graph().rank2[k]);
+    format_node(line, result.nodes[k], k, class_number, result.nodes.rank2(k));
   });
   file.write("},\n");
 }
@@ -68,7 +68,11 @@ void write_pieces_member(OutputFile& file, const OverlayReport& report) {
     write_list(file, pieces.size(), [&](std::string& text, std::size_t k) {
       const Piece piece = pieces[k];
       put(text, "{\"area\":", piece.area, ",\"centroid\":[", centroids[k].x, ",", centroids[k].y, "],\"crossings\":[");
-      for (std::size_t m = 0; m < piece.crossings.size(); ++m) put(text, m == 0 ? "" : ",", piece.crossings[m]);
+      const char* separator = "";
+      for (const std::uint32_t node : piece.crossings) {
+        put(text, separator, node);
+        separator = ",";
+      }
       const bool sliver = std::binary_search(slivers.begin(), slivers.end(), static_cast<std::uint32_t>(k));
       put(text, "],\"holes\":", piece.holes, ",\"sliver\":", sliver ? "true" : "false", "}");
     });

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "cli/report/report.hpp"
-#include "engine/base/agreement.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
+#include "lober/agreement.hpp"
+#include "lober/overlay.hpp"
+#include "lober/smooth.hpp"
 
 namespace lober::cli {
 

@@ -27,13 +27,14 @@ void add_areas(std::string& text, const OverlayReport& report) {
 }
 
 // "0 1 2 3 4 5 6 7 ... (20)": the crossings of a piece, shortened.
-std::string crossings_text(const std::vector<std::uint32_t>& crossings) {
+std::string crossings_text(const PieceCrossings& crossings) {
   constexpr std::size_t most = 8;
   std::string text;
-  for (std::size_t k = 0; k < std::min(most, crossings.size()); ++k) {
-    text += fmt::format("{}{}", k == 0 ? "" : " ", crossings[k]);
+  std::size_t count = 0;
+  for (const std::uint32_t node : crossings) {
+    if (count++ < most) text += fmt::format("{}{}", text.empty() ? "" : " ", node);
   }
-  if (crossings.size() > most) text += fmt::format(" ... ({})", crossings.size());
+  if (count > most) text += fmt::format(" ... ({})", count);
   return text.empty() ? "-" : text;
 }
 

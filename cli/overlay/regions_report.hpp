@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/overlay/overlay_report.hpp"
-#include "engine/geometry/regions/regions.hpp"
+#include "lober/regions.hpp"
 
 namespace lober::cli {
 

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "cli/program/output_names.hpp"
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "engine/files/output_file.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

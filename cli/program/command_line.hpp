@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/program/option_parser.hpp"
-#include "engine/geometry/index/index.hpp"
+#include "lober/index.hpp"
 
 namespace lober::cli {
 

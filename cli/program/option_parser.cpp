@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/program/command_line.hpp"
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 

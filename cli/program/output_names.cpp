@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "engine/base/error.hpp"
-#include "engine/files/files.hpp"
+#include "lober/error.hpp"
+#include "lober/files.hpp"
 
 namespace lober::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "cli/program/interrupt.hpp"
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

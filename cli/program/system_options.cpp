@@ -2,8 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/systems/shared_library.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cli/program/option_parser.hpp"
 #include "cli/report/json.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/systems.hpp"
 
 namespace lober::cli {
 

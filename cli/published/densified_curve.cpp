@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "engine/geometry/densify/densify.hpp"
+#include "lober/densify.hpp"
 
 namespace lober::cli {
 namespace {

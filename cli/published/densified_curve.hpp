@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/interior.hpp"
 
 namespace lober::cli {
 

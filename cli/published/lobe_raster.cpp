@@ -7,7 +7,7 @@
 #include "cli/report/text.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/files/tecplot.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/interior.hpp"
 
 namespace lober::cli {
 namespace {
@@ -32,9 +32,9 @@ void mark(LobeRaster& raster, const Tangle& tangle, std::size_t lobe) {
   const std::vector<Point> outline = lobe_outline(tangle, lobe);
   if (outline.size() < 3) return;
   const IndexedCurve curve{CurveView{outline}};
-  const Box box = include({}, outline);
-  const Range columns = cells_between(box.min_x(), box.max_x(), raster.window.min_x(), raster.window.max_x());
-  const Range rows = cells_between(box.min_y(), box.max_y(), raster.window.min_y(), raster.window.max_y());
+  const Rectangle box = include({}, outline);
+  const Range columns = cells_between(box.min_x, box.max_x, raster.window.min_x, raster.window.max_x);
+  const Range rows = cells_between(box.min_y, box.max_y, raster.window.min_y, raster.window.max_y);
   const int number = tangle.lobes[lobe].orientation() * static_cast<int>(lobe + 1);
   for_each_block(rows.end - rows.begin, 1, [&](std::size_t k, std::size_t) {
     const std::size_t row = rows.begin + k;
@@ -52,7 +52,7 @@ Point LobeRaster::centre(std::size_t column, std::size_t row) const {
     const double t = (static_cast<double>(cell) + 0.5) / static_cast<double>(side);
     return (1 - t) * low + t * high;
   };
-  return {between(window.min_x(), window.max_x(), column), between(window.min_y(), window.max_y(), row)};
+  return {between(window.min_x, window.max_x, column), between(window.min_y, window.max_y, row)};
 }
 
 LobeRaster rasterise(const Tangle& tangle) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/tangle/tangle.hpp"
-#include "kernels/box.hpp"
+#include "lober/point.hpp"
+#include "lober/tangle.hpp"
 
 namespace lober::cli {
 
@@ -14,7 +14,7 @@ namespace lober::cli {
 /// none. Where lobes overlap the first one counts. A centre on the outline of a lobe lies not in it.
 struct LobeRaster {
   static constexpr std::size_t side = 100;  ///< cells along x and along y
-  Box window;                               ///< fits the lobes, or the manifolds if there are none
+  Rectangle window;                         ///< fits the lobes, or the manifolds if there are none
   std::vector<int> lobes;                   ///< row by row from below, each from the left
 
   [[nodiscard]] Point centre(std::size_t column, std::size_t row) const;

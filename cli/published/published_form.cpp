@@ -14,8 +14,8 @@
 #include "cli/published/densified_curve.hpp"
 #include "cli/report/text.hpp"
 #include "engine/files/number.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober::cli {
 namespace {

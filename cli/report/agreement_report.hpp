@@ -1,11 +1,11 @@
-// What every command shows where two independent routes lead to one quantity (engine/base/agreement.hpp).
+// What every command shows where two independent routes lead to one quantity (engine/lober/agreement.hpp).
 #pragma once
 
 #include <string>
 
 #include "cli/report/json.hpp"
 #include "cli/report/json_file.hpp"
-#include "engine/base/agreement.hpp"
+#include "lober/agreement.hpp"
 
 namespace lober::cli {
 

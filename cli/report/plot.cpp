@@ -5,8 +5,8 @@
 
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace lober::cli {
 namespace {
@@ -29,21 +29,24 @@ double step_of(double range, int most_steps) {
 // Data to the plot, which is twice as wide as high whatever the scales.
 class Axes {
  public:
-  explicit Axes(const Plot& plot) : view_(Box::of({0, 0}, {2, 1})) {
-    Box box;
+  explicit Axes(const Plot& plot) : view_(Rectangle::of({0, 0}, {2, 1})) {
+    Rectangle box;
     for (const PlotSeries& series : plot.series) {
       for (const Point point : series.points) {
-        if (drawable(point)) box = unite(box, Box::of({point.x, 0}, point));
+        if (drawable(point)) {
+          box.add({point.x, 0});
+          box.add(point);
+        }
       }
     }
-    if (!(box.width() >= 0)) box = Box::of({0, 0}, {1, 1});
+    if (box.empty()) box = Rectangle::of({0, 0}, {1, 1});
     const auto widened = [](double low, double high, double& begin, double& end) {
       const double room = high > low ? 0.05 * (high - low) : 0.5;
       begin = low - room;
       end = high + room;
     };
-    widened(box.min_x(), box.max_x(), low_.x, high_.x);
-    widened(box.min_y(), box.max_y(), low_.y, high_.y);
+    widened(box.min_x, box.max_x, low_.x, high_.x);
+    widened(box.min_y, box.max_y, low_.y, high_.y);
   }
   [[nodiscard]] const View& view() const { return view_; }
   [[nodiscard]] Point low() const { return low_; }

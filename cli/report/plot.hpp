@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/point.hpp"
+#include "lober/point.hpp"
 
 namespace lober::cli {
 

@@ -1,7 +1,7 @@
 #include "cli/report/point_file.hpp"
 
 #include "cli/program/output_names.hpp"
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 
 namespace lober::cli {
 

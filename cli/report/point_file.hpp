@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "engine/base/memory.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/buffer.hpp"
+#include "lober/curve.hpp"
 
 namespace lober::cli {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/areas.hpp"
-#include "engine/geometry/crossings/crossings.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/areas.hpp"
+#include "lober/crossings.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace lober::cli {
 

@@ -62,13 +62,15 @@ int subpixel(double pixels) {
   return static_cast<int>(std::lround(pixels * subpixels));
 }
 
-Box include(const Box& box, std::span<const Point> points) {
-  return unite(box, box_of(points));
+Rectangle include(const Rectangle& box, std::span<const Point> points) {
+  Rectangle result = box;
+  for (const Point& point : points) result.add(point);
+  return result;
 }
 
-View::View(const Box& window) : low_{window.min_x(), window.min_y()} {
+View::View(const Rectangle& window) : low_{window.min_x, window.min_y} {
   // Halves, because a difference of two finite numbers need not be finite.
-  half_ = {0.5 * window.max_x() - 0.5 * low_.x, 0.5 * window.max_y() - 0.5 * low_.y};
+  half_ = {0.5 * window.max_x - 0.5 * low_.x, 0.5 * window.max_y - 0.5 * low_.y};
   const double aspect = half_.x > 0 ? half_.y / half_.x : 1;
   height_ = picture_width * std::clamp(aspect, widest, tallest);
   const bool keep_scale = aspect >= widest;

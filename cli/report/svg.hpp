@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernels/box.hpp"
-#include "kernels/point.hpp"
+#include "lober/point.hpp"
 
 namespace lober::cli {
 
@@ -22,13 +21,13 @@ inline constexpr int subpixels = 20;  ///< coordinates in paths are whole number
 [[nodiscard]] int subpixel(double pixels);
 
 /// The smallest box that holds these points and those of `box`.
-[[nodiscard]] Box include(const Box& box, std::span<const Point> points);
+[[nodiscard]] Rectangle include(const Rectangle& box, std::span<const Point> points);
 
 /// From a window of the plane, y up, to pixels, y down. Both axes have one scale, unless the window is much longer than
 /// wide.
 class View {
  public:
-  explicit View(const Box& window);
+  explicit View(const Rectangle& window);
   [[nodiscard]] Pixel operator()(Point point) const;
   [[nodiscard]] double height() const { return height_; }  ///< of the plot
   [[nodiscard]] double left() const;                       ///< where the plot begins

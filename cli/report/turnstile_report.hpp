@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/report/json.hpp"
-#include "engine/dynamics/transport/manifold_tangle.hpp"
+#include "lober/manifold_tangle.hpp"
 
 namespace lober::cli {
 

@@ -33,9 +33,9 @@ void write_nodes(OutputFile& file, const Tangle& result) {
   for (const Pip& pip : result.pips) is_pip[pip.node] = true;
   write_list(file, result.nodes.size(), [&](std::string& text, std::size_t k) {
     const Node node = result.nodes[k];
-    put(text, "[", k, ",", result.nodes.graph().rank2[k], ",", node.begin.x, ",", node.begin.y, ",",
-        node.begin1.segment, ",", node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",", node.rho, ",\"",
-        kind_of(node.rho, is_pip[k]), "\",", arcs[k].generation(), ",", arcs[k].u, ",", arcs[k].s, "]");
+    put(text, "[", k, ",", result.nodes.rank2(k), ",", node.begin.x, ",", node.begin.y, ",", node.begin1.segment, ",",
+        node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",", node.rho, ",\"", kind_of(node.rho, is_pip[k]),
+        "\",", arcs[k].generation(), ",", arcs[k].u, ",", arcs[k].s, "]");
   });
 }
 
@@ -57,11 +57,10 @@ void write_tangle_graph(const std::string& path, const TangleReport& report) {
   json.member("pips", pips);
   json.member("bip", result.boundary ? Json(result.boundary->bip) : Json());
   json.member("period", result.images.period == 0 ? Json() : Json(result.images.period));
-  const auto& order_s = result.nodes.graph().rank2;
   json.list("lobes", result.lobes.size(), [&](std::string& text, std::size_t k) {
     const std::uint32_t first = result.pips[k].node, last = result.pips[k + 1].node;
     put(text, "{\"index\":", k, ",\"area\":", result.lobes[k].area, ",\"u\":[", first, ",", last, "],\"s\":[",
-        order_s[last], ",", order_s[first], "]}");
+        result.nodes.rank2(last), ",", result.nodes.rank2(first), "]}");
   });
   json.file().write(std::string("\"columns\": ") + columns + ",\n\"nodes\": ");
   write_nodes(json.file(), result);

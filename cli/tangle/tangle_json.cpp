@@ -141,7 +141,7 @@ Json statistics_json(const TangleReport& report) {
     object["fallback_segments"] = result.fallback_segments;
     object["fallback_pips"] = result.fallback_pips;
   }
-  object.update(counts_json(result.nodes.graph().counts));
+  object.update(counts_json(result.nodes.counts()));
   object["simple_check"] = simple_check_json(result.simple_check.search, result.simple_check.pairs);
   return object;
 }

@@ -22,9 +22,9 @@ const char* lobes_colour(const Tangle& tangle, int orientation) {
   return orientation > 0 ? palette::left_of_unstable : palette::right_of_unstable;
 }
 
-Box window_of(const Tangle& tangle) {
+Rectangle window_of(const Tangle& tangle) {
   if (!tangle.boundary) return include(include({}, tangle.u().points), tangle.s().points);
-  Box box = include({}, boundary_outline(tangle));
+  Rectangle box = include({}, boundary_outline(tangle));
   for (std::size_t k = 0; k < tangle.lobes.size(); ++k) box = include(box, lobe_outline(tangle, k));
   return box;
 }

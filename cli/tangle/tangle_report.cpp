@@ -17,7 +17,7 @@ NamedCurve read_manifold(const std::string& spec, bool reverse) {
 
 Tangle tangle_of(const NamedCurve& u, const NamedCurve& s, const TangleOptions& options) {
   try {
-    Tangle result = tangle(u.curve, s.curve, options);
+    Tangle result = tangle(OpenCurve::borrow(u.curve.points), OpenCurve::borrow(s.curve.points), options);
     for (const std::string& remark : result.remarks) log_warning(fmt::format("warning: {}", remark));
     return result;
   } catch (const NotSimpleError& error) {

@@ -9,8 +9,8 @@
 
 #include "cli/program/system_options.hpp"
 #include "cli/report/report.hpp"
-#include "engine/dynamics/transport/manifold_tangle.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "lober/manifold_tangle.hpp"
+#include "lober/tangle.hpp"
 
 namespace lober::cli {
 

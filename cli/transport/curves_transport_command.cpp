@@ -9,8 +9,8 @@
 #include "cli/report/agreement_report.hpp"
 #include "cli/tangle/tangle_report.hpp"
 #include "cli/transport/transport_report.hpp"
-#include "engine/base/error.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/report/json_file.hpp"
 #include "cli/report/plot.hpp"
 #include "cli/report/svg.hpp"
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/program/system_options.hpp"
-#include "engine/dynamics/transport/sweep.hpp"
+#include "lober/sweep.hpp"
 
 namespace lober::cli {
 

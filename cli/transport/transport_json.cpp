@@ -59,7 +59,7 @@ Json boundaries_json(const Transport& result) {
   for (const TransportBoundary& boundary : result.boundaries) {
     list.push_back({{"saddles", saddles_json(*boundary.manifolds)},
                     {"turnstile", all_turnstile_json(boundary)},
-                    {"point_error", boundary.barrier.curve_error}});
+                    {"point_error", boundary.point_error}});
   }
   return list;
 }

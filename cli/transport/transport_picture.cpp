@@ -7,8 +7,8 @@
 #include "cli/report/report.hpp"
 #include "cli/report/svg.hpp"
 #include "cli/transport/transport_report.hpp"
-#include "engine/base/error.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/error.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober::cli {
 namespace {
@@ -45,7 +45,7 @@ std::vector<std::vector<Point>> common_pieces(const Tangle& tangle, std::span<co
     if (!(in(first, both.i) && in(second, both.j)) && !(in(first, both.j) && in(second, both.i))) continue;
     const std::vector<Point> one = lobe_outline(tangle, both.i), other = lobe_outline(tangle, both.j);
     try {
-      const Overlay found = overlay(CurveView{one}, CurveView{other});
+      const Overlay found = overlay(ClosedCurve::borrow(one), ClosedCurve::borrow(other));
       const std::size_t pieces = found.pieces(Pairing::intersection).size();
       for (std::size_t k = 0; k < pieces; ++k) {
         for (std::vector<Point>& loop : outline(found, Pairing::intersection, k)) polygons.push_back(std::move(loop));
@@ -57,8 +57,8 @@ std::vector<std::vector<Point>> common_pieces(const Tangle& tangle, std::span<co
   return polygons;
 }
 
-Box window_of(const Tangle& tangle, std::span<const std::size_t> leaving, std::span<const std::size_t> entering) {
-  Box box = include({}, boundary_outline(tangle));
+Rectangle window_of(const Tangle& tangle, std::span<const std::size_t> leaving, std::span<const std::size_t> entering) {
+  Rectangle box = include({}, boundary_outline(tangle));
   for (const auto& lobes : {leaving, entering}) {
     for (const std::size_t k : lobes) box = include(box, lobe_outline(tangle, k));
   }

@@ -9,9 +9,9 @@
 
 #include "cli/program/system_options.hpp"
 #include "cli/report/report.hpp"
-#include "engine/dynamics/transport/transport.hpp"
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
+#include "lober/transport.hpp"
 
 namespace lober::cli {
 

@@ -1,4 +1,4 @@
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 #include <string>
 

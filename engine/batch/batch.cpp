@@ -4,12 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "engine/base/parallel/cancellation.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/curve_set.hpp"
 #include "engine/batch/export.hpp"
 #include "engine/batch/file_unit.hpp"
+#include "lober/cancellation.hpp"
 
 namespace lober {
 namespace {
@@ -167,6 +167,10 @@ void Watcher::finish() {
   wake_.notify_one();
   if (thread_.joinable()) thread_.join();
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+}
+
+BatchReport run_batch(const std::string& manifest, const BatchOptions& options) {
+  return run_batch(read_manifest(manifest), options);
 }
 
 }  // namespace lober

@@ -10,6 +10,7 @@
 #include "engine/batch/plan_runner.hpp"
 #include "engine/batch/result_writer.hpp"
 #include "engine/batch/store.hpp"
+#include "lober/batch.hpp"
 
 namespace lober {
 
@@ -50,28 +51,7 @@ class StoreSession {
   std::unique_ptr<ResultWriter> writer_;
 };
 
-struct BatchOptions {
-  std::string store;
-  Shard shard;
-  QueueOptions queue;
-  /// Called about ten times a second while jobs run, from a thread of its own; return false to stop: what runs is
-  /// finished and stored, if it ends within `patience` seconds, and broken off else. What it throws stops the run too
-  /// and is passed on.
-  std::function<bool(const QueueProgress&)> progress;
-  double patience = 1;
-};
-
-struct BatchReport {
-  QueueReport queue;
-  std::size_t jobs = 0;              ///< of the shard
-  std::size_t finished_before = 0;   ///< of them, found in the store
-  std::vector<std::string> damaged;  ///< see StoreSession
-  double store_seconds = 0;          ///< processor time of the thread that writes
-  double wall_seconds = 0;           ///< everything
-};
-
-/// Runs what the store does not have yet. Throws as `read_manifest`, `make_plan` and Store do, at once when the store
-/// can no longer be written; a job that fails is no exception but counted.
+/// As run_batch of lober/batch.hpp, of a manifest that is read already.
 [[nodiscard]] BatchReport run_batch(const Manifest& manifest, const BatchOptions& options);
 
 /// Calls `watch` about ten times a second on a thread of its own, until `finish` or until it throws.

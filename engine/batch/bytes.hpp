@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 

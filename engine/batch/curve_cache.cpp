@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "engine/batch/allowance.hpp"
 #include "engine/batch/prepared_curve.hpp"
+#include "lober/batch.hpp"
 
 namespace lober {
 
@@ -57,14 +58,6 @@ struct CurveUnit {
   /// Returns so many curves, in order; throws what is a std::exception when nothing can be read. The same content every
   /// time.
   std::function<std::vector<LoadedCurve>(const Loading&)> load;
-};
-
-struct CacheCounts {
-  std::uint64_t units_read = 0, curves_indexed = 0;
-  std::uint64_t most_reads = 0;  ///< of one and the same unit
-  std::uint64_t evictions = 0;
-  std::size_t peak_bytes = 0;                    ///< of curves and indexes, and what running jobs may take
-  double read_seconds = 0, prepare_seconds = 0;  ///< wall time of each reading, added up
 };
 
 /// Keeps the books. Not safe for several threads: the queue holds its lock for every call but `read`.

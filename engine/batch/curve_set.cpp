@@ -8,8 +8,8 @@
 #include <set>
 
 #include "engine/batch/file_unit.hpp"
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

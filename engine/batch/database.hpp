@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 

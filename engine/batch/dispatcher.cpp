@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/batch/lanes.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -143,4 +143,9 @@ std::string damage_line(const Store& store, const Plan& plan, std::size_t job) {
          ") is damaged and counts as missing";
 }
 
+ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,
+                            const std::optional<std::string>& operation) {
+  return export_results(Store::open(store), path, format, operation);
+}
+
 }  // namespace lober

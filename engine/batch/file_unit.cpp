@@ -5,9 +5,9 @@
 #include <fstream>
 
 #include "engine/files/file_bytes.hpp"
-#include "engine/files/files.hpp"
 #include "engine/files/sniff.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

@@ -1,8 +1,8 @@
 #include "engine/batch/job_key.hpp"
 
 #include "engine/batch/provenance.hpp"
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

@@ -6,12 +6,12 @@
 #include <array>
 #include <mutex>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/dispatcher.hpp"
 #include "engine/batch/schedule.hpp"
-#include "engine/files/files.hpp"
+#include "lober/error.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

@@ -28,7 +28,8 @@
 
 #include "engine/batch/curve_cache.hpp"
 #include "engine/batch/operation.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/batch.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 
@@ -48,32 +49,6 @@ struct JobResult {
   double seconds = 0;   ///< the operation alone
   /// Of the contents of the curves, hexadecimal; only if QueueOptions::digests. Empty for a curve that was not read.
   std::string digest1, digest2;
-};
-
-struct QueueOptions {
-  int threads = 0;          ///< 0: as many as the calling thread may use
-  std::size_t memory = 0;   ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
-  bool digests = false;     ///< hash what is read
-  bool concurrent = false;  ///< `done` may be called from several threads at the same time
-};
-
-/// What a run did. Seconds of threads are added up over all threads.
-struct QueueReport {
-  std::size_t jobs = 0, failed = 0;  ///< that ran
-  bool stopped = false;              ///< jobs are left, because of `stop`
-  std::uint64_t points = 0;          ///< of the curves of all jobs, each counted as often as it was used
-  CacheCounts cache;
-  double wall_seconds = 0;
-  double operation_seconds = 0;  ///< threads in operations
-  double callback_seconds = 0;   ///< threads in the callback, and waiting for it
-  int threads = 0;
-};
-
-/// How far a run is. Costs are in the unit of Operation::cost.
-struct QueueProgress {
-  std::size_t jobs = 0, done = 0, failed = 0;
-  double cost = 0, cost_done = 0;
-  std::uint64_t points_done = 0;
 };
 
 class JobQueue {

@@ -7,8 +7,8 @@
 
 #include <utility>
 
-#include "engine/base/parallel/cancellation.hpp"
 #include "engine/base/parallel/handover.hpp"
+#include "engine/base/parallel/inherited_cancellation.hpp"
 
 namespace lober {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "engine/base/error.hpp"
 #include "engine/batch/text.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "engine/batch/curve_cache.hpp"
 #include "engine/batch/manifest.hpp"
+#include "lober/batch.hpp"
 
 namespace lober {
 
@@ -65,10 +66,6 @@ struct Plan {
 [[nodiscard]] const Operation& operation_of(const PlannedGroup& group);
 [[nodiscard]] Options options_of(const PlannedGroup& group);
 
-/// One of several processes or machines that share a plan.
-struct Shard {
-  std::size_t number = 0, of = 1;
-};
 /// The jobs of a shard: of each group its share, a run of jobs that follow each other, so that a shard reads few
 /// curves. Depends on nothing but the plan.
 [[nodiscard]] std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard);

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "engine/geometry/curve/curve.hpp"
-#include "engine/geometry/index/index.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/curve.hpp"
+#include "lober/index.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober {
 

@@ -7,8 +7,8 @@
 
 #include "engine/batch/provenance.hpp"
 #include "engine/batch/text.hpp"
-#include "engine/dynamics/manifolds/grow.hpp"
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
+#include "lober/manifolds.hpp"
 
 namespace lober {
 namespace {

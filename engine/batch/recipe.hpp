@@ -9,7 +9,7 @@
 
 #include "engine/batch/bytes.hpp"
 #include "engine/batch/curve_cache.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/systems.hpp"
 
 namespace lober {
 

@@ -7,7 +7,7 @@
 //   lober_system.h     the C interface by which users add systems
 #pragma once
 
-#include "engine/dynamics/fixed_points/fixed_points.hpp"
-#include "engine/dynamics/maps/flow.hpp"
-#include "engine/dynamics/maps/planar_map.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/fixed_points.hpp"
+#include "lober/flow.hpp"
+#include "lober/planar_map.hpp"
+#include "lober/systems.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 

@@ -10,9 +10,9 @@
 #include <system_error>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/base/input_guard.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "engine/base/memory.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 

@@ -13,8 +13,8 @@
 #include <system_error>
 #include <utility>
 
-#include "engine/base/error.hpp"
 #include "engine/base/input_guard.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 

@@ -1,7 +1,7 @@
 #include <cstring>
 
+#include "engine/base/finite.hpp"
 #include "engine/files/binary_file.hpp"
-#include "engine/geometry/curve/finite.hpp"
 
 namespace lober {
 

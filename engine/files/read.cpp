@@ -8,12 +8,12 @@
 #include "engine/files/closing.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "engine/files/file_bytes.hpp"
-#include "engine/files/files.hpp"
 #include "engine/files/foreign.hpp"
 #include "engine/files/plausible.hpp"
 #include "engine/files/read_memory.hpp"
 #include "engine/files/sniff.hpp"
 #include "engine/files/text_file.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

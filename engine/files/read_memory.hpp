@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 

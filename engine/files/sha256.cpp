@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define LOBER_SHA_INSTRUCTIONS 1

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 

@@ -2,11 +2,11 @@
 #include <bit>
 #include <charconv>
 
+#include "engine/base/finite.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
-#include "engine/files/files.hpp"
 #include "engine/files/output_file.hpp"
 #include "engine/files/tecplot.hpp"
-#include "engine/geometry/curve/finite.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

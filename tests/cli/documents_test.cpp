@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/systems.hpp"
 #include "tests/paths.hpp"
 
 namespace lober {

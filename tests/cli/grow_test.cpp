@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

@@ -2,8 +2,9 @@
 
 #include <set>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

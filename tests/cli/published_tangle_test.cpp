@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/shared_data.hpp"
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
-#include "engine/geometry/densify/densify.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/regions/regions.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/overlay/pieces_data.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/densify.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
+#include "lober/regions.hpp"
+#include "lober/tangle.hpp"
 #include "tests/determinism/hash.hpp"
 
 namespace lober {
@@ -39,8 +41,8 @@ void add(Hash& hash, const Crossings& nodes) {
 
 void add(Hash& hash, const Pieces& pieces) {
   hash.add_all(pieces.areas());
-  for (std::size_t k = 0; k < pieces.size(); ++k) hash.add_all(pieces.outer(k));
-  for (const Pieces::Hole& hole : pieces.holes()) {
+  for (std::size_t k = 0; k < pieces.size(); ++k) hash.add_all(pieces.data().outer(k));
+  for (const PieceHole& hole : pieces.data().holes) {
     hash.add(hole.piece);
     hash.add_all(hole.steps);
   }
@@ -72,6 +74,7 @@ void add(Hash& hash, const Tangle& found) {
     add(hash, pip.u);
     add(hash, pip.s);
     hash.add(pip.gap);
+    hash.add(pip.gap_low);
     hash.add(pip.gap_error);
   }
   for (const Lobe& lobe : found.lobes) {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "engine/geometry/curve/curve.hpp"
 #include "engine/geometry/index/index.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

@@ -1,8 +1,8 @@
 // NPY: whatever follows the magic string.
 #include <vector>
 
-#include "engine/files/files.hpp"
 #include "fuzz_reader.hpp"
+#include "lober/files.hpp"
 
 using namespace lober;
 

@@ -1,6 +1,6 @@
 // Raw float64, and the choice between it and the other formats.
-#include "engine/files/files.hpp"
 #include "fuzz_reader.hpp"
+#include "lober/files.hpp"
 
 using namespace lober;
 

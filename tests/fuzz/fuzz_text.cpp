@@ -1,6 +1,6 @@
 // Text and Tecplot. The first byte chooses where the text is cut into chunks, which must make no difference.
-#include "engine/files/files.hpp"
 #include "fuzz_reader.hpp"
+#include "lober/files.hpp"
 
 using namespace lober;
 

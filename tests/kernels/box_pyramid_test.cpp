@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "kernels/box.hpp"
 #include "kernels/box_pyramid.inl"
 #include "kernels/cpu.hpp"
 #include "kernels/simd.hpp"

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <vector>
 
+#include "kernels/box.hpp"
 #include "kernels/cpu.hpp"
 #include "kernels/leaf.inl"
 #include "kernels/simd.hpp"

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <vector>
 
+#include "kernels/box.hpp"
 #include "kernels/cpu.hpp"
 #include "kernels/predicates.hpp"
 #include "kernels/segment_boxes.inl"

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <vector>
 
+#include "engine/geometry/views.hpp"
+
 namespace lober::oracle {
 namespace {
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "kernels/box.hpp"
+
 namespace lober::oracle {
 namespace {
 

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <set>
 
+#include "kernels/box.hpp"
+
 namespace lober::oracle {
 
 // A segment from left to right; `winding` is what crossing it upwards adds.

@@ -15,7 +15,8 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/overlay.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/stress/coverage.hpp"

@@ -16,10 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/error.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/exact_overlay.hpp"

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"
-#include "engine/dynamics/systems/system.hpp"
-#include "engine/dynamics/transport/transport.hpp"
+#include "lober/error.hpp"
+#include "lober/systems.hpp"
+#include "lober/transport.hpp"
 #include "tests/environment.hpp"
 
 namespace lober {

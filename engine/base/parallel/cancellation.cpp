@@ -1,8 +1,8 @@
-#include "engine/base/parallel/cancellation.hpp"
+#include "engine/base/parallel/inherited_cancellation.hpp"
 
 #include <utility>
 
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

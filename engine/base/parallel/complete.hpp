@@ -3,7 +3,7 @@
 
 #include <tbb/task_group.h>
 
-#include "engine/base/parallel/cancellation.hpp"
+#include "engine/base/parallel/inherited_cancellation.hpp"
 
 namespace lober::detail {
 

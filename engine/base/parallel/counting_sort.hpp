@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "engine/base/memory.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 

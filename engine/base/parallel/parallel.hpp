@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/base/parallel/cancellation.hpp"
 #include "engine/base/parallel/function_ref.hpp"
+#include "lober/cancellation.hpp"
 
 namespace lober {
 

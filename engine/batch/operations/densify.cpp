@@ -1,6 +1,6 @@
 // `densify`: more points on a curve, or fewer, in the steps and with the options of `lober densify`.
-#include "engine/geometry/densify/densify.hpp"
-#include "engine/files/files.hpp"
+#include "lober/densify.hpp"
+#include "lober/files.hpp"
 
 #include <algorithm>
 #include <cmath>

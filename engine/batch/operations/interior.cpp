@@ -1,5 +1,5 @@
 // `interior`: the areas by way of the interior function, an independent method.
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/interior.hpp"
 
 #include "engine/batch/operations/table.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/batch/operations/table.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober {
 namespace {

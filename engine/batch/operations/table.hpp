@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/batch/operation.hpp"
-#include "engine/geometry/areas.hpp"
+#include "lober/areas.hpp"
 
 namespace lober {
 

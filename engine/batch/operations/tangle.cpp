@@ -1,5 +1,7 @@
 // `tangle`: pips, lobes, boundary and turnstile of an unstable (first) and a stable manifold.
-#include "engine/geometry/tangle/tangle.hpp"
+#include "lober/tangle.hpp"
+
+#include <cmath>
 
 #include "engine/batch/operations/table.hpp"
 

@@ -1,12 +1,12 @@
 // `transport`: flux out of a region of a system, iterate by iterate, from its equations alone. No curves.
-#include "engine/dynamics/transport/transport.hpp"
+#include "lober/transport.hpp"
 
 #include <algorithm>
 
-#include "engine/base/error.hpp"
 #include "engine/base/text.hpp"
 #include "engine/batch/operations/table.hpp"
 #include "engine/batch/recipe.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -1,17 +1,17 @@
-#include "engine/dynamics/escape/escape.hpp"
+#include "lober/escape.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <tuple>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/dynamics/escape/necks.hpp"
 #include "engine/dynamics/escape/symmetries.hpp"
 #include "engine/dynamics/escape/winding_product.hpp"
 #include "engine/dynamics/manifolds/growth_forecast.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -1,15 +1,15 @@
-#include "engine/dynamics/escape/monte_carlo.hpp"
+#include "lober/monte_carlo.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/index/index.hpp"
 #include "kernels/box.hpp"
 #include "kernels/splitmix.hpp"
+#include "lober/error.hpp"
+#include "lober/index.hpp"
 
 namespace lober {
 namespace {
@@ -20,7 +20,7 @@ struct Gate {
   IndexedCurve curve;
   Box box;
   int direction;
-  explicit Gate(const TubeCurve& c) : curve(c.view()), box(box_of(c.view().points)), direction(c.direction) {}
+  explicit Gate(const TubeCurve& c) : curve(c.view()), box(box_of(c.view().points())), direction(c.direction) {}
   [[nodiscard]] bool holds(Point p) const { return meet(box, Box::of(p, p)) && encloses(curve, p); }
 };
 

@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/dynamics/escape/escape.hpp"
 #include "engine/dynamics/escape/torn_images.hpp"
 #include "engine/dynamics/manifolds/growth_forecast.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
+#include "lober/error.hpp"
+#include "lober/escape.hpp"
+#include "lober/smooth.hpp"
 
 namespace lober {
 

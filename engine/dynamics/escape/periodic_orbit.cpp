@@ -1,4 +1,4 @@
-#include "engine/dynamics/escape/periodic_orbit.hpp"
+#include "lober/periodic_orbit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"
-#include "engine/dynamics/escape/periodic_orbit.hpp"
 #include "engine/dynamics/maps/linear_algebra.hpp"
+#include "lober/error.hpp"
+#include "lober/periodic_orbit.hpp"
 
 namespace lober {
 namespace {

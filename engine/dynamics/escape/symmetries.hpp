@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/dynamics/escape/escape.hpp"
+#include "lober/escape.hpp"
 
 namespace lober {
 

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/index/index.hpp"
+#include "lober/error.hpp"
+#include "lober/index.hpp"
 
 namespace lober {
 namespace {

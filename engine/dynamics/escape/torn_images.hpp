@@ -15,7 +15,7 @@
 #include <optional>
 #include <span>
 
-#include "engine/dynamics/escape/tube.hpp"
+#include "lober/tubes.hpp"
 
 namespace lober {
 

@@ -1,13 +1,14 @@
-#include "engine/dynamics/escape/tube.hpp"
+#include "lober/tubes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
+#include "kernels/point.hpp"
+#include "lober/error.hpp"
+#include "lober/smooth.hpp"
 
 namespace lober {
 namespace {
@@ -169,7 +170,7 @@ TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCu
   curve.complete =
       curve.image.flaws.empty() && curve.image.stop != GrowthStop::points && curve.image.points.size() >= 8;
   if (curve.complete) {
-    const SmoothArea area = smooth_area(curve.image);
+    const SmoothArea area = smooth_area(ClosedCurve::borrow(curve.image.points));
     curve.area = std::fabs(area.area);
     curve.displacement_area = displacement_area(branch, section, k, curve.image);
     curve.area_error = area.error + curve.displacement_area;

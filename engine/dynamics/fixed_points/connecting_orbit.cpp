@@ -1,4 +1,4 @@
-#include "engine/dynamics/fixed_points/connecting_orbit.hpp"
+#include "lober/connecting_orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/base/text.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

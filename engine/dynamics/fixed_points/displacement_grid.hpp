@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/dynamics/fixed_points/fixed_points.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "lober/fixed_points.hpp"
 
 namespace lober {
 
 class DisplacementGrid {
  public:
-  DisplacementGrid(const PlanarMap& map, const Box& box, const FixedPointOptions& options)
+  DisplacementGrid(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options)
       : box_(box), side_(static_cast<std::size_t>(options.grid)), gaps_(side_ * side_) {
     for_each_block(gaps_.size(), 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) gaps_[k] = place(k);
@@ -58,8 +58,8 @@ class DisplacementGrid {
  private:
   [[nodiscard]] Point place(std::size_t k) const {
     const double steps = static_cast<double>(side_ - 1);
-    return {box_.min_x() + box_.width() * (static_cast<double>(k % side_) / steps),
-            box_.min_y() + box_.height() * (static_cast<double>(k / side_) / steps)};
+    return {box_.min_x + box_.width() * (static_cast<double>(k % side_) / steps),
+            box_.min_y + box_.height() * (static_cast<double>(k / side_) / steps)};
   }
   [[nodiscard]] bool both_change_sign(std::size_t i, std::size_t j) const {
     const std::array<Point, 4> corner{gaps_[j * side_ + i], gaps_[j * side_ + i + 1], gaps_[(j + 1) * side_ + i],
@@ -82,7 +82,7 @@ class DisplacementGrid {
     return true;
   }
 
-  Box box_;
+  Rectangle box_;
   std::size_t side_;
   std::vector<Point> gaps_;
 };

@@ -1,4 +1,4 @@
-#include "engine/dynamics/fixed_points/fixed_points.hpp"
+#include "lober/fixed_points.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,12 +7,12 @@
 #include <string>
 #include <tuple>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/fixed_points/displacement_grid.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 
@@ -84,10 +84,9 @@ FixedPoint describe(const PlanarMap& map, Point at, const FixedPointOptions& opt
   return result;
 }
 
-bool in_box(const Box& box, Point z) {
-  const double slack = 1e-9 * (1 + box.extent());
-  return box.min_x() - slack <= z.x && z.x <= box.max_x() + slack && box.min_y() - slack <= z.y &&
-         z.y <= box.max_y() + slack;
+bool in_box(const Rectangle& box, Point z) {
+  const double slack = 1e-9 * (1 + (box.width() + box.height()));
+  return box.min_x - slack <= z.x && z.x <= box.max_x + slack && box.min_y - slack <= z.y && z.y <= box.max_y + slack;
 }
 
 }  // namespace
@@ -124,7 +123,8 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
   return describe(map, end.at, options);
 }
 
-std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Box& box, const FixedPointOptions& options) {
+std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
+                                          const FixedPointOptions& options) {
   require(options);
   if (!(box.width() > 0 && box.height() > 0)) throw UsageError("the box of a scan for fixed points is empty");
   const DisplacementGrid grid(map, box, options);
@@ -150,8 +150,8 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Box& box, 
   }
   if (result.empty()) {
     const auto [place, least] = grid.nearest();
-    throw DataError("no point of period " + std::to_string(options.period) + " in [" + shortest(box.min_x()) + ", " +
-                    shortest(box.max_x()) + "] x [" + shortest(box.min_y()) + ", " + shortest(box.max_y()) + "]: " +
+    throw DataError("no point of period " + std::to_string(options.period) + " in [" + shortest(box.min_x) + ", " +
+                    shortest(box.max_x) + "] x [" + shortest(box.min_y) + ", " + shortest(box.max_y) + "]: " +
                     (std::isnan(least)
                          ? "no point of the box has an image"
                          : "the displacement is least, " + shortest(least) + ", at " + place_text(place)));

@@ -1,8 +1,8 @@
 // Newton's method for points with f^period(z) = z + shift.
 #pragma once
 
-#include "engine/dynamics/fixed_points/fixed_points.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "lober/fixed_points.hpp"
 
 namespace lober {
 

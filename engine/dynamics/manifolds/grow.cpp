@@ -1,11 +1,11 @@
-#include "engine/dynamics/manifolds/grow.hpp"
+#include "lober/manifolds.hpp"
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/manifolds/outcome.hpp"
 #include "engine/dynamics/manifolds/trace.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {
@@ -23,7 +23,7 @@ TraceOptions options_for_tracing(const ImageOptions& given, const Samples& guide
   options.least_spacing = 64 * std::numeric_limits<double>::epsilon() *
                           std::max(std::fabs(guide.parameters.front()), std::fabs(guide.parameters.back()));
   options.batch = batch;
-  options.box = given.box;
+  options.box = box_of(given.box);
   if (!(options.box.width() >= 0)) {
     constexpr double most = std::numeric_limits<double>::max();
     options.box = Box::of({-most, -most}, {most, most});

@@ -1,4 +1,4 @@
-#include "engine/dynamics/manifolds/local_manifold.hpp"
+#include "lober/local_manifold.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +9,12 @@
 #include <optional>
 #include <string>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/linear_algebra.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/chebyshev.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

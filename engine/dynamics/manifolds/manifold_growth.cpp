@@ -4,10 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/base/error.hpp"
+#include "engine/base/parallel/insertion.hpp"
 #include "engine/dynamics/manifolds/outcome.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "engine/geometry/densify/insertion.hpp"
+#include "kernels/point.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {
@@ -53,9 +54,9 @@ void ManifoldGrowth::set_up_tracing() {
   trace_options_.tolerance = options_.tolerance;
   trace_options_.longest = options_.longest > 0 ? options_.longest : extent / 50;
   trace_options_.least_spacing = ulps_apart * std::max(rounding, local_.reach * 1e-16);
-  trace_options_.box = options_.box;
+  trace_options_.box = box_of(options_.box);
   trace_options_.cut = !options_.whole_pieces;
-  if (!(options_.box.width() >= 0)) {
+  if (options_.box.empty()) {
     const double reach = 100 * extent;
     trace_options_.box =
         Box::of({local_.saddle.x - reach, local_.saddle.y - reach}, {local_.saddle.x + reach, local_.saddle.y + reach});
@@ -279,7 +280,7 @@ void ManifoldGrowth::append(const Trace& trace, int generation) {
   const std::size_t begin = result_.points.size();
   append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.flaws);
   if (side_ < 0) {
-    for_each_block(result_.parameters.size() - begin, densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(result_.parameters.size() - begin, pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) result_.parameters[begin + k] *= side_;
     });
   }
@@ -298,19 +299,19 @@ double ManifoldGrowth::length_behind(std::size_t k) const {
 void ManifoldGrowth::add_length(std::size_t begin) {
   const std::size_t first_segment = begin > 0 ? begin - 1 : 0;
   const std::size_t count = result_.points.empty() ? 0 : result_.points.size() - 1 - first_segment;
-  std::vector<double> sums((count + densify_grain - 1) / densify_grain, 0);
-  for_each_block(count, densify_grain, [&](std::size_t first, std::size_t last) {
+  std::vector<double> sums((count + pass_grain - 1) / pass_grain, 0);
+  for_each_block(count, pass_grain, [&](std::size_t first, std::size_t last) {
     double sum = 0;
     for (std::size_t k = first; k < last; ++k) sum += length_behind(first_segment + k);
-    sums[first / densify_grain] = sum;
+    sums[first / pass_grain] = sum;
   });
   for (std::size_t block = 0; block < sums.size(); ++block) {
     if (result_.length + sums[block] < options_.length) {
       result_.length += sums[block];
       continue;
     }
-    const std::size_t last = first_segment + std::min(count, (block + 1) * densify_grain);
-    for (std::size_t k = first_segment + block * densify_grain; k < last; ++k) {
+    const std::size_t last = first_segment + std::min(count, (block + 1) * pass_grain);
+    for (std::size_t k = first_segment + block * pass_grain; k < last; ++k) {
       result_.length += length_behind(k);
       if (result_.length < options_.length) continue;
       result_.points.resize(k + 2);

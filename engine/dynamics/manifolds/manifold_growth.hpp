@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/manifolds/grow.hpp"
 #include "engine/dynamics/manifolds/trace.hpp"
+#include "lober/manifolds.hpp"
 
 namespace lober {
 

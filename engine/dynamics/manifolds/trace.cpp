@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/parallel/insertion.hpp"
+#include "engine/base/parallel/running_sums.hpp"
 #include "engine/dynamics/manifolds/segment_needs.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "engine/geometry/densify/insertion.hpp"
-#include "engine/geometry/densify/running_sums.hpp"
+#include "kernels/point.hpp"
 
 namespace lober {
 namespace {
@@ -160,7 +161,7 @@ class Tracer {
   bool insert_where(const Parts& parts) {
     Buffer<std::uint32_t> more(segments());  // points to put into each segment
     const auto settled = [&](std::size_t k) { return verdicts_[k] != open; };
-    for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         more[k] = 0;
         if (settled(k)) continue;
@@ -179,7 +180,7 @@ class Tracer {
       return !abandoned();
     }
     Buffer<Insertion> insertions(begin[broken.size()]);
-    for_each_block(broken.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(broken.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         const std::uint32_t count = more[broken[k]];
         const double from = samples_.parameters[broken[k]], step = gap(broken[k]) / (count + 1);
@@ -200,7 +201,7 @@ class Tracer {
     samples_.parameters = with_inserted(std::span<const double>(samples_.parameters), insertions,
                                         [](const Insertion& insertion) { return insertion.parameter; });
     if (kept_.size() > 2) {
-      for_each_block(kept_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for_each_block(kept_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
           kept_[k] += static_cast<std::uint32_t>(
               std::lower_bound(insertions.begin(), insertions.end(), kept_[k],
@@ -245,7 +246,7 @@ class Tracer {
   // The points of the guide give way to points of equal need, but for those that are kept.
   void place_evenly() {
     Buffer<double> need(segments());
-    for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
       for_segments(first, last, [&](const TracedSegment& segment) {
         const Kind what = kind(segment.number);
         // Outside the box nothing is asked for: the guide itself, thinned.
@@ -260,7 +261,7 @@ class Tracer {
     const Buffer<double> place = places(need, known);
     const auto size = static_cast<std::size_t>(place.back()) + 1;
     Samples even{Buffer<double>(size), Buffer<Point>(size)};
-    for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) place_in(k, need, place, even.parameters);
     });
     for (std::uint32_t& k : kept_) k = static_cast<std::uint32_t>(place[k]);
@@ -356,7 +357,7 @@ class Tracer {
   // Images of all points but those that are known.
   void evaluate_between(const std::vector<std::uint32_t>& known, Samples& even) const {
     Buffer<std::uint32_t> fresh(even.points.size() - known.size());
-    for_each_block(known.size() - 1, densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(known.size() - 1, pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t j = first; j < last; ++j) {
         // Before the j-th known one are known[j] - j others.
         for (std::uint32_t k = known[j] + 1; k < known[j + 1]; ++k) fresh[k - j - 1] = k;
@@ -370,7 +371,7 @@ class Tracer {
   void collect_flaws() {
     if (rounds_ == options_.most_rounds || trace_.out_of_points) {  // some may be open still
       verdicts_.resize(segments());
-      for_each_block(segments(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
         for_segments(first, last, [&](const TracedSegment& s) { verdicts_[s.number] = verdict(s, kind(s.number)); });
       });
     }

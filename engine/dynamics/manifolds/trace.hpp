@@ -14,8 +14,9 @@
 #include <limits>
 #include <vector>
 
-#include "engine/base/memory.hpp"
-#include "engine/dynamics/manifolds/grow.hpp"
+#include "kernels/box.hpp"
+#include "lober/buffer.hpp"
+#include "lober/manifolds.hpp"
 
 namespace lober {
 

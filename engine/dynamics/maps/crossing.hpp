@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "engine/dynamics/maps/flow.hpp"
 #include "engine/dynamics/maps/integrator.hpp"
+#include "lober/flow.hpp"
 
 namespace lober {
 

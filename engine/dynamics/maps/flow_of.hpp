@@ -7,11 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/maps/crossing.hpp"
-#include "engine/dynamics/maps/flow.hpp"
 #include "engine/dynamics/maps/section_map.hpp"
 #include "engine/dynamics/maps/stroboscopic_map.hpp"
+#include "lober/error.hpp"
+#include "lober/flow.hpp"
 
 namespace lober {
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "engine/dynamics/maps/planar_map.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "lober/planar_map.hpp"
 
 namespace lober {
 

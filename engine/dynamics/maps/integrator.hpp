@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "engine/base/parallel/cancellation.hpp"
-#include "engine/dynamics/maps/flow.hpp"
+#include "lober/cancellation.hpp"
+#include "lober/flow.hpp"
 
 namespace lober {
 

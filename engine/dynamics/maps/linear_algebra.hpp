@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/dynamics/maps/flow.hpp"
+#include "lober/flow.hpp"
 
 namespace lober {
 

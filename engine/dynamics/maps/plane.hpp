@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/dynamics/maps/planar_map.hpp"
+#include "lober/planar_map.hpp"
 
 namespace lober {
 

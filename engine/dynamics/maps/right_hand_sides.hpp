@@ -11,8 +11,8 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/dynamics/maps/flow.hpp"
 #include "engine/dynamics/maps/jet.hpp"
+#include "lober/flow.hpp"
 
 namespace lober {
 

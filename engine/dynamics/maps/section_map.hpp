@@ -8,10 +8,10 @@
 #include <memory>
 #include <utility>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/maps/crossing.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/maps/right_hand_sides.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 

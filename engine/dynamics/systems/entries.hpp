@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/systems.hpp"
 
 namespace lober {
 
@@ -31,8 +31,8 @@ void require_positive(const SystemInfo& info, std::string_view name, double valu
 System make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options);
 
 /// A box by its corners.
-inline Box window(double min_x, double min_y, double max_x, double max_y) {
-  return Box::of({min_x, min_y}, {max_x, max_y});
+inline Rectangle window(double min_x, double min_y, double max_x, double max_y) {
+  return Rectangle::of({min_x, min_y}, {max_x, max_y});
 }
 
 }  // namespace lober

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include "engine/dynamics/maps/flow.hpp"
+#include "lober/flow.hpp"
 
 namespace lober {
 

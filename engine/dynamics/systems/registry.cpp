@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/shared_library.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/error.hpp"
+#include "lober/systems.hpp"
 
 namespace lober {
 

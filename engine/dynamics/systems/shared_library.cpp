@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/base/input_guard.hpp"
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/maps/formula_map.hpp"
-#include "engine/lober/lober_system.h"
+#include "lober/error.hpp"
+#include "lober/lober_system.h"
 
 namespace lober {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/error.hpp"
-#include "engine/geometry/curve/curve.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/regions/regions.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
 #include "kernels/box.hpp"
 #include "kernels/sagitta.hpp"
+#include "lober/curve.hpp"
+#include "lober/error.hpp"
+#include "lober/overlay.hpp"
+#include "lober/regions.hpp"
+#include "lober/smooth.hpp"
 
 namespace lober {
 namespace {
@@ -79,12 +79,12 @@ Measured by_overlay(const std::vector<Point>& first, const std::vector<Point>& s
   try {
     OverlayOptions options;
     options.pieces = false;
-    const SmoothAreas smooth = smooth_areas(overlay(CurveView{first}, CurveView{second}, options));
+    const SmoothAreas smooth = smooth_areas(overlay(ClosedCurve::borrow(first), ClosedCurve::borrow(second), options));
     return {smooth.areas.intersection, smooth.error.intersection};
   } catch (const NotSimpleError&) {
     const std::vector<Point> one = clipped(first, both), other = clipped(second, both);
     if (one.size() < 3 || other.size() < 3) return {};
-    const Regions found = regions(CurveView{one}, CurveView{other});
+    const Regions found = regions(ClosedCurve::borrow(one), ClosedCurve::borrow(other));
     double sum = 0;
     for (const WindingArea& entry : found.table()) sum += entry.w1 * entry.w2 * entry.area;
     return {std::fabs(sum), sagitta_area(first, both) + sagitta_area(second, both) + found.rounding(std::fabs(sum))};
@@ -109,14 +109,11 @@ bool closure_is_crossed(const Barrier& barrier, int k) {
   if (path.size() == 2 && path[0] == path[1]) return false;
   const std::vector<Point> line = boundary_outline(*barrier.tangle, barrier.pip(k));
   const Point start = path.back(), end = path.front();
-  const IndexedCurve closing({path, false}), manifolds({line, false});
-  const ContactList contacts = find_contacts(closing, manifolds, IndexKind::tree).list;
-  for (std::size_t j = 0; j < contacts.size(); ++j) {
-    const Contact contact = contacts[j];
-    const Point at = line[contact.segment2];
-    if (!(contact.vertex1 && contact.vertex2 && (at == start || at == end))) return true;
-  }
-  return false;
+  const IndexedCurve closing(OpenCurve::borrow(path)), manifolds(OpenCurve::borrow(line));
+  const std::vector<CommonPoint> common = common_points(closing, manifolds);
+  return std::any_of(common.begin(), common.end(), [&](const CommonPoint& point) {
+    return !(point.vertex1 && point.vertex2 && (point.at == start || point.at == end));
+  });
 }
 
 Measured enclosed_area(const Barrier& barrier, int k) {

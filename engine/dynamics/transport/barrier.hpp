@@ -4,19 +4,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/geometry/tangle/tangle.hpp"
+#include "kernels/box.hpp"
+#include "lober/tangle.hpp"
+#include "lober/transport.hpp"
 
 namespace lober {
-
-/// A value and an estimate, on the safe side, of what it may be wrong by.
-struct Measured {
-  double value = 0, error = 0;
-  friend Measured operator+(Measured x, Measured y) { return {x.value + y.value, x.error + y.error}; }
-  friend Measured operator-(Measured x, Measured y) { return {x.value - y.value, x.error + y.error}; }
-  friend Measured operator*(double factor, Measured x) {
-    return {factor * x.value, (factor < 0 ? -factor : factor) * x.error};
-  }
-};
 
 /// B(q) = U[p-, q] u S[q, p+], closed by a path from p+ back to p- that the map keeps: walls, an axis, nothing when
 /// homoclinic. The curve f^k(B(q)) consists of the same manifolds and the same path, with the pip f^k(q) for q. The

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/dynamics/fixed_points/connecting_orbit.hpp"
+#include "lober/connecting_orbit.hpp"
 
 namespace lober {
 

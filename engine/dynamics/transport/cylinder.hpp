@@ -9,11 +9,11 @@
 
 #include <span>
 
-#include "engine/dynamics/manifolds/grow.hpp"
-#include "engine/dynamics/manifolds/local_manifold.hpp"
-#include "engine/dynamics/maps/planar_map.hpp"
-#include "engine/geometry/curve/curve.hpp"
 #include "kernels/point.hpp"
+#include "lober/curve.hpp"
+#include "lober/local_manifold.hpp"
+#include "lober/manifolds.hpp"
+#include "lober/planar_map.hpp"
 
 namespace lober {
 

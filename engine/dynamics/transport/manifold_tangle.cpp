@@ -1,11 +1,11 @@
-#include "engine/dynamics/transport/manifold_tangle.hpp"
+#include "lober/manifold_tangle.hpp"
 
 #include <cmath>
 #include <string>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/transport/barrier.hpp"
 #include "engine/dynamics/transport/tangle_growth.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/interior/interior.hpp"
 #include "kernels/box.hpp"
 #include "kernels/splitmix.hpp"
+#include "lober/error.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 namespace {

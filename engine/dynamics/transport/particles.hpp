@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/maps/planar_map.hpp"
 #include "engine/dynamics/transport/cylinder.hpp"
 #include "engine/dynamics/transport/partition.hpp"
+#include "lober/planar_map.hpp"
 
 namespace lober {
 

@@ -4,9 +4,9 @@
 #include <limits>
 #include <optional>
 
-#include "engine/base/error.hpp"
-#include "engine/geometry/curve/curve.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/curve.hpp"
+#include "lober/error.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 namespace {

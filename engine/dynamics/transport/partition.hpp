@@ -17,27 +17,6 @@
 
 namespace lober {
 
-struct Region {
-  /// Of the constant 1 and then of each boundary in the function of the region: -1, 0 or 1.
-  std::vector<int> coefficients;
-  Measured area;  ///< NaN when it is not bounded
-  bool bounded = true;
-};
-
-/// Quantities between regions, row by row: row i, column j for the pair (i + 1, j + 1).
-class RegionMatrix {
- public:
-  RegionMatrix() = default;
-  explicit RegionMatrix(std::size_t regions) : size_(regions), entries_(regions * regions) {}
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] Measured& operator()(std::size_t i, std::size_t j) { return entries_[i * size_ + j]; }
-  [[nodiscard]] const Measured& operator()(std::size_t i, std::size_t j) const { return entries_[i * size_ + j]; }
-
- private:
-  std::size_t size_ = 0;
-  std::vector<Measured> entries_;
-};
-
 class Partition {
  public:
   /// R1 lies inside the first boundary, R2 on the other side of it; the rest follows in the order of the boundaries. A

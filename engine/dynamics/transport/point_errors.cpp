@@ -7,6 +7,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "kernels/point.hpp"
 
 namespace lober {
 namespace {
@@ -100,9 +101,10 @@ void add_errors_far_outside(ManifoldTangle& manifolds) {
       return arc_leaves(manifolds.u.points, box, first.u, last.u) ||
              arc_leaves(manifolds.s.points, box, last.s, first.s);
     };
-    if (!leaves(manifolds.fine)) continue;
+    if (!leaves(box_of(manifolds.fine))) continue;
     Lobe& lobe = tangle.lobes[k];
-    lobe.smooth_error += leaves(manifolds.true_size) ? std::numeric_limits<double>::infinity() : std::fabs(lobe.area);
+    lobe.smooth_error +=
+        leaves(box_of(manifolds.true_size)) ? std::numeric_limits<double>::infinity() : std::fabs(lobe.area);
     if (sides * first.rho * lobe.area < 0) {
       lobe.area = -lobe.area;
       lobe.polygon_area = -lobe.polygon_area;

@@ -1,7 +1,8 @@
 // What rounding and integration leave of the points of grown manifolds (private to engine/).
 #pragma once
 
-#include "engine/dynamics/transport/manifold_tangle.hpp"
+#include "kernels/box.hpp"
+#include "lober/manifold_tangle.hpp"
 
 namespace lober {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/dynamics/transport/transport.hpp"
+#include "engine/dynamics/transport/series.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

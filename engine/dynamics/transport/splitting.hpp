@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/dynamics/fixed_points/connecting_orbit.hpp"
+#include "lober/connecting_orbit.hpp"
 
 namespace lober {
 

@@ -1,12 +1,12 @@
-#include "engine/dynamics/transport/sweep.hpp"
+#include "lober/sweep.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <span>
 
-#include "engine/base/error.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/point_errors.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {
@@ -242,7 +242,7 @@ void TangleGrowth::find_pips() {
   TangleOptions options;
   options.check_simple = false;
   options.period = period_;
-  found_ = tangle(u_.growth->grown(), s_.growth->grown(), options);
+  found_ = tangle(OpenCurve::borrow(u_.growth->grown().points), OpenCurve::borrow(s_.growth->grown().points), options);
 }
 
 // Puts points into segments and their neighbours that lie where distances are true. Whether there are more points now.
@@ -625,10 +625,10 @@ void TangleGrowth::finish() {
   options.period = period_;
   options.smooth = options_.smooth;
   try {
-    result->tangle = tangle(result->u, result->s, options);
+    result->tangle = tangle(OpenCurve::borrow(result->u.points), OpenCurve::borrow(result->s.points), options);
   } catch (const NotSimpleError& error) {
     options.check_simple = false;
-    result->tangle = tangle(result->u, result->s, options);
+    result->tangle = tangle(OpenCurve::borrow(result->u.points), OpenCurve::borrow(result->s.points), options);
     const bool outside = !meet(Box::of(error.at, error.at), box_);
     result->tangle.remarks.push_back(
         outside

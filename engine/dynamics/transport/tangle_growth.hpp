@@ -15,8 +15,9 @@
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
-#include "engine/dynamics/transport/manifold_tangle.hpp"
 #include "engine/dynamics/transport/splitting.hpp"
+#include "kernels/box.hpp"
+#include "lober/manifold_tangle.hpp"
 
 namespace lober {
 

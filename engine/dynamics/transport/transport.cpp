@@ -1,15 +1,18 @@
-#include "engine/dynamics/transport/transport.hpp"
+#include "lober/transport.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "engine/base/error.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/transport/cylinder.hpp"
 #include "engine/dynamics/transport/particles.hpp"
+#include "engine/dynamics/transport/series.hpp"
 #include "engine/dynamics/transport/tangle_growth.hpp"
+#include "kernels/box.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {
@@ -103,7 +106,7 @@ class Builder {
       if (series) {
         series->extend(barriers());
       } else {
-        series.emplace(barriers(), result_.cylinder ? std::optional(Point{0, 0}) : std::nullopt);
+        series.emplace(barriers(), cylinder_ ? std::optional(Point{0, 0}) : std::nullopt);
       }
       result_.steps.push_back(series->next());
       compare(result_.agreement, series->partition(), result_.steps.back());
@@ -115,6 +118,13 @@ class Builder {
   }
 
  private:
+  // A boundary as the series sees it; on a cylinder both curves there, and their tangle.
+  struct Place {
+    std::vector<Point> wrapped_u, wrapped_s;
+    std::unique_ptr<Tangle> wrapped;
+    Barrier barrier;
+  };
+
   void report(const std::string& line) const {
     if (options_.progress && !options_.progress(line)) throw Cancelled();
   }
@@ -132,6 +142,7 @@ class Builder {
     growth.bip_near = options_.bip_near;
     for (const Connection& one : connections) {
       growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth));
+      places_.emplace_back();
       result_.boundaries.emplace_back().connection = one;
       growth.bip_near.reset();
     }
@@ -211,31 +222,31 @@ class Builder {
   void set_barriers(int n) {
     if (!(options_.lattice == Point{})) set_cylinder();
     for (std::size_t c = 0; c < growths_.size(); ++c) {
-      TransportBoundary& boundary = result_.boundaries[c];
+      Place& place = places_[c];
       const ManifoldTangle& manifolds = growths_[c]->current();
-      Barrier& barrier = boundary.barrier;
+      Barrier& barrier = place.barrier;
       barrier.tangle = &manifolds.tangle;
       barrier.bip = manifolds.bip;
       barrier.period = manifolds.period();
-      barrier.closure = boundary.connection.closure;
+      barrier.closure = result_.boundaries[c].connection.closure;
       barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
-      barrier.lobes_include_it = !result_.cylinder;
-      if (!result_.cylinder) {
-        barrier.fine = manifolds.fine;
-        barrier.true_size = manifolds.true_size;
+      barrier.lobes_include_it = !cylinder_;
+      if (!cylinder_) {
+        barrier.fine = box_of(manifolds.fine);
+        barrier.true_size = box_of(manifolds.true_size);
       }
-      if (result_.cylinder) {
+      if (cylinder_) {
         // Points that are added where circles bend lie unevenly, and the smooth curves through them are worse than
         // their error estimates: by up to a thousandth of the tolerance, measured on the standard map for K = 0.4 to 5.
         constexpr double unevenness = 2e-3;
         barrier.curve_error += unevenness * manifolds.tolerance;
-        wrap(boundary, manifolds, n);
+        wrap(place, manifolds, n);
       }
     }
   }
   [[nodiscard]] std::vector<Barrier> barriers() const {
     std::vector<Barrier> list;
-    for (const TransportBoundary& boundary : result_.boundaries) list.push_back(boundary.barrier);
+    for (const Place& place : places_) list.push_back(place.barrier);
     return list;
   }
 
@@ -252,15 +263,15 @@ class Builder {
       }
     }
     const double period = std::hypot(options_.lattice.x, options_.lattice.y);
-    result_.cylinder.emplace(options_.lattice, -low + std::max(0.25 * (high - low), 0.25 * period));
+    cylinder_.emplace(options_.lattice, -low + std::max(0.25 * (high - low), 0.25 * period));
   }
 
   // The tangle on the cylinder, as fine as it takes for polygons to have the pips there that the plane has.
-  void wrap(TransportBoundary& boundary, const ManifoldTangle& manifolds, int n) {
+  void wrap(Place& place, const ManifoldTangle& manifolds, int n) {
     constexpr int most_refinements = 5;
     for (int k = 0; k <= most_refinements; ++k) {
-      wrap_to(boundary, manifolds, manifolds.tolerance / std::pow(10, k));
-      if (has_pips_of_plane(boundary, manifolds, n)) return;
+      wrap_to(place, manifolds, manifolds.tolerance / std::pow(10, k));
+      if (has_pips_of_plane(place, manifolds, n)) return;
     }
     throw DataError(
         "transport: on the cylinder manifolds cross elsewhere than in the plane, by those of the neighbouring "
@@ -268,10 +279,9 @@ class Builder {
         place_text(manifolds.orbits.back().at) + " bounds no region of it");
   }
 
-  [[nodiscard]] bool has_pips_of_plane(const TransportBoundary& boundary, const ManifoldTangle& manifolds,
-                                       int n) const {
-    const Tangle& there = *boundary.wrapped;
-    const Barrier& barrier = boundary.barrier;
+  [[nodiscard]] bool has_pips_of_plane(const Place& place, const ManifoldTangle& manifolds, int n) const {
+    const Tangle& there = *place.wrapped;
+    const Barrier& barrier = place.barrier;
     if (barrier.images_before() < images_before(n) || barrier.images_after() < images_after(n)) return false;
     const auto first = static_cast<std::ptrdiff_t>(barrier.period) * -images_before(n);
     const auto last = static_cast<std::ptrdiff_t>(barrier.period) * images_after(n);
@@ -279,34 +289,34 @@ class Builder {
       const auto number = [&](std::size_t bip) {
         return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(bip) + k);
       };
-      const Point place = result_.cylinder->wrap(manifolds.tangle.pips[number(manifolds.bip)].at);
-      if (!(distance(there.pips[number(barrier.bip)].at, place) <= 1e3 * manifolds.tolerance)) return false;
+      const Point there_too = cylinder_->wrap(manifolds.tangle.pips[number(manifolds.bip)].at);
+      if (!(distance(there.pips[number(barrier.bip)].at, there_too) <= 1e3 * manifolds.tolerance)) return false;
     }
     return true;
   }
 
-  void wrap_to(TransportBoundary& boundary, const ManifoldTangle& manifolds, double tolerance) {
-    const Cylinder& cylinder = *result_.cylinder;
-    boundary.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, tolerance);
-    boundary.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, tolerance);
+  void wrap_to(Place& place, const ManifoldTangle& manifolds, double tolerance) {
+    const Cylinder& cylinder = *cylinder_;
+    place.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, tolerance);
+    place.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, tolerance);
     // One and the same saddle, to the bit: else they might cross there.
-    if (distance(boundary.wrapped_u[0], boundary.wrapped_s[0]) <= 1e-8 * (1 + std::fabs(boundary.wrapped_u[0].x))) {
-      boundary.wrapped_s[0] = boundary.wrapped_u[0];
+    if (distance(place.wrapped_u[0], place.wrapped_s[0]) <= 1e-8 * (1 + std::fabs(place.wrapped_u[0].x))) {
+      place.wrapped_s[0] = place.wrapped_u[0];
     }
     TangleOptions options;
     options.bip_near = cylinder.wrap(manifolds.orbits.back().at);
     options.period = static_cast<std::uint32_t>(manifolds.period());
     options.smooth = true;
-    const CurveView u{boundary.wrapped_u, false}, s{boundary.wrapped_s, false};
+    const OpenCurve u = OpenCurve::borrow(place.wrapped_u), s = OpenCurve::borrow(place.wrapped_s);
     try {
-      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
+      place.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
     } catch (const NotSimpleError&) {  // strands closer to each other than polygons show
       options.check_simple = false;
-      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
+      place.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
     }
-    if (!boundary.wrapped->boundary) throw DataError("transport: the manifolds do not cross on the cylinder");
-    boundary.barrier.tangle = boundary.wrapped.get();
-    boundary.barrier.bip = boundary.wrapped->boundary->bip;
+    if (!place.wrapped->boundary) throw DataError("transport: the manifolds do not cross on the cylinder");
+    place.barrier.tangle = place.wrapped.get();
+    place.barrier.bip = place.wrapped->boundary->bip;
   }
 
   void finish(const TransportSeries& series) {
@@ -314,6 +324,7 @@ class Builder {
     const std::vector<Barrier> last = barriers();
     for (std::size_t c = 0; c < growths_.size(); ++c) {
       TransportBoundary& boundary = result_.boundaries[c];
+      boundary.point_error = last[c].curve_error;
       boundary.enclosed = enclosed_area(last[c], 0);
       boundary.area12 = series.turnstiles()[c].area12();
       boundary.area21 = series.turnstiles()[c].area21();
@@ -333,7 +344,7 @@ class Builder {
       how.progress = [&](double) { return !options_.progress || options_.progress("particles"); };
       const auto stride = static_cast<std::size_t>(result_.iterates_a_step);
       const std::vector<RegionMatrix> counted =
-          count_particles(map_, result_.cylinder ? &*result_.cylinder : nullptr, last, series.partition(),
+          count_particles(map_, cylinder_ ? &*cylinder_ : nullptr, last, series.partition(),
                           static_cast<int>(result_.steps.size() * stride), how);
       for (std::size_t k = 0; k < result_.steps.size(); ++k) {
         result_.steps[k].by_particles = counted[(k + 1) * stride - 1];
@@ -345,6 +356,8 @@ class Builder {
   const PlanarMap& map_;
   const TransportOptions& options_;
   std::vector<std::unique_ptr<TangleGrowth>> growths_;
+  std::vector<Place> places_;
+  std::optional<Cylinder> cylinder_;
   Transport result_;
 };
 

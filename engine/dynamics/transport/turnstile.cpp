@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/error.hpp"
-#include "engine/geometry/curve/clip.hpp"
-#include "engine/geometry/regions/regions.hpp"
+#include "lober/curve.hpp"
+#include "lober/error.hpp"
+#include "lober/regions.hpp"
 
 namespace lober {
 
@@ -18,7 +18,7 @@ bool leaves(const std::vector<Point>& polygon, const Box& box) {
 // Of the regions that wind about, however the polygons cross themselves.
 double area_of_both(const std::vector<Point>& first, const std::vector<Point>& second) {
   try {
-    return regions(CurveView{first}, CurveView{second}).areas(WindingRule::nonzero).intersection;
+    return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(WindingRule::nonzero).intersection;
   } catch (const DataError&) {  // nothing is left of one of them
     return 0;
   }

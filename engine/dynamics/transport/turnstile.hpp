@@ -17,9 +17,6 @@
 
 namespace lober {
 
-/// mu(L_ij(1) n f^m(L_kl(1))): [0] for ij = 12, [1] for 21; then the same for kl. Lobes that overlap count each.
-using TurnstileOverlaps = std::array<std::array<Measured, 2>, 2>;
-
 /// int g o f^-m g.
 [[nodiscard]] inline Measured balance(const TurnstileOverlaps& common) {
   return common[0][0] - common[0][1] - common[1][0] + common[1][1];

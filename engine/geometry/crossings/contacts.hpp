@@ -11,10 +11,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/base/memory.hpp"
 #include "engine/geometry/index/index.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/predicates.hpp"
+#include "lober/buffer.hpp"
+#include "lober/counts.hpp"
 
 namespace lober {
 
@@ -59,15 +60,6 @@ class ContactList {
 
 /// The contact rounded to double: exact at a vertex, else right to about an ulp.
 [[nodiscard]] Point place_of(const Contact& contact, const CurveView& c1, const CurveView& c2);
-
-struct ContactCounts {
-  SearchCounts search;
-  PredicateCounts predicates;
-  std::uint64_t exact_parameters = 0;  ///< crossings too shallow for double-double
-  std::uint64_t exact_orders = 0;      ///< pairs of crossings on one segment ordered by exact arithmetic
-  std::uint64_t comparisons = 0;       ///< pairs of contacts on one segment that sorting compared, along both curves
-  std::uint64_t shared_vertices = 0;   ///< vertices of shared arcs recognised as runs and never tested further
-};
 
 struct Contacts {
   ContactList list;              ///< in order along C1

@@ -1,46 +1,115 @@
-#include "engine/geometry/crossings/crossings.hpp"
+#include "lober/crossings.hpp"
+
+#include "engine/geometry/crossings/crossings_data.hpp"
 
 namespace lober {
 
-Crossings::Crossings(NodeGraph graph, CurveView c1, CurveView c2, Orientation orientation1, Orientation orientation2)
-    : graph_(std::move(graph)),
-      c1_(c1),
-      c2_(c2),
-      clockwise1_(orientation1 == Orientation::clockwise),
-      clockwise2_(orientation2 == Orientation::clockwise) {
-  for (std::uint32_t k = 0; k < graph_.size(); ++k) {
-    const bool arc = graph_.span(k).direction != 0;
-    const bool crossing = graph_.order[k] < first_touch;
-    if (crossing) ++crossings_;
-    if (arc) ++shared_arcs_;
-    if (!crossing && !arc) ++touches_;
+Crossings make_crossings(NodeGraph graph, const IndexedCurve& c1, const IndexedCurve& c2, Orientation orientation1,
+                         Orientation orientation2) {
+  auto data = std::make_shared<CrossingsData>();
+  data->graph = std::move(graph);
+  data->c1 = c1.view();
+  data->c2 = c2.view();
+  data->owner1 = c1.owner();
+  data->owner2 = c2.owner();
+  data->clockwise1 = orientation1 == Orientation::clockwise;
+  data->clockwise2 = orientation2 == Orientation::clockwise;
+  for (std::uint32_t k = 0; k < data->graph.size(); ++k) {
+    const bool arc = data->graph.span(k).direction != 0;
+    const bool crossing = data->graph.order[k] < first_touch;
+    if (crossing) ++data->crossings;
+    if (arc) ++data->shared_arcs;
+    if (!crossing && !arc) ++data->touches;
   }
-  if (same_curve()) shared_arcs_ = 1;
+  if (data->graph.same_curve != 0) data->shared_arcs = 1;
+  return Crossings(std::move(data));
+}
+
+Crossings moved_to(Crossings nodes, const IndexedCurve& c1, const IndexedCurve& c2) {
+  auto data = std::make_shared<CrossingsData>(nodes.data());
+  data->c1 = c1.view();
+  data->c2 = c2.view();
+  data->owner1 = c1.owner();
+  data->owner2 = c2.owner();
+  return Crossings(std::move(data));
+}
+
+Crossings::Crossings() {
+  static const auto none = std::make_shared<const CrossingsData>();
+  data_ = none;
+}
+
+std::size_t Crossings::size() const {
+  return data_->graph.size();
+}
+std::span<const std::uint32_t> Crossings::order2() const {
+  return data_->graph.along2();
+}
+std::uint32_t Crossings::rank2(std::size_t node) const {
+  return data_->graph.rank2[node];
+}
+const ContactCounts& Crossings::counts() const {
+  return data_->graph.counts;
+}
+std::size_t Crossings::crossings() const {
+  return data_->crossings;
+}
+std::size_t Crossings::touches() const {
+  return data_->touches;
+}
+std::size_t Crossings::shared_arcs() const {
+  return data_->shared_arcs;
+}
+bool Crossings::same_curve() const {
+  return data_->graph.same_curve != 0;
+}
+const CurveView& Crossings::curve1() const {
+  return data_->c1;
+}
+const CurveView& Crossings::curve2() const {
+  return data_->c2;
+}
+bool Crossings::clockwise1() const {
+  return data_->clockwise1;
+}
+bool Crossings::clockwise2() const {
+  return data_->clockwise2;
 }
 
 int Crossings::rho(std::size_t node) const {
-  const std::uint8_t order = graph_.order[node];
+  const std::uint8_t order = data_->graph.order[node];
   if (order >= first_touch) return 0;
-  return (order == rightward_to_left) == (clockwise1_ == clockwise2_) ? 1 : -1;
-}
-
-Point Crossings::place(const Contact& contact) const {
-  return place_of(contact, c1_, c2_);
+  return (order == rightward_to_left) == (data_->clockwise1 == data_->clockwise2) ? 1 : -1;
 }
 
 Node Crossings::operator[](std::size_t number) const {
-  const NodeSpan span = graph_.span(static_cast<std::uint32_t>(number));
-  const Contact first = graph_.contacts[span.first], last = graph_.contacts[span.last];
+  const NodeGraph& graph = data_->graph;
+  const NodeSpan span = graph.span(static_cast<std::uint32_t>(number));
+  const Contact first = graph.contacts[span.first], last = graph.contacts[span.last];
   Node node;
   node.begin1 = {first.segment1, first.t1.hi};
   node.end1 = {last.segment1, last.t1.hi};
   node.begin2 = {first.segment2, first.t2.hi};
   node.end2 = {last.segment2, last.t2.hi};
-  node.begin = place(first);
-  node.end = span.first == span.last ? node.begin : place(last);
+  node.begin = place_on(*this, first);
+  node.end = span.first == span.last ? node.begin : place_on(*this, last);
   node.rho = rho(number);
-  node.shared = clockwise1_ == clockwise2_ ? span.direction : -span.direction;
+  node.shared = data_->clockwise1 == data_->clockwise2 ? span.direction : -span.direction;
   return node;
+}
+
+std::vector<CommonPoint> common_points(const IndexedCurve& first, const IndexedCurve& second) {
+  const ContactList contacts = find_contacts(first, second, choose_index(first, second)).list;
+  std::vector<CommonPoint> points(contacts.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Contact contact = contacts[k];
+    points[k] = {{contact.segment1, contact.t1.hi},
+                 {contact.segment2, contact.t2.hi},
+                 place_of(contact, first.view(), second.view()),
+                 contact.vertex1,
+                 contact.vertex2};
+  }
+  return points;
 }
 
 }  // namespace lober

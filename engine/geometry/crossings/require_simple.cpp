@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "engine/geometry/crossings/arms.hpp"
-#include "engine/geometry/crossings/crossings.hpp"
+#include "engine/geometry/crossings/require_simple.hpp"
 #include "engine/geometry/curve/point_along.hpp"
+#include "engine/geometry/curve/scaled.hpp"
 #include "kernels/pair_filter.hpp"
+#include "lober/crossings.hpp"
 
 namespace lober {
 namespace {
@@ -131,7 +133,7 @@ std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t mo
   return checker.meetings();
 }
 
-SimpleCheck require_simple(const IndexedCurve& curve, int number, int exponent) {
+SimpleCheck require_simple_scaled(const IndexedCurve& curve, int number, int exponent) {
   SelfChecker checker(curve.view());
   SimpleCheck result;
   result.search = find_self_pairs(curve, checker);
@@ -140,6 +142,13 @@ SimpleCheck require_simple(const IndexedCurve& curve, int number, int exponent) 
   if (bad == SelfChecker::none) return result;
   const Point at = common_point(curve.view().segment(bad.first), curve.view().segment(bad.second));
   throw NotSimpleError(number, bad.first, bad.second, {std::ldexp(at.x, -exponent), std::ldexp(at.y, -exponent)});
+}
+
+SimpleCheck require_simple(const IndexedCurve& curve, int number) {
+  const int exponent = comfortable_exponent(curve.tree().box());
+  if (exponent == 0) return require_simple_scaled(curve, number, 0);
+  const std::vector<Point> points = scaled(curve.view(), exponent);
+  return require_simple_scaled(IndexedCurve(CurveView{points, curve.view().closed}), number, exponent);
 }
 
 }  // namespace lober

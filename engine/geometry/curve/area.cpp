@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/curve/curve.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "kernels/box.hpp"
 #include "kernels/shoelace.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

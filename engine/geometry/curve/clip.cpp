@@ -1,4 +1,4 @@
-#include "engine/geometry/curve/clip.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 namespace {
@@ -29,11 +29,11 @@ std::vector<Point> cut(const std::vector<Point>& polygon, const HalfPlane& half)
 
 }  // namespace
 
-std::vector<Point> clipped(const std::vector<Point>& polygon, const Box& box) {
-  std::vector<Point> rest = cut(polygon, {true, 1, box.max_x()});
-  rest = cut(rest, {true, -1, -box.min_x()});
-  rest = cut(rest, {false, 1, box.max_y()});
-  return cut(rest, {false, -1, -box.min_y()});
+std::vector<Point> clipped(const std::vector<Point>& polygon, const Rectangle& rectangle) {
+  std::vector<Point> rest = cut(polygon, {true, 1, rectangle.max_x});
+  rest = cut(rest, {true, -1, -rectangle.min_x});
+  rest = cut(rest, {false, 1, rectangle.max_y});
+  return cut(rest, {false, -1, -rectangle.min_y});
 }
 
 }  // namespace lober

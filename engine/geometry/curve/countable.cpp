@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/base/error.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 

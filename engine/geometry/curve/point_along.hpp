@@ -1,8 +1,8 @@
 // Points inside segments.
 #pragma once
 
-#include "engine/geometry/curve/curve.hpp"
 #include "kernels/double_double.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

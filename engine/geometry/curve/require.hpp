@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "engine/geometry/areas.hpp"
-#include "engine/geometry/curve/curve.hpp"
 #include "kernels/box.hpp"
+#include "lober/areas.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

@@ -1,9 +1,9 @@
 #include <atomic>
 #include <cmath>
 
+#include "engine/base/finite.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/curve/curve.hpp"
-#include "engine/geometry/curve/finite.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 namespace {

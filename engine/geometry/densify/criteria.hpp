@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/geometry/densify/densify.hpp"
 #include "engine/geometry/densify/interpolant.hpp"
+#include "lober/densify.hpp"
 
 namespace lober {
 

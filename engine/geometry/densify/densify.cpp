@@ -1,11 +1,11 @@
-#include "engine/geometry/densify/densify.hpp"
+#include "lober/densify.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/parallel/running_sums.hpp"
 #include "engine/geometry/densify/criteria.hpp"
 #include "engine/geometry/densify/distinct_curve.hpp"
-#include "engine/geometry/densify/running_sums.hpp"
 #include "engine/geometry/densify/subdivision.hpp"
 
 namespace lober {
@@ -14,13 +14,13 @@ namespace {
 constexpr std::uint64_t most_vertices = (std::uint64_t{1} << 31) - 1;
 
 double largest_coordinate(std::span<const Point> points) {
-  std::vector<double> largest((points.size() + densify_grain - 1) / densify_grain, 0);
-  for_each_block(points.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+  std::vector<double> largest((points.size() + pass_grain - 1) / pass_grain, 0);
+  for_each_block(points.size(), pass_grain, [&](std::size_t first, std::size_t last) {
     double here = 0;
     for (std::size_t k = first; k < last; ++k) {
       here = std::max(here, std::max(std::fabs(points[k].x), std::fabs(points[k].y)));
     }
-    largest[first / densify_grain] = here;
+    largest[first / pass_grain] = here;
   });
   return *std::max_element(largest.begin(), largest.end());
 }
@@ -44,7 +44,7 @@ class Rounds {
         state_(segments) {}
 
   void run(bool closed, std::uint32_t most_rounds) {
-    for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(parts_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       std::fill(parts_.begin() + static_cast<std::ptrdiff_t>(first), parts_.begin() + static_cast<std::ptrdiff_t>(last),
                 1U);
     });
@@ -88,7 +88,7 @@ class Rounds {
   // One round: what each segment needs, trimmed to what fits. Returns whether anything changed.
   template <typename NeedOf, typename Concerned>
   bool round(const NeedOf& need_of, const Concerned& concerned) {
-    for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(parts_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         next_[k] = parts_[k];
         if (!concerned(state_[k])) continue;
@@ -118,7 +118,7 @@ class Rounds {
     }
     fits_ = false;
     unmet_cause_ = FlawCause::most_points;
-    for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(parts_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         const std::uint32_t allowed = std::max(parts_[k], std::min(next_[k], low));
         if (allowed < next_[k]) state_[k] = State::unmet;
@@ -130,7 +130,7 @@ class Rounds {
   void wake_neighbours(bool closed) {
     const std::size_t size = parts_.size();
     const auto changed = [&](std::size_t k) { return parts_[k] != next_[k]; };
-    for_each_block(size, densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(size, pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         const bool before = k > 0 ? changed(k - 1) : closed && changed(size - 1);
         const bool after = k + 1 < size ? changed(k + 1) : closed && changed(0);
@@ -141,7 +141,7 @@ class Rounds {
 
   // No round is left: what still waits is judged for the last time.
   void give_up() {
-    for_each_block(parts_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(parts_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         if (state_[k] != State::waiting) continue;
         const Need need = judge_.judge(k, parts_, enough_[k]);

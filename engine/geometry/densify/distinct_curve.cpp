@@ -1,6 +1,6 @@
 #include "engine/geometry/densify/distinct_curve.hpp"
 
-#include "engine/geometry/densify/running_sums.hpp"
+#include "engine/base/parallel/running_sums.hpp"
 
 namespace lober {
 

@@ -1,8 +1,8 @@
 // A curve without repeated vertices (private to densify/).
 #pragma once
 
-#include "engine/base/memory.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/buffer.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

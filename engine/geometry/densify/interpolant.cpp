@@ -1,6 +1,6 @@
 #include "engine/geometry/densify/interpolant.hpp"
 
-#include "engine/geometry/densify/running_sums.hpp"
+#include "engine/base/parallel/running_sums.hpp"
 #include "engine/geometry/densify/spline.hpp"
 
 namespace lober {
@@ -11,7 +11,7 @@ Buffer<double> curvatures(CurveView curve) {
   const std::span<const Point> points = curve.points;
   const std::size_t size = points.size();
   Buffer<double> result(size);
-  for_each_block(size, densify_grain, [&](std::size_t begin, std::size_t end) {
+  for_each_block(size, pass_grain, [&](std::size_t begin, std::size_t end) {
     const std::size_t inner_begin = begin == 0 ? 1 : begin, inner_end = end == size ? size - 1 : end;
     for (std::size_t k = inner_begin; k < inner_end; ++k)
       result[k] = curvature(points[k - 1], points[k], points[k + 1]);

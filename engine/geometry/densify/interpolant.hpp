@@ -1,10 +1,10 @@
 // The curve between the vertices (private to densify/).
 #pragma once
 
-#include "engine/base/memory.hpp"
-#include "engine/geometry/curve/curve.hpp"
-#include "engine/geometry/densify/densify.hpp"
 #include "kernels/interpolation.hpp"
+#include "lober/buffer.hpp"
+#include "lober/curve.hpp"
+#include "lober/densify.hpp"
 
 namespace lober {
 

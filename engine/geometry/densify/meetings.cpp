@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/geometry/densify/running_sums.hpp"
+#include "engine/base/parallel/running_sums.hpp"
+#include "engine/geometry/crossings/contacts.hpp"
 
 namespace lober {
 namespace {
@@ -40,7 +41,7 @@ std::array<Buffer<Meeting>, 2> find_meetings(CurveView first, CurveView second) 
   const Contacts contacts = find_contacts(c1, c2, choose_index(c1, c2));
   const std::size_t size = contacts.list.size();
   std::array<Buffer<Meeting>, 2> meetings{Buffer<Meeting>(size), Buffer<Meeting>(size)};
-  for_each_block(size, densify_grain, [&](std::size_t begin, std::size_t end) {
+  for_each_block(size, pass_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Contact along1 = contacts.list[k];
       meetings[0][k] = {{along1.segment1, along1.t1.hi}, place_of(along1, first, second), along1.vertex1};

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/base/memory.hpp"
-#include "engine/geometry/crossings/crossings.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/buffer.hpp"
+#include "lober/crossings.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

@@ -4,11 +4,11 @@
 #include <atomic>
 #include <string>
 
-#include "engine/geometry/densify/densify.hpp"
+#include "engine/base/parallel/insertion.hpp"
 #include "engine/geometry/densify/distinct_curve.hpp"
-#include "engine/geometry/densify/insertion.hpp"
 #include "engine/geometry/densify/interpolant.hpp"
 #include "engine/geometry/densify/meetings.hpp"
+#include "lober/densify.hpp"
 
 namespace lober {
 namespace {
@@ -66,7 +66,7 @@ class Refined {
   void insert(const Buffer<Insertion>& insertions, bool another_pass) {
     if (another_pass && positions_.empty()) {
       positions_.resize(view().points.size());
-      for_each_block(positions_.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+      for_each_block(positions_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) positions_[k] = {static_cast<std::uint32_t>(k), 0};
       });
     }

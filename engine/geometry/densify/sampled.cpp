@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "engine/geometry/curve/finite.hpp"
+#include "engine/base/finite.hpp"
+#include "engine/base/parallel/insertion.hpp"
 #include "engine/geometry/densify/criteria.hpp"
-#include "engine/geometry/densify/insertion.hpp"
 
 namespace lober {
 namespace {
@@ -102,11 +102,11 @@ class Sampling {
 
   void halve(const Buffer<std::uint32_t>& broken) {
     Buffer<double> middles(broken.size());
-    for_each_block(broken.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(broken.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) middles[k] = middle(broken[k]);
     });
     const Buffer<Point> fresh = evaluated(middles);
-    for_each_block(broken.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+    for_each_block(broken.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         if (!finite(fresh[k])) fates_[broken[k]] = Fate::not_finite;
       }

@@ -1,8 +1,8 @@
 // The cubic spline through the vertices of a curve (private to densify/).
 #pragma once
 
-#include "engine/base/memory.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/buffer.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/geometry/densify/running_sums.hpp"
+#include "engine/base/parallel/running_sums.hpp"
 
 namespace lober {
 
@@ -13,7 +13,7 @@ Buffer<Point> subdivided(const Interpolant& interpolant, const Buffer<std::uint3
   // The last vertex of an open curve begins no segment.
   begin = running_sums(points.size(), [&](std::size_t k) { return k < parts.size() ? parts[k] : 1; });
   Buffer<Point> result(begin.back());
-  for_each_block(result.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+  for_each_block(result.size(), pass_grain, [&](std::size_t first, std::size_t last) {
     // Pieces are made a batch ahead: what has just been stored by halves cannot be loaded as vectors without a wait.
     constexpr std::size_t batch = 64;
     std::array<CubicPiece, batch> pieces;

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "engine/base/memory.hpp"
 #include "engine/geometry/densify/interpolant.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/densify/densify.hpp"
+#include "engine/base/parallel/running_sums.hpp"
 #include "engine/geometry/densify/distinct_curve.hpp"
-#include "engine/geometry/densify/running_sums.hpp"
+#include "kernels/point.hpp"
+#include "lober/densify.hpp"
 
 namespace lober {
 namespace {
@@ -21,8 +22,8 @@ double distance_to_segment(Point p, Point a, Point b) {
 // The first of the points for which `measure` is largest.
 template <typename Measure>
 std::uint32_t farthest(std::span<const Point> points, const Measure& measure) {
-  std::vector<std::uint32_t> best((points.size() + densify_grain - 1) / densify_grain);
-  for_each_block(points.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+  std::vector<std::uint32_t> best((points.size() + pass_grain - 1) / pass_grain);
+  for_each_block(points.size(), pass_grain, [&](std::size_t first, std::size_t last) {
     std::size_t here = first;
     double value = measure(points[first]);
     for (std::size_t k = first + 1; k < last; ++k) {
@@ -31,7 +32,7 @@ std::uint32_t farthest(std::span<const Point> points, const Measure& measure) {
         value = next;
       }
     }
-    best[first / densify_grain] = static_cast<std::uint32_t>(here);
+    best[first / pass_grain] = static_cast<std::uint32_t>(here);
   });
   return *std::max_element(best.begin(), best.end(),
                            [&](std::uint32_t x, std::uint32_t y) { return measure(points[x]) < measure(points[y]); });
@@ -49,7 +50,7 @@ struct Kept {
 Buffer<Kept> all_kept(CurveView curve) {
   const std::span<const Point> points = curve.points;
   Buffer<Kept> kept(points.size());
-  for_each_block(points.size(), densify_grain, [&](std::size_t first, std::size_t last) {
+  for_each_block(points.size(), pass_grain, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) kept[k] = {points[k], 0, false};
   });
   kept.front().stays = true;
@@ -79,7 +80,7 @@ Buffer<Kept> thinned(const Buffer<Kept>& kept, std::size_t parity, const ThinOpt
     return removed <= options.tolerance && distance(a, b) <= options.longest ? removed : stays;
   };
   Buffer<double> bounds(size + 1);
-  for_each_block(size + 1, densify_grain, [&](std::size_t first, std::size_t last) {
+  for_each_block(size + 1, pass_grain, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) bounds[k] = bound(k);
   });
   return gathered<Kept>(

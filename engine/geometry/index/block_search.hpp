@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/base/memory.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/index/index.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/base/memory.hpp"
-#include "engine/geometry/curve/curve.hpp"
 #include "kernels/box_pyramid.hpp"
 #include "kernels/leaf.hpp"
+#include "lober/buffer.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

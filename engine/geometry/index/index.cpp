@@ -1,8 +1,24 @@
 #include "engine/geometry/index/index.hpp"
 
+#include "engine/geometry/index/box_tree.hpp"
 #include "engine/geometry/index/search.hpp"
 
 namespace lober {
+
+IndexedCurve::IndexedCurve(CurveView curve) : view_(curve), tree_(std::make_shared<const BoxTree>(curve)) {}
+IndexedCurve::IndexedCurve(const ClosedCurve& curve) : IndexedCurve(CurveView(curve)) {
+  owner_ = curve.owner();
+}
+IndexedCurve::IndexedCurve(const OpenCurve& curve) : IndexedCurve(CurveView(curve)) {
+  owner_ = curve.owner();
+}
+
+bool IndexedCurve::finite() const {
+  return tree_->sums_finite();
+}
+std::size_t IndexedCurve::memory() const {
+  return tree_->memory();
+}
 
 std::string_view name(IndexKind kind) {
   switch (kind) {

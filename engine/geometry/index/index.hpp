@@ -12,29 +12,12 @@
 #include <span>
 #include <string_view>
 
-#include "engine/geometry/curve/curve.hpp"
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/segment_boxes.hpp"
+#include "lober/counts.hpp"
+#include "lober/index.hpp"
 
 namespace lober {
-
-enum class IndexKind : std::uint8_t { automatic, tree, grid, kd };
-[[nodiscard]] std::string_view name(IndexKind kind);
-/// The kind of that name; `automatic` if there is none.
-[[nodiscard]] IndexKind index_kind(std::string_view name);
-
-/// A curve with its box tree: what every search starts from. Build it once for a curve that occurs in many pairs.
-/// The points must stay alive. O(N), parallel.
-class IndexedCurve {
- public:
-  explicit IndexedCurve(CurveView curve) : tree_(curve) {}
-  [[nodiscard]] const CurveView& view() const { return tree_.curve(); }
-  [[nodiscard]] const BoxTree& tree() const { return tree_; }
-  [[nodiscard]] std::size_t segments() const { return tree_.segments(); }
-
- private:
-  BoxTree tree_;
-};
 
 /// Segments of the first curve that one task handles together: the pairs of a block arrive one after another, in any
 /// order, and different blocks at the same time. The cut depends on the curve only.
@@ -58,21 +41,6 @@ class PairConsumer {
   virtual void finish(std::uint32_t block) = 0;
 };
 
-/// What a search did. The same for any number of threads.
-struct SearchCounts {
-  std::uint64_t boxes_tested = 0;     ///< pairs of boxes of runs of segments, or cells, or distances in the k-d tree
-  std::uint64_t pairs_proposed = 0;   ///< pairs of segments handed to the consumer
-  std::uint64_t blocks_searched = 0;  ///< blocks of the first curve that had to be looked at
-  std::uint64_t blocks_skipped = 0;   ///< blocks whose box meets nothing
-  SearchCounts& operator+=(const SearchCounts& other) {
-    boxes_tested += other.boxes_tested;
-    pairs_proposed += other.pairs_proposed;
-    blocks_searched += other.blocks_searched;
-    blocks_skipped += other.blocks_skipped;
-    return *this;
-  }
-};
-
 /// Hands every pair of segments (one of `first`, one of `second`) that have a point in common to the consumer, in
 /// parallel, and none whose boxes do not meet. Segments of no length may be left out. `kind` must not be `automatic`
 /// (see choose_index). Grid and k-d tree are built over `second`, then thrown away.
@@ -85,9 +53,5 @@ SearchCounts find_self_pairs(const IndexedCurve& curve, PairConsumer& consumer);
 /// The index with the smallest expected cost for this pair of curves; the tree unless segments are so long and slanted
 /// that their boxes say little. Looks at a sample of a few hundred leaves.
 [[nodiscard]] IndexKind choose_index(const IndexedCurve& first, const IndexedCurve& second);
-
-/// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. About log N:
-/// whole subtrees count by their end points.
-[[nodiscard]] bool encloses(const IndexedCurve& curve, Point point);
 
 }  // namespace lober

@@ -9,10 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/base/memory.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/shoelace.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 

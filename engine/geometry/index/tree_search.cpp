@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "engine/base/memory.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/index/index.hpp"
 #include "engine/geometry/index/search.hpp"
 #include "kernels/box_pyramid.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/geometry/interior/contacts_along.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 

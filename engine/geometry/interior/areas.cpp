@@ -4,13 +4,16 @@
 #include <cmath>
 
 #include "engine/base/stopwatch.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/crossings/require_simple.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/index/orientation.hpp"
 #include "engine/geometry/interior/arc_labels.hpp"
 #include "engine/geometry/interior/insert_points.hpp"
-#include "engine/geometry/interior/interior.hpp"
 #include "engine/geometry/interior/side_sums.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 namespace {
@@ -39,7 +42,8 @@ class InteriorBuilder {
     const Stopwatch watch;
     report(0);
     if (options_.check_simple) {
-      for (const SimpleCheck& check : {require_simple(c1_, 1, exponent_), require_simple(c2_, 2, exponent_)}) {
+      for (const SimpleCheck& check :
+           {require_simple_scaled(c1_, 1, exponent_), require_simple_scaled(c2_, 2, exponent_)}) {
         result_.statistics.simple_check += check.search;
         result_.statistics.simple_check_pairs += check.pairs;
       }
@@ -74,7 +78,7 @@ class InteriorBuilder {
     result_.statistics.counts = graph.counts;
     result_.orientation1 = orientation(c1_);
     result_.orientation2 = orientation(c2_);
-    result_.nodes = Crossings(std::move(graph), c1_.view(), c2_.view(), result_.orientation1, result_.orientation2);
+    result_.nodes = make_crossings(std::move(graph), c1_, c2_, result_.orientation1, result_.orientation2);
   }
 
   [[nodiscard]] const IndexedCurve& own(int curve) const { return curve == 1 ? c1_ : c2_; }
@@ -140,7 +144,7 @@ class InteriorBuilder {
                      .symmetric_difference = not_negative(q1)};
 
     // The sums are of twice the areas; a contact is one and the same point on both curves to 2^-91 of the scene.
-    const double contacts = static_cast<double>(result_.nodes.graph().contacts.size());
+    const double contacts = static_cast<double>(graph_of(result_.nodes).contacts.size());
     const double lost = s1.error + s2.error + contacts * 0x1p-91 * extent * extent;
     const Areas& areas = result_.areas;
     const auto bound = [&](double area) { return area * 0x1p-53 + lost; };
@@ -164,7 +168,7 @@ InteriorAreas scaled_areas(const IndexedCurve& c1, const IndexedCurve& c2, const
   for (double* value : {&result.q1, &result.q2, &result.q3, &result.delta}) *value = std::ldexp(*value, -2 * exponent);
   scale(result.areas, -2 * exponent);
   scale_bounds(result.rounding, -2 * exponent);
-  result.nodes = std::move(result.nodes).on(c1.view(), c2.view());
+  result.nodes = moved_to(std::move(result.nodes), c1, c2);
   return result;
 }
 
@@ -178,7 +182,10 @@ InteriorAreas interior_areas(const IndexedCurve& c1, const IndexedCurve& c2, con
   return InteriorBuilder(c1, c2, options, 0).build();
 }
 
-InteriorAreas interior_areas(CurveView c1, CurveView c2, const InteriorOptions& options) {
+namespace {
+
+template <typename AnyCurve>
+InteriorAreas indexed_areas(const AnyCurve& c1, const AnyCurve& c2, const InteriorOptions& options) {
   require_closed(c1, "curve 1", "interior");
   require_closed(c2, "curve 2", "interior");
   validate(c1, "curve 1");
@@ -190,6 +197,16 @@ InteriorAreas interior_areas(CurveView c1, CurveView c2, const InteriorOptions& 
   result.timing.index = index_seconds;
   result.timing.total += index_seconds;
   return result;
+}
+
+}  // namespace
+
+InteriorAreas interior_areas(const ClosedCurve& c1, const ClosedCurve& c2, const InteriorOptions& options) {
+  return indexed_areas(c1, c2, options);
+}
+
+InteriorAreas interior_areas(CurveView c1, CurveView c2, const InteriorOptions& options) {
+  return indexed_areas(c1, c2, options);
 }
 
 }  // namespace lober

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/geometry/crossings/crossings.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
+#include "lober/crossings.hpp"
 
 namespace lober {
 
@@ -21,7 +22,7 @@ struct SeenContact {
 /// The contacts in order along curve `curve` (1 or 2), from its first vertex on.
 class ContactsAlong {
  public:
-  ContactsAlong(const Crossings& nodes, int curve) : graph_(nodes.graph()), first_(curve == 1) {}
+  ContactsAlong(const Crossings& nodes, int curve) : graph_(graph_of(nodes)), first_(curve == 1) {}
 
   [[nodiscard]] std::size_t size() const { return graph_.contacts.size(); }
   [[nodiscard]] std::uint32_t segment(std::size_t k) const {

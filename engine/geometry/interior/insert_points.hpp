@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 

@@ -5,8 +5,9 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/require.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/index/box_tree.hpp"
 #include "kernels/predicates.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "engine/geometry/interior/contacts_along.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 

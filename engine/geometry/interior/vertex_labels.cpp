@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <cstring>
 
-#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
+#include "lober/interior.hpp"
 
 namespace lober {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 // The side of the stretch that leaves a node. The region of a counter-clockwise curve lies between its way
 // out and its way in, turning counter-clockwise.
 Side side_after(const Crossings& nodes, int curve, std::uint32_t node) {
-  const std::array<Arm, 4>& order = arm_orders[nodes.graph().order[node]];
+  const std::array<Arm, 4>& order = arm_orders[graph_of(nodes).order[node]];
   const auto place = [&](Arm arm) { return std::find(order.begin(), order.end(), arm); };
   // Arms are listed from out1 on, so a turn from out2 meets in1 before it comes round to out1 if in1 is
   // listed after it.
@@ -25,7 +26,7 @@ Side side_after(const Crossings& nodes, int curve, std::uint32_t node) {
 }  // namespace
 
 std::vector<SideChange> side_changes(const Crossings& nodes, int curve) {
-  const NodeGraph& graph = nodes.graph();
+  const NodeGraph& graph = graph_of(nodes);
   constexpr std::uint8_t unchanged = 0xff;
   std::vector<std::uint8_t> after(graph.contacts.size(), unchanged);
   for (std::uint32_t node = 0; node < graph.size(); ++node) {
@@ -42,9 +43,9 @@ std::vector<SideChange> side_changes(const Crossings& nodes, int curve) {
     const Contact contact = graph.contacts[number];
     const auto side = static_cast<Side>(after[number]);
     if (curve == 1) {
-      changes.push_back({{contact.segment1, contact.t1.hi}, contact.vertex1, nodes.place(contact), side});
+      changes.push_back({{contact.segment1, contact.t1.hi}, contact.vertex1, place_on(nodes, contact), side});
     } else {
-      changes.push_back({{contact.segment2, contact.t2.hi}, contact.vertex2, nodes.place(contact), side});
+      changes.push_back({{contact.segment2, contact.t2.hi}, contact.vertex2, place_on(nodes, contact), side});
     }
   }
   return changes;

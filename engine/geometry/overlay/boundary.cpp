@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/overlay/faces.hpp"
+#include "engine/geometry/overlay/pieces_data.hpp"
 
 namespace lober {
 namespace {
@@ -25,10 +27,10 @@ Directions directions(const Overlay& result, Pairing pairing) {
 
 std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint32_t> steps, std::size_t begin,
                                std::size_t end, Directions forward) {
-  const NodeGraph& graph = result.nodes.graph();
+  const NodeGraph& graph = graph_of(result.nodes);
   std::vector<Stretch> list;
-  if (steps.size() == 1 && steps[0] >= Pieces::whole1) {
-    const bool first = steps[0] == Pieces::whole1;
+  if (steps.size() == 1 && steps[0] >= whole_curve1) {
+    const bool first = steps[0] == whole_curve1;
     list.push_back({first ? 1 : 2, first ? forward.forward1 : forward.forward2, Stretch::none, Stretch::none});
     return list;
   }
@@ -51,7 +53,7 @@ StretchPoints points_of(const Overlay& result, const Stretch& stretch) {
   const std::span<const Point> vertices = (stretch.curve == 1 ? result.nodes.curve1() : result.nodes.curve2()).points;
   const std::size_t size = vertices.size();
   if (stretch.from == Stretch::none) return {stretch.forward, true, {}, vertices, {}};
-  const ContactList& contacts = result.nodes.graph().contacts;
+  const ContactList& contacts = graph_of(result.nodes).contacts;
   const Contact from = contacts[stretch.from], to = contacts[stretch.to];
   const auto segment_of = [&](const Contact& c) { return stretch.curve == 1 ? c.segment1 : c.segment2; };
   const auto at_vertex = [&](const Contact& c) { return stretch.curve == 1 ? c.vertex1 : c.vertex2; };
@@ -66,7 +68,7 @@ StretchPoints points_of(const Overlay& result, const Stretch& stretch) {
   std::size_t count = wraps ? size - begin + end : end - begin;
   if (at_vertex(high) && count > 0) --count;
   const std::size_t first = begin + 1 == size ? 0 : begin + 1, before_wrap = std::min(count, size - first);
-  return {stretch.forward, false, result.nodes.place(from), vertices.subspan(first, before_wrap),
+  return {stretch.forward, false, place_on(result.nodes, from), vertices.subspan(first, before_wrap),
           vertices.first(count - before_wrap)};
 }
 
@@ -82,7 +84,7 @@ std::size_t count_points(const Overlay& result, std::span<const std::uint32_t> s
 }
 
 std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing, std::size_t piece) {
-  const Pieces& pieces = result.pieces(pairing);
+  const PiecesData& pieces = result.pieces(pairing).data();
   const Directions forward = directions(result, pairing);
   const auto polygon = [&](std::span<const std::uint32_t> steps) {
     std::vector<Point> points;
@@ -100,7 +102,7 @@ std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing, 
     return points;
   };
   std::vector<std::vector<Point>> polygons{polygon(pieces.outer(piece))};
-  for (const Pieces::Hole& hole : pieces.holes_of(piece)) polygons.push_back(polygon(hole.steps));
+  for (const PieceHole& hole : pieces.holes_of(piece)) polygons.push_back(polygon(hole.steps));
   return polygons;
 }
 

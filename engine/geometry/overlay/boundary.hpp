@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober {
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/overlay/arc_sums.hpp"
 #include "engine/geometry/overlay/faces.hpp"
@@ -13,6 +14,13 @@
 #include "kernels/shoelace.hpp"
 
 namespace lober {
+
+struct DiscretisationData {
+  CurveView curve;
+  Buffer<DD> before;  // running sums, up to each stretch of segments
+  DD total;
+};
+
 namespace {
 
 constexpr std::size_t stretch = 8;  // a bulge costs 40 ns: a contact has to compute half of so many again
@@ -40,11 +48,11 @@ double bulge(const CurveView& curve, std::size_t number) {
 // Calls take(k, sum) with the running sum of the bulges up to contact k, like sum_along for the shoelace sums.
 template <typename ContactAt, typename Take>
 void bulges_at_contacts(const DiscretisationSums& sums, std::size_t count, const ContactAt& contact, const Take& take) {
-  const CurveView& curve = sums.curve();
+  const CurveView& curve = sums.data().curve;
   for_each_block(count, 1024, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last;) {
       const std::size_t begin = contact(k).segment / stretch * stretch;
-      DD sum = sums.before(begin / stretch);
+      DD sum = sums.data().before[begin / stretch];
       for (std::size_t number = begin; k < last && contact(k).segment < begin + stretch; ++number) {
         const double here = bulge(curve, number);
         for (; k < last && contact(k).segment == number; ++k) {
@@ -63,10 +71,13 @@ struct Place {
 
 }  // namespace
 
-DiscretisationSums::DiscretisationSums(CurveView curve) : curve_(curve) {
+DiscretisationSums::DiscretisationSums(CurveView curve) {
   require_region(curve, "the curve", "discretisation error");
+  auto made = std::make_shared<DiscretisationData>();
+  made->curve = curve;
+  Buffer<DD>& before = made->before;
   const std::size_t segments = curve.segments(), blocks = (segments + grain - 1) / grain;
-  before_.resize((segments + stretch - 1) / stretch);
+  before.resize((segments + stretch - 1) / stretch);
   Buffer<DD> block_sums(blocks);
   for_each_block(segments, grain, [&](std::size_t begin, std::size_t end) {
     std::array<double, grain> bulges;
@@ -79,7 +90,7 @@ DiscretisationSums::DiscretisationSums(CurveView curve) : curve_(curve) {
     for (std::size_t k = inner_end; k < end; ++k) bulges[k - begin] = bulge(curve, k);
     DD sum;
     for (std::size_t k = begin; k < end; ++k) {
-      if (k % stretch == 0) before_[k / stretch] = sum;
+      if (k % stretch == 0) before[k / stretch] = sum;
       const double here = bulges[k - begin];
       // The neighbours of a segment next to repeated vertices lie farther away.
       const bool inner = k >= inner_begin && k < inner_end;
@@ -90,10 +101,15 @@ DiscretisationSums::DiscretisationSums(CurveView curve) : curve_(curve) {
     block_sums[begin / grain] = sum;
   });
   for (std::size_t block = 0; block < blocks; ++block) {
-    const std::size_t end = std::min((block + 1) * (grain / stretch), before_.size());
-    for (std::size_t k = block * (grain / stretch); k < end; ++k) before_[k] = total_ + before_[k];
-    total_ += block_sums[block];
+    const std::size_t end = std::min((block + 1) * (grain / stretch), before.size());
+    for (std::size_t k = block * (grain / stretch); k < end; ++k) before[k] = made->total + before[k];
+    made->total += block_sums[block];
   }
+  data_ = std::move(made);
+}
+
+std::size_t DiscretisationSums::memory() const {
+  return data_->before.capacity() * sizeof(DD);
 }
 
 Areas discretisation_error(const Overlay& result) {
@@ -102,7 +118,7 @@ Areas discretisation_error(const Overlay& result) {
 }
 
 Areas discretisation_error(const Overlay& result, const DiscretisationSums& first, const DiscretisationSums& second) {
-  const NodeGraph& graph = result.nodes.graph();
+  const NodeGraph& graph = graph_of(result.nodes);
   const std::size_t count = graph.contacts.size();
   constexpr double largest = std::numeric_limits<double>::max();
   // Products of double-doubles need some room below the largest double.
@@ -110,8 +126,8 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
   const auto reduced = [&](DD sum) { return DD{std::ldexp(sum.hi, exponent), std::ldexp(sum.lo, exponent)}; };
   ArcSums sums;
   sums.gap.resize(count);
-  sums.total1 = reduced(first.total());
-  sums.total2 = reduced(second.total());
+  sums.total1 = reduced(first.data().total);
+  sums.total2 = reduced(second.data().total);
   bulges_at_contacts(
       first, count,
       [&](std::size_t k) {

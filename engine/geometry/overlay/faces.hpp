@@ -11,7 +11,7 @@
 
 #include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/overlay/arc_sums.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober {
 

@@ -1,4 +1,4 @@
-#include "engine/geometry/overlay/overlay.hpp"
+#include "lober/overlay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,16 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/crossings/require_simple.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/index/orientation.hpp"
 #include "engine/geometry/index/sums_along.hpp"
 #include "engine/geometry/overlay/arc_sums.hpp"
 #include "engine/geometry/overlay/faces.hpp"
+#include "engine/geometry/overlay/pieces_data.hpp"
+#include "engine/geometry/views.hpp"
 
 namespace lober {
 namespace {
@@ -42,29 +46,29 @@ std::string_view name(Pairing pairing) {
   return "";
 }
 
-Piece Pieces::operator[](std::size_t number) const {
-  Piece piece;
-  piece.area = areas_[number];
-  const auto add = [&](std::span<const std::uint32_t> steps) {
-    for (const std::uint32_t step : steps) {
-      if (step < whole1) piece.crossings.push_back(unpack(step).node);
-    }
-  };
-  add(outer(number));
-  for (const Hole& hole : holes_of(number)) {
-    add(hole.steps);
-    ++piece.holes;
-  }
-  return piece;
+Pieces::Pieces() {
+  static const auto none = std::make_shared<const PiecesData>();
+  data_ = none;
 }
 
-std::span<const Pieces::Hole> Pieces::holes_of(std::size_t piece) const {
-  const auto first = std::lower_bound(holes_.begin(), holes_.end(), piece,
-                                      [](const Hole& hole, std::size_t number) { return hole.piece < number; });
+std::span<const double> Pieces::areas() const {
+  return data_->areas;
+}
+
+Piece Pieces::operator[](std::size_t piece) const {
+  const std::span<const PieceHole> holes = data_->holes_of(piece);
+  return {data_->areas[piece], static_cast<std::uint32_t>(holes.size()), {data_->outer(piece), holes}};
+}
+
+std::span<const PieceHole> PiecesData::holes_of(std::size_t piece) const {
+  const auto first = std::lower_bound(holes.begin(), holes.end(), piece,
+                                      [](const PieceHole& hole, std::size_t number) { return hole.piece < number; });
   auto last = first;
-  while (last != holes_.end() && last->piece == piece) ++last;
+  while (last != holes.end() && last->piece == piece) ++last;
   return {first, last};
 }
+
+namespace {
 
 // Puts an Overlay together. One for each call.
 class OverlayBuilder {
@@ -73,11 +77,13 @@ class OverlayBuilder {
   OverlayBuilder(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent)
       : c1_(c1), c2_(c2), options_(options), exponent_(exponent) {}
 
-  Overlay build() {
+  // The result speaks of the caller's curves.
+  Overlay build(const IndexedCurve& caller1, const IndexedCurve& caller2) {
     const Stopwatch watch;
     report(0);
     if (options_.check_simple) {
-      for (const SimpleCheck& check : {require_simple(c1_, 1, exponent_), require_simple(c2_, 2, exponent_)}) {
+      for (const SimpleCheck& check :
+           {require_simple_scaled(c1_, 1, exponent_), require_simple_scaled(c2_, 2, exponent_)}) {
         result_.statistics.simple_check += check.search;
         result_.statistics.simple_check_pairs += check.pairs;
       }
@@ -98,11 +104,15 @@ class OverlayBuilder {
     result_.statistics.index = kind;
     result_.statistics.counts = graph.counts;
     result_.statistics.index_bytes = c1_.tree().memory() + c2_.tree().memory();
-    result_.nodes = Crossings(std::move(graph), c1_.view(), c2_.view(), result_.orientation1, result_.orientation2);
+    result_.nodes = make_crossings(std::move(graph), c1_, c2_, result_.orientation1, result_.orientation2);
     if (result_.nodes.size() > 0) {
       overlay_connected();
     } else {
       overlay_apart();
+    }
+    if (exponent_ != 0) rescale(-2 * exponent_, caller1, caller2);
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      result_.all_pieces[k] = Pieces(std::make_shared<const PiecesData>(std::move(pieces_[k])));
     }
     result_.timing.areas = area_watch.seconds();
     result_.timing.total = watch.seconds();
@@ -110,20 +120,20 @@ class OverlayBuilder {
     return std::move(result_);
   }
 
+ private:
   // Multiplies all areas by a power of two and lets the result speak of other points.
-  static void rescale(Overlay& result, int exponent, CurveView c1, CurveView c2) {
-    scale(result.areas, exponent);
-    scale_bounds(result.rounding, exponent);
-    for (Pieces& pieces : result.pieces_) {
-      for (double& area : pieces.areas_) area = std::ldexp(area, exponent);
+  void rescale(int exponent, const IndexedCurve& c1, const IndexedCurve& c2) {
+    scale(result_.areas, exponent);
+    scale_bounds(result_.rounding, exponent);
+    for (PiecesData& pieces : pieces_) {
+      for (double& area : pieces.areas) area = std::ldexp(area, exponent);
     }
-    for (double* length : {&result.largest_coordinate, &result.longest_segment}) {
+    for (double* length : {&result_.largest_coordinate, &result_.longest_segment}) {
       *length = std::ldexp(*length, exponent / 2);
     }
-    result.nodes = std::move(result.nodes).on(c1, c2);
+    result_.nodes = moved_to(std::move(result_.nodes), c1, c2);
   }
 
- private:
   void report(double fraction) const {
     if (options_.progress && !options_.progress(fraction)) throw Cancelled();
   }
@@ -143,7 +153,7 @@ class OverlayBuilder {
   [[nodiscard]] DD twice_area1() const { return turned(sums_.total1, result_.orientation1); }
   [[nodiscard]] DD twice_area2() const { return turned(sums_.total2, result_.orientation2); }
   [[nodiscard]] Handedness hands() const { return {result_.nodes.clockwise1(), result_.nodes.clockwise2()}; }
-  Pieces& pieces(Pairing pairing) { return result_.pieces_[static_cast<std::size_t>(pairing)]; }
+  PiecesData& pieces(Pairing pairing) { return pieces_[static_cast<std::size_t>(pairing)]; }
 
   // Twice the areas of A1 \ A2, A2 \ A1 and A1 n A2; none for a region that is empty, the only one whose area is known
   // without error. A thin region may well have a computed area of 0, and then has a bound.
@@ -168,7 +178,7 @@ class OverlayBuilder {
   // ------------------------------------------------------------------------------ curves that meet
 
   void overlay_connected() {
-    const NodeGraph& graph = result_.nodes.graph();
+    const NodeGraph& graph = graph_of(result_.nodes);
     const FaceTotals totals = total_of_faces(graph, sums_, hands());
     // The arrangement is connected: every face has a corner at some node.
     const auto unless_empty = [&](Membership wanted, DD twice) {
@@ -194,26 +204,26 @@ class OverlayBuilder {
   }
 
   void take_faces(Faces faces, Pairing pairing) {
-    Pieces& target = pieces(pairing);
+    PiecesData& target = pieces(pairing);
     for (double& area : faces.area) area = std::max(area, 0.0);
-    target.areas_ = std::move(faces.area);
-    target.begin_ = std::move(faces.begin);
-    target.steps_ = std::move(faces.steps);
+    target.areas = std::move(faces.area);
+    target.begin = std::move(faces.begin);
+    target.steps = std::move(faces.steps);
     // One curve inside the other with a single touch: the walk runs round both, but what it encloses has a hole.
-    const NodeGraph& graph = result_.nodes.graph();
-    if (graph.size() == 1 && graph.span(0).direction == 0 && target.steps_.size() == 2) {
+    const NodeGraph& graph = graph_of(result_.nodes);
+    if (graph.size() == 1 && graph.span(0).direction == 0 && target.steps.size() == 2) {
       const std::uint32_t hole = pairing == Pairing::c1_minus_c2 ? 1 : 0;
-      target.steps_ = {pack({0, 1 - hole})};
-      target.begin_ = {0, 1};
-      target.holes_.push_back({0, {pack({0, hole})}});
+      target.steps = {pack({0, 1 - hole})};
+      target.begin = {0, 1};
+      target.holes.push_back({0, {pack({0, hole})}});
     }
   }
 
   // The union is what the faces outside both curves leave. It is in one piece, unless the curves only touch from
   // outside.
   void unite_connected(const Faces& faces) {
-    const NodeGraph& graph = result_.nodes.graph();
-    Pieces& target = pieces(Pairing::unite);
+    const NodeGraph& graph = graph_of(result_.nodes);
+    PiecesData& target = pieces(Pairing::unite);
     bool one_piece = false;
     for (std::uint32_t node = 0; node < graph.size() && !one_piece; ++node) {
       one_piece = graph.span(node).direction != 0 || sectors_at(graph.order[node], hands(), both) > 0;
@@ -236,19 +246,19 @@ class OverlayBuilder {
       if (k != outside) {
         std::vector<std::uint32_t> steps(faces.begin[k + 1] - faces.begin[k]);
         reverse_face(faces, k, steps.data());
-        target.holes_.push_back({0, std::move(steps)});
+        target.holes.push_back({0, std::move(steps)});
       }
     }
-    target.areas_ = {result_.areas.unite};
-    target.steps_.resize(faces.begin[outside + 1] - faces.begin[outside]);
-    target.begin_ = {0, static_cast<std::uint32_t>(target.steps_.size())};
-    reverse_face(faces, outside, target.steps_.data());
+    target.areas = {result_.areas.unite};
+    target.steps.resize(faces.begin[outside + 1] - faces.begin[outside]);
+    target.begin = {0, static_cast<std::uint32_t>(target.steps.size())};
+    reverse_face(faces, outside, target.steps.data());
   }
 
-  static void add_piece(Pieces& target, double area, std::span<const std::uint32_t> steps) {
-    target.areas_.push_back(area);
-    target.steps_.insert(target.steps_.end(), steps.begin(), steps.end());
-    target.begin_.push_back(static_cast<std::uint32_t>(target.steps_.size()));
+  static void add_piece(PiecesData& target, double area, std::span<const std::uint32_t> steps) {
+    target.areas.push_back(area);
+    target.steps.insert(target.steps.end(), steps.begin(), steps.end());
+    target.begin.push_back(static_cast<std::uint32_t>(target.steps.size()));
   }
 
   // A face walked the other way round, so that the outside of it is on the left.
@@ -262,11 +272,11 @@ class OverlayBuilder {
 
   // Equivalence classes of the crossings under sigma.
   void classify() {
-    const NodeGraph& graph = result_.nodes.graph();
+    const NodeGraph& graph = graph_of(result_.nodes);
     const std::uint32_t count = graph.size();
     result_.classes.assign(count, Overlay::no_class);
     if (result_.nodes.crossings() == count) {  // then classes are faces, which are numbered the same way
-      const Pieces& faces = pieces(Pairing::c1_minus_c2);
+      const PiecesData& faces = pieces(Pairing::c1_minus_c2);
       for (std::size_t face = 0; face < faces.size(); ++face) {
         for (const std::uint32_t step : faces.outer(face))
           result_.classes[unpack(step).node] = static_cast<std::uint32_t>(face);
@@ -299,7 +309,7 @@ class OverlayBuilder {
 
   void overlay_apart() {
     const DD area1 = twice_area1(), area2 = twice_area2();
-    constexpr std::uint32_t whole1 = Pieces::whole1, whole2 = Pieces::whole2;
+    constexpr std::uint32_t whole1 = whole_curve1, whole2 = whole_curve2;
     if (result_.nodes.same_curve()) {
       set_areas(std::nullopt, std::nullopt, area1);
       add_whole(Pairing::intersection, result_.areas.c1, whole1);
@@ -325,9 +335,9 @@ class OverlayBuilder {
 
   void add_whole(Pairing pairing, double area, std::uint32_t curve, std::uint32_t hole = 0) {
     if (!options_.pieces) return;
-    Pieces& target = pieces(pairing);
+    PiecesData& target = pieces(pairing);
     add_piece(target, area, std::array{curve});
-    if (hole != 0) target.holes_.push_back({static_cast<std::uint32_t>(target.size() - 1), {hole}});
+    if (hole != 0) target.holes.push_back({static_cast<std::uint32_t>(target.size() - 1), {hole}});
   }
 
   const IndexedCurve& c1_;
@@ -335,18 +345,9 @@ class OverlayBuilder {
   const OverlayOptions& options_;
   int exponent_;
   ArcSums sums_;
+  std::array<PiecesData, 4> pieces_;
   Overlay result_;
 };
-
-namespace {
-
-Overlay overlay_scaled(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options, int exponent) {
-  const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
-  const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
-  Overlay result = OverlayBuilder(scaled1, scaled2, options, exponent).build();
-  OverlayBuilder::rescale(result, -2 * exponent, c1.view(), c2.view());
-  return result;
-}
 
 }  // namespace
 
@@ -354,11 +355,16 @@ Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOpt
   require_region(c1.view(), "curve 1", "overlay");
   require_region(c2.view(), "curve 2", "overlay");
   const int exponent = comfortable_exponent(unite(c1.tree().box(), c2.tree().box()));
-  if (exponent != 0) return overlay_scaled(c1, c2, options, exponent);
-  return OverlayBuilder(c1, c2, options, 0).build();
+  if (exponent == 0) return OverlayBuilder(c1, c2, options, 0).build(c1, c2);
+  const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
+  const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});
+  return OverlayBuilder(scaled1, scaled2, options, exponent).build(c1, c2);
 }
 
-Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
+namespace {
+
+template <typename AnyCurve>
+Overlay indexed_overlay(const AnyCurve& c1, const AnyCurve& c2, const OverlayOptions& options) {
   require_region(c1, "curve 1", "overlay");
   require_region(c2, "curve 2", "overlay");
   const Stopwatch watch;
@@ -372,6 +378,16 @@ Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
   result.timing.index = index_seconds;
   result.timing.total += index_seconds;
   return result;
+}
+
+}  // namespace
+
+Overlay overlay(const ClosedCurve& c1, const ClosedCurve& c2, const OverlayOptions& options) {
+  return indexed_overlay(c1, c2, options);
+}
+
+Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
+  return indexed_overlay(c1, c2, options);
 }
 
 }  // namespace lober

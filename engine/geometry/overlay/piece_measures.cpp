@@ -7,6 +7,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/overlay/boundary.hpp"
+#include "engine/geometry/overlay/pieces_data.hpp"
 #include "kernels/box.hpp"
 #include "kernels/moments.hpp"
 
@@ -94,10 +95,10 @@ Moments of_boundary(const Overlay& result, std::span<const std::uint32_t> steps,
 class PieceBoundary {
  public:
   PieceBoundary(const Overlay& result, Pairing pairing, std::size_t piece)
-      : result_(result), pieces_(result.pieces(pairing)), forward_(directions(result, pairing)), piece_(piece) {
+      : result_(result), pieces_(result.pieces(pairing).data()), forward_(directions(result, pairing)), piece_(piece) {
     const std::span<const std::uint32_t> outer = pieces_.outer(piece);
     std::size_t count = outer.size() > few_points ? outer.size() : count_points(result, outer, forward_);
-    for (const Pieces::Hole& hole : pieces_.holes_of(piece)) {
+    for (const PieceHole& hole : pieces_.holes_of(piece)) {
       if (count > few_points) break;
       count += hole.steps.size() > few_points ? hole.steps.size() : count_points(result, hole.steps, forward_);
     }
@@ -118,7 +119,7 @@ class PieceBoundary {
       return sum;
     }
     sum = of_boundary(result_, pieces_.outer(piece_), forward_, frame);
-    for (const Pieces::Hole& hole : pieces_.holes_of(piece_)) sum += of_boundary(result_, hole.steps, forward_, frame);
+    for (const PieceHole& hole : pieces_.holes_of(piece_)) sum += of_boundary(result_, hole.steps, forward_, frame);
     return sum;
   }
 
@@ -139,7 +140,7 @@ class PieceBoundary {
 
  private:
   const Overlay& result_;
-  const Pieces& pieces_;
+  const PiecesData& pieces_;
   Directions forward_;
   std::size_t piece_;
   std::vector<std::vector<Point>> polygons_;  // written out if there are few points, else empty

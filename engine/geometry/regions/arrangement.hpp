@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/geometry/regions/faces.hpp"
-#include "engine/geometry/regions/regions.hpp"
+#include "lober/regions.hpp"
 
 namespace lober {
 
@@ -17,6 +17,21 @@ struct Arrangement {
   [[nodiscard]] double area(DD twice) const;
   [[nodiscard]] Point node_place(std::uint32_t node) const { return place(strands, marks.list[first_mark[node]]); }
   Buffer<std::uint32_t> first_mark;  ///< of each node
+
+  std::vector<WindingArea> table;
+  Buffer<DD> twice_areas;  ///< of the table
+  std::array<double, 2> signed_areas{};
+  RegionCounts counts;
+  RegionTiming timing;
+  std::array<std::shared_ptr<const void>, 2> owners;  ///< of the curves' points
+};
+
+struct RegionPiecesData {
+  std::shared_ptr<const Arrangement> arrangement;
+  Buffer<double> areas;
+  Buffer<std::uint32_t> first_loop;  ///< of each piece
+  Buffer<std::uint32_t> first_half;  ///< of each loop
+  Buffer<std::uint32_t> halves;      ///< half-edges with the piece on the left
 };
 
 /// Whether a point with these winding numbers belongs to the region.

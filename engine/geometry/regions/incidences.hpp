@@ -10,11 +10,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/base/memory.hpp"
 #include "engine/geometry/index/index.hpp"
 #include "engine/geometry/regions/strands.hpp"
 #include "kernels/double_double.hpp"
 #include "kernels/predicates.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 

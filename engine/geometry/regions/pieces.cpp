@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 
-}  // namespace
-
 class PieceFinder {
  public:
   PieceFinder(const Arrangement& scene, WindingRule rule, Pairing pairing)
@@ -30,8 +28,8 @@ class PieceFinder {
       if (graph_.stands(half)) counter_clockwise_[graph_.clockwise[half]] = half;
     }
     walk_boundaries();
-    result_.arrangement_ = std::move(arrangement);
-    return std::move(result_);
+    result_.arrangement = std::move(arrangement);
+    return RegionPieces(std::make_shared<const RegionPiecesData>(std::move(result_)));
   }
 
  private:
@@ -65,9 +63,9 @@ class PieceFinder {
       std::uint32_t& outermost = outermost_[piece];
       if (outermost == none || faces_.rank[face] < faces_.rank[outermost]) outermost = face;
     }
-    result_.areas_.resize(pieces_);
+    result_.areas.resize(pieces_);
     for (std::uint32_t piece = 0; piece < pieces_; ++piece) {
-      result_.areas_[piece] = scene_.area(sums[piece].value());
+      result_.areas[piece] = scene_.area(sums[piece].value());
     }
   }
 
@@ -98,16 +96,16 @@ class PieceFinder {
       if (seen[half] == 0 && on_boundary(half)) walk(half);
     }
     std::stable_sort(list.begin(), list.end(), [](const Loop& x, const Loop& y) { return x.piece < y.piece; });
-    result_.halves_.reserve(steps.size());
-    result_.first_loop_.assign(pieces_ + std::size_t{1}, 0);
-    result_.first_half_.push_back(0);
+    result_.halves.reserve(steps.size());
+    result_.first_loop.assign(pieces_ + std::size_t{1}, 0);
+    result_.first_half.push_back(0);
     for (const Loop& loop : list) {
-      ++result_.first_loop_[loop.piece + 1];
-      for (std::size_t k = loop.begin; k < loop.end; ++k) result_.halves_.push_back(steps[k]);
-      result_.first_half_.push_back(static_cast<std::uint32_t>(result_.halves_.size()));
+      ++result_.first_loop[loop.piece + 1];
+      for (std::size_t k = loop.begin; k < loop.end; ++k) result_.halves.push_back(steps[k]);
+      result_.first_half.push_back(static_cast<std::uint32_t>(result_.halves.size()));
     }
     for (std::uint32_t piece = 0; piece < pieces_; ++piece) {
-      result_.first_loop_[piece + 1] += result_.first_loop_[piece];
+      result_.first_loop[piece + 1] += result_.first_loop[piece];
     }
   }
 
@@ -131,19 +129,35 @@ class PieceFinder {
   std::uint32_t pieces_ = 0;
   Buffer<std::uint32_t> outermost_;  // by piece: its face of lowest rank
   Buffer<std::uint32_t> counter_clockwise_;
-  RegionPieces result_;
+  RegionPiecesData result_;
 };
+
+}  // namespace
 
 RegionPieces Regions::pieces(WindingRule rule, Pairing pairing) const {
   return PieceFinder(*arrangement_, rule, pairing).find(arrangement_);
 }
 
+RegionPieces::RegionPieces() {
+  static const auto none = std::make_shared<const RegionPiecesData>();
+  data_ = none;
+}
+
+std::span<const double> RegionPieces::areas() const {
+  return data_->areas;
+}
+
+RegionPiece RegionPieces::operator[](std::size_t piece) const {
+  return {data_->areas[piece], data_->first_loop[piece + 1] - data_->first_loop[piece] - 1};
+}
+
 std::vector<std::vector<Point>> RegionPieces::outline(std::size_t piece) const {
-  const Strands& strands = arrangement_->strands;
-  const Marks& marks = arrangement_->marks;
+  const Arrangement& scene = *data_->arrangement;
+  const Strands& strands = scene.strands;
+  const Marks& marks = scene.marks;
   // Appends the first point of a half-edge and the vertices inside it.
   const auto append = [&](std::uint32_t half, std::vector<Point>& points) {
-    points.push_back(arrangement_->node_place(marks.list[origin(marks, half)].node));
+    points.push_back(scene.node_place(marks.list[origin(marks, half)].node));
     const std::uint32_t from = half / 2, to = marks.next(from);
     const Mark &first = marks.list[from], &last = marks.list[to];
     const int curve = strands.curve_of(first.segment);
@@ -161,9 +175,10 @@ std::vector<std::vector<Point>> RegionPieces::outline(std::size_t piece) const {
     if (half % 2 == 1) std::reverse(points.begin() + static_cast<std::ptrdiff_t>(end - count), points.end());
   };
   std::vector<std::vector<Point>> polygons;
-  for (std::uint32_t loop = first_loop_[piece]; loop < first_loop_[piece + 1]; ++loop) {
+  for (std::uint32_t loop = data_->first_loop[piece]; loop < data_->first_loop[piece + 1]; ++loop) {
     std::vector<Point>& polygon = polygons.emplace_back();
-    for (std::uint32_t k = first_half_[loop]; k < first_half_[loop + 1]; ++k) append(halves_[k], polygon);
+    for (std::uint32_t k = data_->first_half[loop]; k < data_->first_half[loop + 1]; ++k)
+      append(data_->halves[k], polygon);
   }
   return polygons;
 }

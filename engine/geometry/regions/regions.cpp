@@ -1,9 +1,10 @@
-#include "engine/geometry/regions/regions.hpp"
+#include "lober/regions.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/curve/require.hpp"
@@ -11,6 +12,7 @@
 #include "engine/geometry/index/orientation.hpp"
 #include "engine/geometry/index/sums_along.hpp"
 #include "engine/geometry/regions/arrangement.hpp"
+#include "engine/geometry/views.hpp"
 
 namespace lober {
 
@@ -61,15 +63,16 @@ double Arrangement::area(DD twice) const {
   return scaled_area(std::max(0.0, 0.5 * (twice.hi + twice.lo)), area_exponent);
 }
 
+namespace {
+
 // Puts a result together. One for each call.
 class RegionBuilder {
  public:
-  // `view1`, `view2`: the curves of the caller, of which c1 and c2 are copies scaled by 2^exponent.
-  RegionBuilder(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOptions& options, int exponent,
-                CurveView view1, CurveView view2)
-      : c1_(c1), c2_(c2), options_(options), exponent_(exponent), view1_(view1), view2_(view2) {}
+  // The curves are those of the caller times 2^exponent.
+  RegionBuilder(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOptions& options, int exponent)
+      : c1_(c1), c2_(c2), options_(options), exponent_(exponent) {}
 
-  Regions build() {
+  Regions build(const IndexedCurve& caller1, const IndexedCurve* caller2, double index_seconds) {
     const Stopwatch watch;
     report(0);
     auto arrangement = std::make_shared<Arrangement>();
@@ -79,7 +82,8 @@ class RegionBuilder {
                            : options_.index != IndexKind::automatic ? options_.index
                                                                     : choose_index(c1_, *c2_);
     Incidences incidences = find_incidences(c1_, c2_, kind);
-    RegionTiming& timing = result_.timing_;
+    RegionTiming& timing = scene.timing;
+    timing.index = index_seconds;
     timing.search = watch.seconds();
     report(0.5);
 
@@ -108,12 +112,12 @@ class RegionBuilder {
 
     count(scene, found, placing, kind);
     if (exponent_ != 0) {  // the result speaks of the caller's points
-      scene.strands = c2_ == nullptr ? Strands(view1_) : Strands(view1_, view2_);
+      scene.strands = c2_ == nullptr ? Strands(caller1.view()) : Strands(caller1.view(), caller2->view());
     }
-    result_.arrangement_ = std::move(arrangement);
-    timing.total = watch.seconds();
+    scene.owners = {caller1.owner(), caller2 == nullptr ? nullptr : caller2->owner()};
+    timing.total = watch.seconds() + index_seconds;
     report(1);
-    return std::move(result_);
+    return Regions(std::move(arrangement));
   }
 
  private:
@@ -147,7 +151,7 @@ class RegionBuilder {
       largest = std::max({largest, along.largest, std::fabs(along.total.hi)});
       for (const DD& sum : at) largest = std::max(largest, std::fabs(sum.hi));
       additions += static_cast<double>(tree.segments()) / 1024;
-      result_.signed_areas_[static_cast<std::size_t>(curve)] =
+      scene.signed_areas[static_cast<std::size_t>(curve)] =
           scaled_area(0.5 * (along.total.hi + along.total.lo), -2 * exponent_);
     }
     const double extent = (c2_ == nullptr ? c1_.tree().box() : unite(c1_.tree().box(), c2_->tree().box())).extent();
@@ -156,7 +160,7 @@ class RegionBuilder {
     return sums;
   }
 
-  void make_table(const Arrangement& scene) {
+  void make_table(Arrangement& scene) {
     std::map<Windings, RunningSum> sums;
     const Faces& faces = scene.faces;
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
@@ -165,13 +169,13 @@ class RegionBuilder {
       sums[windings].add(faces.twice_area[face]);
     }
     for (const auto& [windings, sum] : sums) {
-      result_.table_.push_back({windings.of1, windings.of2, scene.area(sum.value())});
-      result_.twice_areas_.push_back(sum.value());
+      scene.table.push_back({windings.of1, windings.of2, scene.area(sum.value())});
+      scene.twice_areas.push_back(sum.value());
     }
   }
 
-  void count(const Arrangement& scene, const IncidenceCounts& found, const PredicateCounts& placing, IndexKind kind) {
-    RegionCounts& counts = result_.counts_;
+  void count(Arrangement& scene, const IncidenceCounts& found, const PredicateCounts& placing, IndexKind kind) {
+    RegionCounts& counts = scene.counts;
     counts.nodes = scene.marks.nodes - scene.marks.plain;
     // A plain node cuts an edge in two, unless it is the only one of its curve.
     counts.edges = scene.marks.size() - scene.graph.merged - scene.marks.plain;
@@ -194,11 +198,7 @@ class RegionBuilder {
   const IndexedCurve* c2_;
   const RegionOptions& options_;
   int exponent_;
-  CurveView view1_, view2_;
-  Regions result_;
 };
-
-namespace {
 
 // The areas by what they are made of.
 struct Part {
@@ -221,14 +221,33 @@ bool takes(const Part& part, WindingRule rule, const WindingArea& entry) {
 
 }  // namespace
 
+Regions::Regions() {
+  static const auto nothing = std::make_shared<const Arrangement>();
+  arrangement_ = nothing;
+}
+
+std::span<const WindingArea> Regions::table() const {
+  return arrangement_->table;
+}
+std::array<double, 2> Regions::signed_areas() const {
+  return arrangement_->signed_areas;
+}
+const RegionCounts& Regions::counts() const {
+  return arrangement_->counts;
+}
+const RegionTiming& Regions::timing() const {
+  return arrangement_->timing;
+}
+
 Areas Regions::areas(WindingRule rule) const {
+  const Arrangement& scene = *arrangement_;
   Areas areas;
   for (const Part& part : parts) {
     RunningSum sum;
-    for (std::size_t k = 0; k < table_.size(); ++k) {
-      if (takes(part, rule, table_[k])) sum.add(twice_areas_[k]);
+    for (std::size_t k = 0; k < scene.table.size(); ++k) {
+      if (takes(part, rule, scene.table[k])) sum.add(scene.twice_areas[k]);
     }
-    areas.*part.area = arrangement_->area(sum.value());
+    areas.*part.area = scene.area(sum.value());
   }
   return areas;
 }
@@ -242,7 +261,7 @@ Areas Regions::rounding(WindingRule rule) const {
   Areas bounds;
   for (const Part& part : parts) {
     const bool some =
-        std::any_of(table_.begin(), table_.end(), [&](const WindingArea& entry) { return takes(part, rule, entry); });
+        std::any_of(table().begin(), table().end(), [&](const WindingArea& entry) { return takes(part, rule, entry); });
     bounds.*part.area = some ? rounding(computed.*part.area) : 0;  // the area of nothing is exact
   }
   return bounds;
@@ -250,24 +269,32 @@ Areas Regions::rounding(WindingRule rule) const {
 
 namespace {
 
-Regions build(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOptions& options) {
+Regions build(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOptions& options, double index_seconds = 0) {
   require_region(c1.view(), "curve 1", "regions");
   if (c2 != nullptr) require_region(c2->view(), "curve 2", "regions");
-  const CurveView view1 = c1.view(), view2 = c2 == nullptr ? CurveView{} : c2->view();
   const int exponent = comfortable_exponent(c2 == nullptr ? c1.tree().box() : unite(c1.tree().box(), c2->tree().box()));
-  if (exponent == 0) return RegionBuilder(c1, c2, options, 0, view1, view2).build();
-  const std::vector<Point> first = scaled(view1, exponent), second = scaled(view2, exponent);
+  if (exponent == 0) return RegionBuilder(c1, c2, options, 0).build(c1, c2, index_seconds);
+  const std::vector<Point> first = scaled(c1.view(), exponent);
   const IndexedCurve scaled1(CurveView{first});
-  if (c2 == nullptr) return RegionBuilder(scaled1, nullptr, options, exponent, view1, view2).build();
+  if (c2 == nullptr) return RegionBuilder(scaled1, nullptr, options, exponent).build(c1, c2, index_seconds);
+  const std::vector<Point> second = scaled(c2->view(), exponent);
   const IndexedCurve scaled2(CurveView{second});
-  return RegionBuilder(scaled1, &scaled2, options, exponent, view1, view2).build();
+  return RegionBuilder(scaled1, &scaled2, options, exponent).build(c1, c2, index_seconds);
 }
 
-IndexedCurve indexed(CurveView curve, std::string_view name) {
-  require_region(curve, name, "regions");
-  IndexedCurve result(curve);
-  if (!result.tree().sums_finite()) validate(curve, name);
-  return result;
+template <typename AnyCurve>
+Regions index_and_build(const AnyCurve& c1, const AnyCurve* c2, const RegionOptions& options) {
+  const Stopwatch watch;
+  const auto indexed = [](const AnyCurve& curve, std::string_view name) {
+    require_region(curve, name, "regions");
+    IndexedCurve result(curve);
+    if (!result.tree().sums_finite()) validate(curve, name);
+    return result;
+  };
+  const IndexedCurve first = indexed(c1, "curve 1");
+  std::optional<IndexedCurve> second;
+  if (c2 != nullptr) second.emplace(indexed(*c2, "curve 2"));
+  return build(first, second ? &*second : nullptr, options, watch.seconds());
 }
 
 }  // namespace
@@ -280,16 +307,16 @@ Regions regions(const IndexedCurve& c1, const IndexedCurve& c2, const RegionOpti
   return build(c1, &c2, options);
 }
 
+Regions regions(const ClosedCurve& c1, const RegionOptions& options) {
+  return index_and_build<ClosedCurve>(c1, nullptr, options);
+}
+
+Regions regions(const ClosedCurve& c1, const ClosedCurve& c2, const RegionOptions& options) {
+  return index_and_build(c1, &c2, options);
+}
+
 Regions regions(CurveView c1, std::optional<CurveView> c2, const RegionOptions& options) {
-  const Stopwatch watch;
-  const IndexedCurve first = indexed(c1, "curve 1");
-  std::optional<IndexedCurve> second;
-  if (c2) second.emplace(indexed(*c2, "curve 2"));
-  const double index_seconds = watch.seconds();
-  Regions result = build(first, second ? &*second : nullptr, options);
-  result.timing_.index = index_seconds;
-  result.timing_.total += index_seconds;
-  return result;
+  return index_and_build(c1, c2 ? &*c2 : nullptr, options);
 }
 
 }  // namespace lober

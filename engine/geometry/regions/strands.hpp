@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

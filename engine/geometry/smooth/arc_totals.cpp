@@ -1,4 +1,5 @@
 #include "engine/geometry/smooth/arc_totals.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
 
 #include <array>
 #include <cmath>
@@ -40,7 +41,7 @@ Bulge operator-(const Bulge& a, const Bulge& b) {
 }
 
 RegionBulges bulges_of_regions(const Crossings& nodes, const ArcEnds& ends) {
-  const NodeGraph& graph = nodes.graph();
+  const NodeGraph& graph = graph_of(nodes);
   const bool clockwise1 = nodes.clockwise1(), clockwise2 = nodes.clockwise2();
   const std::uint32_t count = graph.size();
   const Buffer<std::uint32_t>& along2 = graph.along2();

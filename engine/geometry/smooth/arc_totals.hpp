@@ -4,8 +4,9 @@
 // node before it says: a walk of faces is not needed for totals.
 #pragma once
 
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/smooth/bulges.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/base/memory.hpp"
 #include "engine/geometry/smooth/smooth_curve.hpp"
 #include "kernels/double_double.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 

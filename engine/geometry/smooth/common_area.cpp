@@ -1,9 +1,10 @@
 #include <cmath>
 
-#include "engine/base/error.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/regions/regions.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/error.hpp"
+#include "lober/overlay.hpp"
+#include "lober/regions.hpp"
+#include "lober/smooth.hpp"
 
 namespace lober {
 
@@ -19,6 +20,10 @@ CommonArea common_area(CurveView first, CurveView second) {
                          std::fabs(areas.c2 - std::fabs(smooth_area(second).area));
     return {areas.intersection, doubt};
   }
+}
+
+CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second) {
+  return common_area(CurveView(first), CurveView(second));
 }
 
 }  // namespace lober

@@ -1,4 +1,4 @@
-#include "engine/geometry/smooth/smooth.hpp"
+#include "lober/smooth.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/smooth/arc_totals.hpp"
 #include "engine/geometry/smooth/bulges.hpp"
@@ -20,7 +21,7 @@ class Builder {
  public:
   // Areas of these curves times 2^exponent are those of the result.
   Builder(const Overlay& result, CurveView c1, CurveView c2, int exponent)
-      : result_(result), graph_(result.nodes.graph()), c1_(c1), c2_(c2), exponent_(exponent) {}
+      : result_(result), graph_(graph_of(result.nodes)), c1_(c1), c2_(c2), exponent_(exponent) {}
 
   SmoothAreas build() {
     move_crossings();

@@ -5,8 +5,9 @@
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/smooth/bulges.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
+#include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
+#include "lober/smooth.hpp"
 
 namespace lober {
 
@@ -24,6 +25,10 @@ SmoothArea smooth_area(CurveView curve) {
   result.error = scale * sums.total.error + std::fabs(result.area) * 0x1p-50;
   result.fallback_segments = sums.fallbacks;
   return result;
+}
+
+SmoothArea smooth_area(const ClosedCurve& curve) {
+  return smooth_area(CurveView(curve));
 }
 
 }  // namespace lober

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/geometry/curve/curve.hpp"
 #include "kernels/smooth_segment.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

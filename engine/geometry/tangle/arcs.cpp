@@ -1,11 +1,12 @@
 // On which arcs between pips the crossings lie.
 
+#include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
 
 namespace lober {
 
 std::vector<ArcsAt> arcs_at_nodes(const Tangle& tangle) {
-  const NodeGraph& graph = tangle.nodes.graph();
+  const NodeGraph& graph = graph_of(tangle.nodes);
   const auto count = static_cast<std::uint32_t>(tangle.pips.size());
   std::vector<ArcsAt> arcs(graph.size());
   std::uint32_t passed = 0;  // pips, along U

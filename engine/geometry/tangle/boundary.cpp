@@ -4,9 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/regions.hpp"
 
 namespace lober {
 namespace {
@@ -119,7 +121,7 @@ void bound_lobes(Tangle& tangle) {
   Boundary& boundary = *tangle.boundary;
   const TangleCurves& curves = *tangle.curves;
   const std::size_t bip = boundary.bip;
-  const DD twice_area = tangle.pips[bip].gap;  // p- is the origin, so the chord adds nothing
+  const DD twice_area = gap_of(tangle.pips[bip]);  // p- is the origin, so the chord adds nothing
   boundary.orientation = twice_area.hi < 0 ? -1 : 1;
   const ChordCuts chord = cuts_of_chord(tangle);
   boundary.crosses_itself = chord.boundary;
@@ -134,7 +136,7 @@ void bound_lobes(Tangle& tangle) {
   }
 
   const BoundaryCrossings crossings = crossings_with_lobes(tangle);
-  const Buffer<DD> gaps = gaps_at(curves, tangle.nodes.graph(), crossings.nodes);
+  const Buffer<DD> gaps = gaps_at(curves, graph_of(tangle.nodes), crossings.nodes);
   std::vector<DD> sums(tangle.lobes.size());
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     DD& sum = sums[crossings.lobes[k]];
@@ -160,7 +162,7 @@ void bound_lobes(Tangle& tangle) {
       (begins_inside ? lobe.inside : lobe.outside) = area;
       continue;
     }
-    const DD signed_twice = tangle.pips[m + 1].gap - tangle.pips[m].gap;
+    const DD signed_twice = gap_of(tangle.pips[m + 1]) - gap_of(tangle.pips[m]);
     const DD twice = lobe.orientation() > 0 ? signed_twice : -signed_twice;
     const DD part = hands == (m >= bip ? -1 : 1) ? sums[m] : -sums[m];
     // Along the shared arc the lobe is inside or outside; the crossings take away from that or add to it.

@@ -7,15 +7,20 @@
 
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/index/index.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "lober/tangle.hpp"
 
 namespace lober {
+
+/// D at a pip.
+[[nodiscard]] inline DD gap_of(const Pip& pip) {
+  return {pip.gap, pip.gap_low};
+}
 
 /// Both curves indexed, at a scale where products stay in range (curve/scaled.hpp).
 struct TangleCurves {
   int exponent = 0;  // coordinates were multiplied by 2^exponent
   std::vector<Point> scaled_u, scaled_s;
-  std::shared_ptr<const IndexedCurve> index_u, index_s;  // of the caller's own, or of what was made here
+  std::optional<IndexedCurve> index_u, index_s;  // of the caller's own, or of what was made here
   bool smooth = false;
 
   [[nodiscard]] const IndexedCurve& u() const { return *index_u; }

@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/base/memory.hpp"
+#include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/tangle/curves.hpp"
+#include "lober/buffer.hpp"
 
 namespace lober {
 

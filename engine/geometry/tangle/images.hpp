@@ -1,7 +1,7 @@
 // Which lobe is the image of which (private to tangle/).
 #pragma once
 
-#include "engine/geometry/tangle/tangle.hpp"
+#include "lober/tangle.hpp"
 
 namespace lober {
 

@@ -4,7 +4,7 @@
 // from inside the lobe, which makes that corner reflex, and rho tells. Likewise p+ at pip k + 1.
 #pragma once
 
-#include "engine/geometry/tangle/tangle.hpp"
+#include "lober/tangle.hpp"
 
 namespace lober {
 

@@ -1,7 +1,8 @@
 // Lobes and boundary as polygons.
 
-#include "engine/geometry/regions/regions.hpp"
 #include "engine/geometry/tangle/curves.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/regions.hpp"
 
 namespace lober {
 namespace {
@@ -56,7 +57,7 @@ std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t number) {
 
 SweptArea swept_area(const Tangle& tangle, std::size_t number) {
   const Pip& pip = tangle.pips.at(number);  // p- is the origin of D, so that the chord adds nothing
-  const double area = tangle.curves->area(pip.gap);
+  const double area = tangle.curves->area(gap_of(pip));
   return {area, tangle.curves->area({pip.gap_error, 0}) + tangle.rounding(area)};
 }
 

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/smooth/smooth_gaps.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
@@ -54,7 +55,7 @@ double length_to(std::span<const double> sums, Position at) {
 std::vector<Along> sums_along(const Tangle& tangle, std::span<const std::uint32_t> nodes) {
   std::vector<Along> along(nodes.size());
   if (nodes.empty()) return along;
-  const Buffer<DD> gaps = polygon_gaps_at(*tangle.curves, tangle.nodes.graph(), nodes);
+  const Buffer<DD> gaps = polygon_gaps_at(*tangle.curves, graph_of(tangle.nodes), nodes);
   std::vector<double> u, s;
   run_together(
       tangle.u().segments() + tangle.s().segments() > 100'000, [&] { u = lengths(tangle.u()); },
@@ -67,7 +68,7 @@ std::vector<Along> sums_along(const Tangle& tangle, std::span<const std::uint32_
   }
   if (!tangle.curves->smooth) return along;
   const SmoothGaps smooth =
-      smooth_gaps(tangle.curves->u().view(), tangle.curves->s().view(), tangle.nodes.graph(), nodes);
+      smooth_gaps(tangle.curves->u().view(), tangle.curves->s().view(), graph_of(tangle.nodes), nodes);
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     along[k].gap += smooth.at[k].twice;
     along[k].error_u = smooth.at[k].error1;
@@ -78,7 +79,7 @@ std::vector<Along> sums_along(const Tangle& tangle, std::span<const std::uint32_
 }
 
 DD twice_area(const Tangle& tangle, std::size_t lobe) {
-  const DD twice = tangle.pips[lobe + 1].gap - tangle.pips[lobe].gap;
+  const DD twice = gap_of(tangle.pips[lobe + 1]) - gap_of(tangle.pips[lobe]);
   return tangle.lobes[lobe].orientation() > 0 ? twice : -twice;
 }
 

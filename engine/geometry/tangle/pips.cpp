@@ -1,9 +1,10 @@
 #include "engine/geometry/tangle/pips.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
 
 namespace lober {
 
 std::vector<std::uint32_t> find_pips(const Crossings& nodes, bool turn_u, bool turn_s) {
-  const NodeGraph& graph = nodes.graph();
+  const NodeGraph& graph = graph_of(nodes);
   const std::uint32_t count = graph.size();
   std::vector<std::uint32_t> pips;
   std::uint32_t nearest = count;

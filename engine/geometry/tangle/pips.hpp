@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/base/memory.hpp"
-#include "engine/geometry/crossings/crossings.hpp"
+#include "lober/buffer.hpp"
+#include "lober/crossings.hpp"
 
 namespace lober {
 

@@ -1,9 +1,11 @@
-#include "engine/geometry/tangle/tangle.hpp"
+#include "lober/tangle.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/stopwatch.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/crossings/require_simple.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/index/sums_along.hpp"
 #include "engine/geometry/smooth/smooth_gaps.hpp"
@@ -12,37 +14,33 @@
 #include "engine/geometry/tangle/images.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
 #include "engine/geometry/tangle/pips.hpp"
+#include "engine/geometry/views.hpp"
 
 namespace lober {
 namespace {
 
-std::shared_ptr<const IndexedCurve> borrowed(const IndexedCurve& index) {
-  return {std::shared_ptr<const IndexedCurve>(), &index};
-}
-
 // At a scale where products stay in range; at that of the given indexes whenever possible.
-std::shared_ptr<const TangleCurves> scaled_curves(std::shared_ptr<const IndexedCurve> u,
-                                                  std::shared_ptr<const IndexedCurve> s, bool smooth) {
-  if (!u->tree().sums_finite()) validate(u->view(), "U");
-  if (!s->tree().sums_finite()) validate(s->view(), "S");
+std::shared_ptr<const TangleCurves> scaled_curves(const IndexedCurve& u, const IndexedCurve& s, bool smooth) {
+  if (!u.tree().sums_finite()) validate(u.view(), "U");
+  if (!s.tree().sums_finite()) validate(s.view(), "S");
   auto curves = std::make_shared<TangleCurves>();
-  curves->exponent = comfortable_exponent(unite(u->tree().box(), s->tree().box()));
+  curves->exponent = comfortable_exponent(unite(u.tree().box(), s.tree().box()));
   curves->smooth = smooth;
-  if (curves->exponent != 0) {
-    curves->scaled_u = scaled(u->view(), curves->exponent);
-    curves->scaled_s = scaled(s->view(), curves->exponent);
-    u = std::make_shared<const IndexedCurve>(CurveView{curves->scaled_u, false});
-    s = std::make_shared<const IndexedCurve>(CurveView{curves->scaled_s, false});
+  if (curves->exponent == 0) {
+    curves->index_u = u;
+    curves->index_s = s;
+  } else {
+    curves->scaled_u = scaled(u.view(), curves->exponent);
+    curves->scaled_s = scaled(s.view(), curves->exponent);
+    curves->index_u.emplace(CurveView{curves->scaled_u, false});
+    curves->index_s.emplace(CurveView{curves->scaled_s, false});
   }
-  curves->index_u = std::move(u);
-  curves->index_s = std::move(s);
   return curves;
 }
 
-std::shared_ptr<const TangleCurves> index_curves(CurveView u, CurveView s, bool smooth) {
-  require_enough_vertices(u, "U");
-  require_enough_vertices(s, "S");
-  return scaled_curves(std::make_shared<const IndexedCurve>(u), std::make_shared<const IndexedCurve>(s), smooth);
+void set_gap(Pip& pip, DD gap) {
+  pip.gap = gap.hi;
+  pip.gap_low = gap.lo;
 }
 
 // Moves the pips, and the areas of the lobes with them, to where the smooth curves have them.
@@ -50,19 +48,19 @@ void smooth_lobes(Tangle& tangle) {
   const TangleCurves& curves = *tangle.curves;
   std::vector<std::uint32_t> nodes;
   for (const Pip& pip : tangle.pips) nodes.push_back(pip.node);
-  const SmoothGaps smooth = smooth_gaps(curves.u().view(), curves.s().view(), tangle.nodes.graph(), nodes);
+  const SmoothGaps smooth = smooth_gaps(curves.u().view(), curves.s().view(), graph_of(tangle.nodes), nodes);
   tangle.fallback_segments = smooth.fallback_segments;
   tangle.fallback_pips = smooth.fallback_crossings;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const Point at = smooth.at[k].at;
     tangle.pips[k].at = {std::ldexp(at.x, -curves.exponent), std::ldexp(at.y, -curves.exponent)};
-    tangle.pips[k].gap += smooth.at[k].twice;
+    set_gap(tangle.pips[k], gap_of(tangle.pips[k]) + smooth.at[k].twice);
     tangle.pips[k].gap_error = smooth.at[k].error1 + smooth.at[k].error2 + smooth.at[k].doubt;
   }
   for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
     const SmoothGap &first = smooth.at[k], &last = smooth.at[k + 1];
     const double error = last.error1 - first.error1 + (first.error2 - last.error2) + first.doubt + last.doubt;
-    tangle.lobes[k].area = curves.area(tangle.pips[k + 1].gap - tangle.pips[k].gap);
+    tangle.lobes[k].area = curves.area(gap_of(tangle.pips[k + 1]) - gap_of(tangle.pips[k]));
     tangle.lobes[k].smooth_error = curves.area({error, 0}) + tangle.rounding(tangle.lobes[k].area);
   }
 }
@@ -82,21 +80,21 @@ void remark_direction(Tangle& tangle) {
   remark("are U and S", find_pips(tangle.nodes, true, true).size());
 }
 
-// `index` makes the curves ready.
-template <typename Index>
-Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const Index& index) {
+template <typename AnyCurve>
+Tangle find_tangle(const AnyCurve& given_u, const AnyCurve& given_s, const TangleOptions& options) {
   const auto report = [&](double fraction) {
     if (options.progress && !options.progress(fraction)) throw Cancelled();
   };
   const Stopwatch watch;
   Tangle result;
   report(0);
-  result.curves = index();
+  const IndexedCurve u(given_u), s(given_s);
+  result.curves = scaled_curves(u, s, options.smooth);
   const TangleCurves& curves = *result.curves;
   result.timing.index = watch.seconds();
   if (options.check_simple) {
-    for (const SimpleCheck& check :
-         {require_simple(curves.u(), 1, curves.exponent), require_simple(curves.s(), 2, curves.exponent)}) {
+    for (const SimpleCheck& check : {require_simple_scaled(curves.u(), 1, curves.exponent),
+                                     require_simple_scaled(curves.s(), 2, curves.exponent)}) {
       result.simple_check.search += check.search;
       result.simple_check.pairs += check.pairs;
     }
@@ -110,12 +108,12 @@ Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const
   report(0.8);
 
   const Stopwatch area_watch;
-  result.nodes = Crossings(std::move(graph), u, s, Orientation::counter_clockwise, Orientation::counter_clockwise);
+  result.nodes = make_crossings(std::move(graph), u, s, Orientation::counter_clockwise, Orientation::counter_clockwise);
   const std::vector<std::uint32_t> pips = find_pips(result.nodes);
-  const Buffer<DD> gaps = polygon_gaps_at(curves, result.nodes.graph(), pips);
+  const Buffer<DD> gaps = polygon_gaps_at(curves, graph_of(result.nodes), pips);
   for (std::size_t k = 0; k < pips.size(); ++k) {
     const Node node = result.nodes[pips[k]];
-    result.pips.push_back({pips[k], node.begin, node.begin1, node.begin2, node.rho, gaps[k]});
+    result.pips.push_back({pips[k], node.begin, node.begin1, node.begin2, node.rho, gaps[k].hi, gaps[k].lo});
   }
   for (std::size_t k = 0; k + 1 < pips.size(); ++k) {
     result.lobes.emplace_back();
@@ -127,7 +125,7 @@ Tangle find_tangle(CurveView u, CurveView s, const TangleOptions& options, const
   result.timing.pips = area_watch.seconds();
   if (pips.empty()) {
     if (options.bip || options.bip_near) throw UsageError("a bip is given, but the manifolds do not cross");
-    const auto first = u.points, second = s.points;
+    const auto first = u.view().points, second = s.view().points;
     result.remarks.emplace_back(std::equal(first.begin(), first.end(), second.begin(), second.end()) ||
                                         std::equal(first.begin(), first.end(), second.rbegin(), second.rend())
                                     ? "U and S are one and the same curve: no pip, no lobe, no boundary"
@@ -154,10 +152,25 @@ double Tangle::rounding(double area) const {
   return std::fabs(area) * 0x1p-53 + scaled_bound(lost, -2 * curves->exponent);
 }
 
-Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
+namespace {
+
+template <typename AnyCurve>
+Tangle checked_tangle(const AnyCurve& u, const AnyCurve& s, const TangleOptions& options) {
   require_open(u, "U", "tangle");
   require_open(s, "S", "tangle");
-  return find_tangle(u, s, options, [&] { return index_curves(u, s, options.smooth); });
+  require_enough_vertices(u, "U");
+  require_enough_vertices(s, "S");
+  return find_tangle(u, s, options);
+}
+
+}  // namespace
+
+Tangle tangle(const OpenCurve& u, const OpenCurve& s, const TangleOptions& options) {
+  return checked_tangle(u, s, options);
+}
+
+Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
+  return checked_tangle(u, s, options);
 }
 
 Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options) {
@@ -165,8 +178,7 @@ Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions&
   require_open(s.view(), "S", "tangle");
   require_enough_vertices(u.view(), "U");
   require_enough_vertices(s.view(), "S");
-  return find_tangle(u.view(), s.view(), options,
-                     [&] { return scaled_curves(borrowed(u), borrowed(s), options.smooth); });
+  return find_tangle(u, s, options);
 }
 
 }  // namespace lober

@@ -14,11 +14,12 @@
 #include <thread>
 #include <vector>
 
-#include "engine/geometry/densify/densify.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/regions/regions.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/densify.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
+#include "lober/regions.hpp"
+#include "lober/tangle.hpp"
 #include "tests/oracle/random.hpp"
 
 namespace lober::testing {

@@ -8,13 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/geometry/densify/densify.hpp"
 #include "engine/geometry/index/orientation.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/regions/regions.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/densify.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
+#include "lober/regions.hpp"
+#include "lober/smooth.hpp"
+#include "lober/tangle.hpp"
 
 namespace lober::testing {
 namespace {

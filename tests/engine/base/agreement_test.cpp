@@ -1,4 +1,4 @@
-#include "engine/base/agreement.hpp"
+#include "lober/agreement.hpp"
 
 #include <gtest/gtest.h>
 

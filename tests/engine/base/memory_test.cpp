@@ -1,4 +1,4 @@
-#include "engine/base/memory.hpp"
+#include "lober/buffer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include "engine/batch/batch.hpp"
 #include "engine/batch/export.hpp"
 #include "engine/batch/jobs.hpp"
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
 namespace lober {

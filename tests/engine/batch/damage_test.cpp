@@ -8,7 +8,7 @@
 
 #include "engine/batch/batch.hpp"
 #include "engine/batch/export.hpp"
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
 namespace lober {

@@ -5,7 +5,7 @@
 #include "engine/batch/curve_set.hpp"
 #include "engine/batch/dealer.hpp"
 #include "engine/batch/plan.hpp"
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
 namespace lober {

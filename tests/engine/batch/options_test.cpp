@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/base/error.hpp"
 #include "engine/batch/operation.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

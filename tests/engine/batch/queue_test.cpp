@@ -8,7 +8,8 @@
 
 #include "engine/batch/file_unit.hpp"
 #include "engine/batch/jobs.hpp"
-#include "engine/files/files.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
 namespace lober {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
 
 namespace lober {
 

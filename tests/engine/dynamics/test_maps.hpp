@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/dynamics/maps/planar_map.hpp"
+#include "lober/planar_map.hpp"
 
 namespace lober::testing {
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "curve_testing.hpp"
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/files/files.hpp"
 #include "engine/files/read_memory.hpp"
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
 
 namespace lober::testing {
 

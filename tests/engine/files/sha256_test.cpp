@@ -1,6 +1,6 @@
 // The examples of FIPS 180-4 and its test vectors, by the instructions of the machine and by portable code.
 #include "engine/files/sha256.hpp"
-#include "engine/files/files.hpp"
+#include "lober/files.hpp"
 
 #include <random>
 

@@ -3,8 +3,8 @@
 #include <random>
 
 #include "curve_testing.hpp"
-#include "engine/files/files.hpp"
 #include "engine/files/tecplot.hpp"
+#include "lober/files.hpp"
 
 namespace lober {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/base/parallel/cancellation.hpp"
+#include "lober/cancellation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/error.hpp"
+#include "lober/systems.hpp"
 
 namespace lober {
 namespace {

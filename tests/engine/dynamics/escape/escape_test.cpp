@@ -1,6 +1,6 @@
 // Tubes and the table of escape against reference values: areas by action in quadruple precision, fractions from curves
 // of another program and 1.2e8 trajectories.
-#include "engine/dynamics/escape/escape.hpp"
+#include "lober/escape.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/dynamics/escape/monte_carlo.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "kernels/box.hpp"
+#include "lober/error.hpp"
+#include "lober/monte_carlo.hpp"
+#include "lober/systems.hpp"
 
 namespace lober {
 namespace {

@@ -1,12 +1,12 @@
 // Periodic orbits about saddles against quadruple precision, and against identities that hold for any system.
-#include "engine/dynamics/escape/periodic_orbit.hpp"
+#include "lober/periodic_orbit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/base/error.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/error.hpp"
+#include "lober/systems.hpp"
 
 namespace lober {
 namespace {

@@ -1,13 +1,14 @@
 // Fixed points against reference values, and scans that find all of them.
-#include "engine/dynamics/fixed_points/fixed_points.hpp"
+#include "lober/fixed_points.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/dynamics.hpp"
+#include "kernels/box.hpp"
+#include "lober/error.hpp"
 
 namespace lober {
 namespace {

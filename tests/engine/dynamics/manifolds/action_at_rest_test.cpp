@@ -8,7 +8,7 @@
 #include <span>
 
 #include "engine/dynamics/maps/flow_of.hpp"
-#include "engine/dynamics/transport/manifold_tangle.hpp"
+#include "lober/manifold_tangle.hpp"
 
 namespace lober {
 namespace {

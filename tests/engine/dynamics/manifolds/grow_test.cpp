@@ -1,4 +1,5 @@
-#include "engine/dynamics/manifolds/grow.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/manifolds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +7,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/dynamics/systems/system.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
+#include "kernels/box.hpp"
+#include "lober/error.hpp"
+#include "lober/overlay.hpp"
+#include "lober/smooth.hpp"
+#include "lober/systems.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
 namespace lober {

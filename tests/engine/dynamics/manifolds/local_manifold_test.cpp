@@ -1,12 +1,12 @@
-#include "engine/dynamics/manifolds/local_manifold.hpp"
+#include "lober/local_manifold.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "engine/base/error.hpp"
-#include "engine/dynamics/systems/system.hpp"
+#include "lober/error.hpp"
+#include "lober/systems.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
 namespace lober {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/dynamics.hpp"
+#include "lober/error.hpp"
 #include "tests/paths.hpp"
 
 namespace lober {

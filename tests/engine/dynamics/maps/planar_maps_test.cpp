@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/dynamics.hpp"
+#include "kernels/box.hpp"
+#include "lober/error.hpp"
 #include "tests/paths.hpp"
 
 namespace lober {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/dynamics.hpp"
+#include "lober/error.hpp"
 #include "tests/paths.hpp"
 
 namespace lober {
@@ -39,7 +39,7 @@ TEST(Systems, AreListedWithDefaultsThatWork) {
       EXPECT_FALSE(parameter.meaning.empty());
       all.emplace_back(parameter.name, parameter.value);
     }
-    const Point z{system.window.min_x() + 0.4 * system.window.width(), 0.1};
+    const Point z{system.window.min_x + 0.4 * system.window.width(), 0.1};
     Point a = z, b = z;
     system.map->iterate({&a, 1}, 1);
     make_system(info.name, all).map->iterate({&b, 1}, 1);

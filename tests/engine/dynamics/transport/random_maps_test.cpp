@@ -10,9 +10,9 @@
 #include <random>
 #include <string>
 
-#include "engine/base/error.hpp"
 #include "engine/dynamics/maps/formula_map.hpp"
-#include "engine/dynamics/transport/transport.hpp"
+#include "lober/error.hpp"
+#include "lober/transport.hpp"
 
 namespace lober {
 namespace {

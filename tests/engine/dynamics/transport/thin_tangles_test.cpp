@@ -5,9 +5,9 @@
 #include <ostream>
 #include <string>
 
-#include "engine/base/error.hpp"
-#include "engine/dynamics/systems/system.hpp"
-#include "engine/dynamics/transport/manifold_tangle.hpp"
+#include "lober/error.hpp"
+#include "lober/manifold_tangle.hpp"
+#include "lober/systems.hpp"
 
 namespace lober {
 namespace {

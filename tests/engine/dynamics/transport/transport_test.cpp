@@ -11,9 +11,10 @@
 #include <numbers>
 #include <string>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/dynamics/transport/transport.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/error.hpp"
+#include "lober/transport.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
 

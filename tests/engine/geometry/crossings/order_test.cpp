@@ -5,8 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/overlay.hpp"
+#include "lober/regions.hpp"
 
 namespace lober::testing {
 namespace {

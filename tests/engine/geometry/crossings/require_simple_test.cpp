@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/geometry/crossings/crossings.hpp"
+#include "lober/crossings.hpp"
 
 namespace lober::testing {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/geometry/densify/densify.hpp"
+#include "lober/densify.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/densify/spline.hpp"
+#include "kernels/box.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
 namespace lober {

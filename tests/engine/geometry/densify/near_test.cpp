@@ -5,8 +5,9 @@
 #include <random>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/densify/densify.hpp"
+#include "kernels/box.hpp"
 #include "kernels/predicates.hpp"
+#include "lober/densify.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
 namespace lober {

@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/densify/densify.hpp"
+#include "lober/densify.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
 namespace lober {

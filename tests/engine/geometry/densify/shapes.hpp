@@ -8,7 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/densify/densify.hpp"
+#include "kernels/box.hpp"
+#include "lober/densify.hpp"
 
 namespace lober::densify_test {
 

@@ -3,7 +3,8 @@
 #include <random>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/densify/densify.hpp"
+#include "kernels/box.hpp"
+#include "lober/densify.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
 namespace lober {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "kernels/box.hpp"
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "engine/geometry/index/orientation.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/families.hpp"

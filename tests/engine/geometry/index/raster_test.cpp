@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "kernels/box.hpp"
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <vector>
 
-#include "engine/geometry/curve/curve.hpp"
+#include "lober/curve.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
 namespace lober::testing {

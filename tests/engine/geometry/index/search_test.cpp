@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "kernels/box.hpp"
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 

@@ -13,8 +13,9 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/exact_overlay.hpp"
 #include "tests/oracle/families.hpp"

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/interior.hpp"
 #include "tests/oracle/random.hpp"
 
 namespace lober::testing {
@@ -60,7 +62,7 @@ double distance_of(const Areas& x, const Areas& y) {
 TEST(Insertion, IsInProportionToTheChangesOfSide) {
   const Shared curves;
   const InteriorAreas exact = interior_areas(CurveView{curves.first}, CurveView{curves.second});
-  const std::size_t changes = exact.nodes.graph().contacts.size();
+  const std::size_t changes = graph_of(exact.nodes).contacts.size();
   for (const int passes : {1, 2, 3, 5}) {
     const InteriorAreas found = by_ends(curves, passes, 100);
     // On each curve a change is looked for in one part a pass, or in two where it lies on a point between them.

@@ -1,5 +1,6 @@
 // Labels carried along the curve against a test of every vertex, on every family of pairs.
-#include "engine/geometry/interior/interior.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/interior.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/overlay/overlay.hpp"
 #include "kernels/predicates.hpp"
+#include "lober/overlay.hpp"
 #include "tests/oracle/families.hpp"
 
 namespace lober {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/interior/interior.hpp"
+#include "lober/interior.hpp"
 #include "tests/oracle/exact_number.hpp"
 #include "tests/oracle/random.hpp"
 

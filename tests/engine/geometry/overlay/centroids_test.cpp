@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/views.hpp"
 #include "kernels/moments.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober::testing {
 namespace {

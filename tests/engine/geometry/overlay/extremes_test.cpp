@@ -7,11 +7,12 @@
 
 #include "engine/geometry/curve/countable.hpp"
 #include "engine/geometry/index/index.hpp"
-#include "engine/geometry/interior/interior.hpp"
-#include "engine/geometry/overlay/overlay.hpp"
-#include "engine/geometry/regions/regions.hpp"
-#include "engine/geometry/smooth/smooth.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
+#include "lober/regions.hpp"
+#include "lober/smooth.hpp"
+#include "lober/tangle.hpp"
 
 namespace lober::testing {
 namespace {

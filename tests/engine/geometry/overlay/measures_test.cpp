@@ -5,7 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/overlay.hpp"
 
 namespace lober::testing {
 namespace {

@@ -11,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/geometry/overlay/overlay.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/overlay.hpp"
 #include "tests/oracle/exact_overlay.hpp"
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"

@@ -6,7 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/regions.hpp"
 
 namespace lober {
 namespace {

@@ -9,7 +9,8 @@
 #include <numbers>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/regions.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/families.hpp"
 

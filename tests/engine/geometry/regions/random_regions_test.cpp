@@ -12,7 +12,9 @@
 #include <sstream>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/regions/regions.hpp"
+#include "engine/geometry/views.hpp"
+#include "kernels/box.hpp"
+#include "lober/regions.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/slab_arrangement.hpp"
 

@@ -5,7 +5,8 @@
 
 #include <cmath>
 
-#include "engine/geometry/smooth/smooth.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/smooth.hpp"
 #include "tests/oracle/families.hpp"
 
 namespace lober {

@@ -1,4 +1,5 @@
-#include "engine/geometry/smooth/smooth.hpp"
+#include "lober/smooth.hpp"
+#include "engine/geometry/views.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/error.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/error.hpp"
+#include "lober/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 
 namespace lober {

@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/regions/regions.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/regions.hpp"
+#include "lober/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 #include "tests/environment.hpp"
 

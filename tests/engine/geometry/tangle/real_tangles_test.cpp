@@ -6,8 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "engine/files/files.hpp"
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/files.hpp"
+#include "lober/tangle.hpp"
 #include "tests/shared_data.hpp"
 
 namespace lober {

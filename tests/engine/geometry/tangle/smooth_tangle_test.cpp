@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/geometry/tangle/tangle.hpp"
+#include "engine/geometry/views.hpp"
+#include "lober/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 
 namespace lober {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/geometry/curve/curve.hpp"
 #include "kernels/point.hpp"
+#include "lober/curve.hpp"
 #include "tests/oracle/random.hpp"
 
 namespace lober {

@@ -1,6 +1,6 @@
 /* The area-preserving Henon map as version 1 of the interface had it: nothing behind `flow` is there, so nothing may be
    read; here it would look like connections. */
-#include "engine/lober/lober_system.h"
+#include "lober/lober_system.h"
 
 static int forward(const double* a, const double z[2], double image[2]) {
   const double x = z[0];

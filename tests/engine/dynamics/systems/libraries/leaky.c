@@ -1,7 +1,7 @@
 /* A map that preserves area at its saddle only: (x, y) -> (x^2 - k - y, g(x)), g(x) = x + c (x - s)^3, s the saddle. */
 #include <math.h>
 
-#include "engine/lober/lober_system.h"
+#include "lober/lober_system.h"
 
 static double saddle(const double* a) {
   return 1 + sqrt(1 + a[0]);

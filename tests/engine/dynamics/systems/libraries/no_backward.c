@@ -1,5 +1,5 @@
 /* A map without its inverse. */
-#include "engine/lober/lober_system.h"
+#include "lober/lober_system.h"
 
 static int forward(const double* parameters, const double z[2], double image[2]) {
   image[0] = z[1] + *parameters;

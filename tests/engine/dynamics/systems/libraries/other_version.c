@@ -1,5 +1,5 @@
 /* A system for a later version of the interface. */
-#include "engine/lober/lober_system.h"
+#include "lober/lober_system.h"
 
 static const lober_system description = {
     LOBER_SYSTEM_ABI + 1, LOBER_MAP, "later", "", 0, NULL, {0}, {0}, NULL, NULL, 0, NULL, 0};

@@ -1,7 +1,7 @@
 /* The area-preserving Henon map with the manifolds of its saddle, whose path back is spelled out. */
 #include <math.h>
 
-#include "engine/lober/lober_system.h"
+#include "lober/lober_system.h"
 
 static int forward(const double* a, const double z[2], double image[2]) {
   const double x = z[0];

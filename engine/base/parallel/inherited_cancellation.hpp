@@ -1,0 +1,25 @@
+// How the pieces of parallel work ask what the thread asks that began it (private to the engine).
+#pragma once
+
+#include "lober/cancellation.hpp"
+
+namespace lober {
+
+namespace detail {
+
+[[noreturn]] void throw_cancelled();
+
+/// A piece of parallel work asks what the thread that began the work asks.
+class InheritedCancellation {
+ public:
+  explicit InheritedCancellation(const CancellationScope* scope) noexcept;
+  ~InheritedCancellation();
+  InheritedCancellation(const InheritedCancellation&) = delete;
+  InheritedCancellation& operator=(const InheritedCancellation&) = delete;
+
+ private:
+  const CancellationScope* before_;
+};
+
+}  // namespace detail
+}  // namespace lober

@@ -1,0 +1,11 @@
+// The check for simple curves at another scale than the caller's (private to geometry/).
+#pragma once
+
+#include "lober/crossings.hpp"
+
+namespace lober {
+
+/// As require_simple, of a curve whose coordinates are the caller's times 2^exponent; he is told the place in his own.
+SimpleCheck require_simple_scaled(const IndexedCurve& curve, int number, int exponent);
+
+}  // namespace lober

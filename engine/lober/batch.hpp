@@ -1,0 +1,103 @@
+// Many curves and pairs: a manifest says what is to be computed, a store keeps what was.
+//
+//   lober::BatchOptions options;
+//   options.store = "pairs.results";
+//   const lober::BatchReport report = lober::run_batch("pairs.toml", options);
+//   lober::export_results("pairs.results", "pairs.csv", lober::ExportFormat::csv);
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lober {
+
+/// One of several processes or machines that share a plan.
+struct Shard {
+  std::size_t number = 0, of = 1;
+};
+
+struct CacheCounts {
+  std::uint64_t units_read = 0, curves_indexed = 0;
+  std::uint64_t most_reads = 0;  ///< of one and the same unit
+  std::uint64_t evictions = 0;
+  std::size_t peak_bytes = 0;                    ///< of curves and indexes, and what running jobs may take
+  double read_seconds = 0, prepare_seconds = 0;  ///< wall time of each reading, added up
+};
+
+struct QueueOptions {
+  int threads = 0;          ///< 0: as many as the calling thread may use
+  std::size_t memory = 0;   ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
+  bool digests = false;     ///< hash what is read
+  bool concurrent = false;  ///< `done` may be called from several threads at the same time
+};
+
+/// What a run did. Seconds of threads are added up over all threads.
+struct QueueReport {
+  std::size_t jobs = 0, failed = 0;  ///< that ran
+  bool stopped = false;              ///< jobs are left, because of `stop`
+  std::uint64_t points = 0;          ///< of the curves of all jobs, each counted as often as it was used
+  CacheCounts cache;
+  double wall_seconds = 0;
+  double operation_seconds = 0;  ///< threads in operations
+  double callback_seconds = 0;   ///< threads in the callback, and waiting for it
+  int threads = 0;
+};
+
+/// How far a run is. Costs are in the unit of Operation::cost.
+struct QueueProgress {
+  std::size_t jobs = 0, done = 0, failed = 0;
+  double cost = 0, cost_done = 0;
+  std::uint64_t points_done = 0;
+};
+
+struct BatchOptions {
+  std::string store;
+  Shard shard;
+  QueueOptions queue;
+  /// Called about ten times a second while jobs run, from a thread of its own; return false to stop: what runs is
+  /// finished and stored, if it ends within `patience` seconds, and broken off else. What it throws stops the run too
+  /// and is passed on.
+  std::function<bool(const QueueProgress&)> progress;
+  double patience = 1;
+};
+
+struct BatchReport {
+  QueueReport queue;
+  std::size_t jobs = 0;              ///< of the shard
+  std::size_t finished_before = 0;   ///< of them, found in the store
+  std::vector<std::string> damaged;  ///< see StoreSession
+  double store_seconds = 0;          ///< processor time of the thread that writes
+  double wall_seconds = 0;           ///< everything
+};
+
+/// Runs what the manifest asks for and the store does not have yet. Throws DataError when the manifest or a store
+/// cannot be read, UsageError "path:line: key: what is wrong" for everything in the manifest that is not understood,
+/// DataError as soon as the store can no longer be written; a job that fails is not an exception but counted. Jobs run
+/// side by side; results do not depend on the number of threads, on shards or on the memory given.
+[[nodiscard]] BatchReport run_batch(const std::string& manifest, const BatchOptions& options);
+
+enum class ExportFormat : std::uint8_t {
+  csv,         ///< a header line; lists are put into one field, separated by blanks; what is not known is empty
+  json_lines,  ///< one object a line; numbers that are not finite are null
+  npy,         ///< a structured array, texts as bytes; no lists; what is not known is NaN, a count -1
+};
+/// By the end of a file's name (.csv, .jsonl, .npy). Throws UsageError for others.
+[[nodiscard]] ExportFormat export_format(const std::string& path);
+
+struct ExportCounts {
+  std::size_t done = 0, failed = 0, missing = 0;
+  std::vector<std::string> damaged;  ///< a line for each job whose result is damaged; it counts as missing
+};
+
+/// Writes the jobs of the store's plan that have a result or have failed, in the order of the plan, numbers in the
+/// shortest form that reads back to the same bits. A damaged result is left out, as one that is not there. CSV and NPY
+/// hold one operation, which has to be named when the plan has several. The file appears when it is complete; "-" is
+/// standard output. Throws DataError, UsageError.
+ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,
+                            const std::optional<std::string>& operation = {});
+
+}  // namespace lober

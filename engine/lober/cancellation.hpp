@@ -1,0 +1,45 @@
+// Asking long work to end, from outside: from another thread, or from the handler of a signal.
+//
+// A caller opens a CancellationScope with a flag. All that its thread computes from then on asks the flag, and so do
+// the pieces of the parallel loops that it begins, and those that they begin (parallel.hpp passes the scope on). Once
+// the flag is set they throw Cancelled. So a function need not carry the flag through its arguments; a loop that
+// neither starts parallel pieces nor integrates, and may take longer than a tenth of a second, calls
+// throw_if_cancelled() itself.
+//
+//   std::atomic<bool> flag{false};
+//   const lober::CancellationScope scope(flag);
+//   const lober::Overlay result = lober::overlay(first, second);  // throws Cancelled soon after flag = true
+#pragma once
+
+#include <atomic>
+
+namespace lober {
+
+/// While it lives, the work of this thread can be cancelled by the flag, and by the flags of the scopes around it.
+/// Lives on the stack of one thread; the flag must outlive it. Scopes of one thread end in the reverse order of their
+/// begin.
+class CancellationScope {
+ public:
+  explicit CancellationScope(const std::atomic<bool>& flag) noexcept;
+  /// Within it nothing cancels: for writing down what was done before a cancellation.
+  struct Shield {};
+  explicit CancellationScope(Shield) noexcept;
+  ~CancellationScope();
+  CancellationScope(const CancellationScope&) = delete;
+  CancellationScope& operator=(const CancellationScope&) = delete;
+
+  /// The innermost one of this thread; none if there is none.
+  [[nodiscard]] static const CancellationScope* current() noexcept;
+  [[nodiscard]] bool cancelled() const noexcept;
+
+ private:
+  const std::atomic<bool>* flag_;  ///< none: a shield
+  const CancellationScope* around_;
+};
+
+/// Whether a flag of this thread's scopes is set. A few nanoseconds.
+[[nodiscard]] bool is_cancelled() noexcept;
+/// Throws Cancelled when it is.
+void throw_if_cancelled();
+
+}  // namespace lober

@@ -1,0 +1,59 @@
+// Orbits that lead from one saddle to another (or back to the same), to the last digit, and their actions.
+//
+// A crossing of two grown manifolds is only as good as their polygons. The orbit through it is known to rounding: it is
+// F^a(P_u(sigma)) = F^-c(P_s(tau)), two equations for two numbers. Its action W is the sum of L along it
+// (PlanarMap::action); the area of a lobe between two such orbits is the difference of their actions (MacKay, Meiss &
+// Percival, Physica D 13, 1984), to the square of the error of their points: no curve is needed.
+#pragma once
+
+#include <optional>
+
+#include "lober/crossings.hpp"
+#include "lober/local_manifold.hpp"
+#include "lober/manifolds.hpp"
+#include "lober/planar_map.hpp"
+
+namespace lober {
+
+/// The point F^(k local.steps)(P(parameter)) of a manifold, k >= 0 the number of `images`; twice that many steps on a
+/// manifold whose multiplier is negative.
+struct ManifoldPlace {
+  int images = 0;
+  double parameter = 0;
+};
+
+/// A point of a manifold and the direction in which it moves with the parameter.
+struct MovingPoint {
+  Point at, velocity;
+};
+[[nodiscard]] MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place);
+
+/// The same place with its parameter in the outermost fundamental segment, so that as few steps of the map as possible
+/// remain (on the local manifold none).
+[[nodiscard]] ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place);
+
+/// About the place of a position on a grown manifold, by linear interpolation of its parameters.
+[[nodiscard]] ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local, Position position);
+
+struct ConnectingOrbit {
+  Point at;             ///< its point nearest to the guess
+  ManifoldPlace u, s;   ///< of that point on both manifolds
+  double residual = 0;  ///< distance of the two expressions for `at`
+  /// Sum over the orbit of L less that at the saddle it comes from (before `at`) or goes to (from `at` on); nothing
+  /// when the map has no action.
+  std::optional<long double> action;
+  /// Estimate of its error: what PlanarMap::action_accuracy makes of every step.
+  double action_error = 0;
+};
+
+/// The orbit near the point that the two places give. Newton's method; throws DataError with the place when it does not
+/// converge to rounding (1e-6 of the distance from the saddle is where it gives up). A few dozen evaluations of the
+/// map.
+[[nodiscard]] ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unstable,
+                                               const LocalManifold& stable, ManifoldPlace u, ManifoldPlace s);
+
+/// Signed area of the lobe between two orbits, the first one nearer to the saddle along U: positive if the lobe is on
+/// the left of U. Nothing when an action is missing.
+[[nodiscard]] std::optional<double> lobe_area_by_action(const ConnectingOrbit& first, const ConnectingOrbit& second);
+
+}  // namespace lober

@@ -1,0 +1,137 @@
+// Escape from a potential well through bottlenecks: which fraction of what enters by one leaves by another, and when.
+//
+// The well lies between the periodic orbits of its bottlenecks. What enters by bottleneck i crosses the section first
+// inside a closed curve E_i, cut from the orbit's unstable tube; what is about to leave by bottleneck j crosses it last
+// inside X_j, cut from the stable tube. With f the map to the next crossing, in either direction,
+//
+//   F_ij(m) = area(f^m(E_i) n X_j) / area(E_i) = area(f^a(E_i) n f^-b(X_j)) / area(E_i),   a + b = m,
+//
+// since f preserves area (in the conjugate pair of the section's chart) and energy is the same for all. Everything in
+// E_i is equally likely. f^a(E_i) is a closed curve as long as f^k(E_i), k < a, meets no exit; then part of it is gone
+// and the image of the rest is torn: its ends wind about E_j without end. Splits are chosen such that both curves are
+// whole. Nothing is assumed about symmetries, nor used.
+//
+//   const lober::System system = lober::make_system("capsize");
+//   const lober::Escape result = lober::escape(*system.flow, *system.section, 0.25307, system.saddles);
+//   for (const lober::EscapeFraction& entry : result.table) ...
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lober/agreement.hpp"
+#include "lober/tubes.hpp"
+
+namespace lober {
+
+struct Escape;
+
+struct EscapeProgress {
+  std::string what;     ///< what is being done
+  double fraction = 0;  ///< of the whole work, as far as it can be predicted
+  int images = 0;       ///< the number of the images that are being made, of options.crossings + 1
+};
+
+enum class EscapeStop : std::uint8_t {
+  done,      ///< all n asked for
+  points,    ///< the next images need more than EscapeOptions::most_points
+  budget,    ///< they end after EscapeOptions::budget seconds
+  lost,      ///< trajectories could not be followed
+  cancelled  ///< by `progress` or a CancellationScope, after some rows were known
+};
+
+struct EscapeOptions {
+  int crossings = 4;        ///< n goes up to this
+  double tolerance = 1e-6;  ///< of curves, in units of the square root of the area of the smallest E_i
+  double strip = 1e-6;      ///< what is cut off where an image is torn, relative to that area (torn_images.hpp)
+  IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
+  /// Of one curve. The table ends before an image that is expected to need more, or turns out to.
+  std::size_t most_points = 2'000'000;
+  /// Seconds of processor time, of all threads together. The table ends before images that are expected to end later.
+  double budget = std::numeric_limits<double>::infinity();
+  /// False cancels. Called by one thread at a time.
+  std::function<bool(const EscapeProgress&)> progress;
+  /// Told about each n = 1, 2, ... once its rows are known: those of `table` with that number of crossings. Called from
+  /// the calling thread; Escape::table holds the rows up to n.
+  std::function<void(const Escape& so_far, int n)> rows_known;
+};
+
+/// A bottleneck and its curves on the section.
+struct Bottleneck {
+  PeriodicOrbit orbit;
+  Branch entry_branch = Branch::plus, exit_branch = Branch::plus;  ///< of the tubes, towards the section
+  double multiplier = 0;         ///< of the local manifold of the unstable tube: that of the orbit, found otherwise
+  double defect_across = 0;      ///< of both local manifolds, the larger one
+  double area = 0;               ///< of E and X, by action
+  double area_error = 0;         ///< error bar of that
+  std::vector<TubeCurve> entry;  ///< E, f(E), f^2(E), ...
+  std::vector<TubeCurve> exit;   ///< X, f^-1(X), ...
+  /// The largest |area of a curve / `area` - 1|, complete curves only.
+  double area_defect = 0;
+};
+
+struct EscapeFraction {
+  std::size_t entry = 0, exit = 0;  ///< numbers of bottlenecks
+  int crossings = 0;                ///< n: of the section in its direction, until the bottleneck
+  int iterates = 0;                 ///< m: of f, from E to X
+  double fraction = std::numeric_limits<double>::quiet_NaN();  ///< F; NaN where no split has whole curves
+  double error = std::numeric_limits<double>::quiet_NaN();     ///< estimate: discretisation, and the defect of areas
+  int forward = 0, backward = 0;                               ///< a, b
+  bool torn = false;                                           ///< part of one of the two had left already
+  /// The same from another split; NaN if there is none.
+  double other = std::numeric_limits<double>::quiet_NaN();
+  double other_error = std::numeric_limits<double>::quiet_NaN();
+  int other_forward = 0, other_backward = 0;
+  [[nodiscard]] bool known() const { return fraction == fraction; }
+};
+
+struct Escape {
+  double energy = 0;
+  Section section;                      ///< its direction is the one that n counts
+  std::vector<Bottleneck> bottlenecks;  ///< by their saddle's coordinate across the section, ascending
+  std::vector<EscapeFraction> table;    ///< by entry, exit, m; 1 <= n <= options.crossings
+  int crossings = 0;                    ///< n up to which the table goes
+  EscapeStop stop = EscapeStop::done;   ///< why it does not go further
+  double points_ahead = 0;              ///< where it stopped: points that the next image was expected to need
+  double seconds_ahead = 0;             ///< and the processor time of all the next images
+  double largest_split_difference = 0;  ///< |fraction - other|
+  /// Areas of the tubes' curves by their points and by action; fractions by two splits; fractions that symmetries of
+  /// the well make equal.
+  Agreement agreement;
+};
+
+/// Orbits and first curves only: each Bottleneck has one curve E and one X. Here the section may count one direction
+/// or both (direction 0), and be bounded. Errors as for `escape`.
+[[nodiscard]] std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, double energy,
+                                                  std::span<const FlowState> saddles,
+                                                  const EscapeOptions& options = {});
+
+/// The table, n by n, as far as it is affordable (options.most_points, options.budget) and trajectories can be
+/// followed. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
+/// that is not across a coordinate of position, has no direction or is bounded; DataError when an orbit or tube cannot
+/// be found, or a tube crosses the section in both directions; Cancelled before any row is known. The same bits for any
+/// number of threads, as long as the budget does not end it. Images multiply by about the same factor each time, and
+/// with them time and memory.
+[[nodiscard]] Escape escape(const Flow& flow, const Section& section, double energy, std::span<const FlowState> saddles,
+                            const EscapeOptions& options = {});
+
+/// "the fraction from bottleneck 1 to 2 after crossing 3"
+[[nodiscard]] std::string name_of(const EscapeFraction& row);
+/// The area of each complete curve by its points and by action.
+void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement& agreement);
+
+/// The fractions of one entry, summed up to n crossings: what has left by each exit, and what has not.
+struct Survival {
+  int crossings = 0;
+  std::vector<double> left;  ///< by exit
+  double remains = 1;        ///< 1 - sum of left
+  double error = 0;          ///< sum of the error bars
+};
+/// n = 1, 2, ... as far as all fractions are known.
+[[nodiscard]] std::vector<Survival> survival(const Escape& result, std::size_t entry);
+
+}  // namespace lober

@@ -1,0 +1,86 @@
+// Curves from and to files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lober/curve.hpp"
+
+namespace lober {
+
+enum class Format : std::uint8_t {
+  tecplot,  ///< Tecplot ASCII: VARIABLES, TITLE, ZONE lines, then one point a line
+  text,     ///< two columns separated by commas, semicolons, blanks or tabs; a header line is allowed
+  npy,      ///< NumPy: N x 2 or 2 x N, float64 or float32 of either byte order, C or Fortran order
+  raw,      ///< native float64 pairs, nothing else
+};
+[[nodiscard]] std::string_view name(Format format);
+
+/// One zone of a file. Formats without zones have exactly one.
+struct Zone {
+  std::string title;
+  std::vector<Point> points;
+  std::size_t line = 1;  ///< where it starts in a text file, counted from 1
+};
+
+struct CurveFile {
+  std::string path;
+  Format format = Format::text;
+  std::string sha256;  ///< of the whole file, lower-case hexadecimal
+  std::vector<Zone> zones;
+};
+
+struct ReadOptions {
+  bool hash = true;  ///< compute `sha256`; reading is faster without
+};
+
+/// Reads every zone of a file. The format is chosen by the content, never by the name. The file is
+/// read into memory and text is parsed in parallel. Throws DataError "path:line: what is wrong" for a file that
+/// is missing, unreadable, empty, has a zone without points, a line that is not two finite numbers, a column
+/// count other than two, a declared count (I=, N=) that contradicts the points, or a truncated binary file.
+/// What has no lines (a missing file, a binary one) is named by "path: what is wrong". A pipe is read to its
+/// end;
+/// "-" is standard input.
+[[nodiscard]] CurveFile read_curve_file(const std::string& path, const ReadOptions& options = {});
+
+/// A curve named on a command line: `FILE`, or `FILE#K` for zone K counted from 0, or `FILE#TITLE`. (A file
+/// whose name really contains '#' is found first.) Closed curves lose a last vertex that repeats the first.
+struct NamedCurve {
+  Curve curve;
+  std::string file;    ///< the path without the zone
+  std::string sha256;  ///< of the whole file
+  std::size_t zone = 0;
+  std::size_t zones = 1;  ///< how many the file has
+  std::string remark;     ///< on how a curve was closed (closing_remark); empty nearly always
+};
+
+/// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the
+/// file has several zones and none is chosen, or the chosen one is not there.
+[[nodiscard]] NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
+
+/// Writers. Numbers are written in the shortest form that reads back to the same bits. The file appears under
+/// its name only when it is complete (written beside it, then renamed); on failure an existing file is left
+/// as it was. What is no regular file (a pipe, /dev/stdout, "-" for standard output) is written straight
+/// through. Throw DataError when the file cannot be written or a coordinate is not finite.
+///
+/// Raw float64 bears no mark: coordinates whose bytes all happen to be printable characters would be read as
+/// text. Numbers of few digits never are, their low bytes being zero.
+///
+/// A single zone without a title needs no ZONE line in a Tecplot file.
+enum class ZoneLines : std::uint8_t { where_needed, always };
+void write_tecplot(const std::string& path, std::span<const Zone> zones, ZoneLines lines = ZoneLines::where_needed);
+void write_text(const std::string& path, std::span<const Point> points, char separator = ' ');
+void write_npy(const std::string& path, std::span<const Point> points);
+void write_raw(const std::string& path, std::span<const Point> points);
+
+/// Writes `content` the same way: complete under its name, or not at all.
+void write_file(const std::string& path, std::string_view content);
+
+/// SHA-256 (FIPS 180-4) of bytes in memory, lower-case hexadecimal.
+[[nodiscard]] std::string sha256(std::span<const std::byte> bytes);
+
+}  // namespace lober

@@ -1,0 +1,60 @@
+// Fixed and periodic points of planar maps.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <string_view>
+#include <vector>
+
+#include "lober/planar_map.hpp"
+#include "lober/point.hpp"
+
+namespace lober {
+
+/// By the eigenvalues of the derivative, |first| >= |second|. Moduli within 1e-7 of 1 count as 1.
+enum class FixedPointKind {
+  saddle,            ///< real, 0 < second < 1 < first: each branch of a manifold is mapped to itself
+  inverse_saddle,    ///< real, first < -1 < second < 0: the two branches are exchanged
+  reversing_saddle,  ///< real, of opposite signs: the map reverses orientation
+  centre,            ///< complex, of modulus 1
+  parabolic,         ///< real, at least one of modulus 1
+  attracting,        ///< both moduli < 1
+  repelling          ///< both moduli > 1
+};
+[[nodiscard]] std::string_view name_of(FixedPointKind kind);
+
+struct FixedPoint {
+  Point at;
+  /// The least n with f^n(at) = at + (the shift asked for).
+  int period = 1;
+  /// Of f^period.
+  Matrix2 derivative;
+  /// Of the derivative, the one of larger modulus first; a conjugate pair with positive imaginary part first.
+  std::array<std::complex<double>, 2> eigenvalues;
+  /// Unit vectors to x > 0 (to y > 0 when upright), in the order of the eigenvalues; (0, 0) when those are complex.
+  std::array<Point, 2> directions;
+  FixedPointKind kind = FixedPointKind::parabolic;
+  /// |f^period(at) - at - shift|.
+  double residual = 0;
+};
+
+struct FixedPointOptions {
+  /// Points with f^period(z) = z + shift are looked for.
+  int period = 1;
+  Point shift{};
+  /// A scan evaluates f^period on grid x grid points.
+  int grid = 48;
+};
+
+/// Newton's method from `guess`, damped, until rounding (or the tolerance of the integration) stops it. Throws
+/// DataError with where it ended when it does not converge, UsageError for a period or a grid that is not positive.
+[[nodiscard]] FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointOptions& options = {});
+
+/// The points in a box, each once, sorted by period, x, y. Newton's method starts in each cell of a grid on whose
+/// corners both components of f^period(z) - z - shift change sign, and at each grid point where its length is least
+/// among its neighbours: every point is found that the grid resolves. Points whose least period divides `period` are
+/// among them. Throws DataError, with the place of the smallest displacement, when there is none.
+[[nodiscard]] std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
+                                                        const FixedPointOptions& options = {});
+
+}  // namespace lober

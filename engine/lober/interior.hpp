@@ -1,0 +1,161 @@
+// The interior function of a closed curve, and the areas that two curves make by way of it (paper, section 4).
+//
+//   J(z) = Im of the integral of dz' / (z' - z) along the curve = 2 pi times the winding number of the curve about z.
+//
+// Inside, outside and on are decided exactly, by counting the crossings of a ray. Nothing here knows the overlay:
+// areas found this way are an independent check of it.
+//
+//   const lober::IndexedCurve boundary(curve);
+//   if (lober::winding(boundary, point).number != 0) ...
+//   double flux = lober::interior_areas(c1, c2).areas.c1_minus_c2;
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "lober/areas.hpp"
+#include "lober/buffer.hpp"
+#include "lober/crossings.hpp"
+#include "lober/curve.hpp"
+#include "lober/index.hpp"
+
+namespace lober {
+
+// ------------------------------------------------------------------------------------------ winding numbers and J
+
+/// How often a closed curve winds round a point, counter-clockwise positive.
+struct Winding {
+  std::int32_t number = 0;  ///< 0 if the point lies on the curve
+  bool on = false;          ///< the point lies on the curve
+  friend bool operator==(const Winding&, const Winding&) = default;
+};
+
+/// The winding number of a closed curve of any shape, self-intersecting or not, about a point, which must be finite.
+/// Exact. Throws UsageError for an open curve, as everything that follows does. A ray to the right is followed through
+/// the box tree: a box that it misses is skipped, one that lies wholly to the right of the point counts by the heights
+/// of its two ends. About log N for a curve whose boxes overlap little.
+[[nodiscard]] Winding winding(const IndexedCurve& curve, Point point);
+
+/// The same for many points, in parallel; the same for any number of threads.
+[[nodiscard]] std::vector<Winding> windings(const IndexedCurve& curve, std::span<const Point> points);
+
+/// J at a point.
+struct InteriorValue {
+  double j = 0;     ///< on the curve: the principal value, half a turn less or more than on either side (at a vertex:
+                    ///< by the angle there)
+  bool on = false;  ///< exact
+};
+
+/// J by way of the box tree: an arc whose box excludes the point contributes the angle between its two ends as seen
+/// from there, which is right because a box is convex, and so do neighbouring ones on one side of the point together.
+/// Angles near half a turn get their sign from an exact predicate, so J / 2 pi is the winding number up to the rounding
+/// of these few angles (each right to about 2^-51). About log N. DESIGN section 2.
+[[nodiscard]] InteriorValue interior_function(const IndexedCurve& curve, Point point);
+
+/// The same for many points, in parallel; the same bits for any number of threads.
+[[nodiscard]] std::vector<InteriorValue> interior_function(const IndexedCurve& curve, std::span<const Point> points);
+
+/// J as the paper computes it, for reference: a difference of two arc tangents for every segment (section "Computation
+/// of J_i"), in plain double. O(N). Wrong by a turn where rounding puts the point on the other side of a segment, or on
+/// it.
+[[nodiscard]] double interior_function_direct(CurveView curve, Point point);
+
+// ------------------------------------------------------------------------------------------ labels of vertices
+
+/// Where a point lies with respect to the region of a simple closed curve.
+enum class Side : std::uint8_t { outside, on, inside };
+
+/// The label of one point, by its winding number: not zero is inside. Exact, about log N.
+[[nodiscard]] Side side_of(const IndexedCurve& curve, Point point);
+
+/// The label of each point, by a query for each. Parallel.
+[[nodiscard]] Buffer<Side> label_points(const IndexedCurve& curve, std::span<const Point> points);
+
+/// The label of each vertex of curve `curve` (1 or 2) with respect to the other one. Sides change at nodes only, and
+/// there the order of the arms says to what; nothing is searched. Agrees with `label_points`. O(N), of which one point
+/// query, O(N), when there is no node.
+[[nodiscard]] Buffer<Side> label_vertices(const Crossings& nodes, int curve);
+
+/// A place on a curve from which on it lies on another side of the other curve (or on the same one again, after a
+/// touch).
+struct SideChange {
+  Position at;
+  bool at_vertex;  ///< `at` is the first vertex of its segment
+  Point point;
+  Side side;  ///< of the stretch that follows
+};
+
+/// The changes of side of curve `curve` (1 or 2) in order along it, from its first vertex on, in the direction of the
+/// input: one for each point where the curves meet, two for each shared arc. Empty when there is no node. O(nodes).
+[[nodiscard]] std::vector<SideChange> side_changes(const Crossings& nodes, int curve);
+
+// ------------------------------------------------------------------------------------------ areas
+
+/// How the integrals along the curves are weighted with I = +1 outside, 0 on, -1 inside of the other curve.
+enum class InteriorMethod : std::uint8_t {
+  split,  ///< segments are split where the curves meet, exactly; each part has the weight of its side
+  ends,   ///< a segment has the mean weight of its two ends, as in the paper (-DENS 0)
+};
+
+struct InteriorOptions {
+  InteriorMethod method = InteriorMethod::split;
+  /// For `ends`, the paper's -DENS <passes> <points>: each pass divides the segments whose ends have different labels
+  /// by `points` equally spaced points, the next one what is left of them, until neighbours are 2^-52 of the segment
+  /// apart. Nothing is inserted if either is 0.
+  int passes = 0;
+  int points = 0;
+  std::size_t max_points = 100'000'000;  ///< of one curve with what is inserted; DataError beyond
+  IndexKind index = IndexKind::automatic;
+  bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
+  /// Called between phases with the fraction done, from the calling thread; return false to cancel.
+  std::function<bool(double)> progress = {};
+};
+
+struct InteriorStatistics {
+  IndexKind index = IndexKind::tree;     ///< the one that was used
+  ContactCounts counts;                  ///< of the search of C1 against C2
+  SearchCounts simple_check;             ///< of the searches of each curve against itself
+  std::uint64_t simple_check_pairs = 0;  ///< pairs of segments decided exactly there
+  std::uint64_t arcs = 0;                ///< parts that the curves were split into
+  std::uint64_t queries = 0;             ///< winding numbers that were computed
+  std::uint64_t points_inserted = 0;     ///< by `passes` and `points`
+};
+
+/// Seconds of wall time of each phase.
+struct InteriorTiming {
+  double index = 0, check = 0, crossings = 0, order = 0, labels = 0, sums = 0, total = 0;
+};
+
+struct InteriorAreas {
+  /// Integrals over both curves, counter-clockwise, of w = 1/2 (x dy - y dx) with weights I, (I + 1) / 2 and
+  /// (1 - I) / 2 (DESIGN section 2): the symmetric difference, the union and the intersection.
+  double q1 = 0, q2 = 0, q3 = 0;
+  /// 1/4 |q2 - q3 - q1|, which the paper reports beside its areas. Zero by algebra: it measures the rounding of the
+  /// three sums and nothing else.
+  double delta = 0;
+  Areas areas;
+  Areas rounding;   ///< bounds on what double-double loses; for `split` on |computed - exact area of the polygons|
+  Crossings nodes;  ///< where the curves meet
+  InteriorStatistics statistics;
+  InteriorTiming timing;
+  Orientation orientation1 = Orientation::counter_clockwise;  ///< of the input
+  Orientation orientation2 = Orientation::counter_clockwise;
+};
+
+/// Areas of two simple closed curves of either orientation from Q1, Q2, Q3. For `split` each part of a curve between
+/// two contacts is labelled by the exact winding number of the other curve about one of its vertices; a straight part,
+/// which has none inside, by the exact side on which it leaves its first end. On shared parts I = 0, so that each curve
+/// brings half of them. Sums are in double-double about one common origin. Throws UsageError (an open curve), DataError
+/// (validate; also an area beyond the range of double), NotSimpleError, Cancelled. O(n + m + contacts log N) and the
+/// search, parallel; the same bits for any number of threads. Areas are as good as those of `overlay`: relative error
+/// below 1e-15 where they exceed 1e-12 of the bounding box.
+[[nodiscard]] InteriorAreas interior_areas(const ClosedCurve& c1, const ClosedCurve& c2,
+                                           const InteriorOptions& options = {});
+
+/// The same for curves that are indexed already (and validated by the caller).
+[[nodiscard]] InteriorAreas interior_areas(const IndexedCurve& c1, const IndexedCurve& c2,
+                                           const InteriorOptions& options = {});
+
+}  // namespace lober

@@ -1,0 +1,148 @@
+// Invariant manifolds grown from their saddle, and images of closed curves, with a bound asked for the distance between
+// the polygon and the curve.
+//
+// Every vertex is F^k(P(s)) for its own s on the local manifold P, nothing is interpolated. Generation 0 is the local
+// manifold itself; generation k is the image of the outermost fundamental segment, reach / |lambda| < s <= reach, under
+// k steps. What the map makes of the points of one generation shows where the next one needs points (trace.hpp); those
+// are computed once each, from their parameter, k steps for a point of generation k, as a bare loop over the final
+// points would. A manifold of an inverse saddle (lambda < 0) swaps sides in each step; it is grown with two steps in
+// one.
+//
+//   const lober::LocalManifold local = lober::local_manifold(map, saddle, lober::ManifoldSide::unstable);
+//   const lober::GrownManifold u = lober::grow(map, local, lober::Branch::plus, {.tolerance = 1e-6, .length = 30});
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "lober/buffer.hpp"
+#include "lober/curve.hpp"
+#include "lober/densify.hpp"
+#include "lober/local_manifold.hpp"
+#include "lober/point.hpp"
+
+namespace lober {
+
+enum class Branch : std::int8_t { minus = -1, plus = 1 };
+/// The branch that leaves the saddle to the same side as `direction`.
+[[nodiscard]] Branch branch_towards(const LocalManifold& local, Point direction);
+
+/// Why points could not be put where the tolerance asks for them.
+enum class GrowthFlawCause : std::uint8_t {
+  failed,       ///< the map fails there: the orbit escapes to infinity or the integration does not go through. Points
+                ///< that have no image are left out; the segment joins the last point before with the first one after
+  spacing,      ///< parameters of neighbouring points are as close as rounding allows
+  most_rounds,  ///< still not met after the last round
+  left_box,     ///< no flaw but a fact: the curve is outside the box there, and is followed coarsely
+};
+[[nodiscard]] std::string_view name(GrowthFlawCause cause);
+
+/// Segments first, ..., first + count - 1 of the result.
+struct GrowthFlaw {
+  std::size_t first;
+  std::size_t count;
+  GrowthFlawCause cause;
+  friend bool operator==(const GrowthFlaw&, const GrowthFlaw&) = default;
+};
+
+enum class GrowthStop : std::uint8_t {
+  iterates,   ///< done
+  length,     ///< done
+  points,     ///< most_points, most_memory or max_images reached
+  ended,      ///< two generations added less than the tolerance: the branch ends in another fixed point
+  failed,     ///< no point of the last generation has an image in the box
+  cancelled,  ///< by `progress`
+};
+[[nodiscard]] std::string_view name(GrowthStop stop);
+
+struct GrowthProgress {
+  int iterates = 0;          ///< done
+  std::size_t points = 0;    ///< of the finished part
+  double length = 0;         ///< of the finished part
+  std::uint64_t images = 0;  ///< steps of the map taken
+};
+
+/// At least one of `iterates` and `length` has to be set.
+struct GrowthOptions {
+  double tolerance = 0;  ///< e: how far the curve may lie from its polygon; has to be given
+  int iterates = -1;     ///< ends at F^iterates of the end of the local manifold
+  double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length, not
+                                                            ///< counting what is outside the box
+  double longest = 0;  ///< no segment longer; 0: a fiftieth of the extent of the local manifold
+  std::size_t most_points = 100'000'000;
+  std::size_t most_memory = std::numeric_limits<std::size_t>::max();     ///< bytes, roughly; 120 are needed a point
+  std::uint64_t max_images = std::numeric_limits<std::uint64_t>::max();  ///< steps of the map in all
+  /// Where points or images would run out within a piece (a part of a generation), nothing of it is computed; else the
+  /// part of it that fits in.
+  bool whole_pieces = false;
+  /// Only what lies in it has to meet the tolerance. Default: the square around the saddle of 200 extents of
+  /// the local manifold.
+  Rectangle box = {};
+  std::function<bool(const GrowthProgress&)> progress = {};  ///< false stops; called from the calling thread
+};
+
+struct GrownManifold {
+  Buffer<Point> points;                       ///< from LocalManifold::saddle itself on
+  Buffer<double> parameters;                  ///< s: vertex i is F^(k steps)(P(s)), k its generation
+  std::vector<std::size_t> generation_begin;  ///< of each generation its first vertex, and the number of points
+  std::vector<GrowthFlaw> flaws;              ///< in order
+  GrowthStop stop = GrowthStop::iterates;
+  double length = 0;         ///< of the polygon
+  std::uint64_t images = 0;  ///< steps of the map taken in all
+
+  operator CurveView() const { return {points, false}; }  // NOLINT(google-explicit-constructor)
+};
+
+/// Grows one branch. All that was computed is kept, whatever stops it. Throws UsageError for options that make no
+/// sense. The same bits for any number of threads. A vertex of generation k costs k steps of the map, and the guides
+/// one for each vertex of the generation before.
+[[nodiscard]] GrownManifold grow(const PlanarMap& map, const LocalManifold& local, Branch branch,
+                                 const GrowthOptions& options);
+
+// ------------------------------------------------------------------------------------ images of closed curves
+
+struct ImageOptions {
+  double tolerance = 0;
+  double longest = std::numeric_limits<double>::infinity();
+  std::size_t most_points = 100'000'000;
+  Rectangle box = {};  ///< default: the plane
+  std::function<bool(const GrowthProgress&)> progress = {};
+};
+
+struct CurveImage {
+  Buffer<Point> points;
+  Buffer<double> parameters;  ///< of each point; of a polygon: number of the segment + fraction
+  bool closed = true;
+  std::vector<GrowthFlaw> flaws;
+  GrowthStop stop = GrowthStop::iterates;
+  std::uint64_t images = 0;
+
+  operator CurveView() const { return {points, closed}; }  // NOLINT(google-explicit-constructor)
+};
+
+/// F^iterates of the closed curve c(t), which the function gives for corners.front() <= t <= corners.back() and which
+/// has the same point at both. The parameters in `corners` (at least two, ascending) become vertices; between them the
+/// curve has to be smooth. Throws UsageError, DataError (a corner without an image), Cancelled.
+[[nodiscard]] CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& curve,
+                                  std::span<const double> corners, const ImageOptions& options);
+
+/// F^iterates of a polygon, open or closed. Its vertices stay; new ones are images of points on its segments.
+[[nodiscard]] CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve, const ImageOptions& options);
+
+/// Writes the points of curve k = 0, 1, ... of a sequence at the parameters; safe to call from several threads.
+using CurveSequence = std::function<void(int curve, std::span<const double> parameters, std::span<Point> points)>;
+
+/// A sequence of closed curves with one parameter, each the image of the one before under some map, such as the
+/// crossings of one family of trajectories with a section. Each shows where the next one needs points. Ends after the
+/// first one for which `goes_on` is false, or where points run out. Corners, options and errors as for `image_of`. The
+/// first curve is sampled at `guide` to begin with: ascending parameters, the corners among them; a few between corners
+/// when that is empty.
+[[nodiscard]] std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
+                                                const ImageOptions& options,
+                                                const std::function<bool(const CurveImage&)>& goes_on,
+                                                std::span<const double> guide = {});
+
+}  // namespace lober

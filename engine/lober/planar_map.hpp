@@ -1,0 +1,61 @@
+// A planar map: what curves and manifolds are carried along by. Maps given by formulas, stroboscopic maps of
+// time-periodic flows and Poincare maps on a section all look like this.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "lober/point.hpp"
+
+namespace lober {
+
+/// A 2 x 2 matrix, row by row.
+struct Matrix2 {
+  double xx = 1, xy = 0;
+  double yx = 0, yy = 1;
+};
+
+/// A diffeomorphism of (a part of) the plane. Immutable: every call may come from several threads at the same time, and
+/// a point has the same image, bit for bit, in whatever batch it comes.
+class PlanarMap {
+ public:
+  PlanarMap() = default;
+  PlanarMap(const PlanarMap&) = delete;
+  PlanarMap& operator=(const PlanarMap&) = delete;
+  virtual ~PlanarMap() = default;
+
+  /// Replaces every point by its image under `iterates` steps; negative: of the inverse map. A point whose orbit cannot
+  /// be followed (it leaves the domain, never returns to the section, the integration fails) becomes (NaN, NaN).
+  /// Serial: callers hand out batches to threads.
+  virtual void iterate(std::span<Point> points, int iterates) const = 0;
+
+  /// The image of one point as `iterate` gives it (to the tolerance of an integration), and the derivative there.
+  virtual Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const = 0;
+
+  /// The action L of the step from `from` to its image `to`, in units of area: dL = y' dx' - y dx along the graph of
+  /// the map (MacKay, Meiss & Percival 1984), so that differences of sums of L along orbits are areas. Nothing when the
+  /// map preserves no area or its action is not known. Of maps with a generating function this is L(x, x'); of flows
+  /// the integral of y dx - H dt, with y' dx' for the gap between `to` and the computed image. Either way the sum over
+  /// an orbit is stationary: if its points are off by d, it is off by O(d^2). Rounding: that of long double for
+  /// generating functions, the tolerance for flows.
+  [[nodiscard]] virtual std::optional<long double> action(Point /*from*/, Point /*to*/) const { return std::nullopt; }
+  /// What an action L may be wrong by, as a fraction of 1 + |L|: an estimate.
+  [[nodiscard]] virtual double action_accuracy() const { return 1e-18; }
+
+  /// The same map integrated to a hundredth of the tolerance; nothing for a map that is given by formulas.
+  [[nodiscard]] virtual std::unique_ptr<PlanarMap> finer() const { return nullptr; }
+  /// Evaluations of a vector field that `iterate` has taken so far, in all threads together; none for a map that is
+  /// given by formulas. The same number for the same points, however they are shared out.
+  [[nodiscard]] std::uint64_t work() const { return work_.load(std::memory_order_relaxed); }
+
+ protected:
+  void add_work(std::uint64_t evaluations) const { work_.fetch_add(evaluations, std::memory_order_relaxed); }
+
+ private:
+  mutable std::atomic<std::uint64_t> work_{0};
+};
+
+}  // namespace lober

@@ -1,0 +1,131 @@
+// Regions of closed curves that may cross, touch and overlap themselves: which area each pair of winding numbers has,
+// and what a rule makes of it.
+//
+// The winding number of a curve about a point counts how often the curve runs round it, positive counter-clockwise. It
+// is the same all over a face of the arrangement of both curves. A rule says which winding numbers are inside; then
+// there are the four pairings of overlay/, with areas and pieces as regularised as there: a piece is a connected
+// component of the interior of the region, so faces that share an edge belong together, faces that meet in a vertex
+// only do not. For simple curves that run counter-clockwise every rule but `negative` gives what overlay() gives.
+//
+//   lober::Regions result = lober::regions(c1, c2);
+//   for (const lober::WindingArea& entry : result.table()) use(entry.w1, entry.w2, entry.area);
+//   double flux = result.areas(lober::WindingRule::nonzero).c1_minus_c2;
+//   for (const lober::RegionPiece lobe : result.pieces(lober::WindingRule::nonzero, lober::Pairing::c1_minus_c2)) ...
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lober/overlay.hpp"
+
+namespace lober {
+
+enum class WindingRule : std::uint8_t { nonzero, evenodd, positive, negative };
+inline constexpr std::array<WindingRule, 4> all_winding_rules{WindingRule::nonzero, WindingRule::evenodd,
+                                                              WindingRule::positive, WindingRule::negative};
+[[nodiscard]] std::string_view name(WindingRule rule);
+/// Whether a winding number is inside. Zero never is.
+[[nodiscard]] bool inside(WindingRule rule, int winding);
+
+/// The area where C1 winds w1 times and C2 winds w2 times.
+struct WindingArea {
+  int w1, w2;
+  double area;
+};
+
+/// One connected component of a region. A hole is a bounded component of the interior of its complement.
+struct RegionPiece {
+  double area = 0;
+  std::uint32_t holes = 0;
+};
+
+struct RegionCounts {
+  std::uint64_t nodes = 0;  ///< points where strands meet or a spike has its tip
+  std::uint64_t edges =
+      0;  ///< stretches between nodes, those that strands share counted once; 1 for a curve without node
+  std::uint64_t faces = 0;                         ///< the unbounded one included
+  std::uint64_t self1 = 0, self2 = 0, mutual = 0;  ///< pairs of strands that meet in a point, by curve
+  IndexKind index = IndexKind::tree;               ///< used for C1 against C2
+  SearchCounts search;
+  PredicateCounts predicates;
+  std::uint64_t exact_parameters = 0, exact_orders = 0;  ///< crossings placed, and pairs ordered, in exact arithmetic
+};
+
+/// Seconds of wall time of each phase.
+struct RegionTiming {
+  double index = 0, search = 0, nodes = 0, graph = 0, faces = 0, total = 0;
+};
+
+struct RegionOptions {
+  IndexKind index = IndexKind::automatic;
+  /// Called between phases with the fraction done, from the calling thread; return false to cancel.
+  std::function<bool(double)> progress;
+};
+
+struct Arrangement;  // private: engine/geometry/regions/arrangement.hpp
+struct RegionPiecesData;
+
+/// The pieces of one region, in the order in which their faces come along C1, then C2. Cheap to copy.
+class RegionPieces {
+ public:
+  RegionPieces();  ///< none
+  explicit RegionPieces(std::shared_ptr<const RegionPiecesData> data) : data_(std::move(data)) {}
+
+  [[nodiscard]] std::size_t size() const { return areas().size(); }
+  [[nodiscard]] std::span<const double> areas() const;
+  [[nodiscard]] RegionPiece operator[](std::size_t piece) const;
+  /// The boundary of a piece as closed polygons: the outer one first, counter-clockwise, then the holes, clockwise.
+  /// Polygons do not cross, but may touch each other, and the outer one itself, in vertices. O(vertices).
+  [[nodiscard]] std::vector<std::vector<Point>> outline(std::size_t piece) const;
+
+ private:
+  std::shared_ptr<const RegionPiecesData> data_;
+};
+
+/// Cheap to copy; keeps alive what the curves own.
+class Regions {
+ public:
+  Regions();  ///< of nothing
+  explicit Regions(std::shared_ptr<const Arrangement> arrangement) : arrangement_(std::move(arrangement)) {}
+
+  /// All pairs of winding numbers that occur, ascending, without (0, 0).
+  [[nodiscard]] std::span<const WindingArea> table() const;
+  /// Signed areas of C1 and C2: the sums of winding number times area.
+  [[nodiscard]] std::array<double, 2> signed_areas() const;
+  /// As in Overlay::areas; c1 is the area of the region of C1 under the rule.
+  [[nodiscard]] Areas areas(WindingRule rule) const;
+  /// Bounds on |computed - exact area of the region of the polygons|.
+  [[nodiscard]] Areas rounding(WindingRule rule) const;
+  /// The same for an area of the table or of a piece.
+  [[nodiscard]] double rounding(double area) const;
+  /// O(faces + edges). With one curve, C2 is empty: c1_minus_c2 is the region of C1.
+  [[nodiscard]] RegionPieces pieces(WindingRule rule, Pairing pairing) const;
+
+  [[nodiscard]] const RegionCounts& counts() const;
+  [[nodiscard]] const RegionTiming& timing() const;
+
+ private:
+  std::shared_ptr<const Arrangement> arrangement_;
+};
+
+/// The regions of one or two closed curves of any shape; the orientation of the input is kept. Result and
+/// pieces keep alive what the curves own. Throws DataError (validate; also an area beyond the range of double),
+/// Cancelled. Time in proportion to the points (one pass) and
+/// to what the search of both curves against themselves and each other meets; memory besides the box trees in
+/// proportion to the places where strands meet. All decisions are exact; the same bits for any number of threads and
+/// any index. Where k strands run along each other, k^2 / 2 pairs meet at each of their vertices.
+[[nodiscard]] Regions regions(const ClosedCurve& c1, const RegionOptions& options = {});
+[[nodiscard]] Regions regions(const ClosedCurve& c1, const ClosedCurve& c2, const RegionOptions& options = {});
+
+/// The same for closed curves that are indexed already (and validated by the caller). Throws UsageError for an open
+/// one.
+[[nodiscard]] Regions regions(const IndexedCurve& c1, const RegionOptions& options = {});
+[[nodiscard]] Regions regions(const IndexedCurve& c1, const IndexedCurve& c2, const RegionOptions& options = {});
+
+}  // namespace lober

@@ -1,0 +1,15 @@
+// Two segments, one of each curve, or two of the same.
+#pragma once
+
+#include <cstdint>
+
+namespace lober {
+
+/// A segment of the first curve and one of the second.
+struct SegmentPair {
+  std::uint32_t first;
+  std::uint32_t second;
+  friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
+};
+
+}  // namespace lober

@@ -1,0 +1,56 @@
+// Areas between smooth curves: those that run through the points, not along the segments between them.
+//
+// Each segment is replaced by a graph over it through the six nearest vertices (kernels/smooth_segment.hpp), so that
+// areas have an error of order h^6, h the length of segments, where the curves are smooth, against h^2 of polygons.
+// Each crossing is moved to where the smooth curves cross. At corners, and where what there is beside a segment is
+// noise, the segment stays.
+//
+//   lober::Overlay result = lober::overlay(c1, c2);
+//   lober::SmoothAreas smooth = lober::smooth_areas(result);
+//   use(smooth.areas.c1_minus_c2, smooth.error.c1_minus_c2);
+#pragma once
+
+#include <cstdint>
+
+#include "lober/areas.hpp"
+#include "lober/curve.hpp"
+#include "lober/overlay.hpp"
+
+namespace lober {
+
+struct SmoothAreas {
+  Areas areas;
+  /// Estimates of |areas - area of the smooth curves that the points were taken from|, on the safe side: per arc the
+  /// difference to the formula of order h^4, without regard to signs; what a crossing that could not be moved may hide;
+  /// rounding.
+  Areas error;
+  std::uint64_t fallback_segments = 0;   ///< of both curves, not of length zero, that stay straight
+  std::uint64_t fallback_crossings = 0;  ///< crossings at a point that stay where the polygons have them, for want of a
+                                         ///< crossing of the smooth curves near by that keeps its order along both
+};
+
+/// The smooth areas that belong to a result of `overlay` (pieces are not needed). The topology is that of the polygons:
+/// crossings of smooth curves whose polygons do not meet there are not found. A shared arc stays shared, with the
+/// geometry of C1. Throws DataError when coordinates range too widely. O(n + m), parallel; the same bits for any number
+/// of threads.
+[[nodiscard]] SmoothAreas smooth_areas(const Overlay& result);
+
+struct SmoothArea {
+  double area = 0;   ///< signed, positive counter-clockwise
+  double error = 0;  ///< as in SmoothAreas
+  std::uint64_t fallback_segments = 0;
+};
+
+/// The area of one closed curve, in the same sense; where it crosses itself, weighted by winding numbers. Throws
+/// DataError as `validate` does. O(n), parallel.
+[[nodiscard]] SmoothArea smooth_area(const ClosedCurve& curve);
+
+struct CommonArea {
+  double area = 0, error = 0;
+};
+
+/// What two closed curves have in common. Of order h^6 where the polygons are simple; else by winding numbers, of the
+/// polygons, with an error bar of what the smooth curves enclose more or less. As smooth_areas and regions.
+[[nodiscard]] CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second);
+
+}  // namespace lober

@@ -1,0 +1,70 @@
+// The turnstile of a family of maps, value by value of a parameter, and where the flux changes sides.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lober/manifold_tangle.hpp"
+
+namespace lober {
+
+/// The member of the family for one value of the parameter.
+struct FamilyMember {
+  std::shared_ptr<const PlanarMap> map;
+  Connection connection;
+};
+/// Called from several threads; may throw Error, which is recorded for that value.
+using Family = std::function<FamilyMember(double)>;
+
+/// The turnstile for one value.
+struct SweepRow {
+  double value = 0;
+  std::string failure;                  ///< why there is no result; empty if there is one
+  Point from, to;                       ///< the saddles
+  double multiplier = 0;                ///< of the unstable manifold
+  std::size_t period = 0;               ///< pips an iterate: so many lobes has the turnstile
+  std::vector<double> areas;            ///< of the lobes from f^-1(q) to q by geometry, signed as in Lobe::area
+  std::vector<double> errors;           ///< estimates for them
+  std::vector<double> areas_by_action;  ///< likewise; empty if the map has no action
+  double flux12 = 0, flux21 = 0;        ///< sums of the lobes of one sign, by geometry: out of R1, into R1
+  /// The same by action; NaN without one.
+  double action12 = 0, action21 = 0;
+  /// W(q) - W(q'), q' the pip half an iterate before q: of a reversible map the other symmetric pip, so that this
+  /// crosses zero where the two sides of the turnstile change places. It is the area of a lobe only as long as there
+  /// are two pips an iterate. NaN without an action.
+  double difference = 0;
+};
+
+/// A sign change of the difference between two values next to each other.
+struct SweepZero {
+  double low = 0, high = 0;  ///< the two values, ascending or descending as they come
+  double value = 0;          ///< the zero
+  double width = 0;          ///< it is known to lie within so much of it
+  double difference = 0;     ///< what is left there
+  int evaluations = 0;
+  std::string failure;  ///< why it could not be refined: a value without a result, or a jump
+};
+
+struct SweepOptions {
+  ManifoldTangleOptions tangle{};  ///< its progress is not used
+  bool find_zeros = false;
+  double zero_tolerance = 1e-10;                ///< relative to the value
+  std::function<bool(std::size_t)> progress{};  ///< values done; from any thread; return false to cancel
+};
+
+struct Sweep {
+  std::vector<SweepRow> rows;  ///< in the order of the values
+  std::vector<SweepZero> zeros;
+  [[nodiscard]] std::size_t failures() const;
+};
+
+/// One row for each value; values that fail are recorded and the rest goes on. Values are worked on in parallel, zeros
+/// too; the same bits for any number of threads. A zero takes about eight more tangles. Throws Cancelled.
+[[nodiscard]] Sweep sweep(const Family& family, std::span<const double> values, const SweepOptions& options = {});
+
+}  // namespace lober

@@ -1,0 +1,77 @@
+// Systems by name: the built-in ones and those that a user adds from a shared library.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lober/flow.hpp"
+#include "lober/local_manifold.hpp"
+#include "lober/planar_map.hpp"
+#include "lober/point.hpp"
+
+namespace lober {
+
+struct Parameter {
+  std::string name;
+  double value = 0;  ///< the default in a SystemInfo, the chosen value in a System
+  std::string meaning;
+};
+
+/// What a system is, before its parameters are chosen.
+struct SystemInfo {
+  std::string name;
+  std::string summary;  ///< one line: equations or their source, and the planar map
+  std::vector<Parameter> parameters;
+};
+
+/// A pair of manifolds: U from one saddle, S from another or the same one, each on the branch that leaves its saddle in
+/// the given direction.
+struct Connection {
+  Point from, u_direction;
+  Point to, s_direction;
+  std::optional<Point> bip{};  ///< near a pip that is a good one to bound a region with
+  /// Corners of the path from `to` back to `from` that the map keeps, walls or an axis, and that closes the boundary;
+  /// without any it is straight.
+  std::vector<Point> closure{};
+
+  [[nodiscard]] Point saddle(ManifoldSide side) const { return side == ManifoldSide::unstable ? from : to; }
+  [[nodiscard]] Point direction(ManifoldSide side) const {
+    return side == ManifoldSide::unstable ? u_direction : s_direction;
+  }
+};
+
+/// A system with its parameters chosen.
+struct System {
+  SystemInfo info;
+  /// Where the fixed points of interest are: what a scan looks at when the user says nothing.
+  Rectangle window;
+  /// Shift of the plane after which the map repeats itself, (0, 0) when there is none: (2 pi, 0) for a lifted angle.
+  Point lattice;
+  std::optional<Connection> connection;  ///< whose tangle is of interest; its boundary bounds region 1
+  std::vector<Connection> further{};     ///< whose boundaries bound more regions
+  /// Whether region 1 is not bounded without those: the strip of a cylinder between an upper and a lower boundary.
+  bool further_needed = false;
+  std::shared_ptr<const Flow> flow;      ///< null when the system is a map
+  std::vector<FlowState> saddles;        ///< near those of rank 1 that bound a well (engine/escape)
+  std::optional<Section> section;        ///< of the map, when it is a return map
+  std::shared_ptr<const PlanarMap> map;  ///< null for a flow whose map is not defined by its canonical section
+};
+
+/// Names and values, in any order; those left out take their defaults.
+using ParameterValues = std::vector<std::pair<std::string, double>>;
+
+/// The built-in systems, in the order of their names.
+[[nodiscard]] std::vector<SystemInfo> list_systems();
+
+/// The system `name`, or the one in the shared library `name` (a name with a slash or ending in ".so"; see
+/// lober_system.h). Throws UsageError, naming the alternatives, for an unknown name or parameter, a parameter given
+/// twice or out of its range; DataError for a library that cannot be used.
+[[nodiscard]] System make_system(std::string_view name, const ParameterValues& values = {},
+                                 const IntegrationOptions& options = {});
+
+}  // namespace lober

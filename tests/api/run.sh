@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# What users of engine/lober/ rely on: each header compiles by itself with all warnings as errors, needs no other header
+# of ours, and curves of the wrong kind do not compile. "Private" is a fact: who includes what is looked at too.
+# usage: run.sh SOURCE_FOLDER COMPILER...
+set -uo pipefail
+root=$1
+shift
+headers=$root/engine/lober
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+compiles() { "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Werror -I"$root/engine" "$@" >"$work/log" 2>&1; }
+
+checked=0
+for compiler in "$@"; do
+  command -v "$compiler" >/dev/null || { echo "no $compiler here"; continue; }
+  for header in "$headers"/*.hpp; do
+    echo "#include \"lober/$(basename "$header")\"" >"$work/one.cpp"
+    compiles "$work/one.cpp" || { fail "$compiler, $(basename "$header") alone:"; head -n 5 "$work/log"; }
+    checked=$((checked + 1))
+  done
+  source=$root/tests/api/must_not_compile/curves.cpp
+  for number in $(grep -oE 'RIGHT == [0-9]+' "$source" | grep -oE '[0-9]+'); do
+    compiles -Wno-unused-variable -Wno-unused-parameter -DRIGHT="$number" "$source" || { fail "$compiler, case $number does not compile"; head -n 5 "$work/log"; }
+    ! compiles -Wno-unused-variable -Wno-unused-parameter -DRIGHT=0 -DWRONG="$number" "$source" || fail "$compiler, case $number compiles"
+    checked=$((checked + 1))
+  done
+done
+
+# Who may include what. Public headers stand on themselves.
+bad=$(grep -nE '#include "' "$headers"/*.hpp | grep -v '#include "lober/')
+[ -z "$bad" ] || fail "public headers that include private ones:
+$bad"
+# A library of engine/ takes from another one only what is public; base and kernels are there for all of them.
+for library in geometry files dynamics batch; do
+  bad=$(grep -rnE '#include "engine/' "$root/engine/$library" | grep -vE "#include \"engine/(base|$library)/")
+  [ -z "$bad" ] || fail "engine/$library includes private headers of another library:
+$bad"
+done
+bad=$(grep -rnE '#include "engine/(geometry|dynamics)/' "$root/cli" "$root/examples" "$root/tests/consumer")
+[ -z "$bad" ] || fail "private headers of geometry and dynamics outside of the engine:
+$bad"
+
+echo "$checked compilations, $failures failures"
+[ "$failures" -eq 0 ]
