@@ -1,0 +1,11 @@
+#include "lober/threads.hpp"
+
+#include "engine/base/parallel/parallel.hpp"
+
+namespace lober {
+
+void run_with_threads(int threads, const std::function<void()>& function) {
+  with_threads(threads, function);
+}
+
+}  // namespace lober
