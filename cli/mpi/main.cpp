@@ -133,7 +133,8 @@ int main(int count, char** arguments) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, with a message
   int status = 0;
   try {
-    if (provided < MPI_THREAD_SERIALIZED) throw lober::UsageError("this MPI does not let threads send");
+    if (provided < MPI_THREAD_SERIALIZED)
+      throw lober::UsageError("this MPI library does not support MPI_THREAD_SERIALIZED, which lober_mpi needs");
     status = lober::cli::run_rank({arguments + 1, arguments + count});
   } catch (...) {  // where no other rank waits for this one
     const lober::cli::Failure failure = lober::cli::failure_of(std::current_exception());
