@@ -1,4 +1,4 @@
-// The program: finds out what is wanted, and turns what goes wrong into one line and an exit status.
+// The program: finds out which command is wanted, and turns each error into one line and an exit status.
 
 #include <algorithm>
 #include <array>
@@ -35,29 +35,35 @@ namespace {
 constexpr const char* usage = R"(lober: exact crossings, lobes and areas of curves for phase-space transport
 
 usage:
-  lober overlay C1 C2 [options]          crossings, lobes and areas of two closed curves
-  lober interior C1 C2 [options]         their areas by the interior function (Q1, Q2, Q3), an independent method
-  lober densify CURVE [AGAINST] -o FILE  more points where the curve is coarse or meets another one, or fewer
-  lober tangle U S [options]             pips, lobes, boundary and turnstile of two manifolds (or of --system NAME)
-  lober grow SYSTEM [options]            a stable or unstable manifold of a saddle, from the system's equations
-  lober transport SYSTEM [options]       from equations to lobes, turnstile, fluxes a(n) and T(n); sweeps
-                                         (or of --manifolds FILE: as far as two given curves reach)
-  lober batch run MANIFEST               many curves and pairs; also batch check, status, export, merge
-  lober escape SYSTEM --energy E         orbits and tubes of a potential well, and who leaves it when
-  lober overlay --help                   the options of a command
+  lober overlay C1 C2 [options]          computes crossings, lobes and areas of two closed curves
+  lober interior C1 C2 [options]         computes their areas by the interior function (Q1, Q2, Q3), an independent
+                                         method
+  lober densify CURVE [AGAINST] -o FILE  inserts points where the curve is coarse or meets another one, or removes them
+  lober tangle U S [options]             finds pips, lobes, boundary and turnstile of two manifolds, or of those of
+                                         --system NAME
+  lober grow SYSTEM [options]            grows a stable or unstable manifold of a saddle from the system's equations
+  lober transport SYSTEM [options]       computes lobes, turnstile and fluxes a(n) and T(n) from equations, or with
+                                         --manifolds FILE as far as two given curves reach; sweeps over a parameter
+  lober batch run MANIFEST               computes many curves and pairs; also batch check, status, export, merge
+  lober escape SYSTEM --energy E         computes orbits and tubes of a potential well, and the fractions that leave it
+                                         by crossing n
+  lober overlay --help                   lists the options of a command
+  lober --version                        prints the version
 
-  lober <c1> <c2> <rslt> [-DENS p n]          overlay with the command line and files of the published program
-  lober -light <c1> <c2> <rslt> [-DENS p n]   interior with the same
+  lober <c1> <c2> <rslt> [-DENS p n]          runs overlay with the command line and files of Lober 1.8
+  lober -light <c1> <c2> <rslt> [-DENS p n]   runs interior with those
   lober <u> <s> <lobefile> <manifile> <pipsfile> <uskip> <sskip> <nzones> [<lobebfile> [<lobeseq>]] [-BIP k]
-                                              tangle with the same: zones uskip, uskip + 1, ... of <u>, nzones
-                                              of them, each with the zone of <s> that follows sskip likewise
-  lober --version
+                                              runs tangle with those, for nzones pairs: the zones of <u> from number
+                                              <uskip> on with those of <s> from number <sskip> on
+
+Lober 1.8 is the program published with Naik, Lekien & Ross (2017), doi:10.1134/S1560354717030078.
 
 A curve is a file of points, or FILE#ZONE for one zone of it (by number from 0, or by title): Tecplot ASCII, columns
-separated by commas or blanks, NPY, or raw float64, known by its content.
+separated by commas or blanks, NPY, or raw float64. The format is recognised by the content.
 
-exit status: 0 done, 1 the data cannot be used, or a job of a batch failed, 2 the command cannot be understood,
-3 two independent routes to one quantity disagree beyond their error bars (everything is printed), 130 interrupted
+exit status: 0 everything is done; 1 the data cannot be used, or a job of a batch failed; 2 the command cannot be
+understood; 3 two independent routes to one quantity disagree beyond their error bars (everything is printed);
+130 the command was interrupted
 )";
 
 // A misspelt name would quietly run the best copies.
@@ -65,11 +71,12 @@ void check_instruction_set() {
   const char* const asked = std::getenv("LOBER_ISA");
   const auto names = instruction_set_names();
   if (asked == nullptr || std::find(names.begin(), names.end(), asked) != names.end()) return;
-  throw UsageError(std::string("LOBER_ISA is ") + asked + ": baseline, avx2 or avx512");
+  throw UsageError(std::string("LOBER_ISA is ") + asked +
+                   ", which is not an instruction set; set it to baseline, avx2 or avx512");
 }
 
-// How many letters have to be changed, left out, put in or exchanged with their neighbour to make one word of the
-// other.
+// The number of letters that have to be changed, left out, put in or exchanged with their neighbour to make one word of
+// the other.
 std::size_t letters_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t k = 0; k <= b.size(); ++k) last[k] = k;
@@ -102,7 +109,7 @@ std::string command_meant(const std::string& word) {
 
 void run(const std::vector<std::string>& arguments) {
   check_instruction_set();
-  if (arguments.empty()) throw UsageError("nothing to do (see lober --help)");
+  if (arguments.empty()) throw UsageError("no command is given (see lober --help)");
   const InputGuard guard;
   const std::string& first = arguments[0];
   if (first == "--help" || first == "-h") {
@@ -126,7 +133,8 @@ void run(const std::vector<std::string>& arguments) {
   } else if (first == "escape") {
     run_escape({arguments.begin() + 1, arguments.end()});
   } else if (const std::string meant = command_meant(first); !meant.empty()) {
-    throw UsageError("\"" + first + "\" is no command and no file; did you mean " + meant + "? (see lober --help)");
+    throw UsageError("\"" + first + "\" is neither a command nor a file; did you mean " + meant +
+                     "? (see lober --help)");
   } else if (is_published_tangle(arguments)) {
     run_published_tangle(arguments);
   } else {

@@ -51,7 +51,7 @@ case $build in
     run lober_tests "-$long"
     # Tests of transport and escape take too long; the program goes the same ways once.
     for arguments in "transport henon --tolerance 1e-4 --particles 1000" "tangle --system standard --tolerance 1e-3" \
-        "escape capsize --iterates 1 --tolerance 1e-3"; do
+        "escape capsize --crossings 1 --tolerance 1e-3"; do
       # shellcheck disable=SC2086
       timeout 300 "$build/bin/lober" $arguments >/dev/null || { echo "lober $arguments: status $?" && status=1; }
     done

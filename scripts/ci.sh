@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What a change has to pass to land: `make test` first, then format, README, the scenes at a million points, the same code
-# with clang under sanitizers, fuzz targets and clang-tidy. Under sanitizers a chosen part of the tests runs;
-# LOBER_CI_ALL=1 (`make ci`) takes all. Each step has a limit of its own, and none begins after an hour.
+# What a change has to pass to land: `make test` first, then format, README, the scenes at a million points. With
+# LOBER_CI_SANITIZED=1 also the same code with clang under sanitizers, fuzz targets and clang-tidy, with a chosen part of
+# the tests; LOBER_CI_ALL=1 (`make ci`) takes all. Each step has a limit of its own, and none begins after an hour.
 # Ends with the line `N passed, N failed, N skipped`: the tests of `make test`, and each further step as one.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -60,24 +60,28 @@ else
 fi
 step "the same bits at a million points" 8m env LOBER_SCENE_POINTS=1000000 build/bin/lober_determinism_tests \
     --gtest_brief=1 --gtest_filter='*Overlay*'
-instrumented=(lober lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
-threaded=(lober_determinism_tests lober_thread_tests)
-if [ -n "${LOBER_CI_ALL:-}" ]; then
-  instrumented=()
-  threaded+=(lober)
-fi
-if step "clang with ASan and UBSan, warnings as errors" 25m scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
-  step "tests under ASan and UBSan" 15m scripts/ci-sanitized.sh build-asan
-  step "fuzz targets, a minute each" 12m scripts/fuzz.sh 60 build-asan
+if [ -n "${LOBER_CI_ALL:-}${LOBER_CI_SANITIZED:-}" ]; then
+  instrumented=(lober lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
+  threaded=(lober_determinism_tests lober_thread_tests)
+  if [ -n "${LOBER_CI_ALL:-}" ]; then
+    instrumented=()
+    threaded+=(lober)
+  fi
+  if step "clang with ASan and UBSan, warnings as errors" 25m scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
+    step "tests under ASan and UBSan" 15m scripts/ci-sanitized.sh build-asan
+    step "fuzz targets, a minute each" 12m scripts/fuzz.sh 60 build-asan
+  else
+    leave_out "tests under ASan and UBSan, fuzz targets" "there is no build"
+  fi
+  if step "clang with ThreadSanitizer" 20m scripts/ci-build.sh tsan "${threaded[@]}"; then
+    step "tests under ThreadSanitizer" 12m scripts/ci-sanitized.sh build-tsan
+  else
+    leave_out "tests under ThreadSanitizer" "there is no build"
+  fi
+  step "clang-tidy on what changed" 12m scripts/tidy-changed.sh
 else
-  leave_out "tests under ASan and UBSan, fuzz targets" "there is no build"
+  leave_out "clang, ASan, UBSan, fuzz targets, ThreadSanitizer, clang-tidy" "with LOBER_CI_SANITIZED=1 or in make ci"
 fi
-if step "clang with ThreadSanitizer" 20m scripts/ci-build.sh tsan "${threaded[@]}"; then
-  step "tests under ThreadSanitizer" 12m scripts/ci-sanitized.sh build-tsan
-else
-  leave_out "tests under ThreadSanitizer" "there is no build"
-fi
-step "clang-tidy on what changed" 12m scripts/tidy-changed.sh
 
 echo
 printf '%s\n' "${summary[@]}"

@@ -23,8 +23,8 @@ docs/figures/manifolds-1.81.svg     costly  tangle --system ovp --param gamma=1.
 docs/figures/turnstile-0.5.svg      costly  transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --picture
 docs/figures/fluxes-0.5.svg         costly  transport ovp --param gamma=0.5 --iterates 7 --tolerance 1e-5 --svg
 docs/figures/areas-over-gamma.svg   costly  transport ovp --sweep gamma=0.2:2.5:0.05 --find-zero --tolerance 1e-3 --svg
-docs/escape.svg                     costly  escape capsize --energy 0.25307 --iterates 4 --svg
-docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --iterates 0 --saddle 2 --svg
+docs/escape.svg                     costly  escape capsize --energy 0.25307 --crossings 4 --svg
+docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --crossings 0 --saddle 2 --svg
 '
 # Documents with blocks; those of the costly kind are only made with all.
 documents='README.md docs/figures.md docs/escape.md docs/published-forms.md'

@@ -54,10 +54,12 @@ void run_manifest(const Arguments& arguments) {
 void check_manifest(const Arguments& arguments) {
   std::string path;
   std::uint64_t memory = 0;
-  OptionParser parser("Reads a manifest and says how much work it is, and what there is no memory for.",
-                      "lober batch check");
-  parser.add("MANIFEST", path, "what would be computed (TOML)").required();
-  const Option memory_given = add_memory_option(parser, memory);
+  OptionParser parser(
+      "Reads a manifest and reports the number of its jobs, curves and points, and the work that the memory is too "
+      "small for. Nothing is computed.",
+      "lober batch check");
+  parser.add("MANIFEST", path, "The manifest, a TOML file that names the operation and the curves.").required();
+  const Option memory_given = add_memory_budget(parser, memory);
   if (!parser.parse(arguments)) return;
   const std::size_t room = memory_given.given() ? memory : machine_memory() / 2;
   const Plan plan = make_plan(read_manifest(path));
@@ -85,8 +87,10 @@ void check_manifest(const Arguments& arguments) {
 
 void show_status(const Arguments& arguments) {
   std::string path;
-  OptionParser parser("Says how far the plan of a store is, who computed, and what failed.", "lober batch status");
-  parser.add("STORE", path, "as written by lober batch run").required();
+  OptionParser parser(
+      "Reports how many jobs of a store are done, the runs that computed them, and the jobs that failed.",
+      "lober batch status");
+  parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
   if (!parser.parse(arguments)) return;
   const Store store = Store::open(path);
   const StoreSurvey found = survey(store);
@@ -104,13 +108,19 @@ void show_status(const Arguments& arguments) {
 void export_store(const Arguments& arguments) {
   std::string path, output = "-", format, operation;
   OptionParser parser("Writes the results of a store as a table.", "lober batch export");
-  parser.add("STORE", path, "as written by lober batch run").required();
-  parser.add("-o,--output", output, "a name that ends in .csv, .jsonl or .npy (default: standard output)")
+  parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
+  parser
+      .add("-o,--output", output,
+           "Write the table to FILE, whose ending .csv, .jsonl or .npy is its format (default: standard output).")
       .value("FILE");
-  parser.add("--format", format, "csv, jsonl or npy (default: by the name; csv)")
+  parser.add("--format", format, "The format of the table: csv, jsonl or npy (default: by the ending of FILE, or csv).")
       .value("KIND")
       .one_of({"csv", "jsonl", "npy"});
-  parser.add("--operation", operation, "only this one").value("NAME");
+  parser
+      .add("--operation", operation,
+           "The operation whose results are exported (default: all operations; a table in csv or npy holds one, which "
+           "has to be named if the store has several).")
+      .value("NAME");
   if (!parser.parse(arguments)) return;
   const std::string by_name = !format.empty() ? "." + format : output == "-" ? ".csv" : output;
   const std::optional<std::string> only = operation.empty() ? std::nullopt : std::optional(operation);
@@ -127,8 +137,8 @@ void merge_stores(const Arguments& arguments) {
   std::string target;
   std::vector<std::string> sources;
   OptionParser parser("Joins stores of the same plan, as shards write them, into one.", "lober batch merge");
-  parser.add("TARGET", target, "is made if it is not there").required();
-  parser.add("STORES", sources, "what is taken over").required();
+  parser.add("TARGET", target, "The store that takes the results, which is created if it does not exist.").required();
+  parser.add("STORES", sources, "The stores whose results are copied.").required();
   if (!parser.parse(arguments)) return;
   Store store = Store::create(target);
   for (const std::string& source : sources) {
@@ -144,27 +154,29 @@ void merge_stores(const Arguments& arguments) {
 constexpr const char* usage = R"(lober batch: many curves and pairs
 
 usage:
-  lober batch run MANIFEST [options]    computes what is not in the store yet; the first interrupt lets jobs that run
-                                        finish within a second, a second one stops at once; nothing that was
-                                        stored is lost
-  lober batch check MANIFEST            reads the manifest and says how much work it is
-  lober batch status STORE              how far a store is, who computed, what failed
-  lober batch export STORE [-o FILE]    the results as CSV, JSON lines or NPY
+  lober batch run MANIFEST [options]    computes the results that are not in the store yet; the first interrupt lets
+                                        running jobs finish within a second, a second one stops at once; nothing
+                                        that was stored is lost
+  lober batch check MANIFEST            reads the manifest and reports how much work it is
+  lober batch status STORE              reports the jobs that are done, the runs and the failures
+  lober batch export STORE [-o FILE]    writes the results as CSV, JSON lines or NPY
   lober batch merge TARGET STORE...     joins the stores of shards
-  lober batch run --help                the options
+  lober batch run --help                lists the options of a subcommand
 
 A manifest for all pairs of a family of files, relative to its folder:
   operation = "overlay"
   curves = "separ.*"
   pairs = "all"
-All its keys: engine/batch/manifest.hpp.
+engine/batch/manifest.hpp lists all keys.
 )";
 
 }  // namespace
 
 void run_batch_command(const Arguments& arguments) {
   if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
-    if (arguments.empty()) throw UsageError("batch what? run, check, status, export or merge (see lober batch --help)");
+    if (arguments.empty()) {
+      throw UsageError("a subcommand is missing; give run, check, status, export or merge (see lober batch --help)");
+    }
     return print(usage);
   }
   const Arguments rest(arguments.begin() + 1, arguments.end());
@@ -174,7 +186,7 @@ void run_batch_command(const Arguments& arguments) {
   if (verb == "status") return show_status(rest);
   if (verb == "export") return export_store(rest);
   if (verb == "merge") return merge_stores(rest);
-  throw UsageError("lober batch " + verb + ": there are run, check, status, export and merge");
+  throw UsageError("\"" + verb + "\" is not a subcommand of lober batch; give run, check, status, export or merge");
 }
 
 }  // namespace lober::cli

@@ -19,17 +19,15 @@ Shard parse_shard(const std::string& text) {
       return shard;
     }
   }
-  throw UsageError("--shard: \"" + text + "\" is not I/N with 1 <= I <= N");
+  throw UsageError("--shard: \"" + text + "\" is not of the form I/N with 1 <= I <= N");
 }
 
 }  // namespace
 
-Option add_memory_option(OptionParser& parser, std::uint64_t& bytes) {
-  return parser
-      .add("--memory", bytes, "for curves and the work on them, like 4G or 500M (default: half of the machine's)")
-      .bytes()
-      .range(std::uint64_t{1}, std::uint64_t{1} << 60)
-      .value("SIZE");
+Option add_memory_budget(OptionParser& parser, std::uint64_t& bytes) {
+  return add_memory_option(parser, bytes,
+                           "The memory budget for curves and the work on them, in bytes or with a unit, as 4G or 500M "
+                           "(default: half of the machine's memory).");
 }
 
 std::string default_store(const std::string& manifest) {
@@ -41,16 +39,26 @@ std::optional<BatchRequest> parse_batch(const std::vector<std::string>& argument
   std::string shard;
   std::uint64_t memory = 0;
   OptionParser parser(
-      "Runs what a manifest asks for and the store does not have yet. The manifest: engine/batch/manifest.hpp.",
+      "Runs the jobs of a manifest that have no result in the store yet. engine/batch/manifest.hpp lists the keys of a "
+      "manifest.",
       program);
-  parser.add("MANIFEST", request.manifest, "what to compute (TOML)").required();
-  parser.add("--store", request.store, "where results go (default: MANIFEST with .results for .toml)").value("FILE");
+  parser.add("MANIFEST", request.manifest, "The manifest, a TOML file that names the operation and the curves.")
+      .required();
+  parser
+      .add("--store", request.store,
+           "The store of results, a SQLite file, which is created if it does not exist (default: MANIFEST with the "
+           "ending .results).")
+      .value("FILE");
   add_threads_option(parser, request.threads);
-  const Option memory_given = add_memory_option(parser, memory);
+  const Option memory_given = add_memory_budget(parser, memory);
   const Option shard_given =
-      parser.add("--shard", shard, "only part I of N; join the stores with lober batch merge").value("I/N");
-  parser.add("--json", request.json, "write a report as one JSON object (- for standard output)").value("FILE");
-  parser.add_flag("-q,--quiet", request.quiet, "no progress on standard error");
+      parser
+          .add("--shard", shard,
+               "The part of the jobs to run, I of N with 1 <= I <= N (default: 1/1, all jobs). lober batch merge joins "
+               "the stores of all parts.")
+          .value("I/N");
+  add_json_option(parser, request.json, "a report of the run");
+  parser.add_flag("-q,--quiet", request.quiet, "Do not print the progress on standard error.");
   if (!parser.parse(arguments)) return std::nullopt;
   if (memory_given.given()) request.memory = memory;
   if (shard_given.given()) request.shard = parse_shard(shard);

@@ -21,8 +21,8 @@ struct BatchRequest {
 /// Nothing when the arguments asked for help, which is printed. Throws UsageError.
 [[nodiscard]] std::optional<BatchRequest> parse_batch(const std::vector<std::string>& arguments, const char* program);
 
-/// --memory SIZE: "4G", "500M", "64k" or bytes.
-Option add_memory_option(OptionParser& parser, std::uint64_t& bytes);
+/// --memory SIZE, for curves and the work on them.
+Option add_memory_budget(OptionParser& parser, std::uint64_t& bytes);
 
 /// The store of a manifest unless another one is named: beside it, .results instead of .toml.
 [[nodiscard]] std::string default_store(const std::string& manifest);

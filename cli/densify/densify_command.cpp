@@ -20,72 +20,102 @@ struct Request {
   bool open = false, open_against = false;
   // Infinity and negative numbers: not given.
   bool hobson = false;
-  double tau = Criteria::off, alpha = Criteria::off, distance_angle = Criteria::off, delta = -1, remove = -1;
+  double max_length = Criteria::off, alpha = Criteria::off, distance_angle = Criteria::off, min_length = -1;
+  double simplify = -1;
   DensifySteps steps;
   int threads = 0;
 };
 
 void add_options(OptionParser& parser, Request& request, std::string& interpolation) {
   DensifySteps& steps = request.steps;
-  parser.add("CURVES", request.curves, "CURVE [AGAINST]: FILE, or FILE#ZONE for one zone (from 0, or by title)")
+  parser
+      .add("CURVES", request.curves,
+           "CURVE, and AGAINST for --passes and --crossings: FILE, or FILE#ZONE for one zone of it (by number from 0, "
+           "or by title).")
       .required()
       .count(1, 2);
-  parser.add("-o,--output", request.output, "where the points go: .npy, .csv, .txt, .dat or .raw (- for text)")
-      .value("FILE");
-  parser.add_flag("--open", request.open, "CURVE is open: its last vertex is not joined to the first");
-  parser.add_flag("--open-against", request.open_against, "AGAINST is open");
-  parser.add("--remove", request.remove, "first remove vertices that lie no farther than this from what remains")
+  add_points_option(parser, request.output, true);
+  parser.add_flag("--open", request.open, "Read CURVE as an open curve: its last vertex is not joined to the first.");
+  parser.add_flag("--open-against", request.open_against, "Read AGAINST as an open curve.");
+  parser
+      .add("--simplify", request.simplify,
+           "The maximum distance of a removed vertex from the curve that remains, in units of the coordinates; "
+           "vertices are removed before all other steps (default: no vertex is removed).")
       .not_negative()
-      .value("TOL");
-  parser.add("--tau", request.tau, "split segments longer than this (and remove none that would leave such)")
+      .value("LENGTH");
+  parser
+      .add("--max-length", request.max_length,
+           "The maximum length of a segment (tau), in units of the coordinates: longer segments are split, and "
+           "--simplify makes none (default: no maximum).")
       .positive()
       .value("LENGTH");
   parser.add_flag("--hobson", request.hobson,
-                  "angle criteria of Hobson and Mancho et al., with values for the curve's size");
-  parser.add("--alpha", request.alpha, "largest angle between segments, radians (with --hobson: 0.3)")
+                  "Use the angle criteria of Hobson and of Mancho et al., with limits relative to the size of the "
+                  "curve, which is the longer side of its bounding box.");
+  parser
+      .add("--alpha", request.alpha,
+           "The maximum angle between consecutive segments, in radians (default: no maximum; with --hobson 0.3).")
       .positive()
       .value("ANGLE");
-  parser.add("--distance-angle", request.distance_angle, "largest length times angle (with --hobson: 1e-3 of the size)")
+  parser
+      .add("--distance-angle", request.distance_angle,
+           "The maximum product of the length of a segment and the angles at its ends, in units of the coordinates "
+           "(default: no maximum; with --hobson 1e-3 of the size).")
       .positive()
       .value("LENGTH");
-  parser.add("--delta", request.delta, "make no segment shorter than this (with angles: 1e-6 of the size)")
+  parser
+      .add("--min-length", request.min_length,
+           "The minimum length of a segment (delta), in units of the coordinates: no segment is split into shorter "
+           "ones (default: 0; with angle criteria 1e-6 of the size).")
       .not_negative()
       .value("LENGTH");
-  const Option passes =
-      parser.add("--passes", steps.passes, "refine this often where CURVE meets AGAINST").range(1, 64).value("P");
-  parser.add("--points", steps.points, "put this many points into such a segment in each pass")
+  const Option passes = parser
+                            .add("--passes", steps.passes,
+                                 "The number of passes that refine CURVE where it meets AGAINST (default: none).")
+                            .range(1, 64)
+                            .value("P");
+  parser
+      .add("--points", steps.points,
+           "The number of points that each pass inserts into a segment that meets AGAINST; --passes needs it.")
       .range(1, 1'000'000)
       .needs(passes)
       .value("N");
-  const Option crossings = parser.add_flag("--crossings", steps.crossings, "a vertex wherever CURVE meets AGAINST");
-  parser.add("--against-output", request.against_output, "AGAINST with the same vertices")
+  const Option crossings =
+      parser.add_flag("--crossings", steps.crossings, "Insert a vertex wherever CURVE meets AGAINST.");
+  parser
+      .add("--against-output", request.against_output,
+           "Write AGAINST with the same vertices inserted to FILE, in a format of -o (default: no file).")
       .needs(crossings)
       .value("FILE");
-  parser.add("--interpolation", interpolation, "linear (default), spline or dritschel (default with angles)")
+  parser
+      .add("--interpolation", interpolation,
+           "The interpolation between the vertices: linear, spline or dritschel (default: linear; with angle criteria "
+           "dritschel).")
       .one_of({"linear", "spline", "dritschel"})
       .value("KIND");
-  parser.add("--max-points", steps.most_points, "of the result")
+  parser.add("--max-points", steps.most_points, "The maximum number of points of the result (default: 1000000000).")
       .range(std::size_t{1}, std::size_t{2'147'483'647})
-      .value("M");
-  parser.add("--json", request.json, "write what was done as one JSON object (- for standard output)").value("FILE");
+      .value("N");
+  add_json_option(parser, request.json, "a report of the steps");
   add_threads_option(parser, request.threads);
 }
 
-// What the parser cannot see.
+// Checks that the parser cannot make.
 void check(const Request& request) {
   const DensifySteps& steps = request.steps;
   const bool near = steps.passes > 0 || steps.crossings;
   if (near && request.curves.size() < 2)
     throw UsageError("--passes and --crossings need AGAINST (see lober densify --help)");
   if (!near && request.curves.size() == 2) {
-    throw UsageError("AGAINST is given, but neither --passes nor --crossings (see lober densify --help)");
+    throw UsageError("AGAINST is given without --passes or --crossings; give one of them (see lober densify --help)");
   }
   if (steps.passes > 0 && steps.points == 0) throw UsageError("--passes needs --points (see lober densify --help)");
   if (!near && request.open_against) throw UsageError("--open-against needs AGAINST (see lober densify --help)");
   if (!near && !steps.criteria && !steps.thin) {
-    throw UsageError("nothing to do: give --tau, --hobson, --alpha, --passes, --crossings or --remove");
+    throw UsageError(
+        "no step is given; give --simplify, --max-length, --hobson, --alpha, --distance-angle, --passes or "
+        "--crossings");
   }
-  if (request.output.empty()) throw UsageError("-o FILE is needed (see lober densify --help)");
   (void)format_of(request.output);
   if (!request.against_output.empty()) (void)format_of(request.against_output);
 }
@@ -97,16 +127,16 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   steps.most_points = DensifyOptions{}.most_points;
   std::string interpolation;
   OptionParser parser(
-      "Inserts points into a curve, or removes them. Steps are taken in the order --remove, criteria, --passes, "
-      "--crossings.",
+      "Inserts points into a curve, or removes them. The steps are taken in the order --simplify, criteria "
+      "(--max-length, --hobson, --alpha, --distance-angle), --passes, --crossings.",
       "lober densify");
   add_options(parser, request, interpolation);
   if (!parser.parse(arguments)) return std::nullopt;
   const bool angles = request.hobson || request.alpha < Criteria::off || request.distance_angle < Criteria::off;
-  if (angles || request.tau < Criteria::off) steps.criteria = Criteria{};
-  if (request.delta >= 0 && !steps.criteria)
-    throw UsageError("--delta needs --tau, --hobson, --alpha or --distance-angle");
-  if (request.remove >= 0) steps.thin = ThinOptions{request.remove, request.tau};
+  if (angles || request.max_length < Criteria::off) steps.criteria = Criteria{};
+  if (request.min_length >= 0 && !steps.criteria)
+    throw UsageError("--min-length needs --max-length, --hobson, --alpha or --distance-angle");
+  if (request.simplify >= 0) steps.thin = ThinOptions{request.simplify, request.max_length};
   steps.interpolation = angles ? Interpolation::dritschel : Interpolation::linear;
   for (const Interpolation kind : {Interpolation::linear, Interpolation::dritschel, Interpolation::spline}) {
     if (name(kind) == interpolation) steps.interpolation = kind;
@@ -119,10 +149,10 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
 Criteria criteria_for(const Request& request, CurveView curve) {
   const Criteria usual = hobson_criteria(curve);
   const bool angles = request.hobson || request.alpha < Criteria::off || request.distance_angle < Criteria::off;
-  Criteria criteria{request.tau, request.alpha, request.distance_angle, std::max(request.delta, 0.0)};
+  Criteria criteria{request.max_length, request.alpha, request.distance_angle, std::max(request.min_length, 0.0)};
   if (request.hobson && !(request.alpha < Criteria::off)) criteria.angle = usual.angle;
   if (request.hobson && !(request.distance_angle < Criteria::off)) criteria.distance_angle = usual.distance_angle;
-  if (angles && request.delta < 0) criteria.shortest = usual.shortest;
+  if (angles && request.min_length < 0) criteria.shortest = usual.shortest;
   return criteria;
 }
 
@@ -139,7 +169,7 @@ void compute(const Request& request, DensifyReport& report, Progress& progress) 
   };
   progress.of(static_cast<double>(given.points.size()), "points");
   progress.phase("densifying", 0.3, 0.8);
-  if (steps.thin) done("remove", thin(result, *steps.thin));
+  if (steps.thin) done("simplify", thin(result, *steps.thin));
   if (steps.criteria) {
     steps.criteria = criteria_for(request, result);
     done("criteria", densify(result, *steps.criteria, {steps.interpolation, steps.most_points}));

@@ -18,13 +18,13 @@ Json number(double value) {
 Json options_json(const DensifySteps& steps) {
   Json options{{"interpolation", name(steps.interpolation)}, {"max_points", steps.most_points}};
   if (steps.thin) {
-    options["remove"] = {{"tolerance", steps.thin->tolerance}, {"longest", number(steps.thin->longest)}};
+    options["simplify"] = {{"tolerance", steps.thin->tolerance}, {"max_length", number(steps.thin->longest)}};
   }
   if (steps.criteria) {
-    options["criteria"] = {{"tau", number(steps.criteria->longest)},
+    options["criteria"] = {{"max_length", number(steps.criteria->longest)},
                            {"alpha", number(steps.criteria->angle)},
                            {"distance_angle", number(steps.criteria->distance_angle)},
-                           {"delta", steps.criteria->shortest}};
+                           {"min_length", steps.criteria->shortest}};
   }
   if (steps.passes > 0) options["near"] = {{"passes", steps.passes}, {"points", steps.points}};
   options["crossings"] = steps.crossings;

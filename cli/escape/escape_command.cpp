@@ -34,64 +34,86 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   double energy = 0;
   OptionParser parser(
-      "Escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, and which "
-      "fraction of what enters by one leaves by another after n crossings.",
+      "Computes the escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, "
+      "and the fraction of the trajectories entering by one bottleneck that leave by another after n crossings.",
       "lober escape");
-  parser.add("SYSTEM", request.system, "capsize, pcr3bp, or a shared library (lober_system.h)").required();
-  const Option given =
-      parser.add("--energy", energy, "total energy, above that of the saddles (default: the system's parameter)")
-          .value("E");
   parser
-      .add("--iterates", request.options.crossings,
-           "the table goes up to n crossings of the section (default 4; 0: orbits, tubes and their first "
-           "crossings only)")
+      .add("SYSTEM", request.system,
+           "The name of a built-in system (capsize or pcr3bp), or the path of a shared library (lober_system.h).")
+      .required();
+  const Option given = parser
+                           .add("--energy", energy,
+                                "The total energy, above that of the saddles (default: the parameter energy of the "
+                                "system).")
+                           .value("E");
+  parser
+      .add(
+          "--crossings", request.options.crossings,
+          "The number of crossings of the section up to which the table goes (default: 4). With 0 only the orbits, the "
+          "tubes and their first crossings are computed.")
       .range(0, 100)
       .value("N");
-  parser.add("--param", request.parameters, "of the system, NAME=VALUE; may be repeated").value("NAME=VALUE");
+  add_parameter_option(parser, request.parameters);
   parser
-      .add("--saddle", request.saddles,
-           "one of the system's saddles by number (from 1), or four coordinates near one; may be repeated "
-           "(default: all of the system's)")
+      .add(
+          "--saddle", request.saddles,
+          "A saddle of the potential, by its number among those of the system, from 1, or by four coordinates near it; "
+          "the option may be repeated (default: all saddles of the system).")
       .value("K|X,Y,PX,PY");
   parser
       .add("--section", request.section,
-           "x=VALUE or y=VALUE, the first or second coordinate of position "
-           "(default: the system's)")
+           "The section, x=VALUE or y=VALUE, where x and y are the coordinates of position (default: the section of "
+           "the system).")
       .value("COORDINATE=VALUE");
-  parser.add("--direction", request.direction, "of the crossings that count: +, - or, with --iterates 0, both")
+  parser
+      .add("--direction", request.direction,
+           "The sign of the velocity of the crossings that count: +, - or, with --crossings 0, both (default: that of "
+           "the system's section, or + with --section).")
       .one_of({"+", "-", "both"})
       .value("SIGN");
-  parser.add("--bound", request.bound, "with --iterates 0: only crossings where, e.g., x<-1 or y>0")
+  parser
+      .add("--bound", request.bound,
+           "The part of the section whose crossings count, for example x<-1 or y>0, with --crossings 0 only (default: "
+           "that of the system, or the whole section with --section).")
       .value("COORDINATE<VALUE");
   parser
       .add("--tolerance", request.options.tolerance,
-           "of the curves, relative to the square root of their area (default 1e-6)")
+           "The maximum distance between a curve and its polygon, relative to the square root of the area of the "
+           "smallest entrance (default: 1e-6).")
       .range(1e-12, 1e-2)
       .value("E");
   parser
-      .add("--max-points", request.options.most_points,
-           "of a curve (default 2000000): the table ends before an image that is expected to need more")
+      .add(
+          "--max-points", request.options.most_points,
+          "The maximum number of points of a curve (default: 2000000). The table ends before an image that is expected "
+          "to need more.")
       .range(std::size_t{100}, std::size_t{1} << 30)
-      .value("M");
+      .value("N");
   request.options.budget = default_budget;
   parser
-      .add("--budget", request.options.budget,
-           "of processor time, all threads together (default 30): the table ends before images that are expected "
-           "to end later")
+      .add(
+          "--budget", request.options.budget,
+          "The processor time of all threads together, in seconds (default: 30). The table ends before images that are "
+          "expected to end later.")
       .positive()
       .value("SECONDS");
-  const Option count =
-      parser.add("--monte-carlo", request.trajectories, "also follow so many trajectories from each entrance")
-          .range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000})
-          .value("N");
-  parser.add("--seed", request.seed, "of these (default 1)").needs(count).value("S");
-  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
-  parser.add("--svg", request.svg, "draw the curves on the section").value("FILE");
+  const Option count = parser
+                           .add("--monte-carlo", request.trajectories,
+                                "The number of trajectories to follow from each entrance, as a check of the table "
+                                "(default: none).")
+                           .range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000})
+                           .value("N");
+  parser.add("--seed", request.seed, "The seed of the random numbers of these trajectories (default: 1).")
+      .needs(count)
+      .value("S");
+  add_json_option(parser, request.json);
+  parser.add("--svg", request.svg, "Draw the curves on the section as an SVG picture in FILE (default: no file).")
+      .value("FILE");
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   if (given.given()) request.energy = energy;
   if (request.options.crossings == 0 && request.trajectories > 0) {
-    throw UsageError("--monte-carlo counts escapes: it needs --iterates of at least 1");
+    throw UsageError("--monte-carlo checks the table, which --crossings 0 leaves out; give --crossings of at least 1");
   }
   return request;
 }
@@ -101,7 +123,7 @@ double number(std::string_view text, const std::string& where) {
   double value = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failure != std::errc() || end != text.data() + text.size() || !(value - value == 0)) {
-    throw UsageError(where + ": not a number: '" + std::string(text) + "'");
+    throw UsageError(where + ": \"" + std::string(text) + "\" is not a number");
   }
   return value;
 }
@@ -110,15 +132,23 @@ double number(std::string_view text, const std::string& where) {
 std::pair<std::string, double> assignment(const std::string& text, const std::string& option,
                                           std::string_view separators, char& found) {
   const std::size_t at = text.find_first_of(separators);
-  if (at == std::string::npos || at == 0) throw UsageError(option + ": '" + text + "' is no NAME and VALUE");
+  if (at == std::string::npos || at == 0) {
+    std::string forms;
+    for (const char separator : separators) {
+      forms += (forms.empty() ? "NAME" : " or NAME") + std::string(1, separator) + "VALUE";
+    }
+    throw UsageError(option + ": \"" + text + "\" is not of the form " + forms);
+  }
   found = text[at];
   return {text.substr(0, at), number(std::string_view(text).substr(at + 1), option)};
 }
 
 int position_coordinate(const Flow& flow, const std::string& name, const std::string& option) {
-  if (name != "x" && name != "y") throw UsageError(option + ": the coordinate is x or y, not '" + name + "'");
+  if (name != "x" && name != "y") {
+    throw UsageError(option + ": the coordinate has to be x or y, not \"" + name + "\"");
+  }
   const auto pairs = flow.conjugate_pairs();
-  if (pairs.size() != 2) throw UsageError("escape needs a Hamiltonian flow of two degrees of freedom");
+  if (pairs.size() != 2) throw UsageError("lober escape needs a Hamiltonian flow of two degrees of freedom");
   return pairs[name == "x" ? 0 : 1].q;
 }
 
@@ -135,7 +165,7 @@ FlowState saddle_of(const std::string& text, const System& system) {
   const double index = state[0];
   if (count != 1 || !(index >= 1 && index <= static_cast<double>(system.saddles.size())) ||
       index != std::floor(index)) {
-    throw UsageError("--saddle: '" + text + "' is neither four coordinates nor a saddle from 1 to " +
+    throw UsageError("--saddle: \"" + text + "\" is neither four coordinates nor the number of a saddle from 1 to " +
                      std::to_string(system.saddles.size()));
   }
   return system.saddles[static_cast<std::size_t>(index) - 1];
@@ -151,7 +181,7 @@ System system_of(const Request& request) {
   // The system's own energy goes with its own section, which then is the one that the escape is about.
   const bool given =
       std::any_of(values.begin(), values.end(), [](const auto& value) { return value.first == "energy"; });
-  if (given) throw UsageError("the energy is given twice");
+  if (given) throw UsageError("the energy is given twice, by --energy and by --param energy; give it once");
   const System plain = make_system(request.system, values);
   const auto& parameters = plain.info.parameters;
   if (std::any_of(parameters.begin(), parameters.end(), [](const Parameter& p) { return p.name == "energy"; })) {
@@ -165,12 +195,15 @@ double energy_of(const Request& request, const System& system) {
   for (const Parameter& parameter : system.info.parameters) {
     if (parameter.name == "energy") return parameter.value;
   }
-  throw UsageError("--energy has to be given");
+  throw UsageError("--energy is missing, and system " + system.info.name + " has no parameter energy; give --energy E");
 }
 
 Section section_of(const Request& request, const System& system) {
   const Flow& flow = *system.flow;
-  if (request.section.empty() && !system.section) throw UsageError("--section has to be given");
+  if (request.section.empty() && !system.section) {
+    throw UsageError("--section is missing, and system " + system.info.name +
+                     " has no section of its own; give --section");
+  }
   Section section = system.section.value_or(Section{});
   char separator = 0;
   if (!request.section.empty()) {
@@ -178,9 +211,9 @@ Section section_of(const Request& request, const System& system) {
     section = position_section(flow, position_coordinate(flow, name, "--section"), value, 1);
   }
   if (section.bound_side != 0 && request.bound.empty() && request.options.crossings > 0) {
-    throw UsageError("the own section of " + request.system +
-                     " counts a part of the crossings only, a table of escape needs all: give --section, or "
-                     "--iterates 0 for orbits and tubes alone");
+    throw UsageError("the section of system " + system.info.name +
+                     " counts only a part of the crossings, and the table of escape needs all of them; give --section, "
+                     "or --crossings 0 for the orbits and tubes alone");
   }
   if (!request.direction.empty()) section.direction = request.direction == "+" ? 1 : request.direction == "-" ? -1 : 0;
   if (!request.bound.empty()) {
@@ -194,13 +227,15 @@ Section section_of(const Request& request, const System& system) {
 
 void compute(const Request& request, bool print_at_once, EscapeReport& report, Progress& progress) {
   const System system = system_of(request);
-  if (!system.flow) throw UsageError("escape needs a flow; " + request.system + " is a map");
+  if (!system.flow) throw UsageError("lober escape needs a flow, and system " + system.info.name + " is a map");
   report.system = system.info;
   report.options = request.options;
   std::vector<FlowState> saddles = system.saddles;
   if (!request.saddles.empty()) saddles.clear();
   for (const std::string& text : request.saddles) saddles.push_back(saddle_of(text, system));
-  if (saddles.empty()) throw UsageError("--saddle has to be given: the system names none");
+  if (saddles.empty()) {
+    throw UsageError("--saddle is missing, and system " + system.info.name + " names no saddles; give --saddle");
+  }
   const double energy = energy_of(request, system);
   const Section section = section_of(request, system);
 

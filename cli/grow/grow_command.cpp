@@ -19,7 +19,7 @@ namespace {
 struct Request {
   std::string system;
   std::vector<std::string> parameters;
-  std::vector<double> fixed_point, box;
+  std::vector<double> from, box;
   bool unstable = false, stable = false;
   std::string branch, output, json;
   int period = 1, threads = 0;
@@ -29,65 +29,84 @@ struct Request {
 
 void add_options(OptionParser& parser, Request& request) {
   GrowthOptions& growth = request.growth;
-  parser.add("SYSTEM,--system", request.system, "name of a built-in system, or the path of a shared library")
-      .required();
-  parser.add("--param", request.parameters, "parameters of the system").value("NAME=VALUE");
+  add_system_option(parser, request.system, true);
+  add_parameter_option(parser, request.parameters);
   parser
-      .add("--fixed-point", request.fixed_point,
-           "where the saddle is, roughly (default: that of the system's tangle, or else the only one in its window)")
+      .add("--from", request.from,
+           "A point near the saddle, in the coordinates of the map (default: the saddle of the system's tangle, or "
+           "else the only saddle in the system's window).")
       .comma_separated()
       .count(2)
       .value("X,Y");
-  parser.add("--period", request.period, "least period of the saddle, if it is no fixed point")
+  parser
+      .add("--period", request.period,
+           "The least period of the saddle, in iterates of the map (default: 1, a fixed point).")
       .range(1, 1000)
       .value("P");
-  const Option unstable = parser.add_flag("--unstable", request.unstable, "grow the unstable manifold");
-  parser.add_flag("--stable", request.stable, "grow the stable manifold").excludes(unstable);
+  const Option unstable = parser.add_flag("--unstable", request.unstable, "Grow the unstable manifold.");
+  parser.add_flag("--stable", request.stable, "Grow the stable manifold.").excludes(unstable);
   parser
       .add("--branch", request.branch,
-           "the branch to the right (+) or left (-) of the saddle, or up and down (default: that of the system's "
-           "tangle, or else the right one)")
+           "The branch of the manifold: + leaves the saddle to the right, - to the left, or up and down if the tangent "
+           "is vertical (default: the branch of the system's tangle, or else +).")
       .one_of({"+", "-", "plus", "minus"})
       .value("+|-");
-  parser.add("--tol", growth.tolerance, "how far the curve may lie from its polygon")
-      .required()
+  add_tolerance_option(parser, growth.tolerance,
+                       "The maximum distance between the manifold and its polygon, in units of the coordinates.")
+      .required();
+  parser
+      .add("--iterates", growth.iterates,
+           "The number of images of the local manifold after which growing ends (default: no limit, and --length has "
+           "to be given).")
+      .range(0, 100000)
+      .value("N");
+  parser
+      .add("--length", growth.length,
+           "The arc length of the manifold at which growing ends, in units of the coordinates (default: no limit, and "
+           "--iterates has to be given).")
       .positive()
       .value("LENGTH");
-  parser.add("--iterates", growth.iterates, "so many images of the local manifold").range(0, 100000).value("N");
-  parser.add("--length", growth.length, "up to this arc length").positive().value("LENGTH");
-  parser.add("--longest", growth.longest, "no segment longer than this").positive().value("LENGTH");
-  parser.add("--box", request.box, "what is outside is followed coarsely")
+  parser
+      .add("--max-length", growth.longest,
+           "The maximum length of a segment, in units of the coordinates (default: 1/50 of the extent of the local "
+           "manifold).")
+      .positive()
+      .value("LENGTH");
+  parser
+      .add("--box", request.box,
+           "Two corners of the box in which the tolerance holds, X0 < X1 and Y0 < Y1; outside it the manifold is "
+           "followed coarsely (default: a square around the saddle, 200 extents of the local manifold wide).")
       .comma_separated()
       .count(4)
       .value("X0,Y0,X1,Y1");
-  parser.add("--max-points", growth.most_points, "stop at so many points")
-      .range(std::size_t{2}, std::size_t{2'147'483'646})
-      .value("N");
-  parser.add("--max-memory", growth.most_memory, "stop when about so many bytes are in use").bytes().value("BYTES");
-  parser.add("--integration-tolerance", request.integration.tolerance, "of flows (default 1e-12)")
-      .positive()
-      .value("T");
-  parser.add("-o,--output", request.output, "where the points go: .npy, .csv, .txt, .dat or .raw (- for text)")
-      .value("FILE");
-  parser.add("--json", request.json, "write what was done as one JSON object (- for standard output)").value("FILE");
+  add_max_points_option(parser, growth.most_points,
+                        "The maximum number of points, at which growing ends (default: 100000000).");
+  add_memory_option(parser, growth.most_memory,
+                    "The memory, in bytes or with a unit, as 4G or 500M, at which growing ends (default: no limit).");
+  add_integration_option(parser, request.integration);
+  add_points_option(parser, request.output, false);
+  add_json_option(parser, request.json, "a report of the growth");
   add_threads_option(parser, request.threads);
 }
 
-// What the parser cannot see.
+// Checks that the parser cannot make.
 void check(Request& request) {
-  if (request.unstable == request.stable) throw UsageError("give --unstable or --stable (see lober grow --help)");
+  if (request.unstable == request.stable) {
+    throw UsageError("the side of the manifold is missing; give --unstable or --stable (see lober grow --help)");
+  }
   if (request.growth.iterates < 0 && !(request.growth.length < std::numeric_limits<double>::infinity())) {
-    throw UsageError("give --iterates or --length (see lober grow --help)");
+    throw UsageError("the end of the manifold is missing; give --iterates or --length (see lober grow --help)");
   }
   if (!request.box.empty()) {
     const Point low{request.box[0], request.box[1]}, high{request.box[2], request.box[3]};
-    if (!(low.x < high.x && low.y < high.y)) throw UsageError("--box: X0 < X1 and Y0 < Y1 are needed");
+    if (!(low.x < high.x && low.y < high.y)) throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");
     request.growth.box = Rectangle::of(low, high);
   }
   if (!request.output.empty()) (void)format_of(request.output);
 }
 
-// How far growth is, as far as anyone can know: by its length, and by what the iterates cost so far.
+// The fraction of the growth that is done, as far as it can be known: by the length, and by the cost of the iterates so
+// far.
 class GrowthFraction {
  public:
   explicit GrowthFraction(const GrowthOptions& options) : options_(options) {}
@@ -120,12 +139,12 @@ ManifoldSide side_of(const Request& request) {
 
 // Whether it is the manifold of the tangle that the system is known for: the user names no other saddle.
 bool of_tangle(const Request& request, const System& system) {
-  return request.fixed_point.empty() && request.period == 1 && system.connection;
+  return request.from.empty() && request.period == 1 && system.connection;
 }
 
 // The one that the user named, that of the tangle, or the only one in the system's window.
 Point saddle_of(const Request& request, const System& system) {
-  if (request.fixed_point.size() == 2) return {request.fixed_point[0], request.fixed_point[1]};
+  if (request.from.size() == 2) return {request.from[0], request.from[1]};
   if (of_tangle(request, system)) return system.connection->saddle(side_of(request));
   std::vector<Point> saddles;
   std::string places;
@@ -135,9 +154,12 @@ Point saddle_of(const Request& request, const System& system) {
     saddles.push_back(point.at);
     append_all(places, places.empty() ? "" : ", ", point.at.x, ",", point.at.y);
   }
-  if (saddles.empty()) throw DataError(system.info.name + ": no saddle was found; name one by --fixed-point");
+  if (saddles.empty()) {
+    throw DataError("system " + system.info.name +
+                    ": no saddle was found in its window; give a point near one by --from");
+  }
   if (saddles.size() > 1) {
-    throw UsageError(system.info.name + " has several saddles; choose one by --fixed-point: " + places);
+    throw UsageError("system " + system.info.name + " has several saddles; choose one by --from: " + places);
   }
   return saddles.front();
 }
@@ -156,7 +178,9 @@ void run(const Request& request) {
   check_outputs(outputs, files_of_system(request.system));
   GrowReport report;
   report.system = make_system(request.system, parameter_values(request.parameters), request.integration);
-  if (!report.system.map) throw UsageError(request.system + " has no planar map");
+  if (!report.system.map) {
+    throw UsageError("system " + request.system + " has no planar map, which this command needs");
+  }
   report.integration = request.integration;
   report.options = request.growth;
   {

@@ -31,24 +31,25 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   bool no_densify = false, no_check = false;
   std::pair<int, int> densify;
-  OptionParser parser("Areas of two simple closed curves by the interior function: Q1, Q2, Q3.", "lober interior");
-  parser.add("C1", request.curves[0], "the first curve: FILE, or FILE#ZONE for one zone (from 0, or by title)")
-      .required();
-  parser.add("C2", request.curves[1], "the second curve").required();
-  const Option insert = parser
-                            .add("--densify", densify,
-                                 "do not split segments where the curves meet; insert N points where the ends of "
-                                 "a segment lie on different sides, P times over (the paper's -DENS P N)")
-                            .value("P N")
-                            .range(0, 1'000'000);
-  parser.add_flag("--no-densify", no_densify, "do not split segments, nor insert points (the paper's -DENS 0)")
+  OptionParser parser("Computes the areas of two simple closed curves by the interior function: Q1, Q2, Q3.",
+                      "lober interior");
+  add_curve_arguments(parser, request.curves);
+  const Option insert =
+      parser
+          .add("--densify", densify,
+               "Do not split segments where the curves meet. Instead, in each of P passes, insert N points into every "
+               "segment whose ends lie on different sides of the other curve, as -DENS P N of Lober 1.8 does "
+               "(default: segments are split).")
+          .value("P N")
+          .range(0, 1'000'000);
+  parser.add_flag("--no-densify", no_densify, "Neither split segments nor insert points, as -DENS 0 of Lober 1.8 does.")
       .excludes(insert);
-  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
+  add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
-  parser.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
+  add_simple_check_option(parser, no_check);
   parser.add_flag("--verify", request.verify,
-                  "compute the areas by the overlay too, and report by how much the two differ");
-  parser.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
+                  "Compute the areas by the overlay too, and report how far the two results differ.");
+  add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   request.options.check_simple = !no_check;
   if (no_densify || insert.given()) request.options.method = InteriorMethod::ends;

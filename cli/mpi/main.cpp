@@ -26,7 +26,7 @@ namespace {
 
 // Cores of this machine for each of its ranks.
 int fair_threads() {
-  MPI_Comm machine;
+  MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
   int here = 1;
   MPI_Comm_size(machine, &here);
@@ -133,7 +133,8 @@ int main(int count, char** arguments) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, with a message
   int status = 0;
   try {
-    if (provided < MPI_THREAD_SERIALIZED) throw lober::UsageError("this MPI does not let threads send");
+    if (provided < MPI_THREAD_SERIALIZED)
+      throw lober::UsageError("this MPI library does not support MPI_THREAD_SERIALIZED, which lober_mpi needs");
     status = lober::cli::run_rank({arguments + 1, arguments + count});
   } catch (...) {  // where no other rank waits for this one
     const lober::cli::Failure failure = lober::cli::failure_of(std::current_exception());

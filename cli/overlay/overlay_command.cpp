@@ -36,31 +36,39 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   bool areas_only = false, no_check = false;
   std::string rule;
-  OptionParser parser("Crossings, lobes and areas of two closed curves, simple ones unless --rule is given.",
-                      "lober overlay");
-  parser.add("C1", request.curves[0], "the first curve: FILE, or FILE#ZONE for one zone (from 0, or by title)")
-      .required();
-  parser.add("C2", request.curves[1], "the second curve").required();
-  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
+  OptionParser parser(
+      "Computes the crossings, lobes and areas of two closed curves, which have to be simple unless --rule is given.",
+      "lober overlay");
+  add_curve_arguments(parser, request.curves);
+  add_json_option(parser, request.json);
   const Option lobes =
-      parser.add("--lobes", request.lobes, "write the pieces of C1 \\ C2 and C2 \\ C1 as Tecplot zones").value("FILE");
-  const Option crossings =
-      parser.add("--crossings", request.crossings, "write the crossings as comma-separated columns").value("FILE");
-  const Option svg = parser.add("--svg", request.svg, "draw the curves and the lobes").value("FILE");
-  parser.add_flag("--areas-only", areas_only, "totals only, no pieces: faster").excludes(lobes).excludes(svg);
+      parser
+          .add("--lobes", request.lobes,
+               "Write the pieces of C1 \\ C2 and C2 \\ C1 to FILE as Tecplot zones (default: no file).")
+          .value("FILE");
+  const Option crossings = parser
+                               .add("--crossings", request.crossings,
+                                    "Write the crossings to FILE as comma-separated columns (default: no file).")
+                               .value("FILE");
+  const Option svg =
+      parser.add("--svg", request.svg, "Draw the curves and the lobes as an SVG picture in FILE (default: no file).")
+          .value("FILE");
+  parser.add_flag("--areas-only", areas_only, "Compute the total areas but not the pieces, which is faster.")
+      .excludes(lobes)
+      .excludes(svg);
   add_index_option(parser, request.options.index);
   add_threads_option(parser, request.threads);
-  const Option unchecked =
-      parser.add_flag("--no-check", no_check, "do not check that the curves are simple, when you know that they are");
+  const Option unchecked = add_simple_check_option(parser, no_check);
   const Option verify =
       parser.add_flag("--verify", request.verify,
-                      "compute the areas by the interior method too, and report by how much the two differ");
-  const Option smooth = parser.add_flag("--smooth", request.smooth,
-                                        "the areas between smooth curves through the points too, with error bars");
+                      "Compute the areas by the interior method too, and report how far the two results differ.");
+  const Option smooth = parser.add_flag(
+      "--smooth", request.smooth, "Compute the areas between smooth curves through the points too, with error bars.");
   parser
       .add("--rule", rule,
-           "the curves may cross themselves; inside is where they wind nonzero, evenodd, positive or negative "
-           "times (counter-clockwise counts +1)")
+           "The fill rule for curves that may cross themselves: a point is inside where the winding number of the "
+           "curve is not zero (nonzero), odd (evenodd), positive or negative; a counter-clockwise turn counts +1 "
+           "(default: the curves have to be simple).")
       .value("RULE")
       .one_of({"nonzero", "evenodd", "positive", "negative"})
       .excludes(crossings)
@@ -68,7 +76,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .excludes(unchecked)
       .excludes(verify)
       .excludes(smooth);
-  parser.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
+  add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   request.options.pieces = !areas_only;
   request.options.check_simple = !no_check;

@@ -47,13 +47,14 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
     const Output& output = outputs[k];
     for (const Output& earlier : outputs.first(k)) {
       if (earlier.path == "-" ? output.path == "-" : !is_special(output.path) && same_file(earlier.path, output.path)) {
-        throw UsageError(earlier.option + " and " + output.option + " both write " + output.path);
+        throw UsageError(earlier.option + " and " + output.option + " both write " + output.path +
+                         "; name a file for each");
       }
     }
     if (is_special(output.path)) continue;
     for (const std::string& input : inputs) {
       if (same_file(input_path(input), output.path)) {
-        throw UsageError(output.option + " would overwrite the input " + output.path);
+        throw UsageError(output.option + " would overwrite the input " + output.path + "; name another file");
       }
     }
   }
@@ -70,17 +71,90 @@ bool takes_standard_output(std::span<const Output> outputs) {
   return std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
 }
 
+void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves) {
+  parser.add("C1", curves[0], "The first curve: FILE, or FILE#ZONE for one zone of it (by number from 0, or by title).")
+      .required();
+  parser.add("C2", curves[1], "The second curve, in the same form.").required();
+}
+
+Option add_simple_check_option(OptionParser& parser, bool& no_check) {
+  return parser.add_flag("--no-simple-check", no_check,
+                         "Do not check that the curves are simple. The results are wrong for curves that are not.");
+}
+
+void add_manifold_check_option(OptionParser& parser, bool& no_check) {
+  parser.add_flag("--no-simple-check", no_check,
+                  "Do not check that the manifolds are simple, and accept those that cross themselves, as coarse ones "
+                  "may do far out.");
+}
+
+void add_points_option(OptionParser& parser, std::string& path, bool required) {
+  std::string help =
+      "Write the points to FILE, whose ending .npy, .csv, .txt, .dat (Tecplot) or .raw is its format; - is text on "
+      "standard output";
+  help += required ? "." : " (default: no file).";
+  Option option = parser.add("-o,--output", path, help.c_str()).value("FILE");
+  if (required) option.required();
+}
+
+void add_json_option(OptionParser& parser, std::string& path, const std::string& what) {
+  const std::string help = "Write " + what + " to FILE as one JSON object; - is standard output (default: no file).";
+  parser.add("--json", path, help.c_str()).value("FILE");
+}
+
 void add_threads_option(OptionParser& parser, int& threads) {
-  parser.add("--threads", threads, "how many (default: all); the results are the same bits").value("N").range(1, 4096);
+  parser
+      .add("--threads", threads,
+           "The number of threads (default: one per core). The results are the same bits for any number.")
+      .value("N")
+      .range(1, 4096);
 }
 
 void add_index_option(OptionParser& parser, IndexKind& kind) {
   parser
       .add_call(
           "--index", [&kind](const std::string& name) { kind = index_kind(name); },
-          "auto (default), tree, grid or kd; the results are the same bits")
+          "The index by which crossings are searched: auto, tree, grid or kd (default: auto). The results are the same "
+          "bits for any index.")
       .value("KIND")
       .one_of({"auto", "tree", "grid", "kd"});
+}
+
+void add_verbose_option(OptionParser& parser, bool& verbose) {
+  parser.add_flag("-v,--verbose", verbose, "Print the time that each phase took, in seconds, on standard error.");
+}
+
+Option add_tolerance_option(OptionParser& parser, double& tolerance, const char* help) {
+  return parser.add("--tolerance", tolerance, help).positive().value("LENGTH");
+}
+
+void add_max_points_option(OptionParser& parser, std::size_t& points, const char* help) {
+  parser.add("--max-points", points, help).range(std::size_t{2}, std::size_t{2'147'483'646}).value("N");
+}
+
+void add_period_option(OptionParser& parser, std::uint32_t& period) {
+  parser
+      .add("--period", period,
+           "The number of pips from a pip to its image under the map (default: inferred from the areas of the lobes).")
+      .value("P")
+      .range(1, 1'000'000);
+}
+
+Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help) {
+  return parser.add("--memory", bytes, help).bytes().range(std::uint64_t{1}, std::uint64_t{1} << 60).value("SIZE");
+}
+
+void add_reverse_option(OptionParser& parser, std::array<bool, 2>& reverse) {
+  parser
+      .add_call(
+          "--reverse",
+          [&reverse](const std::string& which) {
+            reverse = {which != "s", which != "u"};
+          },
+          "The manifolds whose points run inward, toward the fixed point, and are taken in reverse order: u, s or "
+          "both (default: neither).")
+      .value("WHICH")
+      .one_of({"u", "s", "both"});
 }
 
 void with_thread_limit(int threads, const std::function<void()>& function) {

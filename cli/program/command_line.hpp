@@ -1,6 +1,8 @@
 // What the commands share: where to print, and which outputs are acceptable.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -30,12 +32,36 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
 /// Whether one of the files is standard output, which holds one thing only: then nothing else is printed there.
 [[nodiscard]] bool takes_standard_output(std::span<const Output> outputs);
 
+// Options that several commands have, in one spelling and with one text.
+
+/// C1 and C2, closed curves.
+void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves);
+/// --no-simple-check, of these.
+Option add_simple_check_option(OptionParser& parser, bool& no_check);
+/// -o FILE, of points.
+void add_points_option(OptionParser& parser, std::string& path, bool required);
+/// --no-simple-check, of manifolds.
+void add_manifold_check_option(OptionParser& parser, bool& no_check);
+/// --json FILE. `what` is written to it.
+void add_json_option(OptionParser& parser, std::string& path, const std::string& what = "the results");
 /// --threads N, for with_thread_limit.
 void add_threads_option(OptionParser& parser, int& threads);
 /// --index KIND.
 void add_index_option(OptionParser& parser, IndexKind& kind);
+/// --verbose.
+void add_verbose_option(OptionParser& parser, bool& verbose);
+/// --tolerance LENGTH, of curves.
+Option add_tolerance_option(OptionParser& parser, double& tolerance, const char* help);
+/// --max-points N, of a manifold.
+void add_max_points_option(OptionParser& parser, std::size_t& points, const char* help);
+/// --period P, of pips.
+void add_period_option(OptionParser& parser, std::uint32_t& period);
+/// --memory SIZE: "4G", "500M", "64k" or bytes.
+Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help);
+/// --reverse u|s|both, of two manifolds U and S.
+void add_reverse_option(OptionParser& parser, std::array<bool, 2>& reverse);
 
-/// Runs the function with so many threads, also more than the machine has cores; 0: one for each.
+/// Runs the function with this number of threads, also more than the machine has cores; 0: one for each core.
 void with_thread_limit(int threads, const std::function<void()>& function);
 
 }  // namespace lober::cli

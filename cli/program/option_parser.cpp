@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "cli/program/command_line.hpp"
+#include "cli/report/text.hpp"
 #include "lober/error.hpp"
 
 namespace lober::cli {
@@ -34,17 +36,32 @@ Option Option::comma_separated() {
   option_->delimiter(',');
   return *this;
 }
-Option Option::positive() {
-  option_->check(CLI::PositiveNumber);
+// CLI11 has such checks too, but its messages show small and large limits with six decimals, and its help shows limits
+// beside the name of the value instead of in the text.
+template <typename T, typename Accepts>
+Option Option::limited(const Accepts& accepts, const std::string& kind, const std::string& limits) {
+  const auto message = [accepts, kind](const std::string& text) {
+    T value{};
+    const bool good = CLI::detail::lexical_cast(text, value) && accepts(value);
+    return good ? std::string() : text + " is not " + kind;
+  };
+  option_->check(message, "");
+  option_->description(option_->get_description() + " Range: " + limits + ".");
   return *this;
 }
+Option Option::positive() {
+  return limited<double>([](double value) { return value > 0; }, "a number above 0", "above 0");
+}
 Option Option::not_negative() {
-  return range(0.0, std::numeric_limits<double>::max());
+  return limited<double>([](double value) { return value >= 0 && std::isfinite(value); }, "a number from 0 on",
+                         "0 or above");
 }
 template <typename T>
 Option Option::range(T first, T last) {
-  option_->check(CLI::Range(first, last));
-  return *this;
+  std::string limits;
+  append_all(limits, first, " to ", last);
+  const std::string kind = std::is_floating_point_v<T> ? "a number from " : "a whole number from ";
+  return limited<T>([first, last](T value) { return value >= first && value <= last; }, kind + limits, limits);
 }
 Option Option::one_of(std::initializer_list<const char*> values) {
   option_->check(CLI::IsMember(std::vector<std::string>(values.begin(), values.end())));
@@ -59,7 +76,9 @@ bool Option::given() const {
 }
 
 OptionParser::OptionParser(const char* description, const char* command)
-    : app_(std::make_unique<CLI::App>(description, command)) {}
+    : app_(std::make_unique<CLI::App>(description, command)) {
+  app_->set_help_flag("-h,--help", "Print this help and exit.");
+}
 OptionParser::~OptionParser() = default;
 
 template <typename T>
@@ -76,7 +95,7 @@ Option OptionParser::add_flag(const char* names, bool& variable, const char* hel
 bool OptionParser::parse(const std::vector<std::string>& arguments) {
   // An empty text would mean that the option was not given: a variable of the shell that was never set.
   const auto refuse_empty = [&](const std::string& name) {
-    throw UsageError(name + " is given an empty text (see " + app_->get_name() + " --help)");
+    throw UsageError(name + " has an empty value (see " + app_->get_name() + " --help)");
   };
   for (std::size_t k = 1; k < arguments.size(); ++k) {
     if (arguments[k].empty() && arguments[k - 1].starts_with('-')) refuse_empty(arguments[k - 1]);

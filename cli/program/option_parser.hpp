@@ -29,16 +29,20 @@ class Option {
   Option count(int least, int most);  ///< of values
   Option count(int exactly) { return count(exactly, exactly); }
   Option comma_separated();
+  // These three add the range to the help.
   Option positive();
   Option not_negative();  ///< and finite
   template <typename T>
-  Option range(T first, T last);
+  Option range(T first, T last);  ///< both of them included
   Option one_of(std::initializer_list<const char*> values);
   Option bytes();  ///< a number with a unit, as 4G
 
   [[nodiscard]] bool given() const;  ///< after parsing
 
  private:
+  template <typename T, typename Accepts>
+  Option limited(const Accepts& accepts, const std::string& kind, const std::string& limits);
+
   CLI::Option* option_;
 };
 

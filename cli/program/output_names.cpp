@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 1> picture_endings{".svg"};
 constexpr std::array<std::string_view, 2> zone_endings{".dat", ".tec"};
 constexpr std::array<std::string_view, 1> table_endings{".csv"};
 
-/// What the options of one kind write. Without endings: text under any name that is no other format's.
+/// What the options of one kind write. Without endings: text under any name that is not of another format.
 struct Kind {
   Names options;
   std::string_view what;
@@ -43,7 +43,7 @@ constexpr std::array<Kind, 5> kinds{{{json_options, "JSON", json_endings},
                                      {picture_options, "an SVG picture", picture_endings},
                                      {zone_options, "Tecplot zones", zone_endings},
                                      {table_options, "comma-separated columns", table_endings},
-                                     {published_options, "text of the published program", {}}}};
+                                     {published_options, "text in the format of Lober 1.8", {}}}};
 
 constexpr std::array<std::string_view, 24> of_other_formats{
     ".bin", ".csv", ".db",  ".geojson", ".gz",  ".h5",  ".hdf5", ".json", ".jsonl", ".mat",  ".nc",   ".npy",
@@ -73,7 +73,8 @@ PointFormat format_of(const std::string& path) {
   for (const auto& [known, format] : point_endings) {
     if (ending == known) return format;
   }
-  throw UsageError(path + ": the ending has to say the format: .npy, .csv, .txt, .dat (Tecplot) or .raw");
+  throw UsageError(path +
+                   ": the ending does not name a format of points; use .npy, .csv, .txt, .dat (Tecplot) or .raw");
 }
 
 void require_fitting_name(std::string_view option, const std::string& path) {
@@ -83,17 +84,16 @@ void require_fitting_name(std::string_view option, const std::string& path) {
   const std::string ending = ending_of(path);
   if (ending.empty() || contains(kind->endings, ending)) return;
   if (kind->endings.empty() && !contains(of_other_formats, ending)) return;
-  std::string message = std::string(option) + " writes " + std::string(kind->what) + ", not what " + path +
-                        " is called; the name may have ";
+  std::string message = std::string(option) + " writes " + std::string(kind->what) + ", but " + path +
+                        " has the ending of another format; use ";
   if (kind->endings.empty()) {
-    message += "any ending that is no other format's";
+    message += "another ending, or none";
   } else {
-    message += "the ending ";
     for (const std::string_view accepted : kind->endings) {
       if (accepted != kind->endings.front()) message += " or ";
       message += accepted;
     }
-    message += ", or none";
+    message += ", or no ending";
   }
   throw UsageError(message);
 }

@@ -14,23 +14,47 @@ Point point_of(const std::vector<double>& numbers) {
 
 }  // namespace
 
-void add_system_options(OptionParser& parser, SystemRequest& request, bool positional) {
-  const auto add_point = [&](const char* name, std::vector<double>& place, const char* meaning) {
-    parser.add(name, place, meaning).comma_separated().count(2).value("X,Y");
-  };
+void add_system_option(OptionParser& parser, std::string& name, bool positional) {
   parser
-      .add(positional ? "SYSTEM,--system" : "--system", request.name,
-           "name of a built-in system, or the path of a shared library")
+      .add(positional ? "SYSTEM,--system" : "--system", name,
+           "The name of a built-in system, or the path of a shared library (lober_system.h).")
       .required();
-  parser.add("--param", request.parameters, "parameters of the system").value("NAME=VALUE");
-  add_point("--from", request.from, "the saddle of the unstable manifold, roughly (default: the system's)");
-  add_point("--to", request.to, "the saddle of the stable manifold, roughly (default: as --from, or the system's)");
-  add_point("--u-direction", request.u_direction, "where the unstable manifold leaves its saddle, roughly");
-  add_point("--s-direction", request.s_direction, "the same for the stable manifold, away from its saddle");
-  add_point("--bip", request.bip, "a place near the pip on the boundary (default: the system's, or the middle one)");
-  parser.add("--integration-tolerance", request.integration.tolerance, "of flows (default 1e-12)")
+}
+
+void add_parameter_option(OptionParser& parser, std::vector<std::string>& parameters) {
+  parser
+      .add("--param", parameters,
+           "A parameter of the system and its value; the option may be repeated (default: the system's own values).")
+      .value("NAME=VALUE");
+}
+
+void add_integration_option(OptionParser& parser, IntegrationOptions& integration) {
+  parser
+      .add("--integration-tolerance", integration.tolerance,
+           "The error that one step of the integration of a flow may have, absolute and relative (default: 1e-12).")
       .positive()
       .value("T");
+}
+
+void add_system_options(OptionParser& parser, SystemRequest& request, bool positional) {
+  const auto add_point = [&](const char* name, std::vector<double>& point, const char* meaning) {
+    parser.add(name, point, meaning).comma_separated().count(2).value("X,Y");
+  };
+  add_system_option(parser, request.name, positional);
+  add_parameter_option(parser, request.parameters);
+  add_point("--from", request.from,
+            "A point near the saddle of the unstable manifold, in the coordinates of the map (default: the system's).");
+  add_point("--to", request.to,
+            "A point near the saddle of the stable manifold, in the coordinates of the map (default: that of --from, "
+            "or the system's).");
+  add_point("--u-direction", request.u_direction,
+            "A vector roughly along the unstable manifold, away from its saddle (default: the system's).");
+  add_point("--s-direction", request.s_direction,
+            "A vector roughly along the stable manifold, away from its saddle (default: the system's).");
+  add_point("--bip", request.bip,
+            "A point near the boundary intersection point, the pip at which the boundary passes from U to S (default: "
+            "the system's, or the middle pip).");
+  add_integration_option(parser, request.integration);
 }
 
 std::vector<std::string> files_of_system(const std::string& name) {
@@ -42,7 +66,7 @@ ParameterValues parameter_values(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::optional<double> value = equals == std::string::npos ? std::nullopt : number_of(text.substr(equals + 1));
-    if (!value) throw UsageError("--param: NAME=VALUE is needed, not '" + text + "'");
+    if (!value) throw UsageError("--param: \"" + text + "\" is not of the form NAME=VALUE");
     values.emplace_back(text.substr(0, equals), *value);
   }
   return values;
@@ -50,7 +74,7 @@ ParameterValues parameter_values(const std::vector<std::string>& texts) {
 
 System system_of(const SystemRequest& request, const ParameterValues& values) {
   System system = make_system(request.name, values, request.integration);
-  if (!system.map) throw UsageError("system " + system.info.name + " has no planar map");
+  if (!system.map) throw UsageError("system " + system.info.name + " has no planar map, which this command needs");
   return system;
 }
 
@@ -58,19 +82,18 @@ Connection connection_of(const SystemRequest& request, const System& system) {
   const bool saddles_given = !request.from.empty() || !request.to.empty();
   if (!system.connection) {
     std::string missing;
-    const auto need = [&](const std::vector<double>& place, const char* option) {
-      if (place.empty()) missing += (missing.empty() ? "" : ", ") + std::string(option);
+    const auto need = [&](const std::vector<double>& vector, const char* option) {
+      if (vector.empty()) missing += (missing.empty() ? "" : ", ") + std::string(option);
     };
     need(request.from, "--from");
     need(request.u_direction, "--u-direction");
     need(request.s_direction, "--s-direction");
     if (!missing.empty()) {
-      throw UsageError("system " + system.info.name +
-                       " does not say between which saddles its manifolds lead; needed: " + missing);
+      throw UsageError("system " + system.info.name + " does not name the saddles of a tangle; give " + missing);
     }
   }
   Connection connection = system.connection.value_or(Connection{});
-  // A bip that belongs to other saddles is none.
+  // A bip that belongs to other saddles is not one of these manifolds.
   if (saddles_given) {
     connection.bip.reset();
     connection.closure.clear();

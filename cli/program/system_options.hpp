@@ -18,9 +18,20 @@ struct SystemRequest {
   std::vector<double> from, to, u_direction, s_direction, bip;
 };
 
-/// --param, --from, --to, --u-direction, --s-direction, --bip, --integration-tolerance; and SYSTEM, as an argument or
-/// by
-/// --system, which `positional` decides.
+// Help of --tolerance and --max-points where manifolds are grown for a tangle.
+inline constexpr const char* manifold_tolerance_help =
+    "The maximum distance between a manifold and its polygon, in units of the coordinates (default: 1e-5). Errors of "
+    "areas are far smaller.";
+inline constexpr const char* manifold_points_help =
+    "The maximum number of points of each manifold (default: 20000000).";
+
+/// SYSTEM, as an argument or by --system, which `positional` decides.
+void add_system_option(OptionParser& parser, std::string& name, bool positional);
+/// --param NAME=VALUE, for parameter_values.
+void add_parameter_option(OptionParser& parser, std::vector<std::string>& parameters);
+/// --integration-tolerance T.
+void add_integration_option(OptionParser& parser, IntegrationOptions& integration);
+/// These three, --from, --to, --u-direction, --s-direction and --bip.
 void add_system_options(OptionParser& parser, SystemRequest& request, bool positional);
 
 /// The files that the name of a system stands for, which no output may replace: a shared library, or none.

@@ -69,7 +69,7 @@ Request parse(const std::vector<std::string>& arguments) {
   }
   if (files.size() < 3) {
     const std::string form = request.light ? "lober -light <c1> <c2> <rslt>" : "lober <c1> <c2> <rslt>";
-    const std::string other = request.light || files.empty() ? "" : "\"" + files[0] + "\" is no command, and ";
+    const std::string other = request.light || files.empty() ? "" : "\"" + files[0] + "\" is not a command, and ";
     throw UsageError(other + form + " takes three files (see lober --help)");
   }
   if (files.size() > 3) throw UsageError("too many arguments: " + files[3] + " (see lober --help)");
@@ -162,7 +162,7 @@ void require_earlier_result(const std::string& path) {
   }
   if (!other && numbers == 4) return;
   throw UsageError("<rslt> would overwrite " + path +
-                   ", which is no earlier result (a line of four numbers); remove it first, or name another file");
+                   ", which is not an earlier result (a line of four numbers); remove it first, or name another file");
 }
 
 }  // namespace

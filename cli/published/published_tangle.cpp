@@ -17,7 +17,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t fewest = 8;  // arguments that are no options
+constexpr std::size_t fewest = 8;  // arguments that are not options
 constexpr const char* form =
     "lober <u> <s> <lobefile> <manifile> <pipsfile> <uskip> <sskip> <nzones> [<lobebfile> [<lobeseq>]] [-BIP k]";
 constexpr const char* boundary_file = "separ.dat";
@@ -52,7 +52,8 @@ Request parse(const std::vector<std::string>& arguments) {
   std::vector<std::string> words;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
     if (arguments[k] == "-BIP") {
-      if (++k == arguments.size()) throw UsageError("-BIP takes the number of a pip");
+      if (++k == arguments.size())
+        throw UsageError("-BIP k is given without k, the number of a pip (" + std::string(form) + ")");
       request.bip = whole_number(arguments[k], "-BIP k");
     } else if (is_option(arguments[k])) {
       throw UsageError("unknown option " + arguments[k] + " (" + form + ")");
@@ -68,7 +69,7 @@ Request parse(const std::vector<std::string>& arguments) {
   request.pips = words[4];
   request.skip = {whole_number(words[5], "<uskip>"), whole_number(words[6], "<sskip>")};
   request.pairs = whole_number(words[7], "<nzones>");
-  if (request.pairs == 0) throw UsageError("<nzones> is 0: nothing to do");
+  if (request.pairs == 0) throw UsageError("<nzones> has to be at least 1, not 0 (" + std::string(form) + ")");
   if (words.size() > fewest) request.lobes = words[fewest];
   if (words.size() > fewest + 1) request.sequence = words[fewest + 1];
   return request;
@@ -163,7 +164,7 @@ void require_earlier_results(const Request& request) {
     std::string begin(header.size(), '\0');
     file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
     if (file.gcount() == 0 || begin == header) return;
-    throw UsageError(option + " would overwrite " + path + ", which is no earlier result (" + std::string(header) +
+    throw UsageError(option + " would overwrite " + path + ", which is not an earlier result (" + std::string(header) +
                      "); remove it first, or name another file");
   };
   require("<lobefile>", request.raster, raster_header);

@@ -77,27 +77,26 @@ bool names_system(const std::vector<std::string>& arguments) {
 void run_system_tangle(const std::vector<std::string>& arguments) {
   Request request;
   OptionParser parser(
-      "Tangle of a system's manifolds, grown from its equations: pips, lobes, boundary, turnstile, with areas by "
-      "geometry and by action.",
+      "Finds the tangle of a system's manifolds, which are grown from its equations: pips, lobes, boundary and "
+      "turnstile, with areas by geometry and by action.",
       "lober tangle");
   add_system_options(parser, request.system, false);
+  add_tolerance_option(parser, request.options.tolerance, manifold_tolerance_help);
   parser
-      .add("--tolerance", request.options.tolerance,
-           "how far the manifolds may lie from their polygons (default 1e-5); errors of areas are far smaller")
-      .positive()
-      .value("LENGTH");
-  parser.add("--before", request.options.before, "pre-images of the bip that are wanted (default 1)")
+      .add("--before", request.options.before,
+           "The number of pre-images of the bip up to which manifolds are grown (default: 1).")
       .range(1, 1000)
       .value("N");
-  parser.add("--after", request.options.after, "images of the bip that are wanted (default 0)")
+  parser
+      .add("--after", request.options.after,
+           "The number of images of the bip up to which manifolds are grown (default: 0).")
       .range(0, 1000)
       .value("N");
-  parser.add("--max-points", request.options.most_points, "of each manifold")
-      .range(std::size_t{2}, std::size_t{2'147'483'646})
-      .value("N");
+  add_max_points_option(parser, request.options.most_points, manifold_points_help);
   parser
       .add("--budget", request.options.budget,
-           "seconds that growing may take, by the clock (default: a bound on the work instead, about 20 s)")
+           "The wall-clock time that growing the manifolds may take, in seconds (default: a limit on the work instead, "
+           "about 20 s, which gives the same result on every machine).")
       .positive()
       .value("SECONDS");
   request.outputs.add_options(parser);

@@ -35,7 +35,7 @@ std::optional<Number> number(std::string_view text) {
   return value;
 }
 
-// K, the number of a pip, or X,Y, a place near it.
+// K, the number of a pip, or X,Y, a point near it.
 void set_bip(const std::string& text, TangleOptions& options) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) {
@@ -49,43 +49,44 @@ void set_bip(const std::string& text, TangleOptions& options) {
       return;
     }
   }
-  throw UsageError("--bip takes the number of a pip (from 0) or a place X,Y near it, not \"" + text + "\"");
+  throw UsageError("--bip takes the number of a pip, from 0, or a point X,Y near it, not \"" + text + "\"");
 }
 
 // Nothing when the arguments asked for help, which is printed.
 std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   bool no_check = false;
-  std::string bip, reverse;
+  std::string bip;
   OptionParser parser(
-      "Tangle of an unstable manifold U and a stable manifold S, open curves ordered outward from their fixed points: "
-      "primary intersections (pips), lobes, boundary, turnstile. With --system NAME, of manifolds grown from "
-      "equations (lober tangle --system NAME --help).",
+      "Finds the tangle of an unstable manifold U and a stable manifold S, open curves ordered outward from their "
+      "fixed points: primary intersection points (pips), lobes, boundary and turnstile. With --system NAME the "
+      "manifolds are grown from equations (lober tangle --system NAME --help).",
       "lober tangle");
-  parser.add("U", request.curves[0], "the unstable manifold: FILE, or FILE#ZONE for one zone (from 0, or by title)")
-      .required();
-  parser.add("S", request.curves[1], "the stable manifold; without it, U is a file of two zones, U and S");
-  parser.add("--bip", bip, "the pip on the boundary, by number from 0 or by a place near it (default: the middle one)")
-      .value("K|X,Y");
   parser
-      .add("--period", request.options.period,
-           "how many pips from one to its image under the map (default: inferred from the areas of the lobes)")
-      .value("P")
-      .range(1, 1'000'000);
-  parser.add_flag("--smooth", request.options.smooth,
-                  "pips and areas of smooth curves through the points, with error bars, instead of the polygons'");
+      .add("U", request.curves[0],
+           "The unstable manifold: FILE, or FILE#ZONE for one zone of it (by number from 0, or by title).")
+      .required();
+  parser.add("S", request.curves[1],
+             "The stable manifold, in the same form (default: U is a file of two zones, which are U and S).");
+  parser
+      .add(
+          "--bip", bip,
+          "The boundary intersection point, the pip at which the boundary passes from U to S: its number K, from 0, or "
+          "a point X,Y near it (default: the middle pip).")
+      .value("K|X,Y");
+  add_period_option(parser, request.options.period);
+  parser.add_flag(
+      "--smooth", request.options.smooth,
+      "Compute the pips and areas of smooth curves through the points, with error bars, instead of those of "
+      "the polygons.");
   request.outputs.add_options(parser);
-  parser.add("--reverse", reverse, "u, s or both: the file runs inward, toward the fixed point; turn it round")
-      .value("WHICH")
-      .one_of({"u", "s", "both"});
+  add_reverse_option(parser, request.reverse);
   add_index_option(parser, request.options.index);
   add_threads_option(parser, request.threads);
-  parser.add_flag("--no-simple-check", no_check,
-                  "do not check that the manifolds are simple, when you know what that means");
-  parser.add_flag("-v,--verbose", request.verbose, "tell on standard error how long each phase took");
+  add_manifold_check_option(parser, no_check);
+  add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   if (!bip.empty()) set_bip(bip, request.options);
-  request.reverse = {reverse == "u" || reverse == "both", reverse == "s" || reverse == "both"};
   request.options.check_simple = !no_check;
   return request;
 }

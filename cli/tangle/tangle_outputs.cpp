@@ -5,14 +5,22 @@
 namespace lober::cli {
 
 void TangleOutputs::add_options(OptionParser& parser) {
-  parser.add("--lobes", lobes, "write the lobes as Tecplot zones, closed").value("FILE");
-  parser.add("--boundary", boundary, "write the boundary as an open polyline").value("FILE");
-  parser.add("--pips", pips, "write the pips").value("FILE");
-  parser.add_flag("--overlaps", overlaps, "the area that each two lobes have in common too");
-  parser.add("--graph", graph, "write every crossing with its place on both manifolds, for topological tools (JSON)")
+  parser.add("--lobes", lobes, "Write the outlines of the lobes to FILE as Tecplot zones (default: no file).")
       .value("FILE");
-  parser.add("--json", json, "write everything as one JSON object (- for standard output)").value("FILE");
-  parser.add("--svg", svg, "draw manifolds, pips, lobes and boundary").value("FILE");
+  parser
+      .add("--boundary", boundary, "Write the boundary to FILE as an open polyline, a Tecplot zone (default: no file).")
+      .value("FILE");
+  parser.add("--pips", pips, "Write the pips to FILE as the points of a Tecplot zone (default: no file).")
+      .value("FILE");
+  parser.add_flag("--overlaps", overlaps, "Compute the area that each pair of lobes has in common, too.");
+  parser
+      .add("--graph", graph,
+           "Write every crossing with its order along both manifolds to FILE as JSON, for topological tools (default: "
+           "no file).")
+      .value("FILE");
+  add_json_option(parser, json);
+  parser.add("--svg", svg, "Draw the manifolds, pips, lobes and boundary as an SVG picture in FILE (default: no file).")
+      .value("FILE");
 }
 
 std::vector<Output> TangleOutputs::files() const {

@@ -20,7 +20,8 @@ struct Request {
   std::vector<double> bip;
   std::uint32_t period = 0;
   int iterates = 1000, threads = 0;
-  bool reverse_u = false, reverse_s = false, no_check = false;
+  std::array<bool, 2> reverse{};
+  bool no_check = false;
   std::string json;
 };
 
@@ -36,7 +37,7 @@ void run(const Request& request) {
   {
     Progress progress;
     progress.phase("reading", 0, 0.3);
-    report.inputs = {read_manifold(specs[0], request.reverse_u), read_manifold(specs[1], request.reverse_s)};
+    report.inputs = {read_manifold(specs[0], request.reverse[0]), read_manifold(specs[1], request.reverse[1])};
     if (request.files.size() == 1 && report.inputs[0].zones != 2) {
       throw DataError(request.files[0] + ": has " + counted(report.inputs[0].zones, "zone", "zones") +
                       "; alone it has to have two, U and S");
@@ -69,33 +70,31 @@ bool names_manifolds(const std::vector<std::string>& arguments) {
 void run_curves_transport(const std::vector<std::string>& arguments) {
   Request request;
   OptionParser parser(
-      "Transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n) by lobes and "
-      "by "
-      "boundaries, for as many n as there are images of the bip on the curves. No map is needed.",
+      "Computes the transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n) "
+      "by lobes and by boundaries, for as many n as there are images of the bip on the curves. No map is needed.",
       "lober transport");
   parser
       .add("--manifolds", request.files,
-           "U and S, ordered outward from their fixed points: two files, or one with two zones")
+           "The manifolds U and S, ordered outward from their fixed points: two files, or one file of two zones.")
       .required()
       .count(1, 2)
       .value("FILE");
+  add_period_option(parser, request.period);
   parser
-      .add("--period", request.period,
-           "how many pips from one to its image under the map (default: inferred from the areas of the lobes)")
-      .range(1, 1'000'000)
-      .value("P");
-  parser.add("--bip", request.bip, "a place near the pip on the boundary (default: the middle pip)")
+      .add("--bip", request.bip,
+           "A point near the boundary intersection point, the pip at which the boundary passes from U to S (default: "
+           "the middle pip).")
       .comma_separated()
       .count(2)
       .value("X,Y");
-  parser.add("--iterates", request.iterates, "the largest n (default: as far as the curves reach)")
+  parser
+      .add("--iterates", request.iterates,
+           "The number of iterates n up to which the table goes (default: as far as the curves reach).")
       .range(1, 1000)
       .value("N");
-  parser.add_flag("--reverse-u", request.reverse_u, "U is given inward");
-  parser.add_flag("--reverse-s", request.reverse_s, "S is given inward");
-  parser.add_flag("--no-simple-check", request.no_check,
-                  "take manifolds that cross themselves, as coarse ones may do far out");
-  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
+  add_reverse_option(parser, request.reverse);
+  add_manifold_check_option(parser, request.no_check);
+  add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   with_thread_limit(request.threads, [&] { run(request); });

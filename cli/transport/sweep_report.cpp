@@ -63,7 +63,7 @@ Json zero_json(const SweepZero& zero) {
 
 SweepRange sweep_range(const std::string& text) {
   const auto bad = [&](const char* why) -> UsageError {
-    return UsageError("--sweep: NAME=FIRST:LAST:STEP is needed, not '" + text + "'" + why);
+    return UsageError("--sweep: \"" + text + "\" is not of the form NAME=FIRST:LAST:STEP" + why);
   };
   const std::size_t equals = text.find('='), first = text.find(':'), second = text.find(':', first + 1);
   if (equals == std::string::npos || first == std::string::npos || second == std::string::npos || first < equals) {
@@ -78,9 +78,9 @@ SweepRange sweep_range(const std::string& text) {
     numbers[k] = *number;
   }
   const auto [from, to, step] = numbers;
-  if (step == 0 || (to - from) / step < 0) throw bad(": the step does not lead from the first value to the last");
+  if (step == 0 || (to - from) / step < 0) throw bad(" with a step that leads from the first value to the last");
   const double steps = (to - from) / step;
-  if (!(steps < most_values)) throw bad(": more than 100000 values");
+  if (!(steps < most_values)) throw bad(" with at most 100000 values");
   SweepRange range{text.substr(0, equals), {}};
   const auto count = static_cast<std::size_t>(std::floor(steps * (1 + 1e-12) + 1e-9)) + 1;
   for (std::size_t k = 0; k < count; ++k) {

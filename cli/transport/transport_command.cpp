@@ -159,47 +159,56 @@ void run_transport(const std::vector<std::string>& arguments) {
   if (names_manifolds(arguments)) return run_curves_transport(arguments);
   Request request;
   OptionParser parser(
-      "Transport across the boundary that a stable and an unstable manifold of a map make: grows them, finds the "
-      "turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries. With --manifolds FILE, of curves "
-      "(lober transport --manifolds --help).",
+      "Computes the transport across the boundary that a stable and an unstable manifold of a map make: grows them, "
+      "finds the turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries. With --manifolds FILE "
+      "the manifolds are given as curves (lober transport --manifolds FILE --help).",
       "lober transport");
   add_system_options(parser, request.system, true);
-  const Option iterates =
-      parser.add("--iterates", request.options.iterates, "n = 1, ... so many (default 7)").range(1, 1000).value("N");
-  parser
-      .add("--tolerance", request.options.tolerance,
-           "how far the manifolds may lie from their polygons (default 1e-5); errors of areas are far smaller")
-      .positive()
-      .value("LENGTH");
-  parser.add("--max-points", request.options.most_points, "of each manifold")
-      .range(std::size_t{2}, std::size_t{2'147'483'646})
-      .value("N");
+  const Option iterates = parser
+                              .add("--iterates", request.options.iterates,
+                                   "The number of iterates n up to which the table goes (default: 7).")
+                              .range(1, 1000)
+                              .value("N");
+  add_tolerance_option(parser, request.options.tolerance, manifold_tolerance_help);
+  add_max_points_option(parser, request.options.most_points, manifold_points_help);
   parser
       .add("--budget", request.options.budget,
-           "seconds that growing the manifolds of a boundary may take; by default their work is limited, which "
-           "gives the same table on every machine")
+           "The wall-clock time that growing the manifolds of one boundary may take, in seconds (default: a limit on "
+           "the work instead, which gives the same table on every machine).")
       .positive()
       .value("SECONDS");
-  parser.add_flag(
-      "--all-regions", request.all_regions,
-      "regions of all boundaries that the system names (ovp: the lower vortex too), with the matrices T_ij(n)");
+  parser.add_flag("--all-regions", request.all_regions,
+                  "Compute the transport between the regions of all boundaries that the system names (ovp: the lower "
+                  "vortex too), with the matrices T_ij(n).");
   parser
       .add("--particles", request.options.particles,
-           "count T(n) with so many particles in each bounded region, too (default 0)")
+           "The number of particles in each bounded region by which T(n) is counted, as a check (default: 0).")
       .range(std::uint64_t{0}, std::uint64_t{1'000'000'000})
       .value("N");
-  parser.add("--seed", request.options.seed, "of the particles (default 1)").value("N");
+  parser.add("--seed", request.options.seed, "The seed of the random numbers of the particles (default: 1).")
+      .value("S");
   const Option sweep_option =
-      parser.add("--sweep", request.sweep, "areas of the turnstile over a parameter, instead of the fluxes")
+      parser
+          .add("--sweep", request.sweep,
+               "Compute the areas of the turnstile for the values FIRST to LAST of a parameter, in steps of STEP, "
+               "instead of the fluxes.")
           .value("NAME=FIRST:LAST:STEP")
           .excludes(iterates);
   parser
       .add_flag("--find-zero", request.find_zero,
-                "refine where the action difference of the two pips of the turnstile changes sign")
+                "Refine the values of the parameter at which the difference in action of the two pips of the turnstile "
+                "changes its sign.")
       .needs(sweep_option);
-  parser.add("--json", request.json, "write everything as one JSON object (- for standard output)").value("FILE");
-  parser.add("--svg", request.svg, "draw a(n) and T(n), or areas over the parameter").value("FILE");
-  parser.add("--picture", request.picture, "draw manifolds, boundary, turnstile and its images")
+  add_json_option(parser, request.json);
+  parser
+      .add("--svg", request.svg,
+           "Draw a(n) and T(n), or with --sweep the areas over the parameter, as an SVG picture in FILE (default: no "
+           "file).")
+      .value("FILE");
+  parser
+      .add("--picture", request.picture,
+           "Draw the manifolds, the boundary, the turnstile and its images as an SVG picture in FILE (default: no "
+           "file).")
       .value("FILE")
       .excludes(sweep_option);
   add_threads_option(parser, request.threads);

@@ -159,7 +159,8 @@ class Reader {
       group.pairs = PairKind::single;
     } else {
       fail(node, "pairs",
-           "\"" + word + "\" is none of all, consecutive, product, single; or { lag = k }, or a list of pairs");
+           "\"" + word +
+               "\" cannot be read as pairs; give all, consecutive, product, single, { lag = k } or a list of pairs");
     }
   }
 

@@ -24,8 +24,8 @@
 // A curve of a system (engine/dynamics) is a table instead of a pattern:
 //
 //   { system = "standard", parameters = { K = 1.2 }, manifold = "unstable", iterates = 5, tolerance = 1e-5 }
-//       a branch of a manifold, open: that of the system's own tangle, or from `saddle = [x, y]` to the `branch` "+" or
-//       "-"; `length` instead of or beside iterates
+//       a branch of a manifold, open: that of the system's own tangle, or the `branch` "+" or "-" of the saddle near
+//       `from = [x, y]`; `length` instead of or beside iterates
 //   { system = "standard", parameters = { K = 1.2 }, image_of = "separ.npy", iterates = "0:9", tolerance = 1e-5 }
 //       images of the curves of a pattern; iterates may be negative; "a:b" is a family, one curve for each of a, ..., b
 //

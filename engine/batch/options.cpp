@@ -34,7 +34,7 @@ OptionValue checked(OptionSpec spec, const OptionSetting& setting) {
   if (value.index() != spec.fallback.index()) refuse(spec, std::string("has to be ") + type_name(spec.fallback));
   if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !spec.choices.empty()) {
     if (std::find(spec.choices.begin(), spec.choices.end(), *text) == spec.choices.end()) {
-      refuse(spec, "\"" + *text + "\" is none of " + joined(spec.choices));
+      refuse(spec, "\"" + *text + "\" cannot be read as one of " + joined(spec.choices));
     }
   }
   double number = 0;

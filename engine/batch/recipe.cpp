@@ -120,7 +120,7 @@ std::string CurveRecipe::name(std::string_view of) const {
   if (integration_tolerance != CurveRecipe{}.integration_tolerance) {
     add("integration_tolerance", shortest(integration_tolerance));
   }
-  if (saddle) add("saddle", "[" + shortest(saddle->x) + " " + shortest(saddle->y) + "]");
+  if (saddle) add("from", "[" + shortest(saddle->x) + " " + shortest(saddle->y) + "]");
   if (branch != 0) add("branch", branch < 0 ? "-" : "+");
   return text + ")";
 }
@@ -166,7 +166,8 @@ void check(const CurveRecipe& recipe) {
   if (!(recipe.tolerance > 0)) throw UsageError("tolerance has to be given and positive");
   if (recipe.kind == CurveRecipe::Kind::image) return;
   if (recipe.iterates < 0 && !(recipe.length > 0)) throw UsageError("a manifold needs iterates or length");
-  if (!recipe.saddle && !system.connection) throw UsageError(recipe.system + " needs a saddle = [x, y]");
+  if (!recipe.saddle && !system.connection)
+    throw UsageError(recipe.system + " names no manifolds: from = [x, y] has to be given");
 }
 
 System system_of(const std::string& name, const ParameterValues& parameters, double integration_tolerance) {

@@ -14,7 +14,7 @@ class RecipeReader {
     for (const auto& [name, node] : table_) entry(std::string(name.str()), node);
     if (image_ == has_manifold_) fail(table_, "has to have either manifold or image_of");
     if (image_ && (recipe_.length > 0 || recipe_.saddle || recipe_.branch != 0)) {
-      fail(table_, "length, saddle and branch are for manifolds");
+      fail(table_, "length, from and branch are for manifolds");
     }
     if (image_) recipe_.kind = CurveRecipe::Kind::image;
     if (iterates_.empty() && image_) fail(table_, "image_of needs iterates");
@@ -60,9 +60,9 @@ class RecipeReader {
       const std::string sign = text(node, name);
       if (sign != "+" && sign != "-") fail(node, "branch has to be \"+\" or \"-\"");
       recipe_.branch = sign == "+" ? 1 : -1;
-    } else if (name == "saddle") {
+    } else if (name == "from") {
       const toml::array* const two = node.as_array();
-      if (two == nullptr || two->size() != 2) fail(node, "saddle has to be [x, y]");
+      if (two == nullptr || two->size() != 2) fail(node, "from has to be [x, y]");
       recipe_.saddle = Point{number((*two)[0], name), number((*two)[1], name)};
     } else if (name == "length" || name == "tolerance" || name == "integration_tolerance") {
       const double value = number(node, name);
@@ -72,7 +72,7 @@ class RecipeReader {
                              : recipe_.integration_tolerance) = value;
     } else {
       fail(node, "a curve of a system has no " + name +
-                     "; it has system, parameters, manifold, saddle, branch, length, image_of, iterates, tolerance, "
+                     "; it has system, parameters, manifold, from, branch, length, image_of, iterates, tolerance, "
                      "integration_tolerance");
     }
   }
@@ -82,7 +82,7 @@ class RecipeReader {
     constexpr int most = 10'000;
     int first = 0, last = 0;
     if (const auto* const whole = node.as_integer()) {
-      if (**whole < -most || **whole > most) fail(node, "iterates are too many");
+      if (**whole < -most || **whole > most) fail(node, "iterates has to be from -10000 to 10000");
       first = last = static_cast<int>(**whole);
     } else {
       const std::string range = node.is_string() ? **node.as_string() : "";
@@ -93,11 +93,11 @@ class RecipeReader {
       const auto [stop2, error2] = std::from_chars(second, end, last);
       if (error1 != std::errc{} || error2 != std::errc{} || stop1 != begin + colon || stop2 != end || first > last ||
           first < -most || last > most) {
-        fail(node, "iterates has to be a whole number or \"a:b\" with a <= b");
+        fail(node, "iterates has to be a whole number or \"a:b\" with a <= b, from -10000 to 10000");
       }
     }
     for (int k = first; k <= last; ++k) iterates_.push_back(k);
-    if (first < 0 && table_.get("image_of") == nullptr) fail(node, "a manifold has no negative iterates");
+    if (first < 0 && table_.get("image_of") == nullptr) fail(node, "iterates of a manifold cannot be negative");
   }
 
   std::string text(const toml::node& node, const std::string& name) const {

@@ -152,12 +152,12 @@ TEST_F(BadInput, OptionsThatMakeNoSense) {
 
 // As a variable of the shell gives that was never set.
 TEST_F(BadInput, OptionsThatAreEmpty) {
-  expect_failure({"overlay", "good", "good", "--json", ""}, 2, "--json is given an empty text");
-  expect_failure({"overlay", "", "good"}, 2, "C1 is given an empty text");
+  expect_failure({"overlay", "good", "good", "--json", ""}, 2, "--json has an empty value");
+  expect_failure({"overlay", "", "good"}, 2, "C1 has an empty value");
   expect_failure({"tangle", "good", "", "--svg="}, 2, "--svg");
-  expect_failure({"densify", "good", "-o", "", "--tau", "1"}, 2, "empty");
-  expect_failure({"batch", "run", "good", "--shard", ""}, 2, "--shard is given an empty text");
-  expect_failure({"batch", "run", "good", "--memory", ""}, 2, "--memory is given an empty text");
+  expect_failure({"densify", "good", "-o", "", "--max-length", "1"}, 2, "empty");
+  expect_failure({"batch", "run", "good", "--shard", ""}, 2, "--shard has an empty value");
+  expect_failure({"batch", "run", "good", "--memory", ""}, 2, "--memory has an empty value");
 }
 
 TEST_F(BadInput, NamesThatATerminalWouldObey) {

@@ -102,9 +102,9 @@ TEST_F(BatchStore, OutputsThatMayNotGrowAreErrorsAndLeaveNothing) {
   ASSERT_EQ(run({"batch", "run", "job.toml", "--store", "s"}).status, 0);
   for (const char* const command :
        {"overlay separ.0 separ.1 --json big.json", "overlay separ.0 separ.1 --lobes big.dat",
-        "overlay separ.0 separ.1 --svg big.svg", "densify separ.0 --tau 1e-3 -o big.npy",
-        "densify separ.0 --tau 1e-3 -o big.dat", "batch export s -o big.csv", "batch export s -o big.jsonl",
-        "grow henon --unstable --iterates 5 --tol 1e-4 -o big.dat", "interior separ.0 separ.1 --json big.json"}) {
+        "overlay separ.0 separ.1 --svg big.svg", "densify separ.0 --max-length 1e-3 -o big.npy",
+        "densify separ.0 --max-length 1e-3 -o big.dat", "batch export s -o big.csv", "batch export s -o big.jsonl",
+        "grow henon --unstable --iterates 5 --tolerance 1e-4 -o big.dat", "interior separ.0 separ.1 --json big.json"}) {
     const Outcome outcome = shell(std::string("ulimit -f 1; exec \"$LOBER\" ") + command);
     EXPECT_EQ(outcome.status, 1) << command << ": " << outcome.err;
     // Of a store SQLite says it in its own words: its index in shared memory is a file too.
@@ -125,7 +125,7 @@ TEST_F(BatchStore, DevicesAndPipesAreNoCurves) {
   write_curves(2, 50);
   for (const char* const command :
        {"overlay /dev/zero separ.0", "interior separ.0 /dev/urandom", "tangle /dev/zero separ.0",
-        "densify /dev/zero --tau 1 -o fine.npy", "/dev/zero separ.0 rslt"}) {
+        "densify /dev/zero --max-length 1 -o fine.npy", "/dev/zero separ.0 rslt"}) {
     const Outcome outcome = shell(std::string("ulimit -v 4000000; exec timeout 60 \"$LOBER\" ") + command);
     EXPECT_EQ(outcome.status, 1) << command;
     EXPECT_NE(outcome.err.find("is a device"), std::string::npos) << command << ": " << outcome.err;
@@ -201,11 +201,11 @@ TEST_F(BatchStore, CheckWarnsOfWhatThereIsNoMemoryFor) {
   };
   const auto image = [&](const std::string& parameters, int iterates) {
     return warnings(
-        "operation = \"densify\"\noptions = { tau = 1 }\ncurves = { system = \"standard\", parameters = " + parameters +
-        ", image_of = \"separ.0\", tolerance = 1e-5, iterates = " + std::to_string(iterates) + " }\n");
+        "operation = \"densify\"\noptions = { max_length = 1 }\ncurves = { system = \"standard\", parameters = " +
+        parameters + ", image_of = \"separ.0\", tolerance = 1e-5, iterates = " + std::to_string(iterates) + " }\n");
   };
-  const auto finer = [&](const std::string& tau) {
-    return warnings("operation = \"densify\"\ncurves = \"separ.0\"\noptions = { tau = " + tau + " }\n");
+  const auto finer = [&](const std::string& length) {
+    return warnings("operation = \"densify\"\ncurves = \"separ.0\"\noptions = { max_length = " + length + " }\n");
   };
   EXPECT_NE(image("{ K = 1e308 }", 3).find("no room in 200 MiB"), std::string::npos);
   EXPECT_NE(image("{ K = 1.2 }", 59).find("no room in 200 MiB"), std::string::npos);

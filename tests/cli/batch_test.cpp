@@ -115,7 +115,7 @@ operation = "interior"
 grid = { method = ["split", "ends"] }
 [[group]]
 operation = "densify"
-options = { tau = 0.01, output = "fine_{name}.npy" }
+options = { max_length = 0.01, output = "fine_{name}.npy" }
 )");
   EXPECT_EQ(report({"job.toml"})["run"], 3 + 6 + 3);
   EXPECT_TRUE(exists("fine_separ.1.npy"));
@@ -160,7 +160,7 @@ TEST_F(Batch, CheckSaysHowMuchItIs) {
   write("job.toml", "operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"none\"\n");
   const Outcome wrong = run({"batch", "check", "job.toml"});
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_NE(wrong.err.find("job.toml:3: pairs: \"none\" is none of"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("job.toml:3: pairs: \"none\" cannot be read as"), std::string::npos) << wrong.err;
   EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1);
 }
 

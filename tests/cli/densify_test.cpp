@@ -43,18 +43,18 @@ class Densify : public ProgramTest {
 
 TEST_F(Densify, DistanceInEveryFormat) {
   for (const char* name : {"out.npy", "out.csv", "out.txt", "out.dat", "out.raw"}) {
-    succeed({"square", "-o", name, "--tau", "1"});
+    succeed({"square", "-o", name, "--max-length", "1"});
     const std::vector<Point> dense = points(name);
     ASSERT_EQ(dense.size(), 16U) << name;
     EXPECT_EQ(dense[1], (Point{1, 0})) << name;
     EXPECT_EQ(dense[15], (Point{0, 1})) << name;
   }
   EXPECT_EQ(read("out.csv").substr(0, 8), "0,0\n1,0\n");
-  EXPECT_EQ(densify({"square", "-o", "-", "--tau", "2"}).out, "0 0\n2 0\n4 0\n4 2\n4 4\n2 4\n0 4\n0 2\n");
+  EXPECT_EQ(densify({"square", "-o", "-", "--max-length", "2"}).out, "0 0\n2 0\n4 0\n4 2\n4 4\n2 4\n0 4\n0 2\n");
 }
 
 TEST_F(Densify, OpenCurves) {
-  succeed({"square", "-o", "out.csv", "--tau", "1", "--open"});
+  succeed({"square", "-o", "out.csv", "--max-length", "1", "--open"});
   EXPECT_EQ(points("out.csv").size(), 13U);
   EXPECT_EQ(points("out.csv").back(), (Point{0, 4}));
 }
@@ -62,7 +62,7 @@ TEST_F(Densify, OpenCurves) {
 TEST_F(Densify, Interpolations) {
   std::vector<std::string> written;
   for (const char* kind : {"linear", "spline", "dritschel"}) {
-    succeed({"flower", "-o", "out.csv", "--tau", "0.01", "--interpolation", kind});
+    succeed({"flower", "-o", "out.csv", "--max-length", "0.01", "--interpolation", kind});
     written.push_back(read("out.csv"));
     EXPECT_GT(points("out.csv").size(), 600U);
   }
@@ -77,7 +77,7 @@ TEST_F(Densify, HobsonTellsWhatItDid) {
   EXPECT_EQ(json["command"], "densify");
   EXPECT_EQ(json["options"]["interpolation"], "dritschel");
   EXPECT_EQ(json["options"]["criteria"]["alpha"], 0.05);
-  EXPECT_EQ(json["options"]["criteria"]["tau"], nullptr);
+  EXPECT_EQ(json["options"]["criteria"]["max_length"], nullptr);
   EXPECT_EQ(json["result"]["points"], points("out.csv").size());
   EXPECT_GT(points("out.csv").size(), 200U);
   EXPECT_TRUE(json["flaws"]["list"].empty());
@@ -85,7 +85,8 @@ TEST_F(Densify, HobsonTellsWhatItDid) {
 }
 
 TEST_F(Densify, FlawsAreListed) {
-  const Outcome outcome = densify({"square", "-o", "out.csv", "--tau", "0.001", "--max-points", "100", "--json", "-"});
+  const Outcome outcome =
+      densify({"square", "-o", "out.csv", "--max-length", "0.001", "--max-points", "100", "--json", "-"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["result"]["points"], 100);
@@ -103,17 +104,20 @@ TEST_F(Densify, NearAnotherCurve) {
 }
 
 TEST_F(Densify, RemovesWhatIsTooMuch) {
-  succeed({"square", "-o", "dense.csv", "--tau", "0.01"});
-  succeed({"dense.csv", "-o", "out.csv", "--remove", "1e-12"});
+  succeed({"square", "-o", "dense.csv", "--max-length", "0.01"});
+  succeed({"dense.csv", "-o", "out.csv", "--simplify", "1e-12"});
   EXPECT_EQ(read("out.csv"), "0,0\n4,0\n4,4\n0,4\n");
-  succeed({"dense.csv", "-o", "out.csv", "--remove", "1e-12", "--tau", "1"});
+  succeed({"dense.csv", "-o", "out.csv", "--simplify", "1e-12", "--max-length", "1", "--json", "out.json"});
+  const auto options = nlohmann::json::parse(read("out.json"))["options"];
+  EXPECT_EQ(options["simplify"]["tolerance"], 1e-12);
+  EXPECT_EQ(options["simplify"]["max_length"], 1);
   EXPECT_LT(points("out.csv").size(), 33U);
 }
 
 TEST_F(Densify, SameBytesForAnyNumberOfThreads) {
   std::vector<std::string> written;
   for (const char* threads : {"1", "2", "7"}) {
-    succeed({"flower", "other", "-o", "out.raw", "--tau", "1e-4", "--interpolation", "spline", "--passes", "2",
+    succeed({"flower", "other", "-o", "out.raw", "--max-length", "1e-4", "--interpolation", "spline", "--passes", "2",
              "--points", "5", "--crossings", "--threads", threads});
     written.push_back(read("out.raw"));
   }
@@ -123,31 +127,33 @@ TEST_F(Densify, SameBytesForAnyNumberOfThreads) {
 
 TEST_F(Densify, WrongCommandLines) {
   expect_failure({}, 2, "required");
-  expect_failure({"square", "-o", "out.csv"}, 2, "nothing to do");
-  expect_failure({"square", "--tau", "1"}, 2, "-o FILE is needed");
-  expect_failure({"square", "-o", "out.csv", "--tau", "0"}, 2, "--tau");
-  expect_failure({"square", "-o", "out.csv", "--tau", "nan"}, 2, "--tau");
-  expect_failure({"square", "-o", "out.csv", "--tau", "1", "--interpolation", "quintic"}, 2, "--interpolation");
+  expect_failure({"square", "-o", "out.csv"}, 2, "no step is given");
+  expect_failure({"square", "--max-length", "1"}, 2, "--output is required");
+  expect_failure({"square", "-o", "out.csv", "--max-length", "0"}, 2, "--max-length");
+  expect_failure({"square", "-o", "out.csv", "--max-length", "nan"}, 2, "--max-length: nan is not a number above 0");
+  expect_failure({"square", "-o", "out.csv", "--simplify", "-1"}, 2, "--simplify: -1 is not a number from 0 on");
+  expect_failure({"square", "-o", "out.csv", "--simplify", "inf"}, 2, "--simplify: inf is not a number from 0 on");
+  expect_failure({"square", "-o", "out.csv", "--max-length", "1", "--interpolation", "quintic"}, 2, "--interpolation");
   expect_failure({"square", "-o", "out.csv", "--alpha", "0.1", "--interpolation", "linear"}, 2, "linear");
   expect_failure({"square", "-o", "out.csv", "--passes", "1", "--points", "2"}, 2, "AGAINST");
   expect_failure({"square", "other", "-o", "out.csv", "--passes", "1"}, 2, "--points");
-  expect_failure({"square", "other", "-o", "out.csv", "--tau", "1"}, 2, "AGAINST");
-  expect_failure({"square", "-o", "out.csv", "--delta", "1"}, 2, "--delta");
-  expect_failure({"square", "-o", "out.xyz", "--tau", "1"}, 2, "out.xyz");
-  expect_failure({"square", "-o", "out.csv", "--tau", "1", "--json", "out.csv"}, 2, "both write");
-  expect_failure({"out.csv", "-o", "out.csv", "--tau", "1"}, 2, "overwrite");
+  expect_failure({"square", "other", "-o", "out.csv", "--max-length", "1"}, 2, "AGAINST");
+  expect_failure({"square", "-o", "out.csv", "--min-length", "1"}, 2, "--min-length");
+  expect_failure({"square", "-o", "out.xyz", "--max-length", "1"}, 2, "out.xyz");
+  expect_failure({"square", "-o", "out.csv", "--max-length", "1", "--json", "out.csv"}, 2, "both write");
+  expect_failure({"out.csv", "-o", "out.csv", "--max-length", "1"}, 2, "overwrite");
 }
 
 TEST_F(Densify, BadData) {
-  expect_failure({"nowhere", "-o", "out.csv", "--tau", "1"}, 1, "nowhere: ");
+  expect_failure({"nowhere", "-o", "out.csv", "--max-length", "1"}, 1, "nowhere: ");
   write("nan", "0 0\n1 0\nnan 1\n");
-  expect_failure({"nan", "-o", "out.csv", "--tau", "1"}, 1, "nan:3: ");
+  expect_failure({"nan", "-o", "out.csv", "--max-length", "1"}, 1, "nan:3: ");
   expect_failure({"square", "nan", "-o", "out.csv", "--crossings"}, 1, "nan:3: ");
   write("two", "0 0\n1 0\n1 0\n");
-  expect_failure({"two", "-o", "out.csv", "--tau", "1"}, 1, "two: ");
-  succeed({"two", "-o", "fine.csv", "--tau", "0.5", "--open"});
+  expect_failure({"two", "-o", "out.csv", "--max-length", "1"}, 1, "two: ");
+  succeed({"two", "-o", "fine.csv", "--max-length", "0.5", "--open"});
   EXPECT_EQ(read("fine.csv"), "0,0\n0.5,0\n1,0\n");
-  expect_failure({"square", "-o", "nowhere/out.csv", "--tau", "1"}, 1, "nowhere/out.csv");
+  expect_failure({"square", "-o", "nowhere/out.csv", "--max-length", "1"}, 1, "nowhere/out.csv");
 }
 
 }  // namespace

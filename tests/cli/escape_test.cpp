@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 class EscapeProgram : public ProgramTest {};
 
 TEST_F(EscapeProgram, WritesTheTable) {
-  const Outcome outcome = run({"escape", "capsize", "--energy", "0.25307", "--iterates", "3", "--tolerance", "1e-4",
+  const Outcome outcome = run({"escape", "capsize", "--energy", "0.25307", "--crossings", "3", "--tolerance", "1e-4",
                                "--json", "table.json", "--svg", "curves.svg", "--monte-carlo", "2000"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("   3  left       right  "), std::string::npos) << outcome.out;
@@ -40,7 +40,7 @@ TEST_F(EscapeProgram, WritesTheTable) {
 // what enters by the other.
 TEST_F(EscapeProgram, TakesASystemOfTheUser) {
   const Outcome outcome =
-      run({"escape", LOBER_EXAMPLES "/henon_heiles.so", "--energy", "0.17", "--iterates", "1", "--tolerance", "1e-4",
+      run({"escape", LOBER_EXAMPLES "/henon_heiles.so", "--energy", "0.17", "--crossings", "1", "--tolerance", "1e-4",
            "--saddle", "0.866,-0.5,0,0", "--saddle", "-0.866,-0.5,0,0", "--section", "x=0", "--json", "-"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Json result = Json::parse(outcome.out);
@@ -55,7 +55,7 @@ TEST_F(EscapeProgram, TakesASystemOfTheUser) {
 
 TEST_F(EscapeProgram, SameBytesForAnyNumberOfThreads) {
   const auto bytes = [&](const char* threads) {
-    const Outcome outcome = run({"escape", "capsize", "--iterates", "1", "--tolerance", "1e-3", "--monte-carlo", "500",
+    const Outcome outcome = run({"escape", "capsize", "--crossings", "1", "--tolerance", "1e-3", "--monte-carlo", "500",
                                  "--threads", threads, "--json", "-"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.out.substr(0, outcome.out.find("\"timing\""));
@@ -64,7 +64,7 @@ TEST_F(EscapeProgram, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(EscapeProgram, EndsWithAReasonBeforeTheNextImageIsTooMuch) {
-  const std::vector<std::string> arguments{"escape",      "capsize", "--iterates",   "30",
+  const std::vector<std::string> arguments{"escape",      "capsize", "--crossings",  "30",
                                            "--tolerance", "1e-4",    "--max-points", "2000"};
   const Outcome outcome = run(arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -78,7 +78,7 @@ TEST_F(EscapeProgram, EndsWithAReasonBeforeTheNextImageIsTooMuch) {
 }
 
 TEST_F(EscapeProgram, OrbitsAndTubesOnly) {
-  const Outcome outcome = run({"escape", "pcr3bp", "--energy", "-1.515", "--iterates", "0", "--saddle", "2",
+  const Outcome outcome = run({"escape", "pcr3bp", "--energy", "-1.515", "--crossings", "0", "--saddle", "2",
                                "--tolerance", "1e-4", "--json", "-"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Json result = Json::parse(outcome.out);
@@ -107,7 +107,7 @@ TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {
   fails({"capsize", "--section", "z=0"}, 2, "--section");
   fails({"capsize", "--direction", "both"}, 2, "direction");
   fails({"pcr3bp"}, 2, "give --section");
-  fails({"capsize", "--iterates", "0", "--monte-carlo", "5"}, 2, "--monte-carlo");
+  fails({"capsize", "--crossings", "0", "--monte-carlo", "5"}, 2, "--monte-carlo");
   fails({"capsize", "--svg", "nowhere/file"}, 1, "nowhere/file");
 }
 

@@ -32,8 +32,8 @@ class Grow : public ProgramTest {
 };
 
 TEST_F(Grow, StandardMapIntoEveryFormat) {
-  const std::vector<std::string> common{"standard",   "--param",    "K=1.2", "--fixed-point", "0.1,0",
-                                        "--unstable", "--iterates", "4",     "--tol",         "1e-4"};
+  const std::vector<std::string> common{"standard",   "--param",    "K=1.2", "--from",      "0.1,0",
+                                        "--unstable", "--iterates", "4",     "--tolerance", "1e-4"};
   std::vector<Point> first;
   for (const char* name : {"u.npy", "u.csv", "u.txt", "u.dat", "u.raw"}) {
     std::vector<std::string> arguments = common;
@@ -49,8 +49,8 @@ TEST_F(Grow, StandardMapIntoEveryFormat) {
 }
 
 TEST_F(Grow, Json) {
-  const nlohmann::json result = json({"henon", "--param", "k=0.5", "--fixed-point", "2.2,2.2", "--stable", "--branch",
-                                      "-", "--length", "30", "--tol", "1e-5", "--box", "-5,-5,5,5", "-o", "s.npy"});
+  const nlohmann::json result = json({"henon", "--param", "k=0.5", "--from", "2.2,2.2", "--stable", "--branch", "-",
+                                      "--length", "30", "--tolerance", "1e-5", "--box", "-5,-5,5,5", "-o", "s.npy"});
   EXPECT_EQ(result["command"], "grow");
   EXPECT_EQ(result["system"]["parameters"]["k"], 0.5);
   EXPECT_EQ(result["options"]["side"], "stable");
@@ -64,9 +64,8 @@ TEST_F(Grow, Json) {
 }
 
 TEST_F(Grow, FlowsAndThreads) {
-  const std::vector<std::string> common{"ovp",        "--param",    "gamma=0.5", "--fixed-point",
-                                        "1.45,0",     "--unstable", "--branch",  "-",
-                                        "--iterates", "2",          "--tol",     "1e-4"};
+  const std::vector<std::string> common{"ovp",      "--param", "gamma=0.5",  "--from", "1.45,0",      "--unstable",
+                                        "--branch", "-",       "--iterates", "2",      "--tolerance", "1e-4"};
   for (const char* threads : {"1", "7"}) {
     std::vector<std::string> arguments = common;
     arguments.insert(arguments.end(), {"--threads", threads, "-o", std::string("u") + threads + ".raw"});
@@ -77,9 +76,9 @@ TEST_F(Grow, FlowsAndThreads) {
 }
 
 TEST_F(Grow, FindsTheSaddleItself) {
-  const nlohmann::json result = json({"henon", "--unstable", "--iterates", "0", "--tol", "1e-4"});
+  const nlohmann::json result = json({"henon", "--unstable", "--iterates", "0", "--tolerance", "1e-4"});
   EXPECT_NEAR(result["local_manifold"]["saddle"][0].get<double>(), 1 + std::sqrt(1.5), 1e-14);
-  expect_failure({"double-gyre", "--period", "2", "--unstable", "--iterates", "0", "--tol", "1e-4"}, 2,
+  expect_failure({"double-gyre", "--period", "2", "--unstable", "--iterates", "0", "--tolerance", "1e-4"}, 2,
                  "several saddles");
 }
 
@@ -92,8 +91,8 @@ TEST_F(Grow, BothSidesOfATangleByNameAlone) {
   };
   for (const Case& known : {Case{"ovp", "gamma=0.5", 0.2541062770995}, Case{"duffing", "omega=2", 0.0764657750801}}) {
     for (const char* side : {"--unstable", "--stable"}) {
-      const Outcome outcome = grow({known.system, "--param", known.parameter, side, "--iterates", "2", "--tol", "1e-5",
-                                    "-o", std::string("curve") + side + ".npy"});
+      const Outcome outcome = grow({known.system, "--param", known.parameter, side, "--iterates", "2", "--tolerance",
+                                    "1e-5", "-o", std::string("curve") + side + ".npy"});
       ASSERT_EQ(outcome.status, 0) << outcome.err;
     }
     const Outcome outcome = run({"tangle", "curve--unstable.npy", "curve--stable.npy", "--json", "-"});
@@ -107,21 +106,21 @@ TEST_F(Grow, BothSidesOfATangleByNameAlone) {
 }
 
 TEST_F(Grow, Refuses) {
-  const std::vector<std::string> good{"standard", "--fixed-point", "0,0", "--unstable", "--iterates",
-                                      "2",        "--tol",         "1e-4"};
+  const std::vector<std::string> good{"standard",   "--from", "0,0",         "--unstable",
+                                      "--iterates", "2",      "--tolerance", "1e-4"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), good.begin(), good.end());
     return more;
   };
   EXPECT_EQ(grow(good).status, 0);
-  expect_failure({"standard", "--fixed-point", "0,0", "--iterates", "2", "--tol", "1e-4"}, 2, "--unstable or --stable");
-  expect_failure({"standard", "--fixed-point", "0,0", "--unstable", "--tol", "1e-4"}, 2, "--iterates or --length");
-  expect_failure({"standard", "--fixed-point", "0,0", "--unstable", "--iterates", "2"}, 2, "--tol");
-  expect_failure({"standard", "--fixed-point", "3.14,0", "--unstable", "--iterates", "2", "--tol", "1e-4"}, 1,
+  expect_failure({"standard", "--from", "0,0", "--iterates", "2", "--tolerance", "1e-4"}, 2, "--unstable or --stable");
+  expect_failure({"standard", "--from", "0,0", "--unstable", "--tolerance", "1e-4"}, 2, "--iterates or --length");
+  expect_failure({"standard", "--from", "0,0", "--unstable", "--iterates", "2"}, 2, "--tolerance");
+  expect_failure({"standard", "--from", "3.14,0", "--unstable", "--iterates", "2", "--tolerance", "1e-4"}, 1,
                  "is not a saddle");
-  expect_failure({"henon", "--param", "k=-3", "--fixed-point", "0,0", "--unstable", "--iterates", "2", "--tol", "1e-4"},
+  expect_failure({"henon", "--param", "k=-3", "--from", "0,0", "--unstable", "--iterates", "2", "--tolerance", "1e-4"},
                  1, "(0, 0)");
-  expect_failure({"nosuch", "--fixed-point", "0,0", "--unstable", "--iterates", "2", "--tol", "1e-4"}, 2, "nosuch");
+  expect_failure({"nosuch", "--from", "0,0", "--unstable", "--iterates", "2", "--tolerance", "1e-4"}, 2, "nosuch");
   expect_failure(with({"--param", "K"}), 2, "NAME=VALUE");
   expect_failure(with({"--param", "K=x"}), 2, "NAME=VALUE");
   expect_failure(with({"--param", "Q=1"}), 2, "Q");

@@ -47,7 +47,7 @@ TEST_F(InstructionSets, TransportHasTheSameBytes) {
 }
 
 TEST_F(InstructionSets, EscapeHasTheSameBytes) {
-  expect_same_bytes({"escape", "capsize", "--energy", "0.25307", "--iterates", "1", "--tolerance", "1e-3"},
+  expect_same_bytes({"escape", "capsize", "--energy", "0.25307", "--crossings", "1", "--tolerance", "1e-3"},
                     "\"energy\"");
 }
 

@@ -79,7 +79,7 @@ TEST_F(Interrupt, EndsCommandsOnCurvesSoon) {
   ends_soon({"overlay", "a.raw", "b.raw", "--json", "o.json", "--lobes", "l.dat"});
   ends_soon({"overlay", "a.raw", "b.raw", "--rule", "nonzero"});
   ends_soon({"interior", "a.raw", "b.raw"});
-  ends_soon({"densify", "a.raw", "-o", "d.csv", "--tau", "1e-8"});
+  ends_soon({"densify", "a.raw", "-o", "d.csv", "--max-length", "1e-8"});
   ends_soon({"a.raw", "b.raw", "result"});
   ends_soon({"-light", "a.raw", "b.raw", "result", "-DENS", "2", "100"});
   EXPECT_FALSE(exists("o.json"));
@@ -87,15 +87,15 @@ TEST_F(Interrupt, EndsCommandsOnCurvesSoon) {
 }
 
 TEST_F(Interrupt, EndsCommandsOnSystemsSoon) {
-  ends_soon({"grow", "duffing", "--unstable", "--tol", "1e-9", "--iterates", "40", "-o", "u.npy"});
-  ends_soon({"grow", "standard", "--unstable", "--tol", "1e-10", "--iterates", "100", "--max-points", "100000000", "-o",
-             "s.npy"});
+  ends_soon({"grow", "duffing", "--unstable", "--tolerance", "1e-9", "--iterates", "40", "-o", "u.npy"});
+  ends_soon({"grow", "standard", "--unstable", "--tolerance", "1e-10", "--iterates", "100", "--max-points", "100000000",
+             "-o", "s.npy"});
   EXPECT_TRUE(exists("s.npy")) << "what was grown is kept";
   ends_soon({"tangle", "--system", "double-gyre", "--after", "9", "--tolerance", "1e-9"}, 0.4);
   ends_soon({"transport", "double-gyre", "--tolerance", "1e-9"}, 0.4);
   ends_soon({"transport", "duffing", "--sweep", "eps=0.1:0.5:0.0001"});
-  ends_soon({"escape", "capsize", "--tolerance", "1e-9", "--iterates", "8"});
-  ends_soon({"escape", "capsize", "--iterates", "1", "--tolerance", "1e-3", "--monte-carlo", "100000000"});
+  ends_soon({"escape", "capsize", "--tolerance", "1e-9", "--crossings", "8"});
+  ends_soon({"escape", "capsize", "--crossings", "1", "--tolerance", "1e-3", "--monte-carlo", "100000000"});
 }
 
 TEST_F(Interrupt, EndsABatchOfLongJobsSoon) {
@@ -111,7 +111,7 @@ TEST_F(Interrupt, EndsABatchOfLongJobsSoon) {
 
 TEST_F(Interrupt, IsAnsweredAtOnceByOneLine) {
   const std::string command = std::string(LOBER_PROGRAM) +
-                              " grow duffing --unstable --tol 1e-9 --iterates 40 2> err > /dev/null & p=$!; " +
+                              " grow duffing --unstable --tolerance 1e-9 --iterates 40 2> err > /dev/null & p=$!; " +
                               "sleep 0.5; kill -INT $p; sleep 0.3; cp err early; wait $p; exit $?";
   const int status =  // NOLINTNEXTLINE(concurrency-mt-unsafe): one thread
       std::system(("cd '" + folder().string() + "' && exec bash -m -c '" + command + "'").c_str());
@@ -155,8 +155,8 @@ class Terminal {
 TEST_F(Interrupt, ProgressIsToBeSeenOnATerminal) {
   const Terminal terminal;
   const int keep_open = open(terminal.name().c_str(), O_RDWR | O_NOCTTY);
-  const std::string command =
-      std::string("exec ") + LOBER_PROGRAM + " grow duffing --unstable --tol 1e-9 --iterates 40 2> " + terminal.name();
+  const std::string command = std::string("exec ") + LOBER_PROGRAM +
+                              " grow duffing --unstable --tolerance 1e-9 --iterates 40 2> " + terminal.name();
   const pid_t process = start_in(folder(), {"sh", "-c", command});
   const std::string seen = terminal.read_for(3.5);
   kill(process, SIGINT);
@@ -175,7 +175,8 @@ TEST_F(Interrupt, KeepsTheRowsOfTransport) {
                               " transport duffing --iterates 20 --tolerance 1e-7 > out 2> " + terminal.name();
   const pid_t process = start_in(folder(), {"sh", "-c", command});
   std::string seen;
-  for (int seconds = 0; seconds < 120 && seen.find("n = 1: ") == std::string::npos; ++seconds) {
+  // The line of progress may begin with "n = 1: " too.
+  for (int seconds = 0; seconds < 120 && seen.find("n = 1: T12 ") == std::string::npos; ++seconds) {
     seen += terminal.read_for(1);
   }
   kill(process, SIGINT);

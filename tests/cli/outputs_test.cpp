@@ -49,7 +49,7 @@ TEST_F(Outputs, AreNoInputsHoweverNamed) {
     expect_refused({"-light", "b.dat", "a.dat", name}, "overwrite");
   }
   expect_refused({"interior", "a.dat", "b.dat", "--json", "hard"}, "overwrite");
-  expect_refused({"densify", "a.dat", "-o", "a.dat", "--tau", "1"}, "-o would overwrite the input");
+  expect_refused({"densify", "a.dat", "-o", "a.dat", "--max-length", "1"}, "-o would overwrite the input");
   expect_refused({"densify", "b.dat", "a.dat", "--crossings", "-o", "sub/up/a.dat"}, "overwrite");
   expect_refused({"tangle", "u.dat", "s.dat", "--graph", "./u.dat"}, "overwrite");
   expect_refused({"u.dat", "s.dat", "x", "./u.dat", "y", "0", "0", "1"}, "overwrite");
@@ -91,7 +91,7 @@ TEST_F(Outputs, AreNotTheLibraryOfASystem) {
        {std::vector<std::string>{"transport", "./map.so"},
         {"tangle", "--system", "map.so"},
         {"escape", "map.so", "--energy", "1"},
-        {"grow", "./map.so", "--unstable", "--tol", "1", "--iterates", "1"}}) {
+        {"grow", "./map.so", "--unstable", "--tolerance", "1", "--iterates", "1"}}) {
     std::vector<std::string> arguments = command;
     arguments.insert(arguments.end(), {"--json", "out.json"});
     expect_refused(arguments, "overwrite");
@@ -118,7 +118,7 @@ TEST_F(Outputs, HaveTheEndingsOfTheirFormats) {
   refused({"tangle", "--system", "henon"}, "--lobes", "x.shp", ".dat");
   refused({"transport", "henon"}, "--picture", "x.pdf", ".svg");
   refused({"escape", "capsize"}, "--svg", "x.png", ".svg");
-  refused({"grow", "henon", "--unstable", "--tol", "1e-3", "--iterates", "1"}, "-o", "x.svg", ".npy");
+  refused({"grow", "henon", "--unstable", "--tolerance", "1e-3", "--iterates", "1"}, "-o", "x.svg", ".npy");
   refused({"a.dat"}, "b.dat", "x.npy", "<rslt>");
   for (const char* name : {"x.JSON", "x", "x.0.6", "x.K=2"}) {
     EXPECT_EQ(run({"overlay", "a.dat", "b.dat", "--json", name}).status, 0) << name;

@@ -334,8 +334,8 @@ TEST_F(TangleProgram, KeepsToThePipOnTheAxisOfTheStandardMap) {
 
 // f is x -> a reflection through the saddle: f^2 keeps the branches.
 TEST_F(TangleProgram, SaysThatSaddlesWithReflectionCountSecondIterates) {
-  const Outcome grown = run({"grow", "standard", "--param", "K=5", "--fixed-point", "3.14159265,0", "--unstable",
-                             "--tol", "1e-3", "--iterates", "3", "--json", "g.json", "-o", "g.npy"});
+  const Outcome grown = run({"grow", "standard", "--param", "K=5", "--from", "3.14159265,0", "--unstable",
+                             "--tolerance", "1e-3", "--iterates", "3", "--json", "g.json", "-o", "g.npy"});
   ASSERT_EQ(grown.status, 0) << grown.err;
   EXPECT_NE(grown.out.find("images are those of f^2"), std::string::npos) << grown.out;
   const Json json = Json::parse(read("g.json"));

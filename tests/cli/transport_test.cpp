@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "lober/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
 
@@ -110,7 +111,7 @@ TEST_F(TransportCommand, DisagreementIsLoud) {
 TEST_F(TransportCommand, FromManifoldFiles) {
   for (const auto& [side, file] : {std::pair{"--unstable", "u.npy"}, {"--stable", "s.npy"}}) {
     const Outcome grown =
-        run({"grow", "henon", "--param", "k=0.5", side, "--tol", "1e-6", "--iterates", "5", "-o", file});
+        run({"grow", "henon", "--param", "k=0.5", side, "--tolerance", "1e-6", "--iterates", "5", "-o", file});
     ASSERT_EQ(grown.status, 0) << grown.err;
   }
   const nlohmann::json found = json(
@@ -118,6 +119,28 @@ TEST_F(TransportCommand, FromManifoldFiles) {
   ASSERT_GE(found["steps"].size(), 4U);
   EXPECT_NEAR(found["steps"][3]["T"].get<double>(), 4.068470369442501, 1e-6);
   EXPECT_NEAR(found["steps"][3]["T_by_boundaries"].get<double>(), 4.068470369442501, 1e-4);
+}
+
+// Manifolds that run inward are the same ones in reverse order, named as for `lober tangle`.
+TEST_F(TransportCommand, FromManifoldFilesThatRunInward) {
+  std::vector<Curve> manifolds;
+  for (const char* zone : {"#0", "#1"}) {
+    manifolds.push_back(read_curve(std::string(LOBER_SOURCE_DIR "/examples/manifolds.dat") + zone, false).curve);
+    write_curve(zone[1] == '0' ? "u" : "s", manifolds.back().points);
+    std::reverse(manifolds.back().points.begin(), manifolds.back().points.end());
+    write_curve(zone[1] == '0' ? "u-inward" : "s-inward", manifolds.back().points);
+  }
+  const auto steps = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{"--manifolds"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return json(all)["steps"];
+  };
+  const nlohmann::json outward = steps({"u", "s"});
+  ASSERT_FALSE(outward.empty());
+  EXPECT_EQ(steps({"u-inward", "s", "--reverse", "u"}), outward);
+  EXPECT_EQ(steps({"u", "s-inward", "--reverse", "s"}), outward);
+  EXPECT_EQ(steps({"u-inward", "s-inward", "--reverse", "both"}), outward);
+  expect_failure({"--manifolds", "u", "s", "--reverse", "inward"}, 2, "--reverse");
 }
 
 TEST_F(TransportCommand, SweepKeepsWhatWorks) {
@@ -168,9 +191,9 @@ TEST_F(TransportCommand, Refuses) {
   expect_failure({"ovp", "--param", "gamma=-1"}, 2, "gamma must be positive");
   expect_failure({"ovp", "--sweep", "gama=1:2:1"}, 2, "it has: gamma, eps, phase");
   expect_failure({"ovp", "--sweep", "gamma=1:2"}, 2, "FIRST:LAST:STEP");
-  expect_failure({"ovp", "--sweep", "gamma=1:2:-1"}, 2, "does not lead");
+  expect_failure({"ovp", "--sweep", "gamma=1:2:-1"}, 2, "leads from the first value");
   expect_failure({"ovp", "--find-zero"}, 2, "--sweep");
-  expect_failure({"capsize"}, 2, "needed: --from");
+  expect_failure({"capsize"}, 2, "give --from");
   expect_failure({"standard", "--from", "3.14159,0"}, 1, "is not a saddle");
   expect_failure({"standard", "--svg", "x", "--picture", "x"}, 2, "both write");
   expect_failure({"standard", "--iterates", "4", "--max-points", "100"}, 1, "--max-points allows 100");

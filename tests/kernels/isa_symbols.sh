@@ -26,7 +26,7 @@ for file in "${sources[@]}"; do
   name=$(basename "$file" .cpp)
   flags=(-mavx2 -mfma)
   [[ $name == *_avx512 ]] && flags+=(-mavx512f -mavx512vl -mavx512dq)
-  "$compiler" -std=c++20 -O0 -g -fPIC -ffp-contract=off -Wno-psabi "-I$source" "${flags[@]}" -c "$file" -o "$scratch/$name.o"
+  "$compiler" -std=c++20 -O0 -g -fPIC -ffp-contract=off -Wno-psabi "-I$source" "-I$source/engine" "${flags[@]}" -c "$file" -o "$scratch/$name.o"
   look_at "$scratch/$name.o" "$name.cpp without optimisation"
 done
 [ "$looked_at" -eq $((2 * ${#sources[@]})) ] || { echo "$looked_at objects of ${#sources[@]} sources"; status=1; }

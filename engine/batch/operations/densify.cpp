@@ -22,13 +22,13 @@ bool has_angles(const Options& options) {
 }
 
 std::optional<Criteria> criteria_for(const Options& options, CurveView curve) {
-  if (!has_angles(options) && options.real("tau") == 0) return std::nullopt;
-  Criteria criteria{or_off(options.real("tau")), or_off(options.real("alpha")), or_off(options.real("distance_angle")),
-                    std::max(options.real("delta"), 0.0)};
+  if (!has_angles(options) && options.real("max_length") == 0) return std::nullopt;
+  Criteria criteria{or_off(options.real("max_length")), or_off(options.real("alpha")),
+                    or_off(options.real("distance_angle")), std::max(options.real("min_length"), 0.0)};
   const Criteria usual = hobson_criteria(curve);
   if (options.flag("hobson") && options.real("alpha") == 0) criteria.angle = usual.angle;
   if (options.flag("hobson") && options.real("distance_angle") == 0) criteria.distance_angle = usual.distance_angle;
-  if (has_angles(options) && options.real("delta") < 0) criteria.shortest = usual.shortest;
+  if (has_angles(options) && options.real("min_length") < 0) criteria.shortest = usual.shortest;
   return criteria;
 }
 
@@ -87,7 +87,9 @@ Record run(JobCurves curves, const Options& options) {
     rounds += result.rounds;
     for (const Flaw& flaw : result.flaws) flawed += flaw.count;
   };
-  if (options.real("remove") > 0) done(thin(result, {options.real("remove"), or_off(options.real("tau"))}));
+  if (options.real("simplify") > 0) {
+    done(thin(result, {options.real("simplify"), or_off(options.real("max_length"))}));
+  }
   const Allowance& allowance = curves.allowance();
   const std::size_t most = std::min<std::size_t>(allowance.most() / bytes_per_point, 1'000'000'000);
   if (const auto criteria = criteria_for(options, result)) {
@@ -120,12 +122,12 @@ Operation densify_operation() {
   Operation operation;
   operation.name = "densify";
   operation.arity = Arity::one_or_two;
-  operation.options = {{"remove", 0.0, {}, 0},
-                       {"tau", 0.0, {}, 0},
+  operation.options = {{"simplify", 0.0, {}, 0},
+                       {"max_length", 0.0, {}, 0},
                        {"hobson", false},
                        {"alpha", 0.0, {}, 0},
                        {"distance_angle", 0.0, {}, 0},
-                       {"delta", -1.0},
+                       {"min_length", -1.0},  // negative: 0, or with angle criteria 1e-6 of the size
                        {"passes", std::int64_t{0}, {}, 0, 64},
                        {"points", std::int64_t{0}, {}, 0, 1'000'000},
                        {"crossings", false},

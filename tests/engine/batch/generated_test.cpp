@@ -79,7 +79,7 @@ TEST_F(Generated, ManifoldsThatGrowTooLongStopAtTheBudget) {
 }
 
 TEST_F(Generated, CriteriaThatAskForTooManyPointsAreRefused) {
-  for (const char* const options : {"tau = 1e-300", "tau = 1e-9", "alpha = 1e-7, delta = 1e-12"}) {
+  for (const char* const options : {"max_length = 1e-300", "max_length = 1e-9", "alpha = 1e-7, min_length = 1e-12"}) {
     const auto found =
         messages("operation = \"densify\"\ncurves = \"*.npy\"\noptions = { "s + options + " }\n", 48 * mebibytes);
     ASSERT_EQ(found.size(), 2U);
@@ -88,14 +88,16 @@ TEST_F(Generated, CriteriaThatAskForTooManyPointsAreRefused) {
     }
     EXPECT_LE(report_.cache.peak_bytes, 49 * mebibytes);
   }
-  EXPECT_EQ(messages("operation = \"densify\"\ncurves = \"*.npy\"\noptions = { tau = 1e-4 }\n", 48 * mebibytes).at(0),
-            "");
+  EXPECT_EQ(
+      messages("operation = \"densify\"\ncurves = \"*.npy\"\noptions = { max_length = 1e-4 }\n", 48 * mebibytes).at(0),
+      "");
 }
 
 // Half a second is what a user waits; the test only wants that it is not the minutes that the whole would take.
 TEST_F(Generated, StopsInTheMiddle) {
   const auto found = messages(
-      "operation = \"densify\"\noptions = { tau = 1 }\ncurves = { system = \"duffing\", image_of = \"ring.npy\", "
+      "operation = \"densify\"\noptions = { max_length = 1 }\ncurves = { system = \"duffing\", image_of = "
+      "\"ring.npy\", "
       "iterates = "
       "40, tolerance = 1e-9 }\n",
       std::size_t{4} << 30, true);
@@ -111,7 +113,7 @@ TEST_F(Generated, WhatHasNoEndIsNoInput) {
       ASSERT_EQ(mkfifo(path(input).c_str(), 0600), 0);
     }
     const auto found =
-        messages("operation = \"densify\"\noptions = { tau = 1 }\ncurves = [\"ring.npy\", \""s + input + "\"]\n",
+        messages("operation = \"densify\"\noptions = { max_length = 1 }\ncurves = [\"ring.npy\", \""s + input + "\"]\n",
                  48 * mebibytes);
     ASSERT_EQ(found.size(), 2U) << input;
     EXPECT_EQ(found.at(0), "");

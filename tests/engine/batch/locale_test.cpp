@@ -51,24 +51,25 @@ class UnderALocale : public ScratchFolder {
 TEST_F(UnderALocale, OptionsKeepTheirBits) {
   write_npy(path("a.npy"), wavy(20, 0));
   write("job.toml",
-        "operation = \"densify\"\ncurves = \"a.npy\"\noptions = { delta = 1e-310 }\ngrid = { tau = [0.5, 0.25, 1e-3] "
+        "operation = \"densify\"\ncurves = \"a.npy\"\noptions = { min_length = 1e-310 }\ngrid = { max_length = [0.5, "
+        "0.25, 1e-3] "
         "}\n");
   const Plan plan = make_plan(read_manifest(path("job.toml")));
   const Plan stored = Plan::decoded(plan.encoded());
   ASSERT_EQ(stored.groups.size(), 3U);
   for (const Plan& any : {plan, stored}) {
-    EXPECT_EQ(options_of(any.groups[0]).real("tau"), 0.5);
-    EXPECT_EQ(options_of(any.groups[2]).real("tau"), 1e-3);
-    EXPECT_EQ(options_of(any.groups[0]).real("delta"), 1e-310);
+    EXPECT_EQ(options_of(any.groups[0]).real("max_length"), 0.5);
+    EXPECT_EQ(options_of(any.groups[2]).real("max_length"), 1e-3);
+    EXPECT_EQ(options_of(any.groups[0]).real("min_length"), 1e-310);
   }
-  EXPECT_NE(stored.groups[0].spelled().find("tau=0.5 "), std::string::npos) << stored.groups[0].spelled();
+  EXPECT_NE(stored.groups[0].spelled().find("max_length=0.5 "), std::string::npos) << stored.groups[0].spelled();
   ASSERT_EQ(run_batch(read_manifest(path("job.toml")), {path("s"), {}, {}, {}}).queue.failed, 0U);
   export_results(Store::open(path("s")), path("out.csv"), ExportFormat::csv);
   std::ifstream lines(path("out.csv"));
   std::string line;
   std::getline(lines, line);
   int rows = 0;
-  for (; std::getline(lines, line); ++rows) EXPECT_NE(line.find("delta=1e-310"), std::string::npos) << line;
+  for (; std::getline(lines, line); ++rows) EXPECT_NE(line.find("min_length=1e-310"), std::string::npos) << line;
   EXPECT_EQ(rows, 3);
 }
 

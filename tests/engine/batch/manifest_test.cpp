@@ -61,7 +61,8 @@ TEST_F(ManifestTest, KindsOfPairs) {
   EXPECT_EQ(
       pairs("operation = \"overlay\"\npairs = [[\"separ.2\", \"other.b\"], [\"zones.dat#1\", \"zones.dat#one\"]]"),
       (Names{"separ.2 other.b", "zones.dat#1 zones.dat#0"}));
-  EXPECT_EQ(pairs("operation = \"densify\"\ncurves = \"other.?\"\noptions.tau = 0.1"), (Names{"other.a", "other.b"}));
+  EXPECT_EQ(pairs("operation = \"densify\"\ncurves = \"other.?\"\noptions.max_length = 0.1"),
+            (Names{"other.a", "other.b"}));
   EXPECT_EQ(pairs("operation = \"overlay\"\ncurves = \"zones.dat#*\""), (Names{"zones.dat#0 zones.dat#1"}));
 }
 
@@ -97,10 +98,10 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\"\n\ncurves = \"sepra.*\""), "job.toml:3: curves: there is no file sepra.*");
-  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"al\"").substr(0, 53),
-            "job.toml:3: pairs: \"al\" is none of all, consecutive, ");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"al\"").substr(0, 72),
+            "job.toml:3: pairs: \"al\" cannot be read as pairs; give all, consecutive, ");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\n[options]\nindex = \"gird\""),
-            "job.toml:4: options.index: \"gird\" is none of auto, tree, grid, kd");
+            "job.toml:4: options.index: \"gird\" cannot be read as one of auto, tree, grid, kd");
   EXPECT_EQ(refusal("operation = \"interior\"\ncurves = \"separ.*\"\n[grid]\npasses = [1,\n  -1]"),
             "job.toml:5: options.passes: has to be at least 0");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\""), "job.toml:2: curves: no pair comes of this");
@@ -129,10 +130,10 @@ operation = "interior"
 }
 
 TEST_F(ManifestTest, DealerDealsEachJobOnceInShrinkingPortions) {
-  const Plan all = plan("operation = \"densify\"\ncurves = \"separ.*\"\n[grid]\ntau = [" + [] {
-    std::string taus = "1";
-    for (int k = 2; k < 1000; ++k) taus += "," + std::to_string(k);
-    return taus;
+  const Plan all = plan("operation = \"densify\"\ncurves = \"separ.*\"\n[grid]\nmax_length = [" + [] {
+    std::string lengths = "1";
+    for (int k = 2; k < 1000; ++k) lengths += "," + std::to_string(k);
+    return lengths;
   }() + "]");
   std::vector<std::uint32_t> numbers = jobs_of(all, {});
   Dealer dealer(all, path("job.toml"), numbers, 3);

@@ -37,7 +37,7 @@ TEST(Options, BadOnesAreRefusedByName) {
   EXPECT_EQ(message_of({{"count", 1.5}}), "count: has to be a whole number");
   EXPECT_EQ(message_of({{"count", std::int64_t{11}}}), "count: has to be at most 10");
   EXPECT_EQ(message_of({{"size", -1.0}}), "size: has to be at least 0");
-  EXPECT_EQ(message_of({{"kind", std::string("grid")}}), "kind: \"grid\" is none of auto, tree");
+  EXPECT_EQ(message_of({{"kind", std::string("grid")}}), "kind: \"grid\" cannot be read as one of auto, tree");
 }
 
 TEST(Operations, TableIsConsistent) {

@@ -198,7 +198,9 @@ TEST_F(SystemJobs, RefusalsNameLineAndKey) {
   EXPECT_EQ(curve(good + "iterates = 3"), "job.toml:2: curves: has to have either manifold or image_of");
   EXPECT_EQ(curve(good + "manifold = \"stable\""), "job.toml:2: curves: a manifold needs iterates or length");
   EXPECT_EQ(curve(good + "manifold = \"stable\", iterates = \"3:1\""),
-            "job.toml:2: curves: iterates has to be a whole number or \"a:b\" with a <= b");
+            "job.toml:2: curves: iterates has to be a whole number or \"a:b\" with a <= b, from -10000 to 10000");
+  EXPECT_EQ(curve(good + "manifold = \"stable\", iterates = 1, from = [0, 0], branch = \"+\""), "");
+  EXPECT_EQ(curve(good + "manifold = \"stable\", iterates = 1, from = 0"), "job.toml:2: curves: from has to be [x, y]");
   EXPECT_EQ(curve(good + "manifold = \"stable\", iterates = 1, parameters = { q = 1 }").substr(0, 55),
             "job.toml:2: curves: system standard has no parameter 'q");
   EXPECT_EQ(curve("system = \"standard\", manifold = \"stable\", iterates = 1"),
