@@ -28,6 +28,7 @@
 #include "lober/agreement.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/error.hpp"
+#include "lober/version.hpp"
 
 namespace lober::cli {
 namespace {
@@ -115,7 +116,7 @@ void run(const std::vector<std::string>& arguments) {
   if (first == "--help" || first == "-h") {
     print(usage);
   } else if (first == "--version") {
-    print("lober " LOBER_VERSION "\n");
+    print(std::string("lober ") + version() + "\n");
   } else if (first == "overlay") {
     run_overlay({arguments.begin() + 1, arguments.end()});
   } else if (first == "interior") {

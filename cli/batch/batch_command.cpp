@@ -12,6 +12,7 @@
 #include "engine/batch/export.hpp"
 #include "engine/batch/forecast.hpp"
 #include "lober/cancellation.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -31,7 +32,7 @@ void run_manifest(const Arguments& arguments) {
   }
   const Manifest manifest = read_manifest(request->manifest);
   BatchReport report;
-  with_thread_limit(request->threads, [&] {
+  run_with_threads(request->threads, [&] {
     BatchProgress line;
     BatchOptions options;
     options.store = request->store;

@@ -10,6 +10,7 @@
 #include "cli/program/progress.hpp"
 #include "cli/report/point_file.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -220,7 +221,7 @@ void run(const Request& request) {
 
 void run_densify(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
-  if (request) with_thread_limit(request->threads, [&] { run(*request); });
+  if (request) run_with_threads(request->threads, [&] { run(*request); });
 }
 
 }  // namespace lober::cli

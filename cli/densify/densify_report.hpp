@@ -42,7 +42,8 @@ struct DensifyReport {
 /// A few lines for people.
 [[nodiscard]] std::string densify_summary(const DensifyReport& report);
 
-/// Writes the JSON object (DESIGN section 6); `seconds_so_far` is asked when all but the timing is written.
+/// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` is asked when all but the timing is
+/// written.
 void write_densify_json(const std::string& path, const DensifyReport& report,
                         const std::function<double()>& seconds_so_far);
 

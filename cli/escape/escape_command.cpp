@@ -13,6 +13,7 @@
 #include "engine/base/stopwatch.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/error.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -317,7 +318,7 @@ void run(const Request& request) {
 
 void run_escape(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
-  if (request) with_thread_limit(request->threads, [&] { run(*request); });
+  if (request) run_with_threads(request->threads, [&] { run(*request); });
 }
 
 }  // namespace lober::cli

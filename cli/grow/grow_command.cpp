@@ -12,6 +12,7 @@
 #include "engine/base/stopwatch.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/fixed_points.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -226,7 +227,7 @@ void run_grow(const std::vector<std::string>& arguments) {
   add_options(parser, request);
   if (!parser.parse(arguments)) return;
   check(request);
-  with_thread_limit(request.threads, [&] { run(request); });
+  run_with_threads(request.threads, [&] { run(request); });
 }
 
 }  // namespace lober::cli

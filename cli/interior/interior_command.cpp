@@ -13,6 +13,7 @@
 #include "cli/report/agreement_report.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/overlay.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -129,7 +130,7 @@ void run_interior(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();
-  with_thread_limit(request->threads, [&] { run(*request); });
+  run_with_threads(request->threads, [&] { run(*request); });
 }
 
 }  // namespace lober::cli

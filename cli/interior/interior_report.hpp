@@ -35,7 +35,7 @@ struct MeasuredAreas {
 /// The short aligned table for people.
 [[nodiscard]] std::string interior_table(const InteriorReport& report);
 
-/// Writes the JSON object (DESIGN section 6); `seconds_so_far` gives the time since the program began.
+/// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
 void write_interior_json(const std::string& path, const InteriorReport& report,
                          const std::function<double()>& seconds_so_far);
 

@@ -20,6 +20,7 @@
 #include "cli/program/interrupt.hpp"
 #include "cli/program/log.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -114,7 +115,7 @@ int run_rank(const std::vector<std::string>& arguments) {
   work.queue.threads = request->threads > 0 ? request->threads : fair;
   work.queue.memory = request->memory;
   work.queue.digests = true;
-  with_thread_limit(work.queue.threads, [&] {
+  run_with_threads(work.queue.threads, [&] {
     if (rank == 0) return run_coordinator(*request, work, ranks);
     std::string plan;
     broadcast(plan);

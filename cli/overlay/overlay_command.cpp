@@ -16,6 +16,7 @@
 #include "cli/report/agreement_report.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/interior.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -267,7 +268,7 @@ void run_overlay(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();
-  with_thread_limit(request->threads, [&] { request->rule ? run_by_rule(*request) : run(*request); });
+  run_with_threads(request->threads, [&] { request->rule ? run_by_rule(*request) : run(*request); });
 }
 
 }  // namespace lober::cli

@@ -53,8 +53,8 @@ struct OverlayReport {
 /// The short aligned table for people.
 [[nodiscard]] std::string overlay_table(const OverlayReport& report);
 
-/// Writes the JSON object (DESIGN section 6); `seconds_so_far` gives the time since the program began and is
-/// asked when all but the timing is written.
+/// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began
+/// and is asked when all but the timing is written.
 void write_overlay_json(const std::string& path, OverlayReport& report, const std::function<double()>& seconds_so_far);
 
 /// One Tecplot zone for each piece of C1 \ C2, then of C2 \ C1; the holes of a piece follow it as zones of

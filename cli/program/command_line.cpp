@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "cli/program/output_names.hpp"
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "engine/files/output_file.hpp"
 #include "lober/error.hpp"
@@ -155,10 +154,6 @@ void add_reverse_option(OptionParser& parser, std::array<bool, 2>& reverse) {
           "both (default: neither).")
       .value("WHICH")
       .one_of({"u", "s", "both"});
-}
-
-void with_thread_limit(int threads, const std::function<void()>& function) {
-  with_threads(threads, function);
 }
 
 }  // namespace lober::cli

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,7 +43,7 @@ void add_points_option(OptionParser& parser, std::string& path, bool required);
 void add_manifold_check_option(OptionParser& parser, bool& no_check);
 /// --json FILE. `what` is written to it.
 void add_json_option(OptionParser& parser, std::string& path, const std::string& what = "the results");
-/// --threads N, for with_thread_limit.
+/// --threads N, for run_with_threads (lober/threads.hpp).
 void add_threads_option(OptionParser& parser, int& threads);
 /// --index KIND.
 void add_index_option(OptionParser& parser, IndexKind& kind);
@@ -60,8 +59,5 @@ void add_period_option(OptionParser& parser, std::uint32_t& period);
 Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help);
 /// --reverse u|s|both, of two manifolds U and S.
 void add_reverse_option(OptionParser& parser, std::array<bool, 2>& reverse);
-
-/// Runs the function with this number of threads, also more than the machine has cores; 0: one for each core.
-void with_thread_limit(int threads, const std::function<void()>& function);
 
 }  // namespace lober::cli

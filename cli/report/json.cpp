@@ -1,4 +1,5 @@
 #include "cli/report/json.hpp"
+#include "lober/version.hpp"
 
 namespace lober::cli {
 
@@ -38,7 +39,7 @@ Json simple_check_json(const SearchCounts& search, std::uint64_t pairs) {
 }
 
 Json program_json() {
-  return {{"name", "lober"}, {"version", LOBER_VERSION}};
+  return {{"name", "lober"}, {"version", version()}};
 }
 
 Json meetings_json(const Crossings& nodes) {

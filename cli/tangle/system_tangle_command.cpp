@@ -10,6 +10,7 @@
 #include "cli/report/agreement_report.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -102,7 +103,7 @@ void run_system_tangle(const std::vector<std::string>& arguments) {
   request.outputs.add_options(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
-  with_thread_limit(request.threads, [&] { run(request); });
+  run_with_threads(request.threads, [&] { run(request); });
 }
 
 }  // namespace lober::cli

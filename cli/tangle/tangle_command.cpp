@@ -14,6 +14,7 @@
 #include "cli/tangle/system_tangle_command.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -155,7 +156,7 @@ void run_tangle(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();
-  with_thread_limit(request->threads, [&] { run(*request); });
+  run_with_threads(request->threads, [&] { run(*request); });
 }
 
 }  // namespace lober::cli

@@ -73,7 +73,7 @@ struct TangleErrors {
 /// The short aligned table for people.
 [[nodiscard]] std::string tangle_table(const TangleReport& report);
 
-/// Writes the JSON object (DESIGN section 6); `seconds_so_far` gives the time since the program began.
+/// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
 void write_tangle_json(const std::string& path, TangleReport& report, const std::function<double()>& seconds_so_far);
 
 /// Writes the tangle graph as JSON: every crossing with its order on U and on S, kind and generation, and which stretch

@@ -11,6 +11,7 @@
 #include "cli/transport/transport_report.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/error.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -97,7 +98,7 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
-  with_thread_limit(request.threads, [&] { run(request); });
+  run_with_threads(request.threads, [&] { run(request); });
 }
 
 }  // namespace lober::cli

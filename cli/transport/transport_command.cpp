@@ -16,6 +16,7 @@
 #include "cli/transport/sweep_report.hpp"
 #include "cli/transport/transport_report.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -213,7 +214,7 @@ void run_transport(const std::vector<std::string>& arguments) {
       .excludes(sweep_option);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
-  with_thread_limit(request.threads, [&] { request.sweep.empty() ? run_one(request) : run_sweep(request); });
+  run_with_threads(request.threads, [&] { request.sweep.empty() ? run_one(request) : run_sweep(request); });
 }
 
 }  // namespace lober::cli

@@ -3,7 +3,7 @@
 // Two simple closed curves meet in finitely many connected sets, each a point or an arc that they share: the *nodes*.
 // At a node C2 either passes from one side of C1 to the other (a crossing, rho = +1 or -1) or stays on one side
 // (a touch, rho = 0). A shared arc is a node like any other: C1 crosses C2 along it or only touches.
-// So crossings are always even in number and their signs alternate along either curve (DESIGN section 2).
+// So crossings are always even in number and their signs alternate along either curve (docs/conventions.md, section 3).
 #pragma once
 
 #include <cstddef>

@@ -128,8 +128,8 @@ struct Curve {
 enum class Orientation : std::int8_t { clockwise = -1, degenerate = 0, counter_clockwise = 1 };
 
 /// Signed area of a closed curve (an open one is closed by its chord), positive for counter-clockwise:
-/// 1/2 sum (x_i y_{i+1} - x_{i+1} y_i), DESIGN section 2. Correct to 2^-52 relative to |area| + 2^-95 times
-/// the square of the curve's diameter. O(N), parallel; the same bits for any number of threads.
+/// 1/2 sum (x_i y_{i+1} - x_{i+1} y_i), docs/conventions.md, section 2. Correct to 2^-52 relative to |area| + 2^-95
+/// times the square of the curve's diameter. O(N), parallel; the same bits for any number of threads.
 [[nodiscard]] double signed_area(CurveView curve);
 
 /// Throws DataError unless the curve can be used: every coordinate finite, at least three distinct vertices

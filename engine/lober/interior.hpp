@@ -51,7 +51,7 @@ struct InteriorValue {
 /// J by way of the box tree: an arc whose box excludes the point contributes the angle between its two ends as seen
 /// from there, which is right because a box is convex, and so do neighbouring ones on one side of the point together.
 /// Angles near half a turn get their sign from an exact predicate, so J / 2 pi is the winding number up to the rounding
-/// of these few angles (each right to about 2^-51). About log N. DESIGN section 2.
+/// of these few angles (each right to about 2^-51). About log N. docs/conventions.md, section 5.
 [[nodiscard]] InteriorValue interior_function(const IndexedCurve& curve, Point point);
 
 /// The same for many points, in parallel; the same bits for any number of threads.
@@ -130,7 +130,7 @@ struct InteriorTiming {
 
 struct InteriorAreas {
   /// Integrals over both curves, counter-clockwise, of w = 1/2 (x dy - y dx) with weights I, (I + 1) / 2 and
-  /// (1 - I) / 2 (DESIGN section 2): the symmetric difference, the union and the intersection.
+  /// (1 - I) / 2 (docs/conventions.md, section 6): the symmetric difference, the union and the intersection.
   double q1 = 0, q2 = 0, q3 = 0;
   /// 1/4 |q2 - q3 - q1|, which the paper reports beside its areas. Zero by algebra: it measures the rounding of the
   /// three sums and nothing else.

@@ -1,9 +1,9 @@
 // The tangle of two manifolds: primary and secondary intersections, lobes, boundary, turnstile.
 //
 // U is the unstable manifold of p-, S the stable manifold of p+ (the same fixed point when homoclinic), both open
-// curves, simple, ordered outward from their fixed point. DESIGN section 2 has the definitions; sources are Rom-Kedar &
-// Wiggins (Arch. Rational Mech. Anal. 109, 1990) and Naik, Lekien & Ross (2017). All of it follows from the crossings,
-// exactly ordered along both curves, and from sums along the curves up to each:
+// curves, simple, ordered outward from their fixed point. docs/conventions.md, sections 8 and 9, has the definitions;
+// sources are Rom-Kedar & Wiggins (Arch. Rational Mech. Anal. 109, 1990) and Naik, Lekien & Ross (2017). All of it
+// follows from the crossings, exactly ordered along both curves, and from sums along the curves up to each:
 //
 //   pips      a crossing is a pip if none before it along U comes before it along S: records of one sweep.
 //   arcs      the pips q_0, q_1, ... follow each other outward along U and inward along S. They cut U into arcs U_k
@@ -35,7 +35,7 @@
 
 namespace lober {
 
-/// A primary intersection. rho as in DESIGN: +1 if S passes from the right of U to its left.
+/// A primary intersection. rho as in docs/conventions.md, section 3: +1 if S passes from the right of U to its left.
 struct Pip {
   std::uint32_t node;  ///< its number in Tangle::nodes
   Point at;            ///< rounded to double; with TangleOptions::smooth where the smooth curves cross

@@ -4,7 +4,7 @@
 // are more regions (`Region`). L_ij(1) is what the map takes from R_i to R_j in one step: lobes of a turnstile. Of
 // fluids that have the names of the regions they are in at the start, T_ij(n) is the area of species i in R_j after n
 // steps and a_ij(n) = T_ij(n) - T_ij(n - 1). With mu the area and f the map, which preserves area (Rom-Kedar & Wiggins
-// 1990; DESIGN section 2),
+// 1990; docs/conventions.md, section 10),
 //
 //   lobe method       a_ij(n) = sum over k of mu(L^i_kj(n)) - mu(L^i_jk(n)), and of those
 //                     mu(L^i_kj(n)) = sum over s of the sum over m = 0 ... n - 1 of mu(L_kj(1) n f^m L_is(1)),

@@ -1,8 +1,8 @@
 // A second exact overlay, from CGAL: arrangements of segments over its exact kernel, overlaid by its sweep.
 //
 // CGAL supplies all the geometry: both subdivisions, their overlay, which faces border on which. Only the
-// definition of a piece (faces joined across edges, DESIGN section 2) is ours, because CGAL's polygon sets
-// join polygons that touch in a vertex and so cannot be compared.
+// definition of a piece (faces joined across edges, docs/conventions.md, section 4) is ours, because CGAL's polygon
+// sets join polygons that touch in a vertex and so cannot be compared.
 #pragma once
 
 #include <array>

@@ -12,7 +12,6 @@
 #include "engine/geometry/interior/arc_labels.hpp"
 #include "engine/geometry/interior/insert_points.hpp"
 #include "engine/geometry/interior/side_sums.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/interior.hpp"
 
 namespace lober {
@@ -182,12 +181,7 @@ InteriorAreas interior_areas(const IndexedCurve& c1, const IndexedCurve& c2, con
   return InteriorBuilder(c1, c2, options, 0).build();
 }
 
-namespace {
-
-template <typename AnyCurve>
-InteriorAreas indexed_areas(const AnyCurve& c1, const AnyCurve& c2, const InteriorOptions& options) {
-  require_closed(c1, "curve 1", "interior");
-  require_closed(c2, "curve 2", "interior");
+InteriorAreas interior_areas(const ClosedCurve& c1, const ClosedCurve& c2, const InteriorOptions& options) {
   validate(c1, "curve 1");
   validate(c2, "curve 2");
   const Stopwatch watch;
@@ -197,16 +191,6 @@ InteriorAreas indexed_areas(const AnyCurve& c1, const AnyCurve& c2, const Interi
   result.timing.index = index_seconds;
   result.timing.total += index_seconds;
   return result;
-}
-
-}  // namespace
-
-InteriorAreas interior_areas(const ClosedCurve& c1, const ClosedCurve& c2, const InteriorOptions& options) {
-  return indexed_areas(c1, c2, options);
-}
-
-InteriorAreas interior_areas(CurveView c1, CurveView c2, const InteriorOptions& options) {
-  return indexed_areas(c1, c2, options);
 }
 
 }  // namespace lober

@@ -15,7 +15,6 @@
 #include "engine/geometry/overlay/arc_sums.hpp"
 #include "engine/geometry/overlay/faces.hpp"
 #include "engine/geometry/overlay/pieces_data.hpp"
-#include "engine/geometry/views.hpp"
 
 namespace lober {
 namespace {
@@ -361,33 +360,20 @@ Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOpt
   return OverlayBuilder(scaled1, scaled2, options, exponent).build(c1, c2);
 }
 
-namespace {
-
-template <typename AnyCurve>
-Overlay indexed_overlay(const AnyCurve& c1, const AnyCurve& c2, const OverlayOptions& options) {
+Overlay overlay(const ClosedCurve& c1, const ClosedCurve& c2, const OverlayOptions& options) {
   require_region(c1, "curve 1", "overlay");
   require_region(c2, "curve 2", "overlay");
   const Stopwatch watch;
   const IndexedCurve first(c1), second(c2);
   // The streaming pass over the points sees a coordinate that is not finite; only then is it worth another to say
   // which.
-  if (!first.tree().sums_finite()) validate(c1, "curve 1");
-  if (!second.tree().sums_finite()) validate(c2, "curve 2");
+  if (!first.finite()) validate(c1, "curve 1");
+  if (!second.finite()) validate(c2, "curve 2");
   const double index_seconds = watch.seconds();
   Overlay result = overlay(first, second, options);
   result.timing.index = index_seconds;
   result.timing.total += index_seconds;
   return result;
-}
-
-}  // namespace
-
-Overlay overlay(const ClosedCurve& c1, const ClosedCurve& c2, const OverlayOptions& options) {
-  return indexed_overlay(c1, c2, options);
-}
-
-Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
-  return indexed_overlay(c1, c2, options);
 }
 
 }  // namespace lober

@@ -12,7 +12,6 @@
 #include "engine/geometry/index/orientation.hpp"
 #include "engine/geometry/index/sums_along.hpp"
 #include "engine/geometry/regions/arrangement.hpp"
-#include "engine/geometry/views.hpp"
 
 namespace lober {
 
@@ -282,13 +281,12 @@ Regions build(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOption
   return RegionBuilder(scaled1, &scaled2, options, exponent).build(c1, c2, index_seconds);
 }
 
-template <typename AnyCurve>
-Regions index_and_build(const AnyCurve& c1, const AnyCurve* c2, const RegionOptions& options) {
+Regions index_and_build(const ClosedCurve& c1, const ClosedCurve* c2, const RegionOptions& options) {
   const Stopwatch watch;
-  const auto indexed = [](const AnyCurve& curve, std::string_view name) {
+  const auto indexed = [](const ClosedCurve& curve, std::string_view name) {
     require_region(curve, name, "regions");
     IndexedCurve result(curve);
-    if (!result.tree().sums_finite()) validate(curve, name);
+    if (!result.finite()) validate(curve, name);
     return result;
   };
   const IndexedCurve first = indexed(c1, "curve 1");
@@ -308,15 +306,11 @@ Regions regions(const IndexedCurve& c1, const IndexedCurve& c2, const RegionOpti
 }
 
 Regions regions(const ClosedCurve& c1, const RegionOptions& options) {
-  return index_and_build<ClosedCurve>(c1, nullptr, options);
+  return index_and_build(c1, nullptr, options);
 }
 
 Regions regions(const ClosedCurve& c1, const ClosedCurve& c2, const RegionOptions& options) {
   return index_and_build(c1, &c2, options);
-}
-
-Regions regions(CurveView c1, std::optional<CurveView> c2, const RegionOptions& options) {
-  return index_and_build(c1, c2 ? &*c2 : nullptr, options);
 }
 
 }  // namespace lober

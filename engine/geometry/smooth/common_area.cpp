@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "engine/geometry/views.hpp"
 #include "lober/error.hpp"
 #include "lober/overlay.hpp"
 #include "lober/regions.hpp"
@@ -8,7 +7,7 @@
 
 namespace lober {
 
-CommonArea common_area(CurveView first, CurveView second) {
+CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second) {
   try {
     OverlayOptions options;
     options.pieces = false;
@@ -20,10 +19,6 @@ CommonArea common_area(CurveView first, CurveView second) {
                          std::fabs(areas.c2 - std::fabs(smooth_area(second).area));
     return {areas.intersection, doubt};
   }
-}
-
-CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second) {
-  return common_area(CurveView(first), CurveView(second));
 }
 
 }  // namespace lober

@@ -2,22 +2,19 @@
 
 #include <cmath>
 
-#include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/smooth/bulges.hpp"
-#include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
 #include "lober/smooth.hpp"
 
 namespace lober {
 
-SmoothArea smooth_area(CurveView curve) {
-  require_closed(curve, "the curve", "smooth area");
+SmoothArea smooth_area(const ClosedCurve& curve) {
   validate(curve, "smooth area");
-  const int exponent = comfortable_exponent(box_of(curve.points));
+  const int exponent = comfortable_exponent(box_of(curve.points()));
   std::vector<Point> points;
   if (exponent != 0) points = scaled(curve, exponent);
-  const CurveView comfortable = exponent != 0 ? CurveView{points, true} : CurveView{curve.points, true};
+  const CurveView comfortable = exponent != 0 ? CurveView{points, true} : CurveView(curve);
   const BulgeSums sums = sum_bulges(SmoothCurve(comfortable), {});
   SmoothArea result;
   const double scale = std::ldexp(0.5, -2 * exponent), polygon = signed_area(comfortable);
@@ -25,10 +22,6 @@ SmoothArea smooth_area(CurveView curve) {
   result.error = scale * sums.total.error + std::fabs(result.area) * 0x1p-50;
   result.fallback_segments = sums.fallbacks;
   return result;
-}
-
-SmoothArea smooth_area(const ClosedCurve& curve) {
-  return smooth_area(CurveView(curve));
 }
 
 }  // namespace lober

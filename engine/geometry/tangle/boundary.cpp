@@ -7,7 +7,6 @@
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/regions.hpp"
 
 namespace lober {
@@ -68,11 +67,11 @@ ChordCuts cuts_of_chord(const Tangle& tangle) {
 }
 
 double nonzero_area(const std::vector<Point>& polygon) {
-  return regions(CurveView{polygon}).areas(WindingRule::nonzero).c1;
+  return regions(ClosedCurve::borrow(polygon)).areas(WindingRule::nonzero).c1;
 }
 
 double common_area(const std::vector<Point>& first, const std::vector<Point>& second) {
-  return regions(CurveView{first}, CurveView{second}).areas(WindingRule::nonzero).intersection;
+  return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(WindingRule::nonzero).intersection;
 }
 
 // The crossings of the boundary with lobes: node numbers, and for each the lobe it is on.

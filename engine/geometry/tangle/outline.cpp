@@ -1,7 +1,6 @@
 // Lobes and boundary as polygons.
 
 #include "engine/geometry/tangle/curves.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/regions.hpp"
 
 namespace lober {
@@ -63,7 +62,7 @@ SweptArea swept_area(const Tangle& tangle, std::size_t number) {
 
 std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe) {
   const std::vector<Point> outline = lobe_outline(tangle, lobe);
-  const Regions region = regions(CurveView{outline});
+  const Regions region = regions(ClosedCurve::borrow(outline));
   const RegionPieces pieces = region.pieces(WindingRule::nonzero, Pairing::c1_minus_c2);
   return {pieces.areas().begin(), pieces.areas().end()};
 }

@@ -14,7 +14,6 @@
 #include "engine/geometry/tangle/images.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
 #include "engine/geometry/tangle/pips.hpp"
-#include "engine/geometry/views.hpp"
 
 namespace lober {
 namespace {
@@ -80,8 +79,9 @@ void remark_direction(Tangle& tangle) {
   remark("are U and S", find_pips(tangle.nodes, true, true).size());
 }
 
-template <typename AnyCurve>
-Tangle find_tangle(const AnyCurve& given_u, const AnyCurve& given_s, const TangleOptions& options) {
+// The curves are OpenCurve, or indexed already.
+template <typename Given>
+Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptions& options) {
   const auto report = [&](double fraction) {
     if (options.progress && !options.progress(fraction)) throw Cancelled();
   };
@@ -152,25 +152,10 @@ double Tangle::rounding(double area) const {
   return std::fabs(area) * 0x1p-53 + scaled_bound(lost, -2 * curves->exponent);
 }
 
-namespace {
-
-template <typename AnyCurve>
-Tangle checked_tangle(const AnyCurve& u, const AnyCurve& s, const TangleOptions& options) {
-  require_open(u, "U", "tangle");
-  require_open(s, "S", "tangle");
+Tangle tangle(const OpenCurve& u, const OpenCurve& s, const TangleOptions& options) {
   require_enough_vertices(u, "U");
   require_enough_vertices(s, "S");
   return find_tangle(u, s, options);
-}
-
-}  // namespace
-
-Tangle tangle(const OpenCurve& u, const OpenCurve& s, const TangleOptions& options) {
-  return checked_tangle(u, s, options);
-}
-
-Tangle tangle(CurveView u, CurveView s, const TangleOptions& options) {
-  return checked_tangle(u, s, options);
 }
 
 Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options) {

@@ -203,7 +203,7 @@ TEST(InteriorAreasOf, SegmentsThatAreNotSplitMissWhatCrossesTwice) {
   const InteriorAreas found =
       interior_areas(CurveView{bar1}, CurveView{bar2}, {.method = InteriorMethod::ends, .passes = 3, .points = 10});
   EXPECT_EQ(found.statistics.points_inserted, 0U);
-  EXPECT_EQ(found.areas.c1_minus_c2, 12);  // as TRUTH quotes the published program
+  EXPECT_EQ(found.areas.c1_minus_c2, 12);  // as Lober 1.8 prints
   EXPECT_EQ(found.delta, 0);               // and says that it has no error
 }
 
