@@ -43,6 +43,6 @@ class IndexedCurve {
 
 /// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. About log N:
 /// whole subtrees count by their end points.
-[[nodiscard]] bool encloses(const IndexedCurve& curve, Point point);
+[[nodiscard]] bool contains(const IndexedCurve& curve, Point point);
 
 }  // namespace lober
