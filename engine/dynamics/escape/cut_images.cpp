@@ -1,3 +1,4 @@
+// One class, and a little longer than other files for that: every step works on the same arcs and samples.
 #include "engine/dynamics/escape/cut_images.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// One class, and longer than other files for that: all its rounds work on the same samples.
 #include "engine/dynamics/manifolds/trace.hpp"
 
 #include <algorithm>

@@ -1,0 +1,69 @@
+#include "engine/dynamics/manifolds/saddle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "engine/base/text.hpp"
+#include "engine/dynamics/fixed_points/classify.hpp"
+#include "engine/dynamics/fixed_points/newton.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "lober/error.hpp"
+
+namespace lober {
+namespace {
+
+std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
+  const NewtonEnd end = newton(map, guess, {.period = steps}, 0.5 * size_at(guess));
+  return end.converged ? std::optional(end.at) : std::nullopt;
+}
+
+// The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. Of
+// the map and its inverse one may see it from where the other does not.
+Point saddle_place(const PlanarMap& map, int steps, Point guess) {
+  const std::optional<Point> own = refined_fixed_point(map, steps, guess);
+  const std::optional<Point> forward = steps > 0 ? own : refined_fixed_point(map, -steps, guess);
+  if (!own && !forward) throw DataError("no fixed point of the map was found near " + format_point(guess));
+  if (!own) return *forward;
+  const bool same = forward && distance(*forward, *own) <= 1e-8 * (1 + length(*own));
+  return same ? *forward : *own;
+}
+
+}  // namespace
+
+Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
+  FixedPoint saddle;
+  saddle.at = saddle_place(map, steps, guess);
+  if (!is_finite(map.iterate_with_derivative(saddle.at, steps, saddle.derivative))) {
+    throw DataError("the map cannot be evaluated at its fixed point " + format_point(saddle.at));
+  }
+  classify(saddle);
+  if (saddle.kind != FixedPointKind::saddle && saddle.kind != FixedPointKind::inverse_saddle &&
+      saddle.kind != FixedPointKind::reversing_saddle) {
+    throw DataError("the fixed point " + format_point(saddle.at) + " is not a saddle");
+  }
+  return {saddle.at, saddle.eigenvalues[0].real(), saddle.directions[0]};
+}
+
+void require_derivative_fits(const PlanarMap& map, int steps, Point at) {
+  Matrix2 a;
+  if (!is_finite(map.iterate_with_derivative(at, steps, a))) return;
+  const double size = std::max({1.0, std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
+  const double h = 1e-5 * (1 + std::hypot(at.x, at.y)) / size;
+  constexpr double fits = 1e-2;  // curvature and the error of integration are far below
+  for (const bool along_x : {true, false}) {
+    const double dx = along_x ? h : 0, dy = along_x ? 0 : h;
+    Point ends[2] = {{at.x + dx, at.y + dy}, {at.x - dx, at.y - dy}};
+    map.iterate(ends, steps);
+    const Point difference{(ends[0].x - ends[1].x) / (2 * h), (ends[0].y - ends[1].y) / (2 * h)};
+    if (!is_finite(difference)) return;
+    const Point given = along_x ? Point{a.xx, a.yx} : Point{a.xy, a.yy};
+    if (distance(difference, given) <= fits * size) continue;
+    throw DataError("the derivative that the system gives at " + format_point(at) + " does not fit its map: along " +
+                    (along_x ? "x" : "y") + " it is " + format_point(given) + ", differences of the map say " +
+                    format_point(difference));
+  }
+}
+
+}  // namespace lober
