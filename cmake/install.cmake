@@ -22,8 +22,10 @@ function(lober_install form runtime development)
           INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/lober DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
           COMPONENT ${development} ${ARGN})
-  install(EXPORT lober-${form} NAMESPACE lober:: FILE lober-targets.cmake DESTINATION ${package_folder}
+  # Named after the form, as CMake would keep two of one name in one place until they are installed.
+  install(EXPORT lober-${form} NAMESPACE lober:: FILE lober-${form}-targets.cmake DESTINATION ${package_folder}
           COMPONENT ${development} ${ARGN})
+  list(JOIN components ", " component_names)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/lober-config.cmake.in ${package}/lober-config.cmake
                                 INSTALL_DESTINATION ${package_folder} NO_CHECK_REQUIRED_COMPONENTS_MACRO)
   write_basic_package_version_file(${package}/lober-config-version.cmake COMPATIBILITY SameMinorVersion)
