@@ -1,5 +1,5 @@
-// Something of each library, and what crosses the border of a shared one: exceptions both ways, a class derived from one of
-// the library's, a callback.
+// Something of each library, and what crosses the border of a shared one: exceptions both ways, a class derived from
+// one of the library's, a callback.
 #include <cstdio>
 #include <cstdlib>
 #include <lober/batch.hpp>
@@ -65,8 +65,8 @@ int main() {
         (void)lober::overlay(square, square, options);
       },
       "a callback cancels");
-  expect_throw<std::domain_error>(
-      [] { lober::run_with_threads(2, [] { throw std::domain_error("of the caller"); }); }, "base passes an exception on");
+  expect_throw<std::domain_error>([] { lober::run_with_threads(2, [] { throw std::domain_error("of the caller"); }); },
+                                  "base passes an exception on");
   expect_throw<lober::DataError>([] { (void)lober::read_curve("no such file", true); }, "files throws DataError");
   expect_throw<lober::UsageError>([] { (void)lober::make_system("no such system"); }, "dynamics throws UsageError");
   expect_throw<lober::UsageError>([] { (void)lober::export_format("results.pdf"); }, "batch throws UsageError");
