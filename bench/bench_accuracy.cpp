@@ -1,5 +1,5 @@
-// Run time against error of every method, on scenes with known areas: the figure of the paper on its densifier, done
-// for all of them. Prints a table; --svg FILE draws it.
+// Run time against error of every method, on scenes with known areas: the figure of Naik, Lekien & Ross (2017) on the
+// densifier, done for all of them. Prints a table; --svg FILE draws it.
 #include <array>
 #include <cmath>
 #include <fstream>

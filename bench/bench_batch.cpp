@@ -51,7 +51,7 @@ struct Run {
   double processor = 0;
 };
 
-// Keeps this thread, and those that it starts, to so many of the processor's cores.
+// Keeps this thread, and those that it starts, to `cores` of the processor's cores.
 class OnCores {
  public:
   explicit OnCores(int count) {
@@ -97,7 +97,7 @@ Pairs all_pairs(const CurveSet& set) {
   return pairs;
 }
 
-// Every so many pairs of all.
+// A regular sample of all pairs.
 Pairs sample(const CurveSet& set, std::size_t count) {
   const Pairs all = all_pairs(set);
   Pairs some;
@@ -215,7 +215,7 @@ void print_set(const CurveSet& set, const fs::path& root, int repeat, std::size_
   std::fflush(stdout);
   const double pair = two.report.wall_seconds / static_cast<double>(two.report.queue.jobs);
   std::string line =
-      set.name + ": each file read at most " + std::to_string(two.report.queue.cache.most_reads) + " times";
+      set.name + ": each file read at most " + std::to_string(two.report.queue.cache.max_reads) + " times";
   char text[200];
   const auto note = [&](const char* format, double value, double ratio) {
     std::snprintf(text, sizeof(text), format, value, ratio);

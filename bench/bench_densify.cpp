@@ -56,7 +56,7 @@ template <typename Run>
 void against_sum(benchmark::State& state, const Run& run) {
   const auto threads = static_cast<int>(state.range(0));
   std::vector<double> times, units, copies;
-  std::size_t size = 0, rounds = 0, flaws = 0;
+  std::size_t size = 0, rounds = 0, diagnostics = 0;
   for (auto _ : state) {
     const Stopwatch watch;
     const DensifiedCurve result = with_threads(threads, run);
@@ -68,7 +68,7 @@ void against_sum(benchmark::State& state, const Run& run) {
     copies.push_back(with_threads(threads, [&] { return copy_seconds(result.points); }));
     size = result.points.size();
     rounds = result.rounds;
-    flaws = result.flaws.size();
+    diagnostics = result.diagnostics.size();
   }
   const auto median = [](std::vector<double>& values) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
@@ -76,7 +76,7 @@ void against_sum(benchmark::State& state, const Run& run) {
   };
   state.counters["points_out"] = static_cast<double>(size);
   state.counters["rounds"] = static_cast<double>(rounds);
-  state.counters["flaws"] = static_cast<double>(flaws);
+  state.counters["diagnostics"] = static_cast<double>(diagnostics);
   state.counters["sum_ms"] = 1e3 * median(units);
   state.counters["copy_ms"] = 1e3 * median(copies);
   state.counters["x_sum"] = median(times) / median(units);
@@ -91,7 +91,7 @@ Interpolation kind(const benchmark::State& state) {
 void distance_criterion(benchmark::State& state) {
   const std::vector<Point> points = wavy_circle(given_points);
   state.SetLabel(std::string(name(kind(state))));
-  const Criteria criteria{.longest = 6.7e-7};
+  const Criteria criteria{.max_length = 6.7e-7};
   against_sum(state, [&] { return densify({points, true}, criteria, {.interpolation = kind(state)}); });
 }
 
@@ -99,13 +99,13 @@ void distance_criterion(benchmark::State& state) {
 void angle_criteria(benchmark::State& state) {
   const std::vector<Point> points = wavy_circle(given_points);
   state.SetLabel(std::string(name(kind(state))));
-  const Criteria criteria{.angle = 0.3, .distance_angle = 1.1e-12, .shortest = 1e-10};
+  const Criteria criteria{.angle = 0.3, .distance_angle = 1.1e-12, .min_length = 1e-10};
   against_sum(state, [&] { return densify({points, true}, criteria, {.interpolation = kind(state)}); });
 }
 
-void thinning(benchmark::State& state) {
+void simplifying(benchmark::State& state) {
   const std::vector<Point> points = wavy_circle(10 * given_points);
-  against_sum(state, [&] { return thin({points, true}, {.tolerance = 1e-10}); });
+  against_sum(state, [&] { return simplify({points, true}, {.tolerance = 1e-10}); });
 }
 
 void passes_near_crossings(benchmark::State& state) {
@@ -120,17 +120,6 @@ void passes_near_crossings(benchmark::State& state) {
   against_sum(state, [&] { return densify_near({points, true}, {circle, true}, options); });
 }
 
-void function_form(benchmark::State& state) {
-  const CurveFunction ellipse = [](std::span<const double> parameters, std::span<Point> points) {
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-      points[k] = {2 * std::cos(parameters[k]), std::sin(parameters[k])};
-    }
-  };
-  const SampledOptions options{.criteria = {.longest = 2e-6}, .period = 2 * pi};
-  const std::vector<double> start{0, 1, 2, 3, 4, 5};
-  against_sum(state, [&]() -> DensifiedCurve { return densify_sampled(start, ellipse, options); });
-}
-
 constexpr int linear = 0, dritschel = 1, spline = 2;
 
 BENCHMARK(distance_criterion)
@@ -138,12 +127,11 @@ BENCHMARK(distance_criterion)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(angle_criteria)->ArgsProduct({{1, 2}, {dritschel, spline}})->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(thinning)->Arg(1)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(simplifying)->Arg(1)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(passes_near_crossings)
     ->ArgsProduct({{1}, {linear, dritschel, spline}})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(function_form)->Arg(1)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace lober

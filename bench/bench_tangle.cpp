@@ -21,7 +21,7 @@ struct ManifoldPair {
   std::vector<Point> u, s;
 };
 
-// Fingers on both sides of the x axis; those of S lean over those of U, by `lean` at their tips: lobe j meets lobes up
+// Fingers on both sides of the x axis; those of S lean over those of U, by `lean` at their ends: lobe j meets lobes up
 // to about j + lean.
 ManifoldPair leaning_fingers(std::size_t lobes, std::size_t points, double lean) {
   ManifoldPair pair{{{-0.5, -30}}, {}};

@@ -14,3 +14,9 @@ set(LOBER_NEEDS_spdlog 1.10)
 macro(lober_find package)
   find_package(${package} ${LOBER_NEEDS_${package}} REQUIRED)
 endmacro()
+
+# SHA-256. Nettle has no package for CMake.
+macro(lober_find_nettle)
+  find_library(LOBER_NETTLE nettle REQUIRED)
+  find_path(LOBER_NETTLE_HEADERS nettle/sha2.h REQUIRED)
+endmacro()

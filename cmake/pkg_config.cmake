@@ -39,7 +39,7 @@ function(lober_pc_files form folder components)
   set(base_requires "tbb >= ${LOBER_NEEDS_TBB}")
   set(base_libs "-llober_base -llober_kernels -ltbbmalloc")  # tbb.pc leaves the allocator out
   set(geometry_requires "lober-base = ${PROJECT_VERSION}")
-  set(files_requires "lober-geometry = ${PROJECT_VERSION}")
+  set(files_requires "lober-geometry = ${PROJECT_VERSION}, nettle >= 3.7")
   set(dynamics_requires "lober-geometry = ${PROJECT_VERSION}")
   set(dynamics_libs "-llober_dynamics -ldl")
   set(batch_requires "lober-files = ${PROJECT_VERSION}, lober-dynamics = ${PROJECT_VERSION}, sqlite3 >= ${LOBER_NEEDS_SQLite3}")

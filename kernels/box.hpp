@@ -34,7 +34,7 @@ struct alignas(32) Box {
   [[nodiscard]] LOBER_INLINE double extent() const { return width() + height(); }
 };
 
-inline Box unite(const Box& a, const Box& b) {
+inline Box union_of(const Box& a, const Box& b) {
   return {{std::min(a.lane[0], b.lane[0]), std::min(a.lane[1], b.lane[1]), std::min(a.lane[2], b.lane[2]),
            std::min(a.lane[3], b.lane[3])}};
 }
@@ -50,7 +50,7 @@ inline Box box_of(const Rectangle& rectangle) {
 /// The box of all points; empty, meeting none, when there are none.
 inline Box box_of(std::span<const Point> points) {
   Box box;
-  for (const Point& point : points) box = unite(box, Box::of(point, point));
+  for (const Point& point : points) box = union_of(box, Box::of(point, point));
   return box;
 }
 

@@ -25,6 +25,6 @@ std::size_t crossing_parameters(const SegmentCrossing* crossings, std::size_t co
                                 CrossingParameters* parameters);
 
 /// Two parameters on one segment that differ by less may be in either order: ask compare_along.
-inline constexpr double parameter_doubt = 0x1p-60;
+inline constexpr double parameter_uncertainty = 0x1p-60;
 
 }  // namespace lober

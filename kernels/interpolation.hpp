@@ -1,4 +1,4 @@
-// A curve between two vertices of a polyline: the chord, or a cubic that bulges from it.
+// A curve between two vertices of a polyline: the chord, or a cubic that bends away from it.
 //
 // All interpolations of a segment a -> b have one form,
 //   x(t) = a + t (b - a) + t (1 - t) (u + t v),   0 <= t <= 1,
@@ -13,22 +13,10 @@
 
 namespace lober {
 
-namespace detail {
-inline Point minus(Point a, Point b) {
-  return {a.x - b.x, a.y - b.y};
-}
-inline double cross(Point a, Point b) {
-  return a.x * b.y - a.y * b.x;
-}
-inline double dot(Point a, Point b) {
-  return a.x * b.x + a.y * b.y;
-}
-}  // namespace detail
-
 struct CubicPiece {
   Point a;      ///< x(0)
   Point chord;  ///< x(1) - x(0)
-  Point u, v;   ///< the bulge
+  Point u, v;   ///< how far it leaves the chord
 
   [[gnu::always_inline, nodiscard]] Point at(double t) const {
     const double s = 1 - t;
@@ -38,7 +26,7 @@ struct CubicPiece {
 
 /// The chord itself. Order 2: the distance to a smooth curve through equally spaced vertices falls as h^2.
 [[nodiscard]] inline CubicPiece linear_piece(Point a, Point b) {
-  return {a, detail::minus(b, a), {}, {}};
+  return {a, b - a, {}, {}};
 }
 
 /// Signed curvature of the circle through three points, positive where the polyline turns left (Menger):
@@ -52,8 +40,8 @@ struct CubicPiece {
 /// Then eta(0) = eta(1) = 0 and eta'' / e, the curvature for small slopes, is k_a and k_b at the ends. Order 4 on
 /// smooth curves whose spacing varies smoothly, 3 on others. Local: it looks one vertex further on either side.
 [[nodiscard]] inline CubicPiece dritschel_piece(Point a, Point b, double curvature_a, double curvature_b) {
-  const Point chord = detail::minus(b, a);
-  const double e = std::sqrt(detail::dot(chord, chord));
+  const Point chord = b - a;
+  const double e = std::sqrt(dot(chord, chord));
   // eta = p (1 - p) (mu - gamma p), because mu + beta + gamma = 0.
   const double mu = -e * (2 * curvature_a + curvature_b) / 6;
   const double gamma = e * (curvature_b - curvature_a) / 6;
@@ -64,8 +52,8 @@ struct CubicPiece {
 /// length.
 [[nodiscard]] inline CubicPiece spline_piece(Point a, Point b, Point second_a, Point second_b) {
   // With M'' linear between M_a and M_b: x = chord - h^2 / 6 t (1 - t) ((2 M_a + M_b) + t (M_b - M_a)).
-  const Point chord = detail::minus(b, a);
-  const double factor = -detail::dot(chord, chord) / 6;
+  const Point chord = b - a;
+  const double factor = -dot(chord, chord) / 6;
   return {a,
           chord,
           {factor * (2 * second_a.x + second_b.x), factor * (2 * second_a.y + second_b.y)},
@@ -87,9 +75,9 @@ struct PieceBounds {
   const Point begin{chord.x + u.x, chord.y + u.y}, middle{chord.x + v.x, chord.y + v.y},
       end{chord.x - u.x - v.x, chord.y - u.y - v.y};
   const Point bend_begin{2 * (v.x - u.x), 2 * (v.y - u.y)}, bend_end{2 * u.x + 4 * v.x, 2 * u.y + 4 * v.y};
-  return {std::max({detail::dot(begin, begin), detail::dot(middle, middle), detail::dot(end, end)}),
-          std::min({detail::dot(begin, chord), detail::dot(middle, chord), detail::dot(end, chord)}),
-          std::max(detail::dot(bend_begin, bend_begin), detail::dot(bend_end, bend_end))};
+  return {std::max({dot(begin, begin), dot(middle, middle), dot(end, end)}),
+          std::min({dot(begin, chord), dot(middle, chord), dot(end, chord)}),
+          std::max(dot(bend_begin, bend_begin), dot(bend_end, bend_end))};
 }
 
 /// The angle between the directions a -> b and b -> c, from 0 (straight on) to pi; 0 if either has no length.

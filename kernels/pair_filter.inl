@@ -40,7 +40,7 @@ inline void verdicts_of_four(const Point* const (&first)[lanes], const Point* co
     verdicts[k] = (apart & bit) != 0      ? PairVerdict::apart
                   : (to_left & bit) != 0  ? PairVerdict::crosses_to_left
                   : (to_right & bit) != 0 ? PairVerdict::crosses_to_right
-                                          : PairVerdict::doubtful;
+                                          : PairVerdict::uncertain;
   }
 }
 
@@ -59,7 +59,7 @@ inline void filter(SegmentSource first, SegmentSource second, const SegmentPair*
       q[k] = second.points + (wrapped[k] ? 0 : pair.second);
     }
     verdicts_of_four(p, q, four);
-    for (std::size_t k = 0; k < together; ++k) verdicts[begin + k] = wrapped[k] ? PairVerdict::doubtful : four[k];
+    for (std::size_t k = 0; k < together; ++k) verdicts[begin + k] = wrapped[k] ? PairVerdict::uncertain : four[k];
   }
 }
 

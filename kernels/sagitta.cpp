@@ -6,21 +6,11 @@
 namespace lober {
 namespace {
 
-double cross(Point u, Point v) {
-  return u.x * v.y - u.y * v.x;
-}
-double length(Point u) {
-  return std::sqrt(u.x * u.x + u.y * u.y);
-}
-Point minus(Point u, Point v) {
-  return {u.x - v.x, u.y - v.y};
-}
-
 // Tangent at the vertex between two segments, per unit of a parameter in which segment `mine` has length 1.
 Point tangent(Point mine, double my_length, Point other, double other_length) {
   constexpr double cosine_of_corner = 0.70710678118654757;
-  const double dot = mine.x * other.x + mine.y * other.y;
-  if (other_length == 0 || dot < cosine_of_corner * my_length * other_length) return mine;
+  const double cosine = dot(mine, other);
+  if (other_length == 0 || cosine < cosine_of_corner * my_length * other_length) return mine;
   const double sum = my_length + other_length;
   const double of_other = my_length / sum * (my_length / other_length), of_mine = other_length / sum;
   return {of_other * other.x + of_mine * mine.x, of_other * other.y + of_mine * mine.y};
@@ -28,12 +18,12 @@ Point tangent(Point mine, double my_length, Point other, double other_length) {
 
 }  // namespace
 
-double twice_sagitta_area(Point p0, Point p1, Point p2, Point p3) {
-  const Point before = minus(p1, p0), chord = minus(p2, p1), after = minus(p3, p2);
-  const double chord_length = length(chord);
+double twice_chord_area(Point p0, Point p1, Point p2, Point p3) {
+  const Point before = p1 - p0, chord = p2 - p1, after = p3 - p2;
+  const double chord_length = std::sqrt(dot(chord, chord));
   if (chord_length == 0) return 0;
-  const Point m1 = tangent(chord, chord_length, before, length(before));
-  const Point m2 = tangent(chord, chord_length, after, length(after));
+  const Point m1 = tangent(chord, chord_length, before, std::sqrt(dot(before, before)));
+  const Point m2 = tangent(chord, chord_length, after, std::sqrt(dot(after, after)));
   return (cross(m1, chord) + cross(chord, m2)) / 5 - cross(m1, m2) / 30;
 }
 
@@ -78,7 +68,7 @@ void areas_of_few(const Point* points, std::size_t count, double* areas) {
 
 }  // namespace
 
-void twice_sagitta_areas(const Point* points, std::size_t count, double* areas) {
+void twice_chord_areas(const Point* points, std::size_t count, double* areas) {
   for (std::size_t k = 0; k < count; k += at_once) areas_of_few(points + k, std::min(at_once, count - k), areas + k);
 }
 

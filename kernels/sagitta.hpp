@@ -8,18 +8,18 @@
 namespace lober {
 
 /// Twice the signed area between the segment p1 -> p2 and a cubic through both with the tangents of the parabolas
-/// (chordal parameter) through p0 p1 p2 and p1 p2 p3; positive when the curve bulges to the right of the segment, i.e.
+/// (chordal parameter) through p0 p1 p2 and p1 p2 p3; positive when the curve bends to the right of the segment, i.e.
 /// outwards on a counter-clockwise curve. For a smooth curve the leading term kappa h^3 / 6 is right, the error is of
-/// order h^5. A vertex where the direction turns by more than 45 degrees is taken for a corner and gets no bulge. An
-/// estimate in plain double: segments shorter than 1e-150 have none. With Hermite form z = m1 H10 + e H01 + m2 H11 the
-/// area is (|m1 e| + |e m2|) / 10 - |m1 m2| / 60.
-[[nodiscard]] double twice_sagitta_area(Point p0, Point p1, Point p2, Point p3);
+/// order h^5. A vertex where the direction turns by more than 45 degrees is taken for a corner and gets no chord_area.
+/// An estimate in plain double: segments shorter than 1e-150 have none. With Hermite form z = m1 H10 + e H01 + m2 H11
+/// the area is (|m1 e| + |e m2|) / 10 - |m1 m2| / 60.
+[[nodiscard]] double twice_chord_area(Point p0, Point p1, Point p2, Point p3);
 
 /// The same bits for `count` segments in a row, in 10 ns each instead of 19: segment k runs from points[k + 1] to
 /// points[k + 2], so there are count + 3 points.
-void twice_sagitta_areas(const Point* points, std::size_t count, double* areas);
+void twice_chord_areas(const Point* points, std::size_t count, double* areas);
 
-/// The part of it before parameter t of the segment, as a fraction: the bulge of a parabola, 3 t^2 - 2 t^3.
+/// The part of it before parameter t of the segment, as a fraction: the chord-to-arc area of a parabola, 3 t^2 - 2 t^3.
 [[nodiscard]] inline double sagitta_fraction(double t) {
   return t * t * (3 - 2 * t);
 }

@@ -23,7 +23,7 @@ struct alignas(64) SegmentBoxes {
   double group_min_y[groups];
   double group_max_y[groups];
   /// All points of the leaf lie in the strip low <= across . p <= high, across being normal to the leaf's chord,
-  /// whatever rounding does to such products with points of this leaf. Where strands run side by side and slanted their
+  /// whatever rounding does to such products with points of this leaf. Where folds run side by side and slanted their
   /// boxes overlap, but not their strips.
   Point across;
   double low, high;

@@ -41,7 +41,7 @@ inline void group_boxes(SegmentBoxes& boxes) {
 // across . p for each of the points of a leaf, and what rounding can do to any of them.
 struct Heights {
   alignas(32) double height[leaf_size + lanes];  // the last one filled up
-  double doubt;
+  double uncertainty;
 };
 inline void heights_of(const Point* points, Point across, Heights& heights) {
   const double* coordinates = &points[0].x;
@@ -57,7 +57,7 @@ inline void heights_of(const Point* points, Point across, Heights& heights) {
   const double by_x = points[leaf_size].x * across.x, by_y = points[leaf_size].y * across.y;
   store(heights.height + leaf_size, splat(by_x + by_y));
   size = max(size, absolute(splat(by_x)) + absolute(splat(by_y)));
-  heights.doubt = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
+  heights.uncertainty = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
 }
 
 inline void strip_of(const Point* points, SegmentBoxes& boxes) {
@@ -70,15 +70,15 @@ inline void strip_of(const Point* points, SegmentBoxes& boxes) {
     low = min(low, load(heights.height + i));
     high = max(high, load(heights.height + i));
   }
-  boxes.low = least(low) - heights.doubt;
-  boxes.high = greatest(high) + heights.doubt;
+  boxes.low = least(low) - heights.uncertainty;
+  boxes.high = greatest(high) + heights.uncertainty;
 }
 
 // Bit j is set unless segment j of leaf b lies wholly on one side of the strip of leaf a.
 inline std::uint32_t in_strip(const SegmentBoxes& a, const Point* b) {
   Heights heights;
   heights_of(b, a.across, heights);
-  const Lanes low = splat(a.low - heights.doubt), high = splat(a.high + heights.doubt);
+  const Lanes low = splat(a.low - heights.uncertainty), high = splat(a.high + heights.uncertainty);
   std::uint64_t above = 0, below = 0;  // of the points
   for (std::size_t i = 0; i < leaf_size + lanes; i += lanes) {
     const Lanes height = load(heights.height + i);

@@ -14,13 +14,6 @@ struct Chord {
   double length;
 };
 
-double dot(Point u, Point v) {
-  return u.x * v.x + u.y * v.y;
-}
-double cross(Point u, Point v) {
-  return u.x * v.y - u.y * v.x;
-}
-
 // The windows's chords and turns: chord k leads from vertex k to vertex k + 1, sine[k] is of the turn at vertex k.
 struct Shape {
   explicit Shape(const std::array<Point, 8>& p) {
@@ -38,9 +31,9 @@ struct Shape {
   [[nodiscard]] bool corner(std::size_t k) const {
     return sharp[k] || std::fabs(sine[k]) > outstanding * std::max(std::fabs(sine[k - 1]), std::fabs(sine[k + 1]));
   }
-  [[nodiscard]] bool usable(std::size_t k, double most_uneven) const {
+  [[nodiscard]] bool usable(std::size_t k, double max_unevenness) const {
     const double own = chord[3].length, other = chord[k].length;
-    return other <= most_uneven * own && own <= most_uneven * other &&
+    return other <= max_unevenness * own && own <= max_unevenness * other &&
            dot(chord[k].along, chord[3].along) > cosine_of_stray * own * other;
   }
   // How often turns strictly between two vertices change sign.
@@ -60,8 +53,8 @@ struct Shape {
   std::array<bool, 8> sharp{};
 };
 
-// Twice the area per |e|^2 of the bulge of u (u - 1) g: -2 times the integral.
-double bulge_of(const std::array<double, 4>& g) {
+// Twice the area per |e|^2 of the chord-to-arc area of u (u - 1) g: -2 times the integral.
+double chord_area_of(const std::array<double, 4>& g) {
   return 2 * (g[0] / 6 + g[1] / 12 + g[2] / 20 + g[3] / 30);
 }
 
@@ -108,7 +101,7 @@ Point SmoothSegment::velocity(double u) const {
   return {chord.x - slope * chord.y, chord.y + slope * chord.x};
 }
 
-double SmoothSegment::bulge(double u) const {
+double SmoothSegment::chord_area(double u) const {
   // A term c u^k of f leaves c u^(k + 1) (1 - 2 / (k + 1)).
   const double sum = u * u * u * (f[2] / 3 + u * (f[3] / 2 + u * (f[4] * 0.6 + u * f[5] * (2.0 / 3))));
   return dot(chord, chord) * sum;
@@ -141,7 +134,7 @@ SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p) {
     return segment;
   }
   const std::array<double, 4> g = demands.polynomial(count), less = demands.polynomial(count > 2 ? 2 : count - 1);
-  segment.error = square * (std::fabs(bulge_of(g) - bulge_of(less)) + 0x1p-50);
+  segment.error = square * (std::fabs(chord_area_of(g) - chord_area_of(less)) + 0x1p-50);
   const double at_one = g[0] + g[1] + g[2] + g[3];
   const bool wavers = shape.changes_of_sign(first, last) > 1 || shape.changes_of_sign(0, 7) > 2;
   if (wavers || !(std::fabs(g[0]) < 1 && std::fabs(at_one) < 1)) {

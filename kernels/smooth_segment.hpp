@@ -18,20 +18,21 @@ struct SmoothSegment {
   };
   Point chord;
   std::array<double, 6> f{};  ///< coefficients of 1, u, ..., u^5
-  double error = 0;           ///< estimate of the error of bulge(1)
+  double error = 0;           ///< estimate of the error of chord_area(1)
   Kind kind = Kind::straight;
 
   [[nodiscard]] Point at(double u) const;        ///< relative to the first end
   [[nodiscard]] Point velocity(double u) const;  ///< its derivative
-  /// Twice the signed area between the curve from 0 to u and the straight way back, positive when the curve bulges to
+  /// Twice the signed area between the curve from 0 to u and the straight way back, positive when the curve bends to
   /// the right of the segment: |e|^2 (u f(u) - 2 int_0^u f).
-  [[nodiscard]] double bulge(double u) const;
+  [[nodiscard]] double chord_area(double u) const;
 };
 
 /// The smooth curve from p[3] to p[4] of eight consecutive vertices: f = u (u - 1) g, with g the polynomial of least
 /// degree through what the two vertices on either side demand of it, so that f has degree 5 and an error of order h^6
-/// on a smooth curve, h the length of segments; bulge(1) one of h^7, where vertices are as dense on both sides also if
-/// they are not evenly spaced. The parameter is length along the chord: how the curve was parametrised does not matter.
+/// on a smooth curve, h the length of segments; chord_area(1) one of h^7, where vertices are as dense on both sides
+/// also if they are not evenly spaced. The parameter is length along the chord: how the curve was parametrised does not
+/// matter.
 ///
 /// A vertex where the direction turns by more than 45 degrees, or eight times more than at the vertices before and
 /// after, is a corner, and no vertex beyond it is used; nor one beyond a segment eight times (the next: sixteen times)
@@ -39,8 +40,8 @@ struct SmoothSegment {
 /// noisy if turns in use change sign twice, or f is steeper than 45 degrees at an end.
 ///
 /// `error` is the change when g loses its farther vertices, and rounding: the error of a formula of order h^5. Where
-/// the segment stays straight it is the size of the bulge that was rejected, or that its turns let expect, none at
-/// corners. Plain double; 200 operations.
+/// the segment stays straight it is the size of the chord-to-arc area that was rejected, or that its turns let expect,
+/// none at corners. Plain double; 200 operations.
 [[nodiscard]] SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p);
 
 }  // namespace lober

@@ -19,10 +19,10 @@ void turns_along(const Point* points, std::size_t segments, double* lengths, dou
 /// length h lies from it (never more than h / 2, because the turning is cut off), and the length; and how many parts
 /// are counted at most.
 struct PartsAsked {
-  double tolerance, longest, most;
+  double tolerance, max_length, max_parts;
 };
-/// Into how many parts, a real number, segments of these lengths and curvatures have to be cut; `most` where that is no
-/// number.
+/// Into how many parts, a real number, segments of these lengths and curvatures have to be cut; `max_parts` where that
+/// is no number.
 void parts_needed(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts);
 
 }  // namespace lober

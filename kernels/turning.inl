@@ -33,12 +33,12 @@ inline void turns(const Point* points, std::size_t segments, double* lengths, do
 }
 
 inline void parts(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts) {
-  const double per_tolerance = 1 / (8 * asked.tolerance), per_longest = 1 / asked.longest;
+  const double per_tolerance = 1 / (8 * asked.tolerance), per_longest = 1 / asked.max_length;
   for (std::size_t k = 0; k < count; ++k) {
     const double by_bulge = std::sqrt(curvatures[k] * lengths[k] * lengths[k] * per_tolerance);
     const double by_length = lengths[k] * per_longest;
     const double needed = by_bulge > by_length ? by_bulge : by_length;
-    parts[k] = needed < asked.most ? needed : asked.most;
+    parts[k] = needed < asked.max_parts ? needed : asked.max_parts;
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace lober {
 
-/// The unsigned number in an environment variable, or `otherwise` when there is none of that name.
+/// The unsigned number in an environment variable, or `otherwise` when no variable has that name.
 inline std::uint64_t from_environment(const char* variable, std::uint64_t otherwise) {
   const char* text = std::getenv(variable);
   return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;

@@ -89,7 +89,7 @@ OverlayTimes time_overlay(const Scene& scene, int threads, Work work, int repeat
     times.touches = result.nodes.touches();
     times.shared_arcs = result.nodes.shared_arcs();
     for (std::size_t k = 0; k < 4; ++k) times.pieces[k] = result.pieces(all_pairings[k]).size();
-    times.areas = {result.areas.c1_minus_c2, result.areas.c2_minus_c1, result.areas.intersection, result.areas.unite};
+    times.areas = {result.areas.c1_minus_c2, result.areas.c2_minus_c1, result.areas.intersection, result.areas.union_};
   });
   runs.erase(runs.begin());  // the warm-up
   const auto middle = runs.begin() + static_cast<std::ptrdiff_t>(runs.size() / 2);

@@ -133,7 +133,7 @@ void all_rivals_section(const Options& options, std::ostream& out) {
          "(rounded to double); in brackets against ours, where CGAL is not done after "
       << options.limit
       << " s. CGAL's polygons that touch in a vertex are joined into one piece. The quadratic method is that "
-         "of the paper; the last column is its time extrapolated to "
+         "of Naik, Lekien & Ross (2017); the last column is its time extrapolated to "
       << options.points << " points by the square.\n\n";
   std::vector<std::string> header{"scene", "lober", "error"};
   for (const Rival& rival : rivals()) {
@@ -155,7 +155,7 @@ void all_rivals_section(const Options& options, std::ostream& out) {
       exact = true;
       reference = areas_of(results.back());
     }
-    const auto shown = [&](double error) { return exact ? one_digit(error) : "(" + one_digit(error) + ")"; };
+    const auto format_error = [&](double error) { return exact ? one_digit(error) : "(" + one_digit(error) + ")"; };
     std::vector<std::string> row{std::string(kind->name), milliseconds(ours.seconds),
                                  exact ? one_digit(area_error(ours.areas, reference, scene)) : "-"};
     std::string extrapolated = "-";
@@ -165,7 +165,7 @@ void all_rivals_section(const Options& options, std::ostream& out) {
       const double error = area_error(areas_of(result), reference, scene);
       row.push_back(result.ran ? milliseconds(result.seconds) : "-");
       row.push_back(result.ran ? ratio(result.seconds, ours) : "-");
-      if (!rival.exact) row.push_back(result.ran ? shown(error) : "-");
+      if (!rival.exact) row.push_back(result.ran ? format_error(error) : "-");
       remarks.add(*kind, rival.name, result.ran ? fault(result, ours, error) : result.note);
       if (rival.quadratic && result.ran) extrapolated = digits3(result.seconds * factor * factor) + " s";
     }

@@ -1,9 +1,9 @@
-// The transverse method as the paper describes it (sections 3.2 to 3.4): every segment of C1 against every
-// segment of C2, crossings by the sign test of its two theorems on plain doubles, classes of sigma, areas by
+// The transverse method as Naik, Lekien & Ross (2017) describe it (sections 3.2 to 3.4): every segment of C1 against
+// every segment of C2, crossings by the sign test of its two theorems on plain doubles, classes of sigma, areas by
 // summing along the arcs.
 //
-// It means what the paper means and no more: contacts other than crossings are not handled, and each orbit
-// counts as a piece of its own even where it bounds a hole. The paper forms one of the four pairings; the
+// It does what the article says and no more: contacts other than crossings are not handled, and each orbit
+// counts as a piece of its own even where it bounds a hole. The article forms one of the four pairings; the
 // others are the same walk in other directions. Without crossings, one point-in-polygon test decides.
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ struct Meeting {
   int rho = 0;
 };
 
-// f(x, y) of the paper for the line through a and b: zero on it, with opposite signs on its two sides.
+// f(x, y) of the article for the line through a and b: zero on it, with opposite signs on its two sides.
 struct Line {
   double x, y, constant;
   Line(Point a, Point b) : x(b.y - a.y), y(-(b.x - a.x)), constant(-a.x * b.y + a.y * b.x) {}

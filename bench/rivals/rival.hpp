@@ -1,4 +1,4 @@
-// General overlay libraries, and the method of the paper, asked for the same answer.
+// General overlay libraries, and the method of Naik, Lekien & Ross (2017), asked for the same answer.
 //
 // Each computes all four pairings, A1 \ A2, A2 \ A1, intersection and union, with their pieces. Only the
 // overlays are timed: bringing the points into the library's own form before and counting and measuring the

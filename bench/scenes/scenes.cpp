@@ -8,7 +8,7 @@ constexpr SceneKind all_scenes[] = {
     {"wavy16", "circle and r = 1 + 0.1 sin 8 theta", make_wavy16},
     {"wavyN10", "circle and a fine wave along it, N/10 crossings", make_wavy_many},
     {"tangle", "circle under an area-preserving map and under its inverse, both folded", make_tangle},
-    {"dense-tangle", "the same, longer, strands about one segment apart", make_dense_tangle},
+    {"dense-tangle", "the same, longer, folds about one segment apart", make_dense_tangle},
     {"near-tangent", "one smooth curve sampled twice, staggered: gaps of 1e-9, about 2N crossings", make_near_tangent},
     {"hairs", "sqrt(N) thin nested hairs, 340 times as long as wide at 1e6, and an ellipse across", make_hairs},
     {"long-hairs", "the same bent to half-circles, ten thousand times as long as wide, and a circle", make_long_hairs},

@@ -60,8 +60,8 @@ struct Sampling {
   double length = 0;  ///< of the polygon that was measured to find them
 };
 
-// `count` parameters spread so that steps are short (a third of the weight), turn little (the tips of the
-// folds need points as well as the long strands do), and stay close to the smooth curve (neighbouring strands
+// `count` parameters spread so that steps are short (a third of the weight), turn little (the ends of the
+// folds need points as well as the long folds do), and stay close to the smooth curve (neighbouring folds
 // must not be cut), measured on the polygon of `turns`.
 Sampling spread(const ShearChain& chain, const Turns& turns, std::size_t count) {
   const std::size_t size = turns.size();
@@ -104,7 +104,7 @@ double image_length(const ShearChain& chain) {
   return spread(chain, spread(chain, equal_turns(count), count).turns, 1).length;
 }
 
-// The chain under which the circle gets the wanted length. Few strong shears make strands of more even width
+// The chain under which the circle gets the wanted length. Few strong shears make folds of more even width
 // than many weak ones.
 ShearChain chain_of_length(double length, bool inverse) {
   const int steps = std::max(1, static_cast<int>(std::log(length / 4) / 1.6));
@@ -142,9 +142,9 @@ Scene make_tangle(std::size_t points) {
 }
 
 Scene make_dense_tangle(std::size_t points) {
-  // The strands of C1 are area / length apart and its segments length / points long: equal for a length that
+  // The folds of C1 are area / length apart and its segments length / points long: equal for a length that
   // grows as the square root. About 55000 crossings at 10^6 points. Not much beyond: the thinnest
-  // strands become so thin that the polygon is no longer simple.
+  // folds become so thin that the polygon is no longer simple.
   const double detail = std::sqrt(std::min(static_cast<double>(points), 2e6) / 1e6);
   return folded_pair(points, 1500 * detail, 360 * detail);
 }

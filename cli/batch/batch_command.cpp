@@ -75,7 +75,7 @@ void check_manifest(const Arguments& arguments) {
   for (std::size_t k = 0; k < plan.groups.size(); ++k) {
     const PlannedGroup& group = plan.groups[k];
     text += fmt::format("  {:>9}  {}{}  {}\n", jobs[k], group.name.empty() ? "" : group.name + ": ", group.operation,
-                        group.spelled());
+                        group.to_string());
   }
   text += fmt::format("about {:.3g} points, {:.3g} over all jobs\n", static_cast<double>(sum.points),
                       static_cast<double>(sum.points_in_jobs));

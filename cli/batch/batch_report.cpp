@@ -67,11 +67,10 @@ std::string batch_summary(const BatchReport& report, const std::string& store) {
   text += fmt::format("{:.3f} s on {}: {:.0f} jobs a second, {:.3g} points a second\n", report.wall_seconds,
                       counted(static_cast<std::size_t>(queue.threads), "thread", "threads"),
                       static_cast<double>(queue.jobs) / seconds, static_cast<double>(queue.points) / seconds);
-  text +=
-      fmt::format("read {}, at most {} each, indexed {}, dropped {}; at most {:.1f} MB booked\n",
-                  counted(queue.cache.units_read, "file", "files"), counted(queue.cache.most_reads, "time", "times"),
-                  counted(queue.cache.curves_indexed, "curve", "curves"), queue.cache.evictions,
-                  static_cast<double>(queue.cache.peak_bytes) / 1e6);
+  text += fmt::format("read {}, at most {} each, indexed {}, dropped {}; at most {:.1f} MB booked\n",
+                      counted(queue.cache.units_read, "file", "files"), counted(queue.cache.max_reads, "time", "times"),
+                      counted(queue.cache.curves_indexed, "curve", "curves"), queue.cache.evictions,
+                      static_cast<double>(queue.cache.peak_bytes) / 1e6);
   text += fmt::format("time of the threads: reading {:.1f} %, indexing {:.1f} %, jobs {:.1f} %, storing {:.1f} %\n",
                       100 * shares.reading, 100 * shares.preparing, 100 * shares.operations, 100 * shares.storing);
   return text + "results in " + store + "\n";
@@ -93,7 +92,7 @@ void write_batch_json(const std::string& path, const BatchReport& report, const 
                     {"damaged", report.damaged.size()},
                     {"points", queue.points},
                     {"files_read", cache.units_read},
-                    {"most_reads_of_a_file", cache.most_reads},
+                    {"max_reads_of_a_file", cache.max_reads},
                     {"curves_indexed", cache.curves_indexed},
                     {"files_dropped", cache.evictions},
                     {"peak_bytes_booked", cache.peak_bytes},

@@ -94,7 +94,7 @@ void add_options(OptionParser& parser, Request& request, std::string& interpolat
            "dritschel).")
       .one_of({"linear", "spline", "dritschel"})
       .value("KIND");
-  parser.add("--max-points", steps.most_points, "The maximum number of points of the result (default: 1000000000).")
+  parser.add("--max-points", steps.max_points, "The maximum number of points of the result (default: 1000000000).")
       .range(std::size_t{1}, std::size_t{2'147'483'647})
       .value("N");
   add_json_option(parser, request.json, "a report of the steps");
@@ -112,7 +112,7 @@ void check(const Request& request) {
   }
   if (steps.passes > 0 && steps.points == 0) throw UsageError("--passes needs --points (see lober densify --help)");
   if (!near && request.open_against) throw UsageError("--open-against needs AGAINST (see lober densify --help)");
-  if (!near && !steps.criteria && !steps.thin) {
+  if (!near && !steps.criteria && !steps.simplify) {
     throw UsageError(
         "no step is given; give --simplify, --max-length, --hobson, --alpha, --distance-angle, --passes or "
         "--crossings");
@@ -125,7 +125,7 @@ void check(const Request& request) {
 std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   DensifySteps& steps = request.steps;
-  steps.most_points = DensifyOptions{}.most_points;
+  steps.max_points = DensifyOptions{}.max_points;
   std::string interpolation;
   OptionParser parser(
       "Inserts points into a curve, or removes them. The steps are taken in the order --simplify, criteria "
@@ -137,7 +137,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   if (angles || request.max_length < Criteria::off) steps.criteria = Criteria{};
   if (request.min_length >= 0 && !steps.criteria)
     throw UsageError("--min-length needs --max-length, --hobson, --alpha or --distance-angle");
-  if (request.simplify >= 0) steps.thin = ThinOptions{request.simplify, request.max_length};
+  if (request.simplify >= 0) steps.simplify = SimplifyOptions{request.simplify, request.max_length};
   steps.interpolation = angles ? Interpolation::dritschel : Interpolation::linear;
   for (const Interpolation kind : {Interpolation::linear, Interpolation::dritschel, Interpolation::spline}) {
     if (name(kind) == interpolation) steps.interpolation = kind;
@@ -153,7 +153,7 @@ Criteria criteria_for(const Request& request, CurveView curve) {
   Criteria criteria{request.max_length, request.alpha, request.distance_angle, std::max(request.min_length, 0.0)};
   if (request.hobson && !(request.alpha < Criteria::off)) criteria.angle = usual.angle;
   if (request.hobson && !(request.distance_angle < Criteria::off)) criteria.distance_angle = usual.distance_angle;
-  if (angles && request.min_length < 0) criteria.shortest = usual.shortest;
+  if (angles && request.min_length < 0) criteria.min_length = usual.min_length;
   return criteria;
 }
 
@@ -170,16 +170,17 @@ void compute(const Request& request, DensifyReport& report, Progress& progress) 
   };
   progress.of(static_cast<double>(given.points.size()), "points");
   progress.phase("densifying", 0.3, 0.8);
-  if (steps.thin) done("simplify", thin(result, *steps.thin));
+  if (steps.simplify) done("simplify", simplify(result, *steps.simplify));
   if (steps.criteria) {
     steps.criteria = criteria_for(request, result);
-    done("criteria", densify(result, *steps.criteria, {steps.interpolation, steps.most_points}));
-    report.flaw_counts.resize(static_cast<std::size_t>(FlawCause::not_finite) + 1);
-    for (const Flaw& flaw : result.flaws) ++report.flaw_counts[static_cast<std::size_t>(flaw.cause)];
-    if (report.inputs.size() == 1) report.flaws = std::move(result.flaws);
+    done("criteria", densify(result, *steps.criteria, {steps.interpolation, steps.max_points}));
+    report.diagnostic_counts.resize(static_cast<std::size_t>(DiagnosticCause::max_rounds) + 1);
+    for (const Diagnostic& diagnostic : result.diagnostics)
+      ++report.diagnostic_counts[static_cast<std::size_t>(diagnostic.cause)];
+    if (report.inputs.size() == 1) report.diagnostics = std::move(result.diagnostics);
   }
   if (steps.passes > 0) {
-    const NearOptions near{steps.passes, steps.points, steps.interpolation, steps.most_points};
+    const NearOptions near{steps.passes, steps.points, steps.interpolation, steps.max_points};
     done("passes", densify_near(result, report.inputs[1].curve, near));
   }
   if (steps.crossings) {

@@ -16,38 +16,39 @@ Json number(double value) {
 }
 
 Json options_json(const DensifySteps& steps) {
-  Json options{{"interpolation", name(steps.interpolation)}, {"max_points", steps.most_points}};
-  if (steps.thin) {
-    options["simplify"] = {{"tolerance", steps.thin->tolerance}, {"max_length", number(steps.thin->longest)}};
+  Json options{{"interpolation", name(steps.interpolation)}, {"max_points", steps.max_points}};
+  if (steps.simplify) {
+    options["simplify"] = {{"tolerance", steps.simplify->tolerance},
+                           {"max_length", number(steps.simplify->max_length)}};
   }
   if (steps.criteria) {
-    options["criteria"] = {{"max_length", number(steps.criteria->longest)},
+    options["criteria"] = {{"max_length", number(steps.criteria->max_length)},
                            {"alpha", number(steps.criteria->angle)},
                            {"distance_angle", number(steps.criteria->distance_angle)},
-                           {"min_length", steps.criteria->shortest}};
+                           {"min_length", steps.criteria->min_length}};
   }
   if (steps.passes > 0) options["near"] = {{"passes", steps.passes}, {"points", steps.points}};
   options["crossings"] = steps.crossings;
   return options;
 }
 
-Json flaw_counts_json(const DensifyReport& report) {
+Json diagnostic_counts_json(const DensifyReport& report) {
   Json counts = Json::object();
-  for (std::size_t k = 0; k < report.flaw_counts.size(); ++k) {
-    if (report.flaw_counts[k] != 0) {
-      counts[std::string(name(static_cast<FlawCause>(k)))] = report.flaw_counts[k];
+  for (std::size_t k = 0; k < report.diagnostic_counts.size(); ++k) {
+    if (report.diagnostic_counts[k] != 0) {
+      counts[std::string(name(static_cast<DiagnosticCause>(k)))] = report.diagnostic_counts[k];
     }
   }
   return counts;
 }
 
-void write_flaws(OutputFile& file, const DensifyReport& report) {
+void write_diagnostics(OutputFile& file, const DensifyReport& report) {
   std::string text;
-  append_all(text, "\"flaws\": {\"counts\":", dumped(flaw_counts_json(report)), ",\"list\":[");
-  for (std::size_t k = 0; k < report.flaws.size(); ++k) {
-    const Flaw& flaw = report.flaws[k];
-    append_all(text, k == 0 ? "\n  " : ",\n  ", "{\"segment\":", flaw.first, ",\"count\":", flaw.count, ",\"cause\":\"",
-               name(flaw.cause), "\"}");
+  append_all(text, "\"diagnostics\": {\"counts\":", dumped(diagnostic_counts_json(report)), ",\"list\":[");
+  for (std::size_t k = 0; k < report.diagnostics.size(); ++k) {
+    const Diagnostic& diagnostic = report.diagnostics[k];
+    append_all(text, k == 0 ? "\n  " : ",\n  ", "{\"segment\":", diagnostic.first, ",\"count\":", diagnostic.count,
+               ",\"cause\":\"", name(diagnostic.cause), "\"}");
     if (text.size() > (std::size_t{1} << 20)) {
       file.write(text);
       text.clear();
@@ -64,10 +65,10 @@ std::string densify_summary(const DensifyReport& report) {
     text += fmt::format("{:<20} {:>12} points  {} {}\n", step.name, step.points, step.rounds,
                         step.rounds == 1 ? "round" : "rounds");
   }
-  for (std::size_t k = 0; k < report.flaw_counts.size(); ++k) {
-    if (report.flaw_counts[k] == 0) continue;
-    text += fmt::format("criteria not met     {:>12} places  ({})\n", report.flaw_counts[k],
-                        name(static_cast<FlawCause>(k)));
+  for (std::size_t k = 0; k < report.diagnostic_counts.size(); ++k) {
+    if (report.diagnostic_counts[k] == 0) continue;
+    text += fmt::format("criteria not met     {:>12} places  ({})\n", report.diagnostic_counts[k],
+                        name(static_cast<DiagnosticCause>(k)));
   }
   return text;
 }
@@ -91,7 +92,7 @@ void write_densify_json(const std::string& path, const DensifyReport& report,
   json.member("options", options_json(report.steps));
   json.member("steps", steps);
   json.member("result", {{"points", report.result.points.size()}, {"closed", report.result.closed}});
-  write_flaws(json.file(), report);
+  write_diagnostics(json.file(), report);
   json.finish({{"read", report.timing.read},
                {"densify", report.timing.densify},
                {"write", report.timing.write},

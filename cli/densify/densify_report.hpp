@@ -13,12 +13,12 @@ namespace lober::cli {
 
 /// What was asked for, with defaults filled in.
 struct DensifySteps {
-  std::optional<ThinOptions> thin;
+  std::optional<SimplifyOptions> simplify;
   std::optional<Criteria> criteria;
   int passes = 0, points = 0;
   bool crossings = false;
   Interpolation interpolation = Interpolation::linear;
-  std::size_t most_points = 0;
+  std::size_t max_points = 0;
 };
 
 struct DensifyReport {
@@ -31,9 +31,9 @@ struct DensifyReport {
     std::size_t points;    ///< after it
     std::uint32_t rounds;  ///< it took
   };
-  std::vector<Step> done;                ///< in order
-  std::vector<Flaw> flaws;               ///< of the criteria; empty when a later step changed the numbers of segments
-  std::vector<std::size_t> flaw_counts;  ///< by FlawCause
+  std::vector<Step> done;               ///< in order
+  std::vector<Diagnostic> diagnostics;  ///< of the criteria; empty when a later step changed the numbers of segments
+  std::vector<std::size_t> diagnostic_counts;  ///< by DiagnosticCause
   struct {
     double read = 0, densify = 0, write = 0;  ///< seconds
   } timing;

@@ -85,7 +85,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .value("E");
   parser
       .add(
-          "--max-points", request.options.most_points,
+          "--max-points", request.options.max_points,
           "The maximum number of points of a curve (default: 2000000). The table ends before an image that is expected "
           "to need more.")
       .range(std::size_t{100}, std::size_t{1} << 30)

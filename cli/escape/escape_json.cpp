@@ -21,16 +21,16 @@ Json curves_json(const std::vector<TubeCurve>& curves) {
   for (const TubeCurve& curve : curves) {
     list.push_back({{"points", curve.image.points.size()},
                     {"direction", curve.direction},
-                    {"torn", curve.torn},
+                    {"cut", curve.cut},
                     {"cut_off", curve.cut_off},
-                    {"area", curve.torn ? Json(nullptr) : Json(curve.area)},
+                    {"area", curve.cut ? Json(nullptr) : Json(curve.area)},
                     {"area_error", curve.area_error}});
   }
   return list;
 }
 
-Json bottleneck_json(const Bottleneck& neck, const std::string& name) {
-  const PeriodicOrbit& orbit = neck.orbit;
+Json bottleneck_json(const Bottleneck& bottleneck, const std::string& name) {
+  const PeriodicOrbit& orbit = bottleneck.orbit;
   Json monodromy = Json::array();
   for (std::size_t k = 0; k < 4; ++k) monodromy.push_back(state_json(orbit.monodromy[k]));
   return {{"name", name},
@@ -50,10 +50,10 @@ Json bottleneck_json(const Bottleneck& neck, const std::string& name) {
             {"trace_defect", orbit.trace_defect},
             {"residual", orbit.residual},
             {"continuation_steps", orbit.continuation_steps}}},
-          {"area", neck.area},
-          {"area_defect", neck.area_defect},
-          {"entry_curves", curves_json(neck.entry)},
-          {"exit_curves", curves_json(neck.exit)}};
+          {"area", bottleneck.area},
+          {"area_defect", bottleneck.area_defect},
+          {"entry_curves", curves_json(bottleneck.entry)},
+          {"exit_curves", curves_json(bottleneck.exit)}};
 }
 
 Json table_json(const EscapeReport& report, const std::vector<std::string>& names) {
@@ -66,7 +66,7 @@ Json table_json(const EscapeReport& report, const std::vector<std::string>& name
                {"iterates", row.iterates},
                {"fraction", number(row.fraction)},
                {"error", number(row.error)},
-               {"torn", row.torn},
+               {"cut", row.cut},
                {"split", {row.forward, row.backward}},
                {"other", number(row.other)},
                {"other_error", number(row.other_error)},
@@ -129,8 +129,9 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
   const Section& section = result.section;
   Json parameters;
   for (const Parameter& parameter : report.system.parameters) parameters[parameter.name] = parameter.value;
-  Json necks = Json::array();
-  for (std::size_t k = 0; k < names.size(); ++k) necks.push_back(bottleneck_json(result.bottlenecks[k], names[k]));
+  Json bottlenecks = Json::array();
+  for (std::size_t k = 0; k < names.size(); ++k)
+    bottlenecks.push_back(bottleneck_json(result.bottlenecks[k], names[k]));
   Json object{{"command", "escape"},
               {"program", program_json()},
               {"system", {{"name", report.system.name}, {"parameters", parameters}}},
@@ -139,7 +140,7 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
                {{"crossings", report.options.crossings},
                 {"tolerance", report.options.tolerance},
                 {"strip", report.options.strip},
-                {"max_points", report.options.most_points},
+                {"max_points", report.options.max_points},
                 {"budget", report.options.budget}}},
               {"section",
                {{"coordinate", section.coordinate},
@@ -150,7 +151,7 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
                                                   : Json{{"coordinate", section.bound_coordinate},
                                                          {"value", section.bound},
                                                          {"side", section.bound_side}}}}},
-              {"bottlenecks", necks},
+              {"bottlenecks", bottlenecks},
               {"crossings", result.crossings},
               {"stop", stop_json(report)},
               {"table", table_json(report, names)},

@@ -1,4 +1,5 @@
-// The picture of an escape: the curves on the section as the paper draws them, unstable tubes red, stable ones green.
+// The picture of an escape: the curves on the section as Naik, Lekien & Ross (2017) draw them, unstable tubes red,
+// stable ones green.
 
 #include <cmath>
 #include <cstdlib>
@@ -14,7 +15,7 @@ namespace {
 constexpr const char* entry_colour = "#c0392b";
 constexpr const char* exit_colour = "#1e8449";
 constexpr const char* common_colour = "#1f3a68";
-constexpr std::size_t most_points = 14'000;  // of a path
+constexpr std::size_t max_points = 14'000;  // of a path
 
 struct Drawn {
   CurveView curve;
@@ -25,9 +26,9 @@ struct Drawn {
 // Curves that are crossed in the section's direction, or all if it counts both.
 std::vector<Drawn> curves_on_section(const Escape& result) {
   std::vector<Drawn> curves;
-  for (const Bottleneck& neck : result.bottlenecks) {
+  for (const Bottleneck& bottleneck : result.bottlenecks) {
     for (const bool entry : {true, false}) {
-      const auto& images = entry ? neck.entry : neck.exit;
+      const auto& images = entry ? bottleneck.entry : bottleneck.exit;
       for (std::size_t k = 0; k < images.size(); ++k) {
         if (result.section.direction == 0 || images[k].direction == result.section.direction) {
           curves.push_back({images[k].view(), entry, k});
@@ -40,7 +41,7 @@ std::vector<Drawn> curves_on_section(const Escape& result) {
 
 void add_overlap(std::string& path, const View& view, const ClosedCurve& first, const ClosedCurve& second) {
   const Overlay common = overlay(first, second);
-  path += path_of(view, most_points, [&](PathWriter& writer) {
+  path += path_of(view, max_points, [&](PathWriter& writer) {
     for (std::size_t k = 0; k < common.pieces(Pairing::intersection).size(); ++k) {
       for (const std::vector<Point>& polygon : outline(common, Pairing::intersection, k)) writer.add_polygon(polygon);
     }
@@ -51,7 +52,7 @@ void add_overlap(std::string& path, const View& view, const ClosedCurve& first, 
 std::string overlaps_path(const View& view, const Escape& result) {
   std::string path;
   for (const EscapeFraction& row : result.table) {
-    if (!row.known() || row.fraction == 0) continue;
+    if (!row.is_known() || row.fraction == 0) continue;
     const auto& forward = result.bottlenecks[row.entry].entry;
     const auto& backward = result.bottlenecks[row.exit].exit;
     int best = -1;
@@ -78,7 +79,7 @@ std::string overlaps_path(const View& view, const Escape& result) {
 }
 
 std::string curve_path(const View& view, const CurveView& curve) {
-  return path_of(view, most_points, [&](PathWriter& writer) { writer.add_polygon(curve.points); });
+  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_polygon(curve.points); });
 }
 
 }  // namespace

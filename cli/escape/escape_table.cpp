@@ -20,14 +20,14 @@ std::string percent(double fraction, double error) {
 std::string orbits_text(const Escape& result, const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const Bottleneck& neck = result.bottlenecks[k];
-    const PeriodicOrbit& orbit = neck.orbit;
+    const Bottleneck& bottleneck = result.bottlenecks[k];
+    const PeriodicOrbit& orbit = bottleneck.orbit;
     text += fmt::format(
         "bottleneck {:<6} saddle ({:.12g}, {:.12g}), energy {:.12g}\n"
         "  periodic orbit   period {:.15g}, action {:.15g}, multiplier {:.13g}{}\n"
         "  tubes            area {:.15g} by action; largest relative difference of the curves {:.0e}\n",
         names[k], orbit.saddle.at[0], orbit.saddle.at[1], orbit.saddle.energy, orbit.period, orbit.action,
-        orbit.multiplier, orbit.brake ? ", at rest at both ends" : "", neck.area, neck.area_defect);
+        orbit.multiplier, orbit.brake ? ", at rest at both ends" : "", bottleneck.area, bottleneck.area_defect);
     for (const FlowState& turning : orbit.turning) {
       text += fmt::format("  turns at         ({:.15g}, {:.15g})\n", turning[0], turning[1]);
     }
@@ -39,13 +39,13 @@ std::string orbits_text(const Escape& result, const std::vector<std::string>& na
 
 std::vector<std::string> bottleneck_names(const Escape& result) {
   const auto axis = static_cast<std::size_t>(result.section.coordinate);
-  const auto& necks = result.bottlenecks;
-  if (necks.size() == 2 && necks[0].orbit.saddle.at[axis] < result.section.value &&
-      necks[1].orbit.saddle.at[axis] > result.section.value) {
+  const auto& bottlenecks = result.bottlenecks;
+  if (bottlenecks.size() == 2 && bottlenecks[0].orbit.saddle.at[axis] < result.section.value &&
+      bottlenecks[1].orbit.saddle.at[axis] > result.section.value) {
     return {"left", "right"};
   }
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < necks.size(); ++k) names.push_back(std::to_string(k + 1));
+  for (std::size_t k = 0; k < bottlenecks.size(); ++k) names.push_back(std::to_string(k + 1));
   return names;
 }
 
@@ -62,7 +62,7 @@ std::string escape_rows(const Escape& result, int n) {
   for (const EscapeFraction& row : result.table) {
     if (row.crossings != n) continue;
     text += fmt::format("{:>4}  {:<10} {:<10} {:>28}{}\n", n, names[row.entry], names[row.exit],
-                        percent(row.fraction, row.error), row.torn ? "  of torn curves" : "");
+                        percent(row.fraction, row.error), row.cut ? "  of cut curves" : "");
   }
   return text;
 }
@@ -104,7 +104,7 @@ std::string stop_text(const EscapeReport& report) {
       return how_far;
     case EscapeStop::points:
       return fmt::format("{}: the next image needs {:.1g} points (--max-points {})", how_far, result.points_ahead,
-                         report.options.most_points);
+                         report.options.max_points);
     case EscapeStop::budget:
       return fmt::format("{}: the next images need about {:.2g} s of processor time (--budget {:.15g})", how_far,
                          result.seconds_ahead, report.options.budget);

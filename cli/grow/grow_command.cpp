@@ -68,7 +68,7 @@ void add_options(OptionParser& parser, Request& request) {
       .positive()
       .value("LENGTH");
   parser
-      .add("--max-length", growth.longest,
+      .add("--max-length", growth.max_length,
            "The maximum length of a segment, in units of the coordinates (default: 1/50 of the extent of the local "
            "manifold).")
       .positive()
@@ -80,9 +80,9 @@ void add_options(OptionParser& parser, Request& request) {
       .comma_separated()
       .count(4)
       .value("X0,Y0,X1,Y1");
-  add_max_points_option(parser, growth.most_points,
+  add_max_points_option(parser, growth.max_points,
                         "The maximum number of points, at which growing ends (default: 100000000).");
-  add_memory_option(parser, growth.most_memory,
+  add_memory_option(parser, growth.max_memory,
                     "The memory, in bytes or with a unit, as 4G or 500M, at which growing ends (default: no limit).");
   add_integration_option(parser, request.integration);
   add_points_option(parser, request.output, false);
@@ -134,7 +134,7 @@ class GrowthFraction {
   int iterates_ = 0;
 };
 
-ManifoldSide side_of(const Request& request) {
+ManifoldSide manifold_side(const Request& request) {
   return request.stable ? ManifoldSide::stable : ManifoldSide::unstable;
 }
 
@@ -146,7 +146,7 @@ bool of_tangle(const Request& request, const System& system) {
 // The one that the user named, that of the tangle, or the only one in the system's window.
 Point saddle_of(const Request& request, const System& system) {
   if (request.from.size() == 2) return {request.from[0], request.from[1]};
-  if (of_tangle(request, system)) return system.connection->saddle(side_of(request));
+  if (of_tangle(request, system)) return system.connection->saddle(manifold_side(request));
   std::vector<Point> saddles;
   std::string places;
   for (const FixedPoint& point : find_fixed_points(*system.map, system.window, {.period = request.period})) {
@@ -168,7 +168,7 @@ Point saddle_of(const Request& request, const System& system) {
 Branch branch_of(const Request& request, const System& system, const LocalManifold& local) {
   if (request.branch == "-" || request.branch == "minus") return Branch::minus;
   if (!request.branch.empty() || !of_tangle(request, system)) return Branch::plus;
-  return branch_towards(local, system.connection->direction(side_of(request)));
+  return branch_towards(local, system.connection->direction(manifold_side(request)));
 }
 
 void run(const Request& request) {
@@ -190,7 +190,7 @@ void run(const Request& request) {
     const Stopwatch local_watch;
     LocalManifoldOptions local;
     local.period = request.period;
-    report.local = local_manifold(*report.system.map, saddle_of(request, report.system), side_of(request), local);
+    report.local = local_manifold(*report.system.map, saddle_of(request, report.system), manifold_side(request), local);
     report.branch = branch_of(request, report.system, report.local);
     report.timing.local = local_watch.seconds();
     progress.phase("growing", 0.1, 0.9);

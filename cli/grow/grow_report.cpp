@@ -13,13 +13,14 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::array causes{GrowthFlawCause::failed, GrowthFlawCause::spacing, GrowthFlawCause::most_rounds,
-                            GrowthFlawCause::left_box};
+constexpr std::array causes{GrowthDiagnosticCause::failed, GrowthDiagnosticCause::spacing,
+                            GrowthDiagnosticCause::max_rounds, GrowthDiagnosticCause::left_box};
 
-// Segments with a flaw of this cause.
-std::size_t flawed(const GrownManifold& manifold, GrowthFlawCause cause) {
+// Segments with a diagnostic of this cause.
+std::size_t with_diagnostic(const GrownManifold& manifold, GrowthDiagnosticCause cause) {
   std::size_t sum = 0;
-  for (const GrowthFlaw& flaw : manifold.flaws) sum += flaw.cause == cause ? flaw.count : 0;
+  for (const GrowthDiagnostic& diagnostic : manifold.diagnostics)
+    sum += diagnostic.cause == cause ? diagnostic.count : 0;
   return sum;
 }
 
@@ -35,7 +36,7 @@ Json options_json(const GrowReport& report) {
             {"tolerance", options.tolerance},
             {"iterates", options.iterates < 0 ? Json(nullptr) : Json(options.iterates)},
             {"length", number(options.length)},
-            {"max_points", options.most_points}};
+            {"max_points", options.max_points}};
   if (!options.box.empty()) {
     json["box"] = {options.box.min_x, options.box.min_y, options.box.max_x, options.box.max_y};
   }
@@ -66,18 +67,18 @@ Json result_json(const GrownManifold& manifold) {
           {"images", manifold.images}};
 }
 
-void write_flaws(OutputFile& file, const GrownManifold& manifold) {
+void write_diagnostics(OutputFile& file, const GrownManifold& manifold) {
   Json counts = Json::object();
-  for (const GrowthFlawCause cause : causes) {
-    if (const std::size_t count = flawed(manifold, cause)) counts[std::string(name(cause))] = count;
+  for (const GrowthDiagnosticCause cause : causes) {
+    if (const std::size_t count = with_diagnostic(manifold, cause)) counts[std::string(name(cause))] = count;
   }
   std::string text;
-  append_all(text, "\"flaws\": {\"counts\":", dumped(counts), ",\"list\":[");
-  for (std::size_t k = 0; k < manifold.flaws.size(); ++k) {
-    const GrowthFlaw& flaw = manifold.flaws[k];
-    const Point at = manifold.points[flaw.first];
-    append_all(text, k == 0 ? "\n  " : ",\n  ", "{\"segment\":", flaw.first, ",\"count\":", flaw.count, ",\"cause\":\"",
-               name(flaw.cause), "\",\"at\":[", at.x, ",", at.y, "]}");
+  append_all(text, "\"diagnostics\": {\"counts\":", dumped(counts), ",\"list\":[");
+  for (std::size_t k = 0; k < manifold.diagnostics.size(); ++k) {
+    const GrowthDiagnostic& diagnostic = manifold.diagnostics[k];
+    const Point at = manifold.points[diagnostic.first];
+    append_all(text, k == 0 ? "\n  " : ",\n  ", "{\"segment\":", diagnostic.first, ",\"count\":", diagnostic.count,
+               ",\"cause\":\"", name(diagnostic.cause), "\",\"at\":[", at.x, ",", at.y, "]}");
     if (text.size() > (std::size_t{1} << 20)) {
       file.write(text);
       text.clear();
@@ -102,11 +103,11 @@ std::string grow_summary(const GrowReport& report) {
   text +=
       fmt::format("grown                {} points, length {:.10g}, {} generations, stopped by {}\n",
                   manifold.points.size(), manifold.length, manifold.generation_begin.size() - 1, name(manifold.stop));
-  for (const GrowthFlawCause cause : causes) {
-    const std::size_t count = flawed(manifold, cause);
+  for (const GrowthDiagnosticCause cause : causes) {
+    const std::size_t count = with_diagnostic(manifold, cause);
     if (count == 0) continue;
-    const auto first = std::find_if(manifold.flaws.begin(), manifold.flaws.end(),
-                                    [&](const GrowthFlaw& flaw) { return flaw.cause == cause; });
+    const auto first = std::find_if(manifold.diagnostics.begin(), manifold.diagnostics.end(),
+                                    [&](const GrowthDiagnostic& diagnostic) { return diagnostic.cause == cause; });
     const Point at = manifold.points[first->first];
     text += fmt::format("{:<20} {} segments, the first at ({:.6g}, {:.6g})\n", name(cause), count, at.x, at.y);
   }
@@ -119,7 +120,7 @@ void write_grow_json(const std::string& path, const GrowReport& report, const st
   json.member("options", options_json(report));
   json.member("local_manifold", local_json(report.local));
   json.member("result", result_json(report.manifold));
-  write_flaws(json.file(), report.manifold);
+  write_diagnostics(json.file(), report.manifold);
   json.finish({{"local_manifold", report.timing.local},
                {"growth", report.timing.growth},
                {"write", report.timing.write},

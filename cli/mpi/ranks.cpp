@@ -9,7 +9,7 @@
 
 #include "cli/mpi/messages.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/batch/dealer.hpp"
+#include "engine/batch/work_queue.hpp"
 #include "lober/error.hpp"
 
 namespace lober::cli {
@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::is_trivially_copyable_v<QueueReport>, "a report is sent as it lies in memory");
 
-constexpr std::size_t most_bytes = std::size_t{32} << 20;  // of results that wait to be sent
+constexpr std::size_t max_bytes = std::size_t{32} << 20;  // of results that wait to be sent
 
 std::vector<std::uint32_t> all_jobs(const Plan& plan) {
   std::vector<std::uint32_t> jobs(plan.jobs.size());
@@ -30,7 +30,7 @@ class Coordinator {
   Coordinator(const SharedWork& work, StoreSession& session, int ranks, const std::atomic<bool>& broken)
       : session_(session),
         broken_(broken),
-        dealer_(work.plan, work.manifest_path, session.pending(), static_cast<std::size_t>(ranks)),
+        queue_(work.plan, work.manifest_path, session.pending(), static_cast<std::size_t>(ranks)),
         at_work_(static_cast<std::size_t>(ranks), true),
         workers_(ranks - 1),
         runner_(work.plan, work.manifest_path, session.pending(), work.queue) {}
@@ -38,7 +38,7 @@ class Coordinator {
   BatchReport run(const std::function<bool(const QueueProgress&)>& progress) {
     const Stopwatch watch;
     own_ = std::thread([this] { compute(); });
-    Watcher watcher([&] {
+    ProgressTimer timer([&] {
       try {
         if (progress && !progress(progress_so_far())) stop();
       } catch (...) {
@@ -55,7 +55,7 @@ class Coordinator {
     }
     check();
     own_.join();
-    watcher.finish();
+    timer.finish();
     report_.queue.jobs = jobs_;
     report_.queue.failed = failed_;
     report_.queue.stopped = jobs_ < session_.pending().size();
@@ -137,7 +137,7 @@ class Coordinator {
 
   std::vector<std::uint32_t> next() {
     const std::lock_guard lock(mutex_);
-    return stopped_ ? std::vector<std::uint32_t>() : dealer_.deal();
+    return stopped_ ? std::vector<std::uint32_t>() : queue_.next_portion();
   }
 
   void take(PlanResult result) {
@@ -161,11 +161,11 @@ class Coordinator {
 
   StoreSession& session_;
   const std::atomic<bool>& broken_;
-  Dealer dealer_;
+  WorkQueue queue_;
   std::vector<bool> at_work_;  ///< by rank: may have jobs, or ask for some
   int workers_;                ///< that have not reported yet
   PlanRunner runner_;
-  std::mutex mutex_;  ///< for all that follows, the dealer and the session
+  std::mutex mutex_;  ///< for all that follows, the work queue and the session
   bool stopped_ = false, told_ = false;
   std::size_t jobs_ = 0, failed_ = 0;
   BatchReport report_;
@@ -198,7 +198,7 @@ void work_until_done(const SharedWork& work) {
       try {
         bytes += result.value.size();
         results.push_back(std::move(result));
-        if (results.size() >= 1000 || bytes >= most_bytes || since_sent.seconds() > 0.05) flush();
+        if (results.size() >= 1000 || bytes >= max_bytes || since_sent.seconds() > 0.05) flush();
         if (const std::optional<Message> message = receive_if_any(); message && message->tag == Tag::stop)
           runner.stop();
       } catch (...) {  // at once, not when the jobs that run have ended
@@ -268,7 +268,7 @@ void add(QueueReport& sum, const QueueReport& one) {
   sum.cache.units_read += one.cache.units_read;
   sum.cache.curves_indexed += one.cache.curves_indexed;
   sum.cache.evictions += one.cache.evictions;
-  sum.cache.most_reads = std::max(sum.cache.most_reads, one.cache.most_reads);
+  sum.cache.max_reads = std::max(sum.cache.max_reads, one.cache.max_reads);
   sum.cache.peak_bytes = std::max(sum.cache.peak_bytes, one.cache.peak_bytes);
   sum.cache.read_seconds += one.cache.read_seconds;
   sum.cache.prepare_seconds += one.cache.prepare_seconds;

@@ -25,7 +25,7 @@ struct Request {
   std::array<std::string, 2> curves;
   std::string lobes, crossings, json, svg;
   OverlayOptions options;
-  std::optional<WindingRule> rule;
+  std::optional<FillRule> rule;
   int threads = 0;
   bool verify = false;
   bool smooth = false;
@@ -81,7 +81,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   if (!parser.parse(arguments)) return std::nullopt;
   request.options.pieces = !areas_only;
   request.options.check_simple = !no_check;
-  for (const WindingRule any : all_winding_rules) {
+  for (const FillRule any : all_fill_rules) {
     if (name(any) == rule) request.rule = any;
   }
   return request;

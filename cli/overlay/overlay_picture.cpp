@@ -6,14 +6,14 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t most_points = 200'000;
-constexpr std::size_t most_dots = 500;
+constexpr std::size_t max_points = 200'000;
+constexpr std::size_t max_dots = 500;
 
 constexpr const char* colour1 = "#1f5fa8";
 constexpr const char* colour2 = "#c8501e";
 
 std::string pieces_path(const View& view, const Overlay& result, Pairing pairing) {
-  return path_of(view, most_points, [&](PathWriter& writer) {
+  return path_of(view, max_points, [&](PathWriter& writer) {
     for (std::size_t k = 0; k < result.pieces(pairing).size(); ++k) {
       for (const std::vector<Point>& polygon : outline(result, pairing, k)) writer.add_polygon(polygon);
     }
@@ -21,11 +21,11 @@ std::string pieces_path(const View& view, const Overlay& result, Pairing pairing
 }
 
 std::string curve_path(const View& view, const CurveView& curve) {
-  return path_of(view, most_points, [&](PathWriter& writer) { writer.add_polygon(curve.points); });
+  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_polygon(curve.points); });
 }
 
 void add_dots(std::string& svg, const View& view, const Crossings& nodes) {
-  if (nodes.crossings() >= most_dots) return;
+  if (nodes.crossings() >= max_dots) return;
   svg += "<g fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"" + std::to_string(subpixels) + "\">\n";
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const Node node = nodes[k];

@@ -12,7 +12,7 @@ namespace lober::cli {
 
 struct RegionsReport {
   std::array<NamedCurve, 2> inputs;
-  WindingRule rule = WindingRule::nonzero;
+  FillRule rule = FillRule::nonzero;
   IndexKind index = IndexKind::automatic;  ///< as asked for
   bool areas_only = false;
   Regions result;

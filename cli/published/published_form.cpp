@@ -11,7 +11,6 @@
 #include "cli/interior/interior_report.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/progress.hpp"
-#include "cli/published/densified_curve.hpp"
 #include "cli/report/text.hpp"
 #include "engine/files/number.hpp"
 #include "lober/interior.hpp"
@@ -23,8 +22,8 @@ namespace {
 struct Request {
   std::array<std::string, 2> curves;
   std::string result;
-  bool light = false;                          // the interior method
-  std::optional<Densification> densification;  // -DENS
+  bool light = false;                              // the interior method
+  std::optional<EndsDensification> densification;  // -DENS
 };
 
 std::optional<int> whole_number(const std::string& text) {
@@ -36,8 +35,9 @@ std::optional<int> whole_number(const std::string& text) {
   return value;
 }
 
-// What follows -DENS: two whole numbers, or a single 0, as the paper also writes it. Moves `k` to the last one.
-Densification after_dens(const std::vector<std::string>& arguments, std::size_t& k) {
+// What follows -DENS: two whole numbers, or a single 0, as Naik, Lekien & Ross (2017) also write it. Moves `k` to the
+// last one.
+EndsDensification after_dens(const std::vector<std::string>& arguments, std::size_t& k) {
   const auto number = [&](std::size_t place) {
     return place < arguments.size() ? whole_number(arguments[place]) : std::nullopt;
   };
@@ -101,9 +101,9 @@ Result by_overlay(const IndexedCurve& c1, const IndexedCurve& c2, const std::fun
   return {found.areas, found.rounding, std::move(found.nodes)};
 }
 
-// Segments are split where the curves meet unless -DENS asks for what the paper does instead.
-Result by_interior(const IndexedCurve& c1, const IndexedCurve& c2, const std::optional<Densification>& densification,
-                   const std::function<bool(double)>& progress) {
+// Segments are split where the curves meet unless -DENS asks for the rule of the article instead.
+Result by_interior(const IndexedCurve& c1, const IndexedCurve& c2,
+                   const std::optional<EndsDensification>& densification, const std::function<bool(double)>& progress) {
   InteriorOptions options;
   options.progress = progress;
   if (densification) {
@@ -189,9 +189,9 @@ void run_published_form(const std::vector<std::string>& arguments) {
     throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
   }
   progress.phase("writing", 0.8, 1);
-  const Densification densification = request.densification.value_or(Densification{});
-  const std::array<std::vector<LabelledPoint>, 2> points{densified_curve(result.nodes, 1, densification),
-                                                         densified_curve(result.nodes, 2, densification)};
+  const EndsDensification densification = request.densification.value_or(EndsDensification{});
+  const std::array<std::vector<LabelledPoint>, 2> points{labelled_points(result.nodes, 1, densification),
+                                                         labelled_points(result.nodes, 2, densification)};
   for (const PointFile& file : point_files) {
     write_points(file.path, points[static_cast<std::size_t>(file.curve - 1)], file.side);
   }

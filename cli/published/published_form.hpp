@@ -1,4 +1,4 @@
-// The first two command lines of the published program, unchanged:
+// The first two command lines of Lober 1.8, unchanged:
 //
 //   lober <c1> <c2> <rslt> [-DENS <nPass> <nDens>]          by the overlay
 //   lober -light <c1> <c2> <rslt> [-DENS <nPass> <nDens>]   by the interior method
@@ -13,7 +13,7 @@
 
 namespace lober::cli {
 
-/// All arguments of the program. Throws UsageError, also for the published program's third form;
+/// All arguments of the program. Throws UsageError, also for the third form of Lober 1.8;
 /// DataError.
 void run_published_form(const std::vector<std::string>& arguments);
 

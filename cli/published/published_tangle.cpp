@@ -10,12 +10,24 @@
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/progress.hpp"
-#include "cli/published/lobe_raster.hpp"
 #include "cli/report/text.hpp"
 #include "cli/tangle/tangle_report.hpp"
+#include "engine/files/tecplot.hpp"
+#include "lober/drawing.hpp"
 
 namespace lober::cli {
 namespace {
+
+// As a Tecplot zone of 100 x 100 points in I, J order: x, y and the number.
+void append_raster_zone(std::string& text, const LobeRaster& raster, const std::string& title) {
+  append_all(text, "ZONE T=", tecplot_title(title), " I=", LobeRaster::side, " J=", LobeRaster::side, " F=POINT\n");
+  for (std::size_t row = 0; row < LobeRaster::side; ++row) {
+    for (std::size_t column = 0; column < LobeRaster::side; ++column) {
+      const Point at = raster.centre(column, row);
+      append_all(text, at.x, "\t", at.y, "\t", raster.lobes[row * LobeRaster::side + column], "\n");
+    }
+  }
+}
 
 constexpr std::size_t fewest = 8;  // arguments that are not options
 constexpr const char* form =

@@ -1,4 +1,4 @@
-// The third command line of the published program:
+// The third command line of Lober 1.8:
 //
 //   lober <u> <s> <lobefile> <manifile> <pipsfile> <uskip> <sskip> <nzones> [<lobebfile> [<lobeseq>]] [-BIP k]
 //

@@ -11,17 +11,17 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t most_points = 5'000;
+constexpr std::size_t max_points = 5'000;
 
 bool drawable(Point point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
-// 1, 2 or 5 times a power of ten, so that there are at most so many steps.
-double step_of(double range, int most_steps) {
-  const double power = std::pow(10, std::floor(std::log10(range / most_steps)));
+// 1, 2 or 5 times a power of ten, so that there are at most `max_steps` steps.
+double step_of(double range, int max_steps) {
+  const double power = std::pow(10, std::floor(std::log10(range / max_steps)));
   for (const double factor : {1.0, 2.0, 5.0}) {
-    if (range / (factor * power) <= most_steps) return factor * power;
+    if (range / (factor * power) <= max_steps) return factor * power;
   }
   return 10 * power;
 }
@@ -58,7 +58,7 @@ class Axes {
   [[nodiscard]] std::string path(std::span<const Point> line) const {
     std::vector<Point> moved;
     for (const Point point : line) moved.push_back(in_plot(point));
-    return path_of(view_, most_points, [&](PathWriter& writer) { writer.add_line(moved); });
+    return path_of(view_, max_points, [&](PathWriter& writer) { writer.add_line(moved); });
   }
 
  private:

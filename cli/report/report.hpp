@@ -25,7 +25,7 @@ inline constexpr std::array<NamedArea, 7> named_areas{{
     {"c1", "C1", &Areas::c1},
     {"c2", "C2", &Areas::c2},
     {"intersection", "C1 and C2", &Areas::intersection},
-    {"union", "C1 or C2", &Areas::unite},
+    {"union", "C1 or C2", &Areas::union_},
     {"c1_minus_c2", "C1 \\ C2", &Areas::c1_minus_c2},
     {"c2_minus_c1", "C2 \\ C1", &Areas::c2_minus_c1},
     {"symmetric_difference", "either, not both", &Areas::symmetric_difference},

@@ -5,9 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "cli/report/coverage.hpp"
 #include "cli/report/text.hpp"
-#include "cli/report/thinned.hpp"
+#include "lober/drawing.hpp"
 
 namespace lober::cli {
 namespace {
@@ -95,7 +94,7 @@ void PathWriter::add_polygon(std::span<const Point> polygon) {
   std::vector<Pixel> line;
   line.reserve(polygon.size());
   for (const Point& point : polygon) line.push_back(view_(point));
-  const std::vector<Pixel> drawn = thinned(line, tolerance_);
+  const std::vector<Pixel> drawn = simplified_line(line, tolerance_);
   if (drawn.size() >= 3) draw(drawn, true);
 }
 
@@ -104,7 +103,7 @@ void PathWriter::add_line(std::span<const Point> line) {
   Coverage coverage(frame.right, frame.bottom, std::max(0.5, tolerance_));
   std::vector<Pixel> part;
   const auto finish = [&] {
-    const std::vector<Pixel> kept = thinned(part, tolerance_);
+    const std::vector<Pixel> kept = simplified_line(part, tolerance_);
     part.clear();
     std::size_t first = 0;
     for (std::size_t k = 0; k + 1 < kept.size(); ++k) {

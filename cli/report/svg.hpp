@@ -1,4 +1,4 @@
-// What the pictures have in common: a view of the plane, paths thinned to what can be seen, a legend.
+// What the pictures have in common: a view of the plane, paths simplified to what can be seen, a legend.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,8 @@
 
 namespace lober::cli {
 
-struct Pixel {
-  double x, y;
-};
+/// A point of the picture, x to the right and y down.
+using Pixel = Point;
 
 inline constexpr double picture_width = 960;  ///< of the plot, in pixels
 inline constexpr double picture_margin = 24;
@@ -39,11 +38,11 @@ class View {
 };
 
 /// Draws lines into the `d` of a path, leaving out points without which no line moves by more than `tolerance` pixels
-/// sideways (thinned.hpp), and all that comes after so many points.
+/// sideways (simplified.hpp), and the rest of a line after its largest number of points.
 class PathWriter {
  public:
-  PathWriter(const View& view, double tolerance, std::size_t most_points)
-      : view_(view), tolerance_(tolerance), room_(most_points) {}
+  PathWriter(const View& view, double tolerance, std::size_t max_points)
+      : view_(view), tolerance_(tolerance), room_(max_points) {}
 
   void add_polygon(std::span<const Point> polygon);  ///< nothing if it is less than three points
   /// Only the parts that lie in the picture and not on top of what is drawn of the line before.
@@ -62,18 +61,18 @@ class PathWriter {
   std::string path_;
 };
 
-/// The path that `draw(writer)` makes, with a tolerance at which so many points are enough; where 8 pixels do not do,
-/// what comes last is left out.
+/// The path that `draw(writer)` makes, with a tolerance at which `max_points` points are enough; where 8 pixels do not
+/// do, what comes last is left out.
 template <typename Draw>
-[[nodiscard]] std::string path_of(const View& view, std::size_t most_points, const Draw& draw) {
+[[nodiscard]] std::string path_of(const View& view, std::size_t max_points, const Draw& draw) {
   for (double tolerance = 0.1;; tolerance *= 2) {
-    PathWriter writer(view, tolerance, most_points);
+    PathWriter writer(view, tolerance, max_points);
     draw(writer);
     if (!writer.full() || tolerance > 8) return writer.path();
   }
 }
 
-/// Opens the picture of a plot with so many lines of legend; then come elements in subpixels.
+/// Opens the picture of a plot with `lines` lines of legend; then come elements in subpixels.
 void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines);
 void add_filled(std::string& svg, std::string_view colour, std::string_view rule, const std::string& path);
 void add_stroked(std::string& svg, std::string_view colour, double pixels, const std::string& path);

@@ -93,7 +93,7 @@ void run_system_tangle(const std::vector<std::string>& arguments) {
            "The number of images of the bip up to which manifolds are grown (default: 0).")
       .range(0, 1000)
       .value("N");
-  add_max_points_option(parser, request.options.most_points, manifold_points_help);
+  add_max_points_option(parser, request.options.max_points, manifold_points_help);
   parser
       .add("--budget", request.options.budget,
            "The wall-clock time that growing the manifolds may take, in seconds (default: a limit on the work instead, "

@@ -10,8 +10,8 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t most_points = 14'000;  // of a path: five paths stay below a megabyte
-constexpr std::size_t most_dots = 500;
+constexpr std::size_t max_points = 14'000;  // of a path: five paths stay below a megabyte
+constexpr std::size_t max_dots = 500;
 constexpr double dot_spacing = 5;  // pixels between pips that get a dot
 
 // Lobes of one orientation, and the colour that says what they do.
@@ -39,13 +39,13 @@ std::string lobes_path(const View& view, const Tangle& tangle, int orientation) 
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::fabs(tangle.lobes[a].area) > std::fabs(tangle.lobes[b].area);
   });
-  return path_of(view, most_points, [&](PathWriter& writer) {
+  return path_of(view, max_points, [&](PathWriter& writer) {
     for (std::size_t k = 0; k < order.size() && !writer.full(); ++k) writer.add_polygon(lobe_outline(tangle, order[k]));
   });
 }
 
 std::string line_path(const View& view, std::span<const Point> points) {
-  return path_of(view, most_points, [&](PathWriter& writer) { writer.add_line(points); });
+  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_line(points); });
 }
 
 // Pips gather at the fixed points: those that would hide each other are left out.
@@ -56,7 +56,7 @@ void add_pips(std::string& svg, const View& view, const Tangle& tangle) {
     if (dots.empty() || std::hypot(at.x - dots.back().x, at.y - dots.back().y) >= dot_spacing) dots.push_back(at);
   }
   const std::string pixel = std::to_string(subpixels), two_pixels = std::to_string(2 * subpixels);
-  if (dots.size() <= most_dots) {
+  if (dots.size() <= max_dots) {
     svg += "<g fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"" + pixel + "\">\n";
     for (const Pixel& dot : dots) add_dot(svg, dot, 3);
     svg += "</g>\n";

@@ -13,7 +13,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t most_values = 100'000;
+constexpr std::size_t max_values = 100'000;
 
 std::string fixed_text(const SweepReport& report) {
   System fixed;
@@ -80,7 +80,7 @@ SweepRange sweep_range(const std::string& text) {
   const auto [from, to, step] = numbers;
   if (step == 0 || (to - from) / step < 0) throw bad(" with a step that leads from the first value to the last");
   const double steps = (to - from) / step;
-  if (!(steps < most_values)) throw bad(" with at most 100000 values");
+  if (!(steps < max_values)) throw bad(" with at most 100000 values");
   SweepRange range{text.substr(0, equals), {}};
   const auto count = static_cast<std::size_t>(std::floor(steps * (1 + 1e-12) + 1e-9)) + 1;
   for (std::size_t k = 0; k < count; ++k) {

@@ -127,7 +127,7 @@ void run_sweep(const Request& request) {
   (void)connection_of(request.system, report.system);
   SweepOptions options;
   options.tangle.tolerance = request.options.tolerance;
-  options.tangle.most_points = request.options.most_points;
+  options.tangle.max_points = request.options.max_points;
   options.find_zeros = request.find_zero;
   {
     Progress progress;
@@ -171,7 +171,7 @@ void run_transport(const std::vector<std::string>& arguments) {
                               .range(1, 1000)
                               .value("N");
   add_tolerance_option(parser, request.options.tolerance, manifold_tolerance_help);
-  add_max_points_option(parser, request.options.most_points, manifold_points_help);
+  add_max_points_option(parser, request.options.max_points, manifold_points_help);
   parser
       .add("--budget", request.options.budget,
            "The wall-clock time that growing the manifolds of one boundary may take, in seconds (default: a limit on "

@@ -13,14 +13,14 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t most_points = 5'000;  // of a path
+constexpr std::size_t max_points = 5'000;  // of a path
 
 std::string line_path(const View& view, std::span<const Point> points) {
-  return path_of(view, most_points, [&](PathWriter& writer) { writer.add_line(points); });
+  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_line(points); });
 }
 
 std::string outlines_path(const View& view, const Tangle& tangle, std::span<const std::size_t> lobes) {
-  return path_of(view, most_points, [&](PathWriter& writer) {
+  return path_of(view, max_points, [&](PathWriter& writer) {
     for (const std::size_t k : lobes) writer.add_polygon(lobe_outline(tangle, k));
   });
 }
@@ -97,7 +97,7 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   add_filled(svg, palette::entering, "nonzero", outlines_path(view, tangle, entering));
   add_filled(svg, palette::leaving, "nonzero", outlines_path(view, tangle, outwards));
   add_filled(svg, palette::entering, "nonzero", outlines_path(view, tangle, inwards));
-  add_filled(svg, palette::common, "nonzero", path_of(view, most_points, [&](PathWriter& writer) {
+  add_filled(svg, palette::common, "nonzero", path_of(view, max_points, [&](PathWriter& writer) {
                for (const std::vector<Point>& polygon : common) writer.add_polygon(polygon);
              }));
   add_stroked(svg, palette::stable, 1, line_path(view, tangle.s().points));

@@ -9,7 +9,7 @@ namespace {
 
 std::string describe(int curve, std::uint32_t first, std::uint32_t second, Point place) {
   return "curve " + std::to_string(curve) + " is not simple: segments " + std::to_string(first) + " and " +
-         std::to_string(second) + " meet at " + place_text(place);
+         std::to_string(second) + " meet at " + format_point(place);
 }
 
 }  // namespace

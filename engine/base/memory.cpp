@@ -32,7 +32,7 @@ void release_bulk_memory() noexcept {}
 namespace {
 
 constexpr std::size_t huge_page = std::size_t{2} << 20;
-constexpr std::size_t most_kept = std::size_t{512} << 20;
+constexpr std::size_t max_kept = std::size_t{512} << 20;
 
 struct Block {
   void* at;
@@ -66,8 +66,8 @@ class LargeBlocks {
     }
     used_.push_back(block);
     const std::size_t in_use = total(used_);
-    most_used_ = std::max(most_used_, in_use);
-    drop_oldest_until(std::min(most_kept, most_used_ - in_use));
+    max_used_ = std::max(max_used_, in_use);
+    drop_oldest_until(std::min(max_kept, max_used_ - in_use));
     return block.at;
   }
 
@@ -79,13 +79,13 @@ class LargeBlocks {
 #endif
     kept_.push_back(*block);  // there is room: reserve_room()
     used_.erase(block);
-    drop_oldest_until(most_kept);
+    drop_oldest_until(max_kept);
   }
 
   void release() noexcept {
     const std::lock_guard lock(mutex_);
     drop_oldest_until(0);
-    most_used_ = total(used_);
+    max_used_ = total(used_);
   }
 
  private:
@@ -118,7 +118,7 @@ class LargeBlocks {
 
   std::mutex mutex_;
   std::vector<Block> used_, kept_;  // kept: the one freed last at the end
-  std::size_t most_used_ = 0;
+  std::size_t max_used_ = 0;
 };
 
 LargeBlocks& large_blocks() {

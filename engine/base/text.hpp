@@ -10,14 +10,21 @@
 namespace lober {
 
 /// The shortest form that reads back to the same bits.
-[[nodiscard]] inline std::string shortest(double value) {
+[[nodiscard]] inline std::string format_number(double value) {
   std::array<char, 32> buffer;
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
+/// Two significant digits, for estimates.
+[[nodiscard]] inline std::string format_rounded(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(),
+          std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 2).ptr};
+}
+
 /// "(x, y)".
-[[nodiscard]] inline std::string place_text(Point point) {
-  return "(" + shortest(point.x) + ", " + shortest(point.y) + ")";
+[[nodiscard]] inline std::string format_point(Point point) {
+  return "(" + format_number(point.x) + ", " + format_number(point.y) + ")";
 }
 
 }  // namespace lober

@@ -17,7 +17,7 @@ class Allowance {
 
   /// Bytes that the work may hold at most: the memory of the queue, so that it does not depend on what else runs.
   [[nodiscard]] virtual std::size_t most() const { return std::numeric_limits<std::size_t>::max(); }
-  /// Says that the work holds so many bytes in all. Throws DataError when that is more than `most`. What it throws
+  /// Says how many bytes the work holds in all. Throws DataError when that is more than `most`. What it throws
   /// while other work holds the memory is no Error and has to be let through: the queue then begins the work anew
   /// later.
   virtual void book(std::size_t /*bytes*/) const {}

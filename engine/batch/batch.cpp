@@ -29,7 +29,7 @@ std::vector<std::string> hash_inputs(const Plan& plan, std::span<const std::uint
   return digests;
 }
 
-std::string spelled(Shard shard) {
+std::string to_string(Shard shard) {
   return std::to_string(shard.number + 1) + "/" + std::to_string(shard.of);
 }
 
@@ -38,9 +38,9 @@ std::string spelled(Shard shard) {
 StoreSession::StoreSession(const std::string& store_path, const Plan& plan, const Manifest& manifest, Shard shard,
                            int threads, std::function<void()> broken)
     : plan_(plan), store_(Store::create(store_path)), digests_(plan.curves.size()), seen_(plan.curves.size(), 0) {
-  store_->begin_run(provenance(), threads, manifest.text, spelled(shard), plan);
+  store_->begin_run(provenance(), threads, manifest.text, to_string(shard), plan);
   pending_ = jobs_of(plan, shard);
-  if (!store_->known().empty()) skip_finished(hash_inputs(plan, pending_, manifest.path));
+  if (!store_->stored().empty()) skip_finished(hash_inputs(plan, pending_, manifest.path));
   writer_ = std::make_unique<ResultWriter>(*store_, std::move(broken));
   for (CurveId id = 0; id < seen_.size(); ++id) {
     if (seen_[id] != 0) writer_->add(input_name(plan.curves[id]), digests_[id]);
@@ -61,8 +61,8 @@ void StoreSession::skip_finished(std::vector<std::string> inputs) {
       digests[k] = digests_[job.curves()[k]];
     }
     const JobKey key = keys(job, digests[0], digests[1]);
-    const auto known = store_->known().find(key);
-    const bool there = known != store_->known().end();
+    const auto known = store_->stored().find(key);
+    const bool there = known != store_->stored().end();
     if (there && !store_->result(known->second)) {
       store_->discard(key);
       damaged_.push_back(damage_line(*store_, plan_, number));
@@ -88,7 +88,7 @@ void StoreSession::note(CurveId curve, const std::string& digest, bool& usable) 
 bool StoreSession::add(PlanResult result) {
   const PlannedJob& job = plan_.jobs[result.job];
   bool usable = true;
-  const FewCurves curves = job.curves();
+  const CurvePair curves = job.curves();
   for (std::size_t k = 0; k < curves.size(); ++k) note(curves[k], k == 0 ? result.digest1 : result.digest2, usable);
   if (usable) writer_->add({result.key, result.failed, result.seconds, std::move(result.value)});
   return usable;
@@ -116,7 +116,7 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
   {
     PlanRunner queue(plan, manifest.path, session.pending(), queue_options);
     std::optional<Stopwatch> since_stop;
-    Watcher watcher([&] {
+    ProgressTimer timer([&] {
       try {
         if (!since_stop && !broken && (!options.progress || options.progress(queue.progress()))) return;
         if (!since_stop) since_stop.emplace();
@@ -133,7 +133,7 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
       const bool failed = result.failed;
       if (!session.add(std::move(result)) && !failed) ++unusable;
     });
-    watcher.finish();
+    timer.finish();
   }
   report.queue.failed += unusable;
   const CancellationScope shield(CancellationScope::Shield{});
@@ -142,7 +142,7 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
   return report;
 }
 
-Watcher::Watcher(std::function<void()> watch)
+ProgressTimer::ProgressTimer(std::function<void()> watch)
     : thread_([this, watch = std::move(watch)] {
         std::unique_lock lock(mutex_);
         try {
@@ -152,14 +152,14 @@ Watcher::Watcher(std::function<void()> watch)
         }
       }) {}
 
-Watcher::~Watcher() {
+ProgressTimer::~ProgressTimer() {
   try {
     finish();
   } catch (...) {  // whoever wants to know calls `finish`
   }
 }
 
-void Watcher::finish() {
+void ProgressTimer::finish() {
   {
     const std::lock_guard lock(mutex_);
     done_ = true;

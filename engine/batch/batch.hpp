@@ -55,12 +55,12 @@ class StoreSession {
 [[nodiscard]] BatchReport run_batch(const Manifest& manifest, const BatchOptions& options);
 
 /// Calls `watch` about ten times a second on a thread of its own, until `finish` or until it throws.
-class Watcher {
+class ProgressTimer {
  public:
-  explicit Watcher(std::function<void()> watch);
-  ~Watcher();
-  Watcher(const Watcher&) = delete;
-  Watcher& operator=(const Watcher&) = delete;
+  explicit ProgressTimer(std::function<void()> watch);
+  ~ProgressTimer();
+  ProgressTimer(const ProgressTimer&) = delete;
+  ProgressTimer& operator=(const ProgressTimer&) = delete;
   /// Passes on what `watch` threw.
   void finish();
 

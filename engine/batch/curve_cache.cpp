@@ -26,12 +26,12 @@ std::vector<CurveId> CurveCache::add(CurveUnit what) {
   return ids;
 }
 
-void CurveCache::require(CurveId id, const Needs& needs) {
+void CurveCache::require(CurveId id, const Requirements& requirements) {
   Member& member = members_[id];
-  Needs wider = member.needs;
-  wider |= needs;
-  if (wider == member.needs) return;
-  member.needs = wider;
+  Requirements wider = member.requirements;
+  wider |= requirements;
+  if (wider == member.requirements) return;
+  member.requirements = wider;
   Unit& unit = units_[member.unit];
   if (unit.state == State::resident) drop(unit);
 }
@@ -131,7 +131,7 @@ std::shared_ptr<CurveCache::Loaded> CurveCache::read(UnitId number, const Loadin
     load_or(
         [&] {
           loaded->curves[k] = curve.error.empty() ? std::make_shared<const PreparedCurve>(
-                                                        std::move(curve.curve), members_[unit.first + k].needs)
+                                                        std::move(curve.curve), members_[unit.first + k].requirements)
                                                   : std::make_shared<const PreparedCurve>(std::move(curve.error));
         },
         [&](const char* message) { loaded->curves[k] = std::make_shared<const PreparedCurve>(name + ": " + message); });
@@ -154,14 +154,14 @@ void CurveCache::end_loading(UnitId number, const Loaded& loaded) {
       member.prepared = std::make_shared<const PreparedCurve>("the input changed while it was in use");
     }
     member.points = member.prepared->curve().points.size();
-    if (member.prepared->error().empty() && member.needs.index) ++counts_.curves_indexed;
+    if (member.prepared->error().empty() && member.requirements.index) ++counts_.curves_indexed;
   }
   unit.state = State::resident;
   used_ -= unit.bytes + unit.what.reading_memory;
   unit.bytes = loaded.bytes;
   take(unit.bytes);
   ++counts_.units_read;
-  counts_.most_reads = std::max(counts_.most_reads, ++unit.reads);
+  counts_.max_reads = std::max(counts_.max_reads, ++unit.reads);
   counts_.read_seconds += loaded.read_seconds;
   counts_.prepare_seconds += loaded.prepare_seconds;
 }

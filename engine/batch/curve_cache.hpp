@@ -19,9 +19,9 @@ using CurveId = std::uint32_t;
 inline constexpr CurveId no_curve = 0xffffffff;
 
 /// The curves of a job: none, one or two.
-class FewCurves {
+class CurvePair {
  public:
-  FewCurves(CurveId first, CurveId second)
+  CurvePair(CurveId first, CurveId second)
       : ids_{first, second},
         count_(first == no_curve    ? 0U
                : second == no_curve ? 1U
@@ -55,8 +55,8 @@ struct CurveUnit {
   std::size_t points = 0;          ///< an estimate for all of them together, before they are read
   std::size_t reading_memory = 0;  ///< bytes needed besides while reading
   bool keep = false;               ///< cannot be read again
-  /// Returns so many curves, in order; throws what is a std::exception when nothing can be read. The same content every
-  /// time.
+  /// Returns that number of curves, in order; throws what is a std::exception when nothing can be read. The same
+  /// content every time.
   std::function<std::vector<LoadedCurve>(const Loading&)> load;
 };
 
@@ -71,7 +71,7 @@ class CurveCache {
 
   std::vector<CurveId> add(CurveUnit unit);
   /// Widens what the curve is prepared for. A curve in memory that lacks it is read again.
-  void require(CurveId curve, const Needs& needs);
+  void require(CurveId curve, const Requirements& requirements);
 
   [[nodiscard]] UnitId unit_of(CurveId curve) const { return members_[curve].unit; }
   [[nodiscard]] State state(UnitId unit) const { return units_[unit].state; }
@@ -99,7 +99,7 @@ class CurveCache {
   void end_loading(UnitId unit, const Loaded& loaded);
   /// Instead, when `read` has thrown.
   void give_up_loading(UnitId unit);
-  /// The unit will take so many bytes at least, so far as is known now.
+  /// The number of bytes that the unit will take at least, as far as is known now.
   void expect(UnitId unit, std::size_t bytes);
 
   /// Of a resident unit.
@@ -111,7 +111,7 @@ class CurveCache {
  private:
   struct Member {
     UnitId unit;
-    Needs needs;
+    Requirements requirements;
     std::shared_ptr<const PreparedCurve> prepared;
     std::string digest;      ///< of the first reading
     std::size_t points = 0;  ///< 0: not read yet

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
 #include <set>
 
@@ -15,10 +16,6 @@ namespace lober {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // Paths as the pattern spells them, in natural order; empty when there is no such file.
 std::vector<std::string> matches(const std::string& manifest_path, const std::string& pattern) {
@@ -74,27 +71,8 @@ std::string located(const std::string& manifest_path, const std::string& file) {
   return folder.empty() ? file : folder + "/" + file;
 }
 
-bool natural_less(std::string_view a, std::string_view b) {
-  std::size_t i = 0, k = 0;
-  while (i < a.size() && k < b.size()) {
-    if (is_digit(a[i]) && is_digit(b[k])) {
-      const auto number = [](std::string_view text, std::size_t& at) {
-        while (at < text.size() && text[at] == '0') ++at;
-        const std::size_t begin = at;
-        while (at < text.size() && is_digit(text[at])) ++at;
-        return text.substr(begin, at - begin);
-      };
-      const std::string_view left = number(a, i), right = number(b, k);
-      if (left.size() != right.size()) return left.size() < right.size();
-      if (left != right) return left < right;
-    } else {
-      if (a[i] != b[k]) return a[i] < b[k];
-      ++i;
-      ++k;
-    }
-  }
-  if (a.size() - i != b.size() - k) return a.size() - i < b.size() - k;
-  return a < b;  // they differ in leading zeros
+bool natural_less(const std::string& a, const std::string& b) {
+  return strverscmp(a.c_str(), b.c_str()) < 0;
 }
 
 std::vector<CurvePlace> resolve(const Manifest& manifest, const std::vector<Placed>& patterns) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "engine/batch/manifest.hpp"
@@ -26,8 +25,10 @@ struct CurvePlace {
 /// files of which all zones, or one by its title, are wanted. Throws UsageError when a pattern names nothing.
 [[nodiscard]] std::vector<CurvePlace> resolve(const Manifest& manifest, const std::vector<Placed>& patterns);
 
-/// "separ.2" comes before "separ.10": runs of digits compare as numbers.
-[[nodiscard]] bool natural_less(std::string_view a, std::string_view b);
+/// "separ.2" comes before "separ.10": runs of digits compare as numbers (strverscmp). Runs that begin with a zero come
+/// first and compare as decimal places, "01" < "010" < "09" < "1": numbers of a fixed width are in order, also where
+/// the width no longer holds them ("08", "99", "100").
+[[nodiscard]] bool natural_less(const std::string& a, const std::string& b);
 
 /// The path of a file that a manifest names.
 [[nodiscard]] std::string located(const std::string& manifest_path, const std::string& file);

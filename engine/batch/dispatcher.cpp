@@ -17,7 +17,7 @@ constexpr std::size_t window = 256;  // how far ahead a job may overtake
 
 // The work has to wait for memory. No std::exception, so that nobody takes it for an error of the work.
 struct Postponed {
-  std::size_t bytes;  // so many it has come to
+  std::size_t bytes;  // the number that it has come to
 };
 
 class Dispatcher {
@@ -183,7 +183,7 @@ class Dispatcher {
   // The job to start now, its units pinned; none if there is none that can.
   std::optional<std::size_t> choose() {
     while (head_ < jobs_.size() && taken_[head_] != 0) ++head_;
-    std::size_t refused = static_cast<std::size_t>(-1);  // so many bytes were not to be had
+    std::size_t refused = static_cast<std::size_t>(-1);  // the number of bytes that could not be had
     for (std::size_t k = head_; k < jobs_.size() && k < head_ + window; ++k) {
       if (taken_[k] != 0 || !ready(jobs_[k], refused)) continue;
       taken_[k] = 1;

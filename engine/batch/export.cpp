@@ -43,8 +43,8 @@ ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted&
     for (std::size_t k = 0; k < job.curves().size(); ++k) of_curves[k] = digests[job.curves()[k]];
     const auto& [first, second] = of_curves;
     const auto at =
-        first != nullptr && second != nullptr ? store.known().find(keys(job, *first, *second)) : store.known().end();
-    if (at == store.known().end()) {
+        first != nullptr && second != nullptr ? store.stored().find(keys(job, *first, *second)) : store.stored().end();
+    if (at == store.stored().end()) {
       ++counts.missing;
       continue;
     }
@@ -58,7 +58,7 @@ ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted&
     ++(result->failed ? counts.failed : counts.done);
     found(number, std::move(*result), std::move(record));
   }
-  if (store.torn()) counts.damaged.push_back(store.path() + ": is damaged, some of its results cannot be reached");
+  if (store.damaged()) counts.damaged.push_back(store.path() + ": is damaged, some of its results cannot be reached");
   return counts;
 }
 
@@ -66,7 +66,7 @@ ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted&
 std::string inputs_of(const Plan& plan, const PlannedJob& job) {
   std::string inputs;
   for (const CurveId id : job.curves()) inputs += (inputs.empty() ? "" : " ") + plan.name(id);
-  return inputs.empty() ? plan.groups[job.group].spelled() : inputs;
+  return inputs.empty() ? plan.groups[job.group].to_string() : inputs;
 }
 
 Plan plan_of(const Store& store) {

@@ -30,7 +30,7 @@ void write_npy_table(OutputFile& file, const Operation& operation, const EachRow
   std::size_t count = 0;
   std::size_t widths[5] = {1, 1, 1, 1, 1};
   const auto texts = [](const ExportRow& row) {
-    return std::array<std::string, 5>{row.group->name, row.group->spelled(), row.first, row.second, row.message};
+    return std::array<std::string, 5>{row.group->name, row.group->to_string(), row.first, row.second, row.message};
   };
   rows([&](const ExportRow& row) {
     ++count;

@@ -12,7 +12,7 @@ constexpr std::size_t enough = std::size_t{1} << 20;  // to be written at once
 
 std::string number(const Column& column, double value) {
   if (column.kind == Column::Kind::count) return std::to_string(static_cast<std::int64_t>(value));
-  return shortest(value);
+  return format_number(value);
 }
 
 std::string csv_field(const std::string& text) {
@@ -29,7 +29,7 @@ std::string json_number(const Column& column, double value) {
 std::string json_option(const OptionValue& value) {
   const auto* const real = std::get_if<double>(&value);
   const bool is_text = std::holds_alternative<std::string>(value) || (real != nullptr && !std::isfinite(*real));
-  return is_text ? json_string(spelled(value)) : spelled(value);
+  return is_text ? json_string(to_string(value)) : to_string(value);
 }
 
 }  // namespace
@@ -41,8 +41,8 @@ void write_csv(OutputFile& file, const Operation& operation, const EachRow& rows
   text += "\n";
   rows([&](const ExportRow& row) {
     text += std::to_string(row.job);
-    for (const std::string& field : {row.group->name, row.group->operation, row.group->spelled(), row.first, row.second,
-                                     std::string(row.failed ? "failed" : "done"), row.message}) {
+    for (const std::string& field : {row.group->name, row.group->operation, row.group->to_string(), row.first,
+                                     row.second, std::string(row.failed ? "failed" : "done"), row.message}) {
       text += "," + csv_field(field);
     }
     for (std::size_t k = 0; k < operation.columns.size(); ++k) {
@@ -54,7 +54,7 @@ void write_csv(OutputFile& file, const Operation& operation, const EachRow& rows
       text += ",";
       if (row.failed) continue;
       const std::vector<double>& list = row.record.lists.at(k);
-      for (std::size_t m = 0; m < list.size(); ++m) text += (m == 0 ? "" : " ") + shortest(list[m]);
+      for (std::size_t m = 0; m < list.size(); ++m) text += (m == 0 ? "" : " ") + format_number(list[m]);
     }
     text += "\n";
     if (text.size() < enough) return;

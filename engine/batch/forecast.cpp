@@ -13,8 +13,8 @@ namespace lober {
 namespace {
 
 constexpr std::size_t few_points = 20'000;
-constexpr std::size_t most_read = 1'000'000;  // points of a file that are read in passing
-constexpr double most_seconds = 5;
+constexpr std::size_t max_read = 1'000'000;  // points of a file that are read in passing
+constexpr double max_seconds = 5;
 
 // So much that few points are enough for it, and for nothing more.
 class SmallAllowance final : public Allowance {
@@ -84,32 +84,32 @@ std::vector<std::string> forecast_shortage(const Plan& plan, const std::string& 
   for (CurveId id = static_cast<CurveId>(plan.curves.size()); id-- > 0;) first_of_source[plan.curves[id].source] = id;
   for (const std::uint32_t source : furthest(plan)) {
     const CurveId curve = first_of_source[source];
-    if (curve == no_curve || watch.seconds() > most_seconds) continue;
+    if (curve == no_curve || watch.seconds() > max_seconds) continue;
     const PlannedUnit unit{source, {curve}};
     if (make_unit(plan, unit, manifest_path).points /
             (1 + static_cast<std::size_t>(std::abs(plan.sources[source].recipe->iterates))) >
-        most_read) {
+        max_read) {
       continue;
     }
     const double points = forecast_points(plan, unit, manifest_path);
     if (!(points * static_cast<double>(computed_bytes_per_point) > room)) continue;
     lines.push_back(plan.name(curve) + " may come to " +
-                    (std::isfinite(points) ? "about " + shortest(std::round(points)) : "far too many") + " points" +
-                    too_much);
+                    (std::isfinite(points) ? "about " + format_number(std::round(points)) : "far too many") +
+                    " points" + too_much);
   }
   std::set<std::uint32_t> judged;
   for (const PlannedJob& job : plan.jobs) {
     const PlannedGroup& group = plan.groups[job.group];
     const Operation& operation = operation_of(group);
-    if (!operation.result_bytes || job.first == no_curve || watch.seconds() > most_seconds) continue;
+    if (!operation.result_bytes || job.first == no_curve || watch.seconds() > max_seconds) continue;
     const PlannedUnit unit{plan.curves[job.first].source, {job.first}};
     if (plan.sources[unit.source].recipe || judged.contains(job.group)) continue;
-    if (make_unit(plan, unit, manifest_path).points > most_read) continue;
+    if (make_unit(plan, unit, manifest_path).points > max_read) continue;
     judged.insert(job.group);
     const std::shared_ptr<const Curve> curve = first_curve(plan, unit, manifest_path, Allowance());
     if (!curve) continue;
     if (operation.result_bytes(*curve, options_of(group)) > room) {
-      lines.push_back(group.operation + " with " + group.spelled() + " asks for too many points of " +
+      lines.push_back(group.operation + " with " + group.to_string() + " asks for too many points of " +
                       plan.name(job.first) + too_much);
     }
   }

@@ -18,7 +18,7 @@ JobKeys::JobKeys(const Plan& plan) : plan_(plan) {
     const Operation* const operation = find_operation(group.operation);
     const int revision = operation != nullptr ? operation->revision : 0;
     const std::string text = "lober " + std::string(engine_version()) + '\n' + group.operation + ' ' +
-                             std::to_string(revision) + '\n' + group.spelled() + '\n';
+                             std::to_string(revision) + '\n' + group.to_string() + '\n';
     beginnings_.push_back(sha256(std::as_bytes(std::span(text))));  // short, as it is hashed again for each job
   }
 }

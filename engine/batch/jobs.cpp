@@ -70,8 +70,8 @@ std::size_t JobQueue::submit(Job job) {
   if (!takes(job.operation->arity, count)) {
     throw UsageError(job.operation->name + " does not take " + std::to_string(count) + " curves");
   }
-  const Needs needs = job.operation->needs(*job.options);
-  for (const CurveId curve : job.curves()) cache_->require(curve, needs);
+  const Requirements requirements = job.operation->requirements(*job.options);
+  for (const CurveId curve : job.curves()) cache_->require(curve, requirements);
   jobs_.push_back(std::move(job));
   return jobs_.size() - 1;
 }
@@ -100,7 +100,7 @@ class JobQueue::Run final : public JobRunner {
     JobResult result;
     result.job = number;
     std::array<const PreparedCurve*, 2> curves{};
-    const FewCurves ids = job.curves();
+    const CurvePair ids = job.curves();
     std::size_t points = 0;
     for (std::size_t k = 0; k < ids.size(); ++k) {
       curves[k] = &cache.curve(ids[k]);
@@ -195,7 +195,7 @@ QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
   std::vector<std::size_t> unit_bytes, points;
   double total_cost = 0;
   for (const Job& job : waiting) {
-    const FewCurves ids = job.curves();
+    const CurvePair ids = job.curves();
     std::size_t sum = 0;
     for (const CurveId id : ids) {
       const CurveCache::UnitId unit = cache_->unit_of(id);

@@ -39,7 +39,7 @@ struct Job {
   const Operation* operation = nullptr;  ///< has to outlive the queue
   std::shared_ptr<const Options> options;
   CurveId first = no_curve, second = no_curve;  ///< no_curve where the job has none
-  [[nodiscard]] FewCurves curves() const { return {first, second}; }
+  [[nodiscard]] CurvePair curves() const { return {first, second}; }
 };
 
 struct JobResult {
@@ -65,7 +65,8 @@ class JobQueue {
   /// Curves that come from elsewhere, all at once; returns their numbers in order. See CurveUnit.
   std::vector<CurveId> add(CurveUnit unit);
 
-  /// Returns the number of the job, counted from 0. Throws UsageError when the operation does not take so many curves.
+  /// Returns the number of the job, counted from 0. Throws UsageError when the operation takes another number of
+  /// curves.
   std::size_t submit(Job job);
 
   /// Runs all jobs that wait, what costs most first as far as memory allows (schedule.hpp), and hands each result to

@@ -186,7 +186,7 @@ class Reader {
       return std::any_of(specs.begin(), specs.end(), [&](const OptionSpec& spec) { return spec.is_for(key); });
     };
     const auto take = [&](const std::string& key, const toml::node& node, bool only_known) {
-      if (only_known && !known(key) && known_to_some(key)) return;
+      if (only_known && !known(key) && is_known_to_some(key)) return;
       settings.push_back({key, value_of(node, key)});
       (void)checked(group, {settings.back()}, node);
     };
@@ -224,7 +224,7 @@ class Reader {
     }
   }
 
-  static bool known_to_some(std::string_view key) {
+  static bool is_known_to_some(std::string_view key) {
     const std::span<const Operation> all = all_operations();
     return std::any_of(all.begin(), all.end(), [&](const Operation& any) {
       return std::any_of(any.options.begin(), any.options.end(),

@@ -45,14 +45,14 @@ struct Operation {
   std::vector<std::string> lists = {};
   /// Throws UsageError "key: message" for options that cannot go together; may be empty.
   std::function<void(const Options&)> check = {};
-  std::function<Needs(const Options&)> needs;
+  std::function<Requirements(const Options&)> requirements;
   /// Called from several threads at the same time. May throw what is a std::exception: the job has failed then.
   std::function<Record(JobCurves curves, const Options& options)> run;
-  /// Microseconds on one core for so many points, roughly: what comes first is what costs most.
+  /// Microseconds on one core for a number of points, roughly: what comes first is what costs most.
   std::function<double(std::size_t points)> cost;
   /// Bytes of what it makes of its first curve, roughly, where its options decide that; may be empty.
   std::function<double(const Curve& curve, const Options& options)> result_bytes = {};
-  std::size_t memory = 0;  ///< bytes that a job takes besides what is usual for so many points
+  std::size_t memory = 0;  ///< bytes that a job takes besides what is usual for that number of points
 };
 
 /// The operations that a manifest can name.

@@ -41,8 +41,8 @@ OptionValue checked(OptionSpec spec, const OptionSetting& setting) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value)) number = *real;
   if (std::holds_alternative<std::int64_t>(value) || std::holds_alternative<double>(value)) {
-    if (!(number >= spec.least)) refuse(spec, "has to be at least " + shortest(spec.least));
-    if (!(number <= spec.most)) refuse(spec, "has to be at most " + shortest(spec.most));
+    if (!(number >= spec.min)) refuse(spec, "has to be at least " + format_number(spec.min));
+    if (!(number <= spec.max)) refuse(spec, "has to be at most " + format_number(spec.max));
   }
   return value;
 }
@@ -85,23 +85,23 @@ const OptionValue& Options::at(std::string_view key) const {
   return found->value;
 }
 
-std::string spelled(const OptionValue& value) {
+std::string to_string(const OptionValue& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
-  if (const auto* real = std::get_if<double>(&value)) return shortest(*real);
+  if (const auto* real = std::get_if<double>(&value)) return format_number(*real);
   return std::get<std::string>(value);
 }
 
-std::string spelled(std::span<const OptionSetting> settings) {
+std::string to_string(std::span<const OptionSetting> settings) {
   std::string text;
   for (const OptionSetting& setting : settings) {
-    text += (text.empty() ? "" : " ") + setting.key + "=" + spelled(setting.value);
+    text += (text.empty() ? "" : " ") + setting.key + "=" + to_string(setting.value);
   }
   return text;
 }
 
-std::string Options::spelled() const {
-  return lober::spelled(settings_);
+std::string Options::to_string() const {
+  return lober::to_string(settings_);
 }
 
 }  // namespace lober

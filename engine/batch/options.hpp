@@ -19,8 +19,8 @@ struct OptionSpec {
   std::string key;
   OptionValue fallback;
   std::vector<std::string> choices = {};  ///< of a string; empty: any
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool family() const { return key.ends_with(".*"); }
   [[nodiscard]] bool is_for(std::string_view wanted) const {
@@ -51,7 +51,7 @@ class Options {
   /// In the order of the specs.
   [[nodiscard]] std::span<const OptionSetting> settings() const { return settings_; }
   /// "areas_only=false index=auto": the same for the same values, whatever was spelled out.
-  [[nodiscard]] std::string spelled() const;
+  [[nodiscard]] std::string to_string() const;
 
  private:
   [[nodiscard]] const OptionValue& at(std::string_view key) const;
@@ -60,8 +60,8 @@ class Options {
 };
 
 /// "key=value key=value".
-[[nodiscard]] std::string spelled(std::span<const OptionSetting> settings);
+[[nodiscard]] std::string to_string(std::span<const OptionSetting> settings);
 /// A value as `spelled` has it: numbers in the shortest form that reads back to the same bits.
-[[nodiscard]] std::string spelled(const OptionValue& value);
+[[nodiscard]] std::string to_string(const OptionValue& value);
 
 }  // namespace lober

@@ -134,8 +134,8 @@ OptionValue get_value(ByteReader& reader) {
 
 }  // namespace
 
-std::string PlannedGroup::spelled() const {
-  return lober::spelled(options);
+std::string PlannedGroup::to_string() const {
+  return lober::to_string(options);
 }
 
 std::string Plan::encoded() const {

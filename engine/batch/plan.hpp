@@ -31,14 +31,14 @@ struct PlannedCurve {
 struct PlannedGroup {
   std::string name;
   std::string operation;
-  std::vector<OptionSetting> options;         ///< all of them, with their types
-  [[nodiscard]] std::string spelled() const;  ///< "key=value key=value"
+  std::vector<OptionSetting> options;           ///< all of them, with their types
+  [[nodiscard]] std::string to_string() const;  ///< "key=value key=value"
 };
 
 struct PlannedJob {
   std::uint32_t group = 0;
   CurveId first = no_curve, second = no_curve;
-  [[nodiscard]] FewCurves curves() const { return {first, second}; }
+  [[nodiscard]] CurvePair curves() const { return {first, second}; }
 };
 
 /// A pure function of the manifest and of the names of the files that its patterns match: every process that reads them

@@ -5,18 +5,19 @@
 #include "lober/crossings.hpp"
 
 namespace lober {
-PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Needs& needs) : curve_(std::move(curve)) {
+PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements)
+    : curve_(std::move(curve)) {
   const Curve& given = *curve_;
   try {
-    if (needs.index || needs.simple) {
+    if (requirements.index || requirements.simple) {
       require_enough_vertices(given, given.name);
       index_.emplace(CurveView(given));
       if (!index_->finite()) validate(given, given.name);
     } else {
       validate(given, given.name);
     }
-    if (needs.closed && !given.closed) throw DataError(given.name + ": is open, a closed curve is needed");
-    if (needs.simple) {
+    if (requirements.closed && !given.closed) throw DataError(given.name + ": is open, a closed curve is needed");
+    if (requirements.simple) {
       try {
         (void)require_simple(*index_, 1);
       } catch (const NotSimpleError& error) {
@@ -24,7 +25,7 @@ PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Needs& ne
                         std::to_string(error.segment2) + " meet");
       }
     }
-    if (needs.discretisation) sums_.emplace(CurveView(given));
+    if (requirements.discretisation) sums_.emplace(CurveView(given));
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {

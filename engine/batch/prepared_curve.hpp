@@ -13,26 +13,26 @@
 namespace lober {
 
 /// What an operation asks of its curves.
-struct Needs {
+struct Requirements {
   bool index = false;           ///< the box tree
   bool simple = false;          ///< that the curve be simple
   bool closed = false;          ///< that it be closed
   bool discretisation = false;  ///< DiscretisationSums
-  Needs& operator|=(const Needs& other) {
+  Requirements& operator|=(const Requirements& other) {
     index |= other.index;
     simple |= other.simple;
     closed |= other.closed;
     discretisation |= other.discretisation;
     return *this;
   }
-  friend bool operator==(const Needs&, const Needs&) = default;
+  friend bool operator==(const Requirements&, const Requirements&) = default;
 };
 
 /// Stays where it is: the index refers to the points.
 class PreparedCurve {
  public:
   /// Takes the curve and finds what is needed. Nothing is thrown for a curve that cannot be used: `error` says why.
-  PreparedCurve(std::shared_ptr<const Curve> curve, const Needs& needs);
+  PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements);
   /// A curve that could not even be read.
   explicit PreparedCurve(std::string error) : curve_(std::make_shared<const Curve>()), error_(std::move(error)) {}
   PreparedCurve(const PreparedCurve&) = delete;

@@ -81,7 +81,7 @@ Curve grown(const CurveRecipe& recipe, const Allowance& allowance) {
   options.tolerance = recipe.tolerance;
   options.iterates = recipe.iterates;
   if (recipe.length > 0) options.length = recipe.length;
-  options.most_memory = allowance.most();
+  options.max_memory = allowance.most();
   options.progress = [&](const GrowthProgress& progress) { return map.report(progress); };
   GrownManifold manifold = grow(map, local, branch, options);
   if (manifold.stop != GrowthStop::iterates && manifold.stop != GrowthStop::length &&
@@ -95,13 +95,13 @@ Curve image(const CurveRecipe& recipe, const PlanarMap& of_system, const Curve& 
   WatchedMap map(of_system, allowance);
   ImageOptions options;
   options.tolerance = recipe.tolerance;
-  options.most_points =
-      std::min(options.most_points, std::max<std::size_t>(allowance.most() / computed_bytes_per_point, 3));
+  options.max_points =
+      std::min(options.max_points, std::max<std::size_t>(allowance.most() / computed_bytes_per_point, 3));
   options.progress = [&](const GrowthProgress& progress) { return map.report(progress); };
   const CurveImage made = image_of(map, recipe.iterates, CurveView(of), options);
   if (made.stop != GrowthStop::iterates) stopped_early("the image", made.stop, allowance);
-  for (const GrowthFlaw& flaw : made.flaws) {
-    if (flaw.cause == GrowthFlawCause::failed) throw DataError("points of the curve have no image");
+  for (const GrowthDiagnostic& diagnostic : made.diagnostics) {
+    if (diagnostic.cause == GrowthDiagnosticCause::failed) throw DataError("points of the curve have no image");
   }
   return {{made.points.begin(), made.points.end()}, of.closed, recipe.name(of.name)};
 }
@@ -113,14 +113,14 @@ std::string CurveRecipe::name(std::string_view of) const {
   if (kind == Kind::image) text += std::string(of) + ", ";
   text += system;
   const auto add = [&](const std::string& key, const std::string& value) { text += ", " + key + "=" + value; };
-  for (const auto& [key, value] : parameters) add(key, shortest(value));
+  for (const auto& [key, value] : parameters) add(key, format_number(value));
   if (iterates >= 0 || kind == Kind::image) add("iterates", std::to_string(iterates));
-  if (length > 0) add("length", shortest(length));
-  add("tolerance", shortest(tolerance));
+  if (length > 0) add("length", format_number(length));
+  add("tolerance", format_number(tolerance));
   if (integration_tolerance != CurveRecipe{}.integration_tolerance) {
-    add("integration_tolerance", shortest(integration_tolerance));
+    add("integration_tolerance", format_number(integration_tolerance));
   }
-  if (saddle) add("from", "[" + shortest(saddle->x) + " " + shortest(saddle->y) + "]");
+  if (saddle) add("from", "[" + format_number(saddle->x) + " " + format_number(saddle->y) + "]");
   if (branch != 0) add("branch", branch < 0 ? "-" : "+");
   return text + ")";
 }

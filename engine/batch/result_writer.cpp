@@ -7,7 +7,7 @@
 namespace lober {
 namespace {
 
-// A kill loses what was computed since the last commit: this long at most, or so many results.
+// A kill loses what was computed since the last commit: at most this long, or this number of results.
 constexpr std::chrono::milliseconds interval(100);
 constexpr std::size_t many = 4096;
 

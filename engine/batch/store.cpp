@@ -109,11 +109,11 @@ void Store::check_format(bool create) {
 
 // SQLite would go on writing into tables that do not hold together, and lose more.
 void Store::require_whole() {
-  if (!known_.empty() && !torn_) {
+  if (!known_.empty() && !damaged_) {
     Statement check(*database_, "PRAGMA quick_check(1)");
-    torn_ = !check.step() || check.bytes(0) != "ok";
+    damaged_ = !check.step() || check.bytes(0) != "ok";
   }
-  if (!torn_) return;
+  if (!damaged_) return;
   throw DataError(path_ + ": is damaged, its tables do not hold together; lober batch merge NEW " + path_ +
                   " takes over into NEW what can be read, then run with --store NEW");
 }
@@ -198,7 +198,7 @@ void Store::refresh() {
     statement.bind(1, last_row_);
     read_known(statement);
   } catch (const DamagedError&) {
-    torn_ = true;
+    damaged_ = true;
     try {  // up to the damage from the other end
       Statement statement(*database_, "SELECT id, key, status FROM results ORDER BY id DESC");
       read_known(statement);
@@ -326,7 +326,7 @@ void Store::merge(const Store& other) {
     renumbered[run.id] = sqlite3_last_insert_rowid(database_->handle());
   }
   std::vector<StoredResult> results;
-  for (const auto& [key, known] : other.known()) {
+  for (const auto& [key, known] : other.stored()) {
     std::optional<StoredResult> result = other.result(known);
     if (!result) continue;
     if (const auto mine = known_.find(key); mine != known_.end() && !this->result(mine->second)) discard(key);

@@ -44,7 +44,7 @@ using InputDigests = std::map<std::string, std::string>;
 class Store {
  public:
   /// Opens or creates. Throws DataError when the file is no store, or one of another format, UsageError for a name that
-  /// is none of a file.
+  /// is not that of a file.
   [[nodiscard]] static Store create(const std::string& path) { return {path, true}; }
   /// Throws DataError when there is none.
   [[nodiscard]] static Store open(const std::string& path) { return {path, false}; }
@@ -66,16 +66,16 @@ class Store {
     bool failed;
     bool damaged = false;  ///< to be replaced by anything
   };
-  using KnownResults = std::unordered_map<JobKey, Known, HashOfKey>;
+  using StoredResults = std::unordered_map<JobKey, Known, HashOfKey>;
   /// All results that are committed, as of the last `refresh` or `append`. Their values were not looked at.
-  [[nodiscard]] const KnownResults& known() const { return known_; }
+  [[nodiscard]] const StoredResults& stored() const { return known_; }
   void refresh();
   /// None when it is damaged.
   [[nodiscard]] std::optional<StoredResult> result(const Known& known) const;
   /// From now on the result with this key counts as not there: `append` puts another one into its place.
   void discard(const JobKey& key);
   /// Whether parts of the file cannot be reached.
-  [[nodiscard]] bool torn() const { return torn_; }
+  [[nodiscard]] bool damaged() const { return damaged_; }
   [[nodiscard]] const std::string& path() const { return path_; }
 
   /// One transaction. What is there already, from whatever process, is left out; a failure gives way to anything.
@@ -108,9 +108,9 @@ class Store {
   std::string path_;
   std::unique_ptr<StoreFile> file_;
   std::unique_ptr<Database> database_;
-  KnownResults known_;
+  StoredResults known_;
   std::int64_t last_row_ = 0, run_ = 0;
-  bool torn_ = false;
+  bool damaged_ = false;
 };
 
 }  // namespace lober

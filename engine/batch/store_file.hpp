@@ -12,7 +12,7 @@ namespace lober {
 /// Knows a file by device and inode, so that it is noticed when it is deleted, moved or replaced while it is open.
 class StoreFile {
  public:
-  /// Before the file is opened. Throws UsageError for a name that is none of a file (":memory:", an empty one),
+  /// Before the file is opened. Throws UsageError for a name that is not one of a file (":memory:", an empty one),
   /// DataError for what can hold no store: a device, a pipe, or a file that is too short to be a database and not
   /// empty.
   explicit StoreFile(std::string path);

@@ -29,8 +29,8 @@ std::string closing_remark(std::span<const Point> points) {
   std::nth_element(lengths.begin(), middle, lengths.end());
   const double closing = length(points.back(), points.front());
   if (!(closing > much_longer * *middle)) return {};
-  return "is not closed in its file; it was closed by a straight segment " + shortest(std::round(closing / *middle)) +
-         " times as long as the median segment. Is it an open curve?";
+  return "is not closed in its file; it was closed by a straight segment " +
+         format_number(std::round(closing / *middle)) + " times as long as the median segment. Is it an open curve?";
 }
 
 }  // namespace lober

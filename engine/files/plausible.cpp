@@ -77,19 +77,19 @@ double roughness(const Column& column) {
 /// A smooth curve of ordinary numbers.
 bool is_smooth_curve(const std::array<Column, 2>& xy) {
   constexpr std::size_t fewest = 32;
-  constexpr double smooth = 0.1, most_decades = 12, largest = 15;
+  constexpr double smooth = 0.1, max_decades = 12, largest = 15;
   return std::all_of(xy.begin(), xy.end(), [](const Column& column) {
     if (column.size() < fewest || !all_finite(column)) return false;
     const Decades decades = decades_of(column);
-    return decades.spread() < most_decades && std::fabs(decades.middle) < largest && roughness(column) < smooth;
+    return decades.spread() < max_decades && std::fabs(decades.middle) < largest && roughness(column) < smooth;
   });
 }
 
 bool is_ordinary(const std::array<Column, 2>& xy) {
-  constexpr double most_spread = 100, farthest = 150;
+  constexpr double max_spread = 100, farthest = 150;
   return std::all_of(xy.begin(), xy.end(), [](const Column& column) {
     const Decades decades = decades_of(column);
-    return decades.spread() < most_spread && std::fabs(decades.middle) < farthest;
+    return decades.spread() < max_spread && std::fabs(decades.middle) < farthest;
   });
 }
 

@@ -113,7 +113,7 @@ CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
   const FileBytes content(path);
   CurveFile file;
   std::string hash;
-  run_together(
+  parallel_if(
       options.hash && content.bytes().size() > worth_two_threads,
       [&] { file = read_curve_bytes(path, content.bytes()); },
       [&] {

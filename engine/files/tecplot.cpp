@@ -91,7 +91,7 @@ class Scanner {
     unterminated();
   }
 
-  /// '...' or, as the paper prints it, ''...''.
+  /// '...' or, as Naik, Lekien & Ross (2017) print it, ''...''.
   std::string single_quoted() {
     std::string_view mark = "'";
     if (rest_.starts_with("''") && rest_.find("''", 2) != std::string_view::npos) mark = "''";

@@ -78,7 +78,7 @@ void write_tecplot(const std::string& path, std::span<const Zone> zones, ZoneLin
   OutputFile file(path);
   file.write("VARIABLES=\"x\"\"y\"\n");
   for (const Zone& zone : zones) {
-    // One curve without a title needs no ZONE line; the published program writes such files.
+    // One curve without a title needs no ZONE line; Lober 1.8 writes such files.
     if (lines == ZoneLines::always || zones.size() > 1 || !zone.title.empty()) {
       const std::string title = zone.title.empty() ? "" : "T=" + tecplot_title(zone.title) + " ";
       file.write("ZONE " + title + "I=" + std::to_string(zone.points.size()) + "\n");

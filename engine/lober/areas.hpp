@@ -6,7 +6,7 @@ namespace lober {
 /// Areas in squared units of the coordinates, all >= 0.
 struct Areas {
   double c1 = 0, c2 = 0;
-  double intersection = 0, unite = 0;
+  double intersection = 0, union_ = 0;
   double c1_minus_c2 = 0, c2_minus_c1 = 0;
   double symmetric_difference = 0;
 };

@@ -24,7 +24,7 @@ struct Shard {
 
 struct CacheCounts {
   std::uint64_t units_read = 0, curves_indexed = 0;
-  std::uint64_t most_reads = 0;  ///< of one and the same unit
+  std::uint64_t max_reads = 0;  ///< of one and the same unit
   std::uint64_t evictions = 0;
   std::size_t peak_bytes = 0;                    ///< of curves and indexes, and what running jobs may take
   double read_seconds = 0, prepare_seconds = 0;  ///< wall time of each reading, added up

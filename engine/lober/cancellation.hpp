@@ -9,6 +9,12 @@
 //   std::atomic<bool> flag{false};
 //   const lober::CancellationScope scope(flag);
 //   const lober::Overlay result = lober::overlay(first, second);  // throws Cancelled soon after flag = true
+//
+// The convention for callbacks of all functions of the library: `progress` is called by one thread at a time, which
+// need not be the calling one, several times a second; false cancels. Then the function throws Cancelled, except where
+// its result says why it ended (`stop`) and holds what was done. What a callback throws stops the work and reaches the
+// caller. Functions that the library evaluates (CurveFunction, PlanarMap, Flow, Family) are called by many threads at a
+// time and have to return the same for the same argument. A callback may call the library.
 #pragma once
 
 #include <atomic>

@@ -4,7 +4,11 @@
 //     UsageError           contradictory or impossible options              (program: exit status 2)
 //     DataError            a file or a curve that cannot be used            (program: exit status 1)
 //       NotSimpleError     a curve that crosses or touches itself, with the place
+//     DisagreementError    two routes to a number differ by more than their error bars (program: exit status 3)
 //     Cancelled            the caller's progress callback returned false    (program: exit status 130)
+//
+// What a callback of the caller throws is passed on as it is. Functions that destroy, swap or tell sizes are noexcept;
+// any other one may throw std::bad_alloc too. DisagreementError is in agreement.hpp.
 #pragma once
 
 #include <cstdint>

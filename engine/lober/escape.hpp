@@ -8,7 +8,7 @@
 //
 // since f preserves area (in the conjugate pair of the section's chart) and energy is the same for all. Everything in
 // E_i is equally likely. f^a(E_i) is a closed curve as long as f^k(E_i), k < a, meets no exit; then part of it is gone
-// and the image of the rest is torn: its ends wind about E_j without end. Splits are chosen such that both curves are
+// and the image of the rest is cut: its ends wind about E_j without end. Splits are chosen such that both curves are
 // whole. Nothing is assumed about symmetries, nor used.
 //
 //   const lober::System system = lober::make_system("capsize");
@@ -39,7 +39,7 @@ struct EscapeProgress {
 
 enum class EscapeStop : std::uint8_t {
   done,      ///< all n asked for
-  points,    ///< the next images need more than EscapeOptions::most_points
+  points,    ///< the next images need more than EscapeOptions::max_points
   budget,    ///< they end after EscapeOptions::budget seconds
   lost,      ///< trajectories could not be followed
   cancelled  ///< by `progress` or a CancellationScope, after some rows were known
@@ -48,10 +48,10 @@ enum class EscapeStop : std::uint8_t {
 struct EscapeOptions {
   int crossings = 4;        ///< n goes up to this
   double tolerance = 1e-6;  ///< of curves, in units of the square root of the area of the smallest E_i
-  double strip = 1e-6;      ///< what is cut off where an image is torn, relative to that area (torn_images.hpp)
+  double strip = 1e-6;      ///< what is cut off where an image is cut, relative to that area (cut_images.hpp)
   IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
   /// Of one curve. The table ends before an image that is expected to need more, or turns out to.
-  std::size_t most_points = 2'000'000;
+  std::size_t max_points = 2'000'000;
   /// Seconds of processor time, of all threads together. The table ends before images that are expected to end later.
   double budget = std::numeric_limits<double>::infinity();
   /// False cancels. Called by one thread at a time.
@@ -82,12 +82,12 @@ struct EscapeFraction {
   double fraction = std::numeric_limits<double>::quiet_NaN();  ///< F; NaN where no split has whole curves
   double error = std::numeric_limits<double>::quiet_NaN();     ///< estimate: discretisation, and the defect of areas
   int forward = 0, backward = 0;                               ///< a, b
-  bool torn = false;                                           ///< part of one of the two had left already
+  bool cut = false;                                            ///< part of one of the two had left already
   /// The same from another split; NaN if there is none.
   double other = std::numeric_limits<double>::quiet_NaN();
   double other_error = std::numeric_limits<double>::quiet_NaN();
   int other_forward = 0, other_backward = 0;
-  [[nodiscard]] bool known() const { return fraction == fraction; }
+  [[nodiscard]] bool is_known() const { return fraction == fraction; }
 };
 
 struct Escape {
@@ -111,7 +111,7 @@ struct Escape {
                                                             std::span<const FlowState> saddles,
                                                             const EscapeOptions& options = {});
 
-/// The table, n by n, as far as it is affordable (options.most_points, options.budget) and trajectories can be
+/// The table, n by n, as far as it is affordable (options.max_points, options.budget) and trajectories can be
 /// followed. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
 /// that is not across a coordinate of position, has no direction or is bounded; DataError when an orbit or tube cannot
 /// be found, or a tube crosses the section in both directions; Cancelled before any row is known. The same bits for any

@@ -44,6 +44,6 @@ class IndexedCurve {
 
 /// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. About log N:
 /// whole subtrees count by their end points.
-[[nodiscard]] LOBER_API bool encloses(const IndexedCurve& curve, Point point);
+[[nodiscard]] LOBER_API bool contains(const IndexedCurve& curve, Point point);
 
 }  // namespace lober

@@ -1,4 +1,5 @@
-// The interior function of a closed curve, and the areas that two curves make by way of it (paper, section 4).
+// The interior function of a closed curve, and the areas that two curves make by way of it (Naik, Lekien & Ross 2017,
+// section 4).
 //
 //   J(z) = Im of the integral of dz' / (z' - z) along the curve = 2 pi times the winding number of the curve about z.
 //
@@ -59,9 +60,9 @@ struct InteriorValue {
 [[nodiscard]] LOBER_API std::vector<InteriorValue> interior_function(const IndexedCurve& curve,
                                                                      std::span<const Point> points);
 
-/// J as the paper computes it, for reference: a difference of two arc tangents for every segment (section "Computation
-/// of J_i"), in plain double. O(N). Wrong by a turn where rounding puts the point on the other side of a segment, or on
-/// it.
+/// J as Naik, Lekien & Ross (2017) compute it, for reference: a difference of two arc tangents for every segment
+/// (section "Computation of J_i"), in plain double. O(N). Wrong by a turn where rounding puts the point on the other
+/// side of a segment, or on it.
 [[nodiscard]] LOBER_API double interior_function_direct(CurveView curve, Point point);
 
 // ------------------------------------------------------------------------------------------ labels of vertices
@@ -70,14 +71,14 @@ struct InteriorValue {
 enum class Side : std::uint8_t { outside, on, inside };
 
 /// The label of one point, by its winding number: not zero is inside. Exact, about log N.
-[[nodiscard]] LOBER_API Side side_of(const IndexedCurve& curve, Point point);
+[[nodiscard]] LOBER_API Side locate(const IndexedCurve& curve, Point point);
 
 /// The label of each point, by a query for each. Parallel.
 [[nodiscard]] LOBER_API Buffer<Side> label_points(const IndexedCurve& curve, std::span<const Point> points);
 
 /// The label of each vertex of curve `curve` (1 or 2) with respect to the other one. Sides change at nodes only, and
-/// there the order of the arms says to what; nothing is searched. Agrees with `label_points`. O(N), of which one point
-/// query, O(N), when there is no node.
+/// there the order of the half-edges says to what; nothing is searched. Agrees with `label_points`. O(N), of which one
+/// point query, O(N), when there is no node.
 [[nodiscard]] LOBER_API Buffer<Side> label_vertices(const Crossings& nodes, int curve);
 
 /// A place on a curve from which on it lies on another side of the other curve (or on the same one again, after a
@@ -93,17 +94,34 @@ struct SideChange {
 /// input: one for each point where the curves meet, two for each shared arc. Empty when there is no node. O(nodes).
 [[nodiscard]] LOBER_API std::vector<SideChange> side_changes(const Crossings& nodes, int curve);
 
+/// Each pass puts `points` points, equally spaced, into every segment that holds an intersection; the next pass does so
+/// in the parts that hold one. The distance to the nearest points falls by points + 1 a pass (-DENS of Lober 1.8).
+struct EndsDensification {
+  int passes = 0;
+  int points = 0;
+};
+
+struct LabelledPoint {
+  Point point;
+  Side side;  ///< with respect to the other curve
+};
+
+/// Curve `curve` (1 or 2) from its first vertex on, with the points where it meets the other one and the inserted ones.
+/// Throws DataError when that makes more than InteriorOptions::max_points. O(N + points inserted).
+[[nodiscard]] LOBER_API std::vector<LabelledPoint> labelled_points(const Crossings& nodes, int curve,
+                                                                   const EndsDensification& densification = {});
+
 // ------------------------------------------------------------------------------------------ areas
 
 /// How the integrals along the curves are weighted with I = +1 outside, 0 on, -1 inside of the other curve.
 enum class InteriorMethod : std::uint8_t {
   split,  ///< segments are split where the curves meet, exactly; each part has the weight of its side
-  ends,   ///< a segment has the mean weight of its two ends, as in the paper (-DENS 0)
+  ends,   ///< a segment has the mean weight of its two ends, as with -DENS 0
 };
 
 struct InteriorOptions {
   InteriorMethod method = InteriorMethod::split;
-  /// For `ends`, the paper's -DENS <passes> <points>: each pass divides the segments whose ends have different labels
+  /// For `ends`, the option -DENS <passes> <points>: each pass divides the segments whose ends have different labels
   /// by `points` equally spaced points, the next one what is left of them, until neighbours are 2^-52 of the segment
   /// apart. Nothing is inserted if either is 0.
   int passes = 0;
@@ -134,7 +152,7 @@ struct InteriorAreas {
   /// Integrals over both curves, counter-clockwise, of w = 1/2 (x dy - y dx) with weights I, (I + 1) / 2 and
   /// (1 - I) / 2 (docs/conventions.md, section 6): the symmetric difference, the union and the intersection.
   double q1 = 0, q2 = 0, q3 = 0;
-  /// 1/4 |q2 - q3 - q1|, which the paper reports beside its areas. Zero by algebra: it measures the rounding of the
+  /// 1/4 |q2 - q3 - q1|, which Lober 1.8 reports beside its areas. Zero by algebra: it measures the rounding of the
   /// three sums and nothing else.
   double delta = 0;
   Areas areas;

@@ -26,7 +26,7 @@ struct LocalManifoldOptions {
   int period = 1;            ///< the saddle is fixed by F^period, which takes the place of F below
   int degree = 40;           ///< of the polynomial
   double tolerance = 1e-14;  ///< for the defect, relative to the saddle's largest coordinate or 1 if that is less
-  double longest = 100;      ///< r is not taken larger than this
+  double max_length = 100;   ///< r is not taken larger than this
 };
 
 /// s in [-reach, reach] gives both branches; s is arc length from the saddle to first order. The branch s > 0 leaves
@@ -62,7 +62,7 @@ struct LocalManifold {
 /// The manifold of the saddle near `guess`, which is refined by Newton's method first. r is the largest (to a factor
 /// of 2^(1/4)) for which defect_across <= e and defect <= |lambda| e, where e is the tolerance, or four times the
 /// smallest defect that could be reached near the saddle if that is larger, as it is when the map is integrated to a
-/// tolerance. Throws DataError with the place when there is no fixed point, when it is no saddle, or when the map
+/// tolerance. Throws DataError with the place when there is no fixed point, when it is not a saddle, or when the map
 /// cannot be evaluated near it; UsageError for options that make no sense. About 5000 evaluations of the map with
 /// derivative, in parallel.
 [[nodiscard]] LOBER_API LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,

@@ -26,8 +26,8 @@ struct ManifoldTangleOptions {
   int after = 0;                    ///< to f^after(q)
   std::optional<Point> bip_near{};  ///< default: as in the system's Connection, else the middle of the first pips found
   bool smooth = true;
-  int most_iterates = 60;  ///< of either manifold
-  std::size_t most_points = 20'000'000;
+  int max_iterates = 60;  ///< of either manifold
+  std::size_t max_points = 20'000'000;
   /// Work that both manifolds may take in all, in evaluations of the vector field (PlanarMap::work; steps of the map
   /// where there is none); some ten million a second on one core of a machine of today. Not with `budget`.
   double max_work = 2.5e8;

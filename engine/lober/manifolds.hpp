@@ -32,27 +32,27 @@ enum class Branch : std::int8_t { minus = -1, plus = 1 };
 [[nodiscard]] LOBER_API Branch branch_towards(const LocalManifold& local, Point direction);
 
 /// Why points could not be put where the tolerance asks for them.
-enum class GrowthFlawCause : std::uint8_t {
-  failed,       ///< the map fails there: the orbit escapes to infinity or the integration does not go through. Points
-                ///< that have no image are left out; the segment joins the last point before with the first one after
-  spacing,      ///< parameters of neighbouring points are as close as rounding allows
-  most_rounds,  ///< still not met after the last round
-  left_box,     ///< no flaw but a fact: the curve is outside the box there, and is followed coarsely
+enum class GrowthDiagnosticCause : std::uint8_t {
+  failed,      ///< the map fails there: the orbit escapes to infinity or the integration does not go through. Points
+               ///< that have no image are left out; the segment joins the last point before with the first one after
+  spacing,     ///< parameters of neighbouring points are as close as rounding allows
+  max_rounds,  ///< still not met after the last round
+  left_box,    ///< no diagnostic but a fact: the curve is outside the box there, and is followed coarsely
 };
-[[nodiscard]] LOBER_API std::string_view name(GrowthFlawCause cause);
+[[nodiscard]] LOBER_API std::string_view name(GrowthDiagnosticCause cause);
 
 /// Segments first, ..., first + count - 1 of the result.
-struct GrowthFlaw {
+struct GrowthDiagnostic {
   std::size_t first;
   std::size_t count;
-  GrowthFlawCause cause;
-  friend bool operator==(const GrowthFlaw&, const GrowthFlaw&) = default;
+  GrowthDiagnosticCause cause;
+  friend bool operator==(const GrowthDiagnostic&, const GrowthDiagnostic&) = default;
 };
 
 enum class GrowthStop : std::uint8_t {
   iterates,   ///< done
   length,     ///< done
-  points,     ///< most_points, most_memory or max_images reached
+  points,     ///< max_points, max_memory or max_images reached
   ended,      ///< two generations added less than the tolerance: the branch ends in another fixed point
   failed,     ///< no point of the last generation has an image in the box
   cancelled,  ///< by `progress`
@@ -72,9 +72,9 @@ struct GrowthOptions {
   int iterates = -1;     ///< ends at F^iterates of the end of the local manifold
   double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length, not
                                                             ///< counting what is outside the box
-  double longest = 0;  ///< no segment longer; 0: a fiftieth of the extent of the local manifold
-  std::size_t most_points = 100'000'000;
-  std::size_t most_memory = std::numeric_limits<std::size_t>::max();     ///< bytes, roughly; 120 are needed a point
+  double max_length = 0;  ///< no segment longer; 0: a fiftieth of the extent of the local manifold
+  std::size_t max_points = 100'000'000;
+  std::size_t max_memory = std::numeric_limits<std::size_t>::max();      ///< bytes, roughly; 120 are needed a point
   std::uint64_t max_images = std::numeric_limits<std::uint64_t>::max();  ///< steps of the map in all
   /// Where points or images would run out within a piece (a part of a generation), nothing of it is computed; else the
   /// part of it that fits in.
@@ -89,7 +89,7 @@ struct GrownManifold {
   Buffer<Point> points;                       ///< from LocalManifold::saddle itself on
   Buffer<double> parameters;                  ///< s: vertex i is F^(k steps)(P(s)), k its generation
   std::vector<std::size_t> generation_begin;  ///< of each generation its first vertex, and the number of points
-  std::vector<GrowthFlaw> flaws;              ///< in order
+  std::vector<GrowthDiagnostic> diagnostics;  ///< in order
   GrowthStop stop = GrowthStop::iterates;
   double length = 0;         ///< of the polygon
   std::uint64_t images = 0;  ///< steps of the map taken in all
@@ -105,10 +105,14 @@ struct GrownManifold {
 
 // ------------------------------------------------------------------------------------ images of closed curves
 
+/// Writes the point of each parameter. Called for several batches at the same time, so it must be safe to call from
+/// several threads and must give a parameter the same point whatever batch it comes in. What it throws passes through.
+using CurveFunction = std::function<void(std::span<const double> parameters, std::span<Point> points)>;
+
 struct ImageOptions {
   double tolerance = 0;
-  double longest = std::numeric_limits<double>::infinity();
-  std::size_t most_points = 100'000'000;
+  double max_length = std::numeric_limits<double>::infinity();
+  std::size_t max_points = 100'000'000;
   Rectangle box = {};  ///< default: the plane
   std::function<bool(const GrowthProgress&)> progress = {};
 };
@@ -117,7 +121,7 @@ struct CurveImage {
   Buffer<Point> points;
   Buffer<double> parameters;  ///< of each point; of a polygon: number of the segment + fraction
   bool closed = true;
-  std::vector<GrowthFlaw> flaws;
+  std::vector<GrowthDiagnostic> diagnostics;
   GrowthStop stop = GrowthStop::iterates;
   std::uint64_t images = 0;
 

@@ -27,9 +27,9 @@
 
 namespace lober {
 
-enum class Pairing : std::uint8_t { c1_minus_c2, c2_minus_c1, intersection, unite };
+enum class Pairing : std::uint8_t { c1_minus_c2, c2_minus_c1, intersection, union_ };
 inline constexpr std::array<Pairing, 4> all_pairings{Pairing::c1_minus_c2, Pairing::c2_minus_c1, Pairing::intersection,
-                                                     Pairing::unite};
+                                                     Pairing::union_};
 [[nodiscard]] LOBER_API std::string_view name(Pairing pairing);  ///< as in the JSON: "c1_minus_c2", ..., "union"
 
 /// A boundary of a piece as steps: (node << 1 | curve of the arc that follows it), the curve 0 or 1; or one that is a
@@ -164,8 +164,8 @@ struct OverlayOptions {
 struct Overlay {
   Areas areas;
   Crossings nodes;  ///< where the curves meet
-  /// For each node its equivalence class under sigma (paper, section 3), numbered from 0 in order along C1; no_class
-  /// for touches. Each class bounds one piece of A1 \ A2, unless a touch splits it or joins two.
+  /// For each node its equivalence class under sigma (Naik, Lekien & Ross 2017, section 3), numbered from 0 in order
+  /// along C1; no_class for touches. Each class bounds one piece of A1 \ A2, unless a touch splits it or joins two.
   std::vector<std::uint32_t> classes;
   std::size_t class_count = 0;
   static constexpr std::uint32_t no_class = 0xffffffff;

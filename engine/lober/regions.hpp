@@ -9,8 +9,8 @@
 //
 //   lober::Regions result = lober::regions(c1, c2);
 //   for (const lober::WindingArea& entry : result.table()) use(entry.w1, entry.w2, entry.area);
-//   double flux = result.areas(lober::WindingRule::nonzero).c1_minus_c2;
-//   for (const lober::RegionPiece lobe : result.pieces(lober::WindingRule::nonzero, lober::Pairing::c1_minus_c2)) ...
+//   double flux = result.areas(lober::FillRule::nonzero).c1_minus_c2;
+//   for (const lober::RegionPiece lobe : result.pieces(lober::FillRule::nonzero, lober::Pairing::c1_minus_c2)) ...
 #pragma once
 
 #include <array>
@@ -27,12 +27,12 @@
 
 namespace lober {
 
-enum class WindingRule : std::uint8_t { nonzero, evenodd, positive, negative };
-inline constexpr std::array<WindingRule, 4> all_winding_rules{WindingRule::nonzero, WindingRule::evenodd,
-                                                              WindingRule::positive, WindingRule::negative};
-[[nodiscard]] LOBER_API std::string_view name(WindingRule rule);
+enum class FillRule : std::uint8_t { nonzero, evenodd, positive, negative };
+inline constexpr std::array<FillRule, 4> all_fill_rules{FillRule::nonzero, FillRule::evenodd, FillRule::positive,
+                                                        FillRule::negative};
+[[nodiscard]] LOBER_API std::string_view name(FillRule rule);
 /// Whether a winding number is inside. Zero never is.
-[[nodiscard]] LOBER_API bool inside(WindingRule rule, int winding);
+[[nodiscard]] LOBER_API bool inside(FillRule rule, int winding);
 
 /// The area where C1 winds w1 times and C2 winds w2 times.
 struct WindingArea {
@@ -47,11 +47,10 @@ struct RegionPiece {
 };
 
 struct RegionCounts {
-  std::uint64_t nodes = 0;  ///< points where strands meet or a spike has its tip
-  std::uint64_t edges =
-      0;  ///< stretches between nodes, those that strands share counted once; 1 for a curve without node
-  std::uint64_t faces = 0;                         ///< the unbounded one included
-  std::uint64_t self1 = 0, self2 = 0, mutual = 0;  ///< pairs of strands that meet in a point, by curve
+  std::uint64_t nodes = 0;  ///< points where edge chains meet or a spike ends
+  std::uint64_t edges = 0;  ///< edge chains between nodes, those that coincide counted once; 1 for a curve without node
+  std::uint64_t faces = 0;  ///< the unbounded one included
+  std::uint64_t self1 = 0, self2 = 0, mutual = 0;  ///< pairs of edge chains that meet in a point, by curve
   IndexKind index = IndexKind::tree;               ///< used for C1 against C2
   SearchCounts search;
   PredicateCounts predicates;
@@ -100,13 +99,13 @@ class Regions {
   /// Signed areas of C1 and C2: the sums of winding number times area.
   [[nodiscard]] LOBER_API std::array<double, 2> signed_areas() const;
   /// As in Overlay::areas; c1 is the area of the region of C1 under the rule.
-  [[nodiscard]] LOBER_API Areas areas(WindingRule rule) const;
+  [[nodiscard]] LOBER_API Areas areas(FillRule rule) const;
   /// Bounds on |computed - exact area of the region of the polygons|.
-  [[nodiscard]] LOBER_API Areas rounding(WindingRule rule) const;
+  [[nodiscard]] LOBER_API Areas rounding(FillRule rule) const;
   /// The same for an area of the table or of a piece.
   [[nodiscard]] LOBER_API double rounding(double area) const;
   /// O(faces + edges). With one curve, C2 is empty: c1_minus_c2 is the region of C1.
-  [[nodiscard]] LOBER_API RegionPieces pieces(WindingRule rule, Pairing pairing) const;
+  [[nodiscard]] LOBER_API RegionPieces pieces(FillRule rule, Pairing pairing) const;
 
   [[nodiscard]] LOBER_API const RegionCounts& counts() const;
   [[nodiscard]] LOBER_API const RegionTiming& timing() const;
@@ -119,8 +118,8 @@ class Regions {
 /// pieces keep alive what the curves own. Throws DataError (validate; also an area beyond the range of double),
 /// Cancelled. Time in proportion to the points (one pass) and
 /// to what the search of both curves against themselves and each other meets; memory besides the box trees in
-/// proportion to the places where strands meet. All decisions are exact; the same bits for any number of threads and
-/// any index. Where k strands run along each other, k^2 / 2 pairs meet at each of their vertices.
+/// proportion to the points where edge chains meet. All decisions are exact; the same bits for any number of threads
+/// and any index. Where k edge chains run along each other, k^2 / 2 pairs meet at each of their vertices.
 [[nodiscard]] LOBER_API Regions regions(const ClosedCurve& c1, const RegionOptions& options = {});
 [[nodiscard]] LOBER_API Regions regions(const ClosedCurve& c1, const ClosedCurve& c2,
                                         const RegionOptions& options = {});

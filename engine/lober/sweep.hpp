@@ -28,7 +28,7 @@ struct SweepRow {
   std::string failure;                  ///< why there is no result; empty if there is one
   Point from, to;                       ///< the saddles
   double multiplier = 0;                ///< of the unstable manifold
-  std::size_t period = 0;               ///< pips an iterate: so many lobes has the turnstile
+  std::size_t period = 0;               ///< pips an iterate: the number of lobes of the turnstile
   std::vector<double> areas;            ///< of the lobes from f^-1(q) to q by geometry, signed as in Lobe::area
   std::vector<double> errors;           ///< estimates for them
   std::vector<double> areas_by_action;  ///< likewise; empty if the map has no action
@@ -55,7 +55,7 @@ struct SweepOptions {
   ManifoldTangleOptions tangle{};  ///< its progress is not used
   bool find_zeros = false;
   double zero_tolerance = 1e-10;                ///< relative to the value
-  std::function<bool(std::size_t)> progress{};  ///< values done; from any thread; return false to cancel
+  std::function<bool(std::size_t)> progress{};  ///< number of values done; false cancels
 };
 
 struct Sweep {

@@ -82,7 +82,7 @@ struct TransportOptions {
   int iterates = 7;
   double tolerance = 1e-5;          ///< of the manifolds, see ManifoldTangleOptions
   std::optional<Point> bip_near{};  ///< of q, of the first tangle
-  std::size_t most_points = 20'000'000;
+  std::size_t max_points = 20'000'000;
   double max_work = ManifoldTangleOptions{}.max_work;  ///< for each tangle, as in ManifoldTangleOptions
   double budget = 0;                                   ///< likewise
   std::vector<Connection> further{};                   ///< whose boundaries bound more regions

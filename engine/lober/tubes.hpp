@@ -26,8 +26,8 @@ namespace lober {
 struct TubeCurve {
   CurveImage image;       ///< in the section's chart
   int direction = 0;      ///< in which its trajectories cross, in forward time; 0 when not all do alike
-  bool torn = false;      ///< the image of what has not left yet, closed along a rim; may cross itself
-  double cut_off = 0;     ///< of a torn one: the area that closing it may have lost
+  bool cut = false;       ///< the image of what has not left yet, closed along a regularising curve; may cross itself
+  double cut_off = 0;     ///< of a cut one: the area that closing it may have lost
   bool complete = false;  ///< every trajectory gets here, and the curve meets the tolerance
   double area = 0;        ///< that it encloses, of order h^6; 0 unless complete
   /// Error bar of `area`: of the discretisation, the integration (a few trajectories once more, less accurately) and
@@ -39,7 +39,7 @@ struct TubeCurve {
 
 struct TubeCurveOptions {
   double tolerance = 1e-7;  ///< how far the curve may lie from its polygon
-  std::size_t most_points = 20'000'000;
+  std::size_t max_points = 20'000'000;
   std::function<bool()> progress;  ///< false cancels; called from the calling thread
 };
 

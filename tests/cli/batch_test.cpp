@@ -40,7 +40,7 @@ TEST_F(Batch, AllPairsInThreeLines) {
   const nlohmann::json done = report({"job.toml"});
   EXPECT_EQ(done["run"], 10);
   EXPECT_EQ(done["failed"], 0);
-  EXPECT_EQ(done["most_reads_of_a_file"], 1);
+  EXPECT_EQ(done["max_reads_of_a_file"], 1);
   EXPECT_EQ(done["curves_indexed"], 5);
   const std::string table = exported("job.results");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 11);

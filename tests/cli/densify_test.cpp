@@ -80,19 +80,19 @@ TEST_F(Densify, HobsonTellsWhatItDid) {
   EXPECT_EQ(json["options"]["criteria"]["max_length"], nullptr);
   EXPECT_EQ(json["result"]["points"], points("out.csv").size());
   EXPECT_GT(points("out.csv").size(), 200U);
-  EXPECT_TRUE(json["flaws"]["list"].empty());
+  EXPECT_TRUE(json["diagnostics"]["list"].empty());
   EXPECT_EQ(json["inputs"][0]["points"], 200);
 }
 
-TEST_F(Densify, FlawsAreListed) {
+TEST_F(Densify, DiagnosticsAreListed) {
   const Outcome outcome =
       densify({"square", "-o", "out.csv", "--max-length", "0.001", "--max-points", "100", "--json", "-"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["result"]["points"], 100);
-  EXPECT_EQ(json["flaws"]["counts"]["most_points"], 4);
-  EXPECT_EQ(json["flaws"]["list"][1]["segment"], 25);
-  EXPECT_EQ(json["flaws"]["list"][1]["count"], 25);
+  EXPECT_EQ(json["diagnostics"]["counts"]["max_points"], 4);
+  EXPECT_EQ(json["diagnostics"]["list"][1]["segment"], 25);
+  EXPECT_EQ(json["diagnostics"]["list"][1]["count"], 25);
 }
 
 TEST_F(Densify, NearAnotherCurve) {

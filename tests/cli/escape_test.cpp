@@ -83,8 +83,8 @@ TEST_F(EscapeProgram, OrbitsAndTubesOnly) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Json result = Json::parse(outcome.out);
   EXPECT_EQ(result["table"].size(), 0U);
-  const Json& neck = result["bottlenecks"][0];
-  EXPECT_NEAR(neck["entry_curves"][0]["area"].get<double>() / neck["area"].get<double>(), 1, 1e-5);
+  const Json& bottleneck = result["bottlenecks"][0];
+  EXPECT_NEAR(bottleneck["entry_curves"][0]["area"].get<double>() / bottleneck["area"].get<double>(), 1, 1e-5);
 }
 
 TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {

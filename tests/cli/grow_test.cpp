@@ -59,8 +59,8 @@ TEST_F(Grow, Json) {
   EXPECT_EQ(result["result"]["stop"], "length");
   EXPECT_GE(result["result"]["length"].get<double>(), 30);
   EXPECT_EQ(result["result"]["points"], read_curve_file(folder() / "s.npy").zones[0].points.size());
-  EXPECT_FALSE(result["flaws"]["list"].empty());
-  EXPECT_EQ(result["flaws"]["list"][0]["cause"], "left-box");
+  EXPECT_FALSE(result["diagnostics"]["list"].empty());
+  EXPECT_EQ(result["diagnostics"]["list"][0]["cause"], "left-box");
 }
 
 TEST_F(Grow, FlowsAndThreads) {

@@ -30,7 +30,7 @@ class InteriorProgram : public ProgramTest {
   }
 };
 
-// What the published program gets wrong.
+// Cases that Lober 1.8 gets wrong.
 TEST_F(InteriorProgram, GetsSharedSidesRight) {
   using Pair = std::pair<double, double>;
   EXPECT_EQ(differences(box(0, 0, 1, 1), box(0, 0, 2, 1)), Pair(0, 1));

@@ -23,7 +23,7 @@ class OverlayProgram : public ProgramTest {
   }
 };
 
-// What the published program gets wrong.
+// Cases that Lober 1.8 gets wrong.
 TEST_F(OverlayProgram, GetsSharedSidesRight) {
   using Pair = std::pair<double, double>;
   EXPECT_EQ(differences(box(0, 0, 1, 1), box(0, 0, 2, 1)), Pair(0, 1));

@@ -1,4 +1,4 @@
-// The command line and the files of the published program.
+// The command line and the files of Lober 1.8.
 
 #include <array>
 #include <cmath>
@@ -113,7 +113,7 @@ TEST_F(PublishedForm, LightWritesTheSameFiles) {
   EXPECT_LT(light[1], 1e-12);
 }
 
-TEST_F(PublishedForm, LightIsExactWhereThePublishedProgramIsNot) {
+TEST_F(PublishedForm, LightIsExactWhereLober18IsNot) {
   const auto light = [&](const std::vector<Point>& c1, const std::vector<Point>& c2) {
     write_curve("c1.dat", c1);
     write_curve("c2.dat", c2);

@@ -1,4 +1,4 @@
-// The third command line of the published program, on tangles with known answers.
+// The third command line of Lober 1.8, on tangles with known answers.
 
 #include <algorithm>
 #include <map>

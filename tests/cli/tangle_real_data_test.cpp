@@ -130,7 +130,7 @@ TEST_F(HomoclinicTangle, HasTheExactAreasWithAnotherBip) {
                                   {19, all}});
 }
 
-TEST_F(HomoclinicTangle, WritesTheFilesOfThePublishedProgram) {
+TEST_F(HomoclinicTangle, WritesTheFilesOfLober18) {
   const Outcome outcome = run({u(), s(), "lobe.dat", "mani.dat", "pips.dat", "0", "0", "1", "lobeb.dat", "-BIP", "17"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
@@ -157,7 +157,7 @@ TEST_F(VortexTangle, ReadsBothManifoldsFromOneFile) {
   EXPECT_EQ(tangle({data("mani.dat#0"), data("mani.dat#1")})["lobes"], found()["lobes"]);
 }
 
-TEST_F(VortexTangle, WritesTheFilesOfThePublishedProgram) {
+TEST_F(VortexTangle, WritesTheFilesOfLober18) {
   const std::string both = data("mani.dat");
   const Outcome outcome = run({both, both, "lobe.dat", "mani.dat", "pips.dat", "0", "1", "1", "lobeb.dat"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

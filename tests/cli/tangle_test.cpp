@@ -7,52 +7,11 @@
 #include "engine/geometry/views.hpp"
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/cli/tangle_program.hpp"
 #include "tests/paths.hpp"
 
 namespace lober::cli {
 namespace {
-
-using Json = nlohmann::json;
-
-const std::string demo = LOBER_SOURCE_DIR "/examples/manifolds.dat";
-
-// S zigzags back along U: pips at x = 2, 4, 6, 7.5, lobes that are triangles.
-const std::vector<Point> straight{{0, 0}, {10, 0}};
-const std::vector<Point> zigzag{{9, 3}, {7, -1}, {5, 1}, {3, -1}, {1.9, 0.1}};
-
-class TangleProgram : public ProgramTest {
- protected:
-  void SetUp() override {
-    write_curve("u", straight);
-    write_curve("s", zigzag);
-  }
-  // A failure with one line on standard error.
-  void expect_failure(const std::vector<std::string>& arguments, int status, const std::string& words) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.status, status) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-  }
-  // What it prints as JSON when it warns.
-  [[nodiscard]] Json warned(std::vector<std::string> arguments, const std::string& words) const {
-    arguments.insert(arguments.begin(), "tangle");
-    arguments.insert(arguments.end(), {"--json", "-"});
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("warning: "), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-    const Json result = Json::parse(outcome.out);
-    EXPECT_NE(result["remarks"].dump().find(words), std::string::npos);
-    return result;
-  }
-  static std::vector<double> column(const Json& list, const char* name) {
-    std::vector<double> values;
-    for (const Json& element : list) values.push_back(element[name]);
-    return values;
-  }
-};
 
 using Numbers = std::vector<double>;
 
@@ -285,34 +244,8 @@ TEST_F(TangleProgram, RefusesWhatItCannotDo) {
   expect_failure({"tangle", "u", "s", "--reverse", "v"}, 2, "--reverse");
 }
 
-// The colour that the legend of a picture gives to an entry.
-std::string colour_of(const std::string& svg, const std::string& entry) {
-  const std::size_t text = svg.find(entry), line = svg.rfind("<g transform", text);
-  const std::size_t fill = svg.find("fill=\"", line);
-  return text == std::string::npos || fill > text ? "none" : svg.substr(fill + 6, 7);
-}
-
-// Whichever side of U the lobes lie on: mirrored manifolds exchange the sides.
-TEST_F(TangleProgram, GivesLeavingAndEnteringLobesTheirColours) {
-  const CurveFile file = read_curve_file(demo);
-  for (const std::size_t zone : {0UL, 1UL}) {
-    std::vector<Point> mirrored = file.zones[zone].points;
-    for (Point& point : mirrored) point.y = -point.y;
-    write_curve(zone == 0 ? "mirrored-u" : "mirrored-s", mirrored);
-  }
-  ASSERT_EQ(run({"tangle", demo, "--svg", "plain.svg"}).status, 0);
-  ASSERT_EQ(run({"tangle", "mirrored-u", "mirrored-s", "--svg", "mirrored.svg"}).status, 0);
-  ASSERT_EQ(run({"transport", "henon", "--iterates", "1", "--picture", "transport.svg"}).status, 0);
-  const std::string leaving = colour_of(read("plain.svg"), "L12"), entering = colour_of(read("plain.svg"), "L21");
-  EXPECT_NE(leaving, entering);
-  for (const char* name : {"mirrored.svg", "transport.svg"}) {
-    EXPECT_EQ(colour_of(read(name), "L12"), leaving) << name;
-    EXPECT_EQ(colour_of(read(name), "L21"), entering) << name;
-  }
-}
-
 // The direction of grown manifolds is known.
-TEST_F(TangleProgram, DoesNotDoubtTheDirectionOfGrownManifolds) {
+TEST_F(TangleProgram, DoesNotQuestionTheDirectionOfGrownManifolds) {
   const Outcome outcome = run({"tangle", "--system", "standard", "--param", "K=50", "--json", "t.json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ((outcome.out + outcome.err + read("t.json")).find("given inward"), std::string::npos) << outcome.err;
@@ -344,25 +277,6 @@ TEST_F(TangleProgram, SaysThatSaddlesWithReflectionCountSecondIterates) {
   const Json plain = tangle({"--system", "standard", "--param", "K=2"});
   EXPECT_EQ(plain["reflection"], false);
   EXPECT_EQ(plain["steps_of_image"], 1);
-}
-
-TEST_F(TangleProgram, DrawsASmallPictureOfManyPoints) {
-  std::vector<Point> wave, line{{0, 0}, {-1, -5}, {10, -5}};  // homoclinic
-  constexpr int count = 200'000;
-  for (int k = 0; k <= count; ++k) {
-    const double x = 10.0 * k / count;
-    wave.push_back({x, (1 + 0.3 * std::sin(977 * x)) * std::sin(631 * x)});
-    line.push_back({10 - x, 1e-3 * std::cos(x)});
-  }
-  write_curve("wave", wave);
-  write_curve("line", line);
-  const Outcome outcome = run({"tangle", "wave", "line", "--period", "22", "--svg", "picture.svg"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::string svg = read("picture.svg");
-  EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
-  EXPECT_TRUE(svg.ends_with("</svg>\n"));
-  EXPECT_LT(svg.size(), 1'000'000U);
-  EXPECT_NE(svg.find("unstable manifold"), std::string::npos);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace lober {
 namespace {
 
 void add(Hash& hash, const Areas& areas) {
-  for (const double area : {areas.c1, areas.c2, areas.intersection, areas.unite, areas.c1_minus_c2, areas.c2_minus_c1,
+  for (const double area : {areas.c1, areas.c2, areas.intersection, areas.union_, areas.c1_minus_c2, areas.c2_minus_c1,
                             areas.symmetric_difference}) {
     hash.add(area);
   }
@@ -60,9 +60,9 @@ std::vector<Point> probes(CurveView curve, std::size_t count) {
 
 void add(Hash& hash, const DensifiedCurve& curve) {
   hash.add_all(curve.points);
-  for (const Flaw& flaw : curve.flaws) {
-    hash.add(flaw.first);
-    hash.add(flaw.count);
+  for (const Diagnostic& diagnostic : curve.diagnostics) {
+    hash.add(diagnostic.first);
+    hash.add(diagnostic.count);
   }
 }
 
@@ -164,12 +164,12 @@ std::uint64_t regions_hash(CurveView c1, CurveView c2, IndexKind index) {
     hash.add(entry.w2);
     hash.add(entry.area);
   }
-  for (const WindingRule rule : all_winding_rules) {
+  for (const FillRule rule : all_fill_rules) {
     add(hash, found.areas(rule));
     add(hash, found.rounding(rule));
   }
   for (const Pairing pairing : all_pairings) {
-    const RegionPieces pieces = found.pieces(WindingRule::nonzero, pairing);
+    const RegionPieces pieces = found.pieces(FillRule::nonzero, pairing);
     hash.add_all(pieces.areas());
     for (std::size_t k = 0; k < pieces.size(); ++k) hash.add(pieces[k].holes);
     for (std::size_t k = 0; k < std::min<std::size_t>(pieces.size(), 3); ++k) {
@@ -193,7 +193,7 @@ std::uint64_t tangle_hash(CurveView u, CurveView s, IndexKind index) {
 std::uint64_t densify_hash(CurveView c1, CurveView c2) {
   Hash hash;
   Criteria criteria = hobson_criteria(c1);
-  criteria.longest = criteria.distance_angle / 3;
+  criteria.max_length = criteria.distance_angle / 3;
   for (const Interpolation interpolation : {Interpolation::dritschel, Interpolation::spline}) {
     DensifyOptions options;
     options.interpolation = interpolation;
@@ -203,9 +203,9 @@ std::uint64_t densify_hash(CurveView c1, CurveView c2) {
   near.passes = 2;
   add(hash, densify_near(c1, c2, near));
   for (const DensifiedCurve& curve : insert_crossings(c1, c2)) add(hash, curve);
-  ThinOptions coarser;
+  SimplifyOptions coarser;
   coarser.tolerance = criteria.distance_angle / 10;
-  add(hash, thin(c1, coarser));
+  add(hash, simplify(c1, coarser));
   return hash.value();
 }
 

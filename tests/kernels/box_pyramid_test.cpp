@@ -40,7 +40,7 @@ struct Pyramid {
   }
   [[nodiscard]] Box united(std::uint32_t k) const {
     const std::uint32_t below = begin[begin.size() - 2] + 2 * k;
-    return 2 * k + 1 < size[size.size() - 2] ? unite(boxes[below], boxes[below + 1]) : boxes[below];
+    return 2 * k + 1 < size[size.size() - 2] ? union_of(boxes[below], boxes[below + 1]) : boxes[below];
   }
   [[nodiscard]] BoxPyramid view() const { return {boxes.data(), begin.data(), size.data()}; }
   [[nodiscard]] std::vector<TreeNode> some_nodes(Random& random) const {

@@ -96,13 +96,13 @@ mpq_class cross_of(const Vector& u, const Vector& v) {
 void expect_bounds(const std::vector<SegmentCrossing>& crossings, double scale) {
   std::vector<CrossingParameters> parameters(crossings.size());
   crossing_parameters(crossings.data(), crossings.size(), scale, parameters.data());
-  const mpq_class doubt = power_of_two(-62), gap = power_of_two(-91) * mpq_class(scale);
+  const mpq_class uncertainty = power_of_two(-62), gap = power_of_two(-91) * mpq_class(scale);
   for (std::size_t k = 0; k < crossings.size(); ++k) {
     const auto& [a, b, c, d] = crossings[k];
     const Vector u = between(a, b), v = between(c, d), w = between(a, c);
     const mpq_class below = cross_of(u, v), t1 = value_of(parameters[k].t1), t2 = value_of(parameters[k].t2);
-    ASSERT_LE(abs(mpq_class(t1 - cross_of(w, v) / below)), doubt) << "crossing " << k;
-    ASSERT_LE(abs(mpq_class(t2 - cross_of(w, u) / below)), doubt) << "crossing " << k;
+    ASSERT_LE(abs(mpq_class(t1 - cross_of(w, v) / below)), uncertainty) << "crossing " << k;
+    ASSERT_LE(abs(mpq_class(t2 - cross_of(w, u) / below)), uncertainty) << "crossing " << k;
     const mpq_class gap_x = t1 * u.x - t2 * v.x - w.x, gap_y = t1 * u.y - t2 * v.y - w.y;
     ASSERT_LT(gap_x * gap_x + gap_y * gap_y, gap * gap) << "crossing " << k;
   }

@@ -26,7 +26,7 @@ TEST(Interpolation, CurvatureIsThatOfTheCircleWithItsSign) {
   EXPECT_EQ(curvature({0, 0}, {1e200, 0}, {0, 1e200}), 0);
 }
 
-// The polynomial of the paper, term by term.
+// The polynomial of Naik, Lekien & Ross (2017), term by term.
 TEST(Interpolation, DritschelIsThePublishedCubic) {
   const Point a{1, 2}, b{4, 6};  // e = 5
   const double ka = 0.03, kb = -0.05, e = 5;
@@ -39,8 +39,8 @@ TEST(Interpolation, DritschelIsThePublishedCubic) {
   }
 }
 
-// Around a circle that is run counter-clockwise the cubic bulges outwards, by the sagitta kappa e^2 / 8 in the middle.
-TEST(Interpolation, DritschelBulgesToTheRightSide) {
+// Around a circle that is run counter-clockwise the cubic bends outwards, by the sagitta kappa e^2 / 8 in the middle.
+TEST(Interpolation, DritschelLeansToTheRightSide) {
   const double step = 0.01;
   const Point a{std::cos(0.0), std::sin(0.0)}, b{std::cos(step), std::sin(step)};
   const Point middle = dritschel_piece(a, b, 1, 1).at(0.5);

@@ -88,7 +88,7 @@ TEST(SummariseLeaves, EqualsBruteForce) {
       const Point* p = points.data() + leaf * leaf_size;
       Box box;
       unsigned flags = 15;
-      for (std::size_t i = 0; i <= leaf_size; ++i) box = unite(box, Box::of(p[i], p[i]));
+      for (std::size_t i = 0; i <= leaf_size; ++i) box = union_of(box, Box::of(p[i], p[i]));
       for (std::size_t i = 0; i < leaf_size; ++i) {
         if (!(p[i + 1].x > p[i].x)) flags &= ~1U;
         if (!(p[i + 1].y > p[i].y)) flags &= ~2U;

@@ -1,4 +1,4 @@
-// Verdicts of the floating-point filter: never wrong, seldom in doubt, the same from both compiled copies.
+// Verdicts of the floating-point filter: never wrong, seldom uncertain, the same from both compiled copies.
 #include "kernels/pair_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using Points = std::vector<Point>;
 struct Kind {
   const char* name;
   Point (*make)(Random&);
-  double most_doubtful;
+  double max_uncertain;
 };
 constexpr Kind kinds[] = {
     {"ordinary",
@@ -53,7 +53,7 @@ PairVerdict exact_verdict(Point a, Point b, Point c, Point d) {
   const int side_c = exact_orientation(a, b, c), side_d = exact_orientation(a, b, d);
   const int side_a = exact_orientation(c, d, a), side_b = exact_orientation(c, d, b);
   if (side_c * side_d > 0 || side_a * side_b > 0) return PairVerdict::apart;
-  if (side_c * side_d == 0 || side_a * side_b == 0) return PairVerdict::doubtful;
+  if (side_c * side_d == 0 || side_a * side_b == 0) return PairVerdict::uncertain;
   return side_d > 0 ? PairVerdict::crosses_to_left : PairVerdict::crosses_to_right;
 }
 
@@ -74,9 +74,9 @@ Case make_case(const Kind& kind, Random& random) {
 
 class PairFilter : public ::testing::TestWithParam<Kind> {};
 
-TEST_P(PairFilter, IsRightOrInDoubt) {
+TEST_P(PairFilter, IsRightOrUncertain) {
   Random random(seed());
-  std::size_t doubtful = 0, total = 0;
+  std::size_t uncertain = 0, total = 0;
   for (int k = 0; k < 800; ++k) {
     const auto [first, second, pairs] = make_case(GetParam(), random);
     std::vector<PairVerdict> verdicts(pairs.size());
@@ -84,18 +84,18 @@ TEST_P(PairFilter, IsRightOrInDoubt) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [s, t] = pairs[i];
       if (s == 29 || t == 39) {
-        ASSERT_EQ(verdicts[i], PairVerdict::doubtful) << "a segment that wraps";
+        ASSERT_EQ(verdicts[i], PairVerdict::uncertain) << "a segment that wraps";
         continue;
       }
       ++total;
-      if (verdicts[i] == PairVerdict::doubtful) {
-        ++doubtful;
+      if (verdicts[i] == PairVerdict::uncertain) {
+        ++uncertain;
       } else {
         ASSERT_EQ(verdicts[i], exact_verdict(first[s], first[s + 1], second[t], second[t + 1])) << "try " << k;
       }
     }
   }
-  EXPECT_LE(static_cast<double>(doubtful), GetParam().most_doubtful * static_cast<double>(total));
+  EXPECT_LE(static_cast<double>(uncertain), GetParam().max_uncertain * static_cast<double>(total));
 }
 
 TEST_P(PairFilter, BothCopiesGiveTheSame) {

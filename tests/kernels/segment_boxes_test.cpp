@@ -72,7 +72,7 @@ TEST(MeetingSegments, HoldAllThatHaveACommonPointInOrder) {
   EXPECT_GT(missing, 100U) << "the strips exclude something";
 }
 
-// A thin slanted leaf, as strands of folded curves are, and points on and just off its ends and middle.
+// A thin slanted leaf, as those of folded curves are, and points on and just off its ends and middle.
 Points thin_leaf(Random& random, double size, double thickness) {
   const double angle = random.uniform(0, 7), offset = random.uniform(-1, 1) * thickness * size;
   const Point along{std::cos(angle), std::sin(angle)};

@@ -46,15 +46,15 @@ TEST(SmoothSegment, ReproducesGraphsOfDegreeFive) {
       const Point a = segment.at(u * k / steps), b = segment.at(u * (k + 1) / steps);
       loop += a.x * b.y - a.y * b.x;
     }
-    EXPECT_NEAR(segment.bulge(u), loop, 1e-9);
+    EXPECT_NEAR(segment.chord_area(u), loop, 1e-9);
   }
 }
 
-TEST(SmoothSegment, BulgeOfACircleIsRightToOrderSeven) {
+TEST(SmoothSegment, ChordAreaOfACircleIsRightToOrderSeven) {
   double previous = 0;
   for (double h = 0.4; h > 0.04; h /= 2) {
     const SmoothSegment segment = fit_smooth_segment(circle(h));
-    const double error = std::fabs(segment.bulge(1) - (h - std::sin(h)));
+    const double error = std::fabs(segment.chord_area(1) - (h - std::sin(h)));
     EXPECT_LT(error, segment.error);
     if (previous > 0) {
       EXPECT_LT(error, previous / 110);
@@ -65,15 +65,15 @@ TEST(SmoothSegment, BulgeOfACircleIsRightToOrderSeven) {
 
 TEST(SmoothSegment, DoesNotLookBeyondCorners) {
   Window p = circle(0.1);
-  const double full = fit_smooth_segment(p).bulge(1);
+  const double full = fit_smooth_segment(p).chord_area(1);
   for (std::size_t k = 5; k < 8; ++k) p[k] = {p[4].x + 0.1 * static_cast<double>(k - 4), p[4].y};  // corner at p[4]
   const SmoothSegment left = fit_smooth_segment(p);
   EXPECT_EQ(left.kind, Kind::smooth);
-  EXPECT_NEAR(left.bulge(1), full, 0.02 * full);
-  EXPECT_GT(left.error, std::fabs(left.bulge(1) - full));
+  EXPECT_NEAR(left.chord_area(1), full, 0.02 * full);
+  EXPECT_GT(left.error, std::fabs(left.chord_area(1) - full));
   for (std::size_t k = 0; k < 3; ++k) p[k] = {p[3].x - 0.1 * static_cast<double>(3 - k), p[3].y};  // and at p[3]
   EXPECT_EQ(fit_smooth_segment(p).kind, Kind::straight);
-  EXPECT_EQ(fit_smooth_segment(p).bulge(1), 0);
+  EXPECT_EQ(fit_smooth_segment(p).chord_area(1), 0);
 }
 
 TEST(SmoothSegment, TakesAZigzagForNoise) {
@@ -81,16 +81,16 @@ TEST(SmoothSegment, TakesAZigzagForNoise) {
   for (std::size_t k = 0; k < 8; ++k) p[k] = {static_cast<double>(k), k % 2 == 0 ? 0 : 0.05};
   const SmoothSegment segment = fit_smooth_segment(p);
   EXPECT_EQ(segment.kind, Kind::noisy);
-  EXPECT_EQ(segment.bulge(1), 0);
+  EXPECT_EQ(segment.chord_area(1), 0);
   EXPECT_GT(segment.error, 0.01);
 }
 
 TEST(SmoothSegment, RunsTheSameWayBack) {
   Window p = circle(0.2);
   p[1].x += 0.01;
-  const double there = fit_smooth_segment(p).bulge(1);
+  const double there = fit_smooth_segment(p).chord_area(1);
   std::reverse(p.begin(), p.end());
-  EXPECT_NEAR(fit_smooth_segment(p).bulge(1), -there, 1e-16);
+  EXPECT_NEAR(fit_smooth_segment(p).chord_area(1), -there, 1e-16);
 }
 
 TEST(SmoothSegment, HasNoneWithoutLength) {
@@ -98,7 +98,7 @@ TEST(SmoothSegment, HasNoneWithoutLength) {
   p[4] = p[3];
   const SmoothSegment segment = fit_smooth_segment(p);
   EXPECT_EQ(segment.kind, Kind::straight);
-  EXPECT_EQ(segment.bulge(1), 0);
+  EXPECT_EQ(segment.chord_area(1), 0);
   EXPECT_EQ(segment.error, 0);
 }
 

@@ -64,9 +64,9 @@ Polygon with_spikes(Random& random, const Polygon& polygon) {
     // Out and back, sometimes along the next side or the last one, sometimes not all the way.
     const Point next = polygon[(k + 1) % polygon.size()], last = polygon[(k + polygon.size() - 1) % polygon.size()];
     const Point any{p.x + 2 * random.integer(-2, 2), p.y + 2 * random.integer(-2, 2)};
-    const Point tip = random.chance(0.3) ? next : random.chance(0.3) ? last : any;
-    result.push_back(tip);
-    result.push_back(random.chance(0.3) ? Point{0.5 * (p.x + tip.x), 0.5 * (p.y + tip.y)} : p);
+    const Point end = random.chance(0.3) ? next : random.chance(0.3) ? last : any;
+    result.push_back(end);
+    result.push_back(random.chance(0.3) ? Point{0.5 * (p.x + end.x), 0.5 * (p.y + end.y)} : p);
   }
   return result;
 }

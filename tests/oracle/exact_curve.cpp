@@ -123,7 +123,7 @@ int turn(const ExactCurve& first, std::size_t i, const ExactCurve& second, std::
   return mpz_sgn(value);
 }
 
-bool encloses(const ExactCurve& curve, const ExactCurve& other, std::size_t j) {
+bool contains(const ExactCurve& curve, const ExactCurve& other, std::size_t j) {
   // Count the segments that cross the ray to the right; half-open in y, so that vertices count once.
   const double level = other.points[j].y;
   bool inside = false;

@@ -42,7 +42,7 @@ struct ExactCurve {
 [[nodiscard]] int turn(const ExactCurve& first, std::size_t i, const ExactCurve& second, std::size_t j);
 
 /// Whether vertex j of `other`, which is not on `curve`, is inside.
-[[nodiscard]] bool encloses(const ExactCurve& curve, const ExactCurve& other, std::size_t j);
+[[nodiscard]] bool contains(const ExactCurve& curve, const ExactCurve& other, std::size_t j);
 
 /// Whether the closed polygon is simple: at least three vertices after dropping repeated ones, no two
 /// segments meet except neighbours in their common vertex. O(n^2).

@@ -117,8 +117,8 @@ class Tracer {
   void nest() {
     if (area_.size() != 4) throw std::logic_error("two curves apart without four cycles");
     const auto& [first, second] = arrangement_.curves;
-    const bool second_within = encloses(first, second, 0);
-    const bool first_within = encloses(second, first, 0);
+    const bool second_within = contains(first, second, 0);
+    const bool first_within = contains(second, first, 0);
     arrangement_.faces.resize(3);
     arrangement_.faces[0].bounded = false;
     std::vector<std::uint32_t> face(area_.size(), none);

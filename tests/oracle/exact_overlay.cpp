@@ -101,7 +101,7 @@ ExactOverlay exact_overlay(std::span<const Point> first, std::span<const Point> 
   overlay.area2 = scaled(Rational(arrangement.curves[1].twice_area) / 2, area_exponent);
   const Rational common = total(overlay.pieces[intersection]);
   overlay.areas = {overlay.area1 - common, overlay.area2 - common, common, overlay.area1 + overlay.area2 - common};
-  for (const std::size_t pairing : {c1_minus_c2, c2_minus_c1, unite}) {
+  for (const std::size_t pairing : {c1_minus_c2, c2_minus_c1, union_}) {
     if (total(overlay.pieces[pairing]) != overlay.areas[pairing]) {
       throw std::logic_error("pieces do not add up to their area");
     }

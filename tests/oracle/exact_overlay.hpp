@@ -16,7 +16,7 @@
 namespace lober::oracle {
 
 /// The pairings by number, in the order of every array of four below.
-enum : std::size_t { c1_minus_c2 = 0, c2_minus_c1 = 1, intersection = 2, unite = 3 };
+enum : std::size_t { c1_minus_c2 = 0, c2_minus_c1 = 1, intersection = 2, union_ = 3 };
 
 /// A connected component of the interior of the regularised region.
 struct ExactPiece {

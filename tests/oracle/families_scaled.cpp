@@ -97,8 +97,8 @@ PolygonPair slivers(Random& random) {
     default: {
       // A point, a hair's breadth from a side.
       const double t = random.unit();
-      const Point tip{a.x + t * (b.x - a.x) + width * random_sign(random), a.y + t * (b.y - a.y)};
-      return {first, {tip, {random.unit(), random.unit()}, {random.unit(), random.unit()}}};
+      const Point end{a.x + t * (b.x - a.x) + width * random_sign(random), a.y + t * (b.y - a.y)};
+      return {first, {end, {random.unit(), random.unit()}, {random.unit(), random.unit()}}};
     }
   }
 }

@@ -91,7 +91,7 @@ class Judge {
     total("C1 minus C2", &Areas::c1_minus_c2, exact_.areas[c1_minus_c2]);
     total("C2 minus C1", &Areas::c2_minus_c1, exact_.areas[c2_minus_c1]);
     total("intersection", &Areas::intersection, exact_.areas[intersection]);
-    total("union", &Areas::unite, exact_.areas[unite]);
+    total("union", &Areas::union_, exact_.areas[union_]);
     total("symmetric difference", &Areas::symmetric_difference, exact_.areas[c1_minus_c2] + exact_.areas[c2_minus_c1]);
   }
 
@@ -155,7 +155,7 @@ class Judge {
     for (std::size_t k = 0; k < pieces.size(); ++k) sorted.push_back(pieces[k]);
     std::sort(sorted.begin(), sorted.end(), [](const Piece& a, const Piece& b) { return a.area > b.area; });
     // A piece is a part of its pairing's area, whose bound therefore holds for it.
-    constexpr std::array totals{&Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::intersection, &Areas::unite};
+    constexpr std::array totals{&Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::intersection, &Areas::union_};
     for (std::size_t k = 0; k < sorted.size(); ++k)
       area("a piece of " + what, sorted[k].area, exact[k].area, found_.rounding.*totals[pairing]);
     compare_holes(what, sorted, exact);

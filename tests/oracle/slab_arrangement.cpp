@@ -25,7 +25,7 @@ class Sets {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;
   }
-  void unite(std::size_t x, std::size_t y) { parent_[root(x)] = root(y); }
+  void union_of(std::size_t x, std::size_t y) { parent_[root(x)] = root(y); }
 
  private:
   std::vector<std::size_t> parent_;
@@ -143,7 +143,7 @@ std::vector<SlabPiece> SlabArrangement::pieces(const std::function<bool(int, int
   }
   Sets sets(cells_.size());
   for (const auto& [x, y] : next_) {
-    if (in[x] != 0 && in[y] != 0) sets.unite(x, y);
+    if (in[x] != 0 && in[y] != 0) sets.union_of(x, y);
   }
   std::map<std::size_t, SlabPiece> by_root;
   for (std::size_t k = 0; k < cells_.size(); ++k) {
@@ -154,7 +154,7 @@ std::vector<SlabPiece> SlabArrangement::pieces(const std::function<bool(int, int
     Sets rest(cells_.size());
     const auto outside = [&, own = root](std::size_t cell) { return in[cell] == 0 || sets.root(cell) != own; };
     for (const auto& [x, y] : next_) {
-      if (outside(x) && outside(y)) rest.unite(x, y);
+      if (outside(x) && outside(y)) rest.union_of(x, y);
     }
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       if (outside(k) && rest.root(k) == k) ++piece.holes;

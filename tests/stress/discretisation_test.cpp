@@ -48,15 +48,15 @@ double lens_area(double r, double s, double d) {
 
 // Two circles that cross, moved by a linear map of determinant `stretch`: ellipses that cross in a known area.
 // `uneven` below 1 is how much denser than the mean the points are somewhere.
-Scene make_scene(Random& random, double most_stretched, double most_uneven) {
+Scene make_scene(Random& random, double max_stretch, double max_unevenness) {
   const double r = random.log_uniform(0.3, 3), s = random.log_uniform(0.3, 3);
   const double d = std::fabs(r - s) + random.uniform(0.1, 0.9) * (r + s - std::fabs(r - s));
   const Point centre{random.uniform(-5, 5), random.uniform(-5, 5)};
-  const double direction = random.uniform(0, 2 * pi), stretch = random.log_uniform(1, most_stretched);
+  const double direction = random.uniform(0, 2 * pi), stretch = random.log_uniform(1, max_stretch);
   const double tilt = random.uniform(0, pi), c = std::cos(tilt), t = std::sin(tilt);
   const auto sampled = [&](const Circle& circle) {
     const auto count = static_cast<std::size_t>(random.log_uniform(50, 5000));
-    const double phase = random.uniform(0, 2 * pi), uneven = random.uniform(0, most_uneven),
+    const double phase = random.uniform(0, 2 * pi), uneven = random.uniform(0, max_unevenness),
                  densest = random.uniform(0, 2 * pi);
     std::vector<Point> points;
     for (std::size_t k = 0; k < count; ++k) {
@@ -75,7 +75,7 @@ Scene make_scene(Random& random, double most_stretched, double most_uneven) {
   scene.areas = {.c1 = area1,
                  .c2 = area2,
                  .intersection = common,
-                 .unite = area1 + area2 - common,
+                 .union_ = area1 + area2 - common,
                  .c1_minus_c2 = area1 - common,
                  .c2_minus_c1 = area2 - common,
                  .symmetric_difference = area1 + area2 - 2 * common};
@@ -84,7 +84,7 @@ Scene make_scene(Random& random, double most_stretched, double most_uneven) {
 
 struct Kind {
   const char* name;
-  double most_stretched, most_uneven;
+  double max_stretch, max_unevenness;
 };
 
 /// For the names of tests.
@@ -102,7 +102,7 @@ constexpr std::array rows{
     Row{"C1", &Areas::c1, true},
     Row{"C2", &Areas::c2, true},
     Row{"intersection", &Areas::intersection, true},
-    Row{"union", &Areas::unite, true},
+    Row{"union", &Areas::union_, true},
     Row{"C1 minus C2", &Areas::c1_minus_c2, false},
     Row{"C2 minus C1", &Areas::c2_minus_c1, false},
     Row{"symmetric difference", &Areas::symmetric_difference, false},
@@ -117,7 +117,7 @@ TEST_P(DiscretisationStability, EstimateIsNearTheTrueError) {
   std::vector<Areas> ratios(count);  // estimate / true error
   for_each_block(count, 1, [&](std::size_t k, std::size_t) {
     Random random(Random(seed + k).bits());
-    const Scene scene = make_scene(random, kind.most_stretched, kind.most_uneven);
+    const Scene scene = make_scene(random, kind.max_stretch, kind.max_unevenness);
     const Overlay found = overlay(CurveView{scene.first}, CurveView{scene.second});
     const Areas estimate = discretisation_error(found);
     for (const Row& row : rows) {

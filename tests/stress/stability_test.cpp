@@ -43,19 +43,19 @@ constexpr std::array named_areas{
     NamedArea{"C1", &Areas::c1},
     NamedArea{"C2", &Areas::c2},
     NamedArea{"intersection", &Areas::intersection},
-    NamedArea{"union", &Areas::unite},
+    NamedArea{"union", &Areas::union_},
     NamedArea{"C1 minus C2", &Areas::c1_minus_c2},
     NamedArea{"C2 minus C1", &Areas::c2_minus_c1},
     NamedArea{"symmetric difference", &Areas::symmetric_difference},
 };
-constexpr std::array area_of_pairing{&Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::intersection, &Areas::unite};
+constexpr std::array area_of_pairing{&Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::intersection, &Areas::union_};
 
 std::array<Rational, 7> areas_of(const ExactOverlay& exact) {
   const auto& areas = exact.areas;
   return {exact.area1,
           exact.area2,
           areas[oracle::intersection],
-          areas[oracle::unite],
+          areas[oracle::union_],
           areas[oracle::c1_minus_c2],
           areas[oracle::c2_minus_c1],
           areas[oracle::c1_minus_c2] + areas[oracle::c2_minus_c1]};

@@ -60,14 +60,14 @@ bool join_blocks(Buffer<KeyedNumber>& items) {
 
 }  // namespace
 
-bool detail::settle(KeyedNumber* items, std::size_t count) {
+bool detail::insertion_pass(KeyedNumber* items, std::size_t count) {
   for (std::size_t k = 1; k < count; ++k) {
     if (!settle_one(items, k)) return false;
   }
   return true;
 }
 
-void detail::finish_sort(Buffer<KeyedNumber>& items, std::uint32_t largest, bool blocks_are_sorted) {
+void detail::radix_sort(Buffer<KeyedNumber>& items, std::uint32_t largest, bool blocks_are_sorted) {
   if (blocks_are_sorted && join_blocks(items)) return;
   const auto less = [](const KeyedNumber& x, const KeyedNumber& y) { return x.key < y.key; };
   if (items.size() < digits) {

@@ -25,11 +25,11 @@ void run_side_by_side(std::span<const FunctionRef<void()>> functions);
 void run_in_arena(int threads, FunctionRef<void()> function);
 }  // namespace detail
 
-/// Runs the functions side by side when `worthwhile`, one after the other when not. They ask what the caller asks
+/// Runs the functions side by side when `parallel`, one after the other when not. They ask what the caller asks
 /// whether they are cancelled.
 template <typename... Functions>
-void run_together(bool worthwhile, Functions&&... functions) {
-  if (worthwhile) {
+void parallel_if(bool parallel, Functions&&... functions) {
+  if (parallel) {
     const std::array<FunctionRef<void()>, sizeof...(Functions)> all{FunctionRef<void()>(functions)...};
     detail::run_side_by_side(all);
   } else {

@@ -28,7 +28,7 @@ std::optional<Criteria> criteria_for(const Options& options, CurveView curve) {
   const Criteria usual = hobson_criteria(curve);
   if (options.flag("hobson") && options.real("alpha") == 0) criteria.angle = usual.angle;
   if (options.flag("hobson") && options.real("distance_angle") == 0) criteria.distance_angle = usual.distance_angle;
-  if (has_angles(options) && options.real("min_length") < 0) criteria.shortest = usual.shortest;
+  if (has_angles(options) && options.real("min_length") < 0) criteria.min_length = usual.min_length;
   return criteria;
 }
 
@@ -53,7 +53,7 @@ double expected_points(CurveView curve, const Criteria& criteria) {
   double points = static_cast<double>(curve.points.size());
   for (std::size_t k = 0; k < curve.segments(); ++k) {
     const Point a = curve.points[k], b = curve.points[k + 1 < curve.points.size() ? k + 1 : 0];
-    points += std::hypot(b.x - a.x, b.y - a.y) / criteria.longest;
+    points += std::hypot(b.x - a.x, b.y - a.y) / criteria.max_length;
   }
   return points;
 }
@@ -79,16 +79,16 @@ Record run(JobCurves curves, const Options& options) {
   if (options.whole("passes") > 0 && options.whole("points") == 0) throw UsageError("passes needs points");
   const Interpolation interpolation = interpolation_of(options);
   DensifiedCurve result;
-  std::size_t flawed = 0, rounds = 0;
+  std::size_t with_diagnostic = 0, rounds = 0;
   result.points.assign(first.curve().points.begin(), first.curve().points.end());
   result.closed = first.curve().closed;
   const auto done = [&](DensifiedCurve&& curve) {
     result = std::move(curve);
     rounds += result.rounds;
-    for (const Flaw& flaw : result.flaws) flawed += flaw.count;
+    for (const Diagnostic& diagnostic : result.diagnostics) with_diagnostic += diagnostic.count;
   };
   if (options.real("simplify") > 0) {
-    done(thin(result, {options.real("simplify"), or_off(options.real("max_length"))}));
+    done(simplify(result, {options.real("simplify"), or_off(options.real("max_length"))}));
   }
   const Allowance& allowance = curves.allowance();
   const std::size_t most = std::min<std::size_t>(allowance.most() / bytes_per_point, 1'000'000'000);
@@ -97,8 +97,8 @@ Record run(JobCurves curves, const Options& options) {
     allowance.book(bytes_per_point * static_cast<std::size_t>(expected_points(result, *criteria)));
     done(densify(result, *criteria, {interpolation, most}));
     allowance.book(bytes_per_point * result.points.size());
-    for (const Flaw& flaw : result.flaws) {
-      if (flaw.cause == FlawCause::most_points) require_room(INFINITY, most);
+    for (const Diagnostic& diagnostic : result.diagnostics) {
+      if (diagnostic.cause == DiagnosticCause::max_points) require_room(INFINITY, most);
     }
   }
   if (options.whole("passes") > 0) {
@@ -112,7 +112,7 @@ Record run(JobCurves curves, const Options& options) {
   }
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
   return {{signed_area(result), number(first.curve().points.size()), number(result.points.size()), number(rounds),
-           number(flawed)},
+           number(with_diagnostic)},
           {}};
 }
 
@@ -137,8 +137,8 @@ Operation densify_operation() {
                        {"points_in", Column::Kind::count},
                        {"points", Column::Kind::count},
                        {"rounds", Column::Kind::count},
-                       {"flawed_segments", Column::Kind::count}};
-  operation.needs = [](const Options&) { return Needs{}; };
+                       {"segments_with_diagnostics", Column::Kind::count}};
+  operation.requirements = [](const Options&) { return Requirements{}; };
   operation.run = run;
   operation.result_bytes = result_bytes;
   operation.cost = [](std::size_t points) { return 10 + 0.1 * static_cast<double>(points); };

@@ -44,7 +44,7 @@ Operation interior_operation() {
        {"crossings", "touches", "shared_arcs", "points_inserted", "orientation1", "orientation2"}) {
     operation.columns.push_back({name, Column::Kind::count});
   }
-  operation.needs = [](const Options&) { return Needs{.index = true, .simple = true, .closed = true}; };
+  operation.requirements = [](const Options&) { return Requirements{.index = true, .simple = true, .closed = true}; };
   operation.run = run;
   operation.cost = [](std::size_t points) { return 10 + 1e-3 * static_cast<double>(points); };
   return operation;

@@ -54,8 +54,9 @@ Operation overlay_operation() {
     operation.columns.push_back({count, Column::Kind::count});
   }
   operation.lists = {"lobes_c1_minus_c2", "lobes_c2_minus_c1"};
-  operation.needs = [](const Options& options) {
-    return Needs{.index = true, .simple = true, .closed = true, .discretisation = options.flag("discretisation")};
+  operation.requirements = [](const Options& options) {
+    return Requirements{
+        .index = true, .simple = true, .closed = true, .discretisation = options.flag("discretisation")};
   };
   operation.run = run;
   // Measured on circles and wavy curves that cross a few times: 5 us, and 0.1 ns a point; tangles cost far more.

@@ -40,7 +40,7 @@ void add_area_columns(std::vector<Column>& columns, const std::string& prefix) {
 }
 
 void add_areas(std::vector<double>& values, const Areas& areas) {
-  values.insert(values.end(), {areas.c1, areas.c2, areas.intersection, areas.unite, areas.c1_minus_c2,
+  values.insert(values.end(), {areas.c1, areas.c2, areas.intersection, areas.union_, areas.c1_minus_c2,
                                areas.c2_minus_c1, areas.symmetric_difference});
 }
 

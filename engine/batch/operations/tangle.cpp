@@ -73,7 +73,9 @@ Operation tangle_operation() {
   }
   // Signed areas of the lobes, their parts inside the boundary, error bars if smooth; overlaps as i, j, area, i, ...
   operation.lists = {"areas", "inside", "errors", "overlaps"};
-  operation.needs = [](const Options& options) { return Needs{.index = true, .simple = options.flag("simple_check")}; };
+  operation.requirements = [](const Options& options) {
+    return Requirements{.index = true, .simple = options.flag("simple_check")};
+  };
   operation.run = run;
   operation.cost = [](std::size_t points) { return 20 + 1e-2 * static_cast<double>(points); };
   return operation;

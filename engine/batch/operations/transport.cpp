@@ -18,7 +18,7 @@ Record run(JobCurves curves, const Options& options) {
   how.iterates = static_cast<int>(options.whole("iterates"));
   how.tolerance = options.real("tolerance");
   constexpr std::size_t bytes_per_point = 240;  // of two manifolds that are grown, and what is made of them
-  how.most_points = std::min(how.most_points, std::max<std::size_t>(curves.allowance().most() / bytes_per_point, 1000));
+  how.max_points = std::min(how.max_points, std::max<std::size_t>(curves.allowance().most() / bytes_per_point, 1000));
   how.progress = [&](const std::string&) {
     curves.allowance().check();
     return true;
@@ -30,8 +30,8 @@ Record run(JobCurves curves, const Options& options) {
   const TransportBoundary& first = found.boundaries.front();
   if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
     throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
-                    apart.front().second_by + " differ by " + shortest(apart.front().difference()) +
-                    ", more than their error bars " + shortest(apart.front().bar));
+                    apart.front().second_by + " differ by " + format_number(apart.front().difference()) +
+                    ", more than their error bars " + format_number(apart.front().bar));
   }
   Record record;
   record.values = {found.regions.front().area.value,
@@ -81,7 +81,7 @@ Operation transport_operation() {
   // a(n), T(n), estimated error of T(n), and T(n) by the boundary method, n = 1, 2, ...
   operation.lists = {"flux", "total", "error", "total_by_boundaries"};
   operation.check = check_options;
-  operation.needs = [](const Options&) { return Needs{}; };
+  operation.requirements = [](const Options&) { return Requirements{}; };
   operation.run = run;
   operation.cost = [](std::size_t) { return 2e5; };
   operation.memory = std::size_t{64} << 20;

@@ -7,7 +7,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/dynamics/escape/necks.hpp"
+#include "engine/dynamics/escape/bottlenecks.hpp"
 #include "engine/dynamics/escape/symmetries.hpp"
 #include "engine/dynamics/escape/winding_product.hpp"
 #include "engine/dynamics/manifolds/growth_forecast.hpp"
@@ -27,19 +27,19 @@ class Builder {
   Escape build(std::span<const FlowState> guesses) {
     Section either = result_.section;
     either.direction = 0;
-    Necks necks(flow_, either, result_.energy, guesses, options_);
+    Bottlenecks bottlenecks(flow_, either, result_.energy, guesses, options_);
     {
       const Stopwatch watch;
-      necks.cut_first();
+      bottlenecks.cut_first();
       cost_.add(watch.seconds());
     }
     try {
-      for (int n = 1; n <= options_.crossings && result_.stop == EscapeStop::done; ++n) go_on(necks, n);
+      for (int n = 1; n <= options_.crossings && result_.stop == EscapeStop::done; ++n) go_on(bottlenecks, n);
       // One more whole image gives the longest times of the last rows a second split.
       const int more = options_.crossings + 1;
-      if (result_.stop == EscapeStop::done && reason_not_to(necks, more) == EscapeStop::done) {
-        necks.carry(more, false, work(more));
-        with_curves(necks, [&] {
+      if (result_.stop == EscapeStop::done && reason_not_to(bottlenecks, more) == EscapeStop::done) {
+        bottlenecks.carry(more, false, work(more));
+        with_curves(bottlenecks, [&] {
           measure();
           compare();
         });
@@ -50,41 +50,41 @@ class Builder {
       std::erase_if(result_.table, [&](const EscapeFraction& row) { return row.crossings > result_.crossings; });
       result_.stop = EscapeStop::cancelled;
     }
-    if (result_.bottlenecks.empty()) result_.bottlenecks = std::move(necks.list);
+    if (result_.bottlenecks.empty()) result_.bottlenecks = std::move(bottlenecks.list);
     return std::move(result_);
   }
 
  private:
   // One more image of everything, and the rows of n that it makes known, if that is affordable.
-  void go_on(Necks& necks, int n) {
-    result_.stop = reason_not_to(necks, n);
+  void go_on(Bottlenecks& bottlenecks, int n) {
+    result_.stop = reason_not_to(bottlenecks, n);
     if (result_.stop != EscapeStop::done) return;
     const Stopwatch watch;
-    necks.carry(n, true, work(n));
+    bottlenecks.carry(n, true, work(n));
     cost_.add(watch.seconds());
-    with_curves(necks, [&] {
+    with_curves(bottlenecks, [&] {
       lay_out_rows(n);
       measure();
       result_.crossings = n;
       compare();
       if (options_.rows_known) options_.rows_known(result_, n);
     });
-    const bool known =
-        std::all_of(result_.table.begin(), result_.table.end(), [](const EscapeFraction& row) { return row.known(); });
-    if (!known) result_.stop = necks.out_of_points() ? EscapeStop::points : EscapeStop::lost;
+    const bool known = std::all_of(result_.table.begin(), result_.table.end(),
+                                   [](const EscapeFraction& row) { return row.is_known(); });
+    if (!known) result_.stop = bottlenecks.out_of_points() ? EscapeStop::points : EscapeStop::lost;
   }
 
   // `done` when the images of this number may be made.
-  EscapeStop reason_not_to(Necks& necks, int images) {
+  EscapeStop reason_not_to(Bottlenecks& bottlenecks, int images) {
     if (processor_.seconds() > options_.budget) return EscapeStop::budget;
-    const Necks::Ahead ahead = necks.look_ahead(images, images <= options_.crossings);
+    const Bottlenecks::Ahead ahead = bottlenecks.look_ahead(images, images <= options_.crossings);
     const double so_far = processor_.seconds();
-    const double seconds = ahead.crossings * so_far / std::max(necks.crossings_so_far(), 1.0);
+    const double seconds = ahead.crossings * so_far / std::max(bottlenecks.crossings_so_far(), 1.0);
     if (images <= options_.crossings) {
       result_.points_ahead = ahead.points;
       result_.seconds_ahead = seconds;
     }
-    if (ahead.points > static_cast<double>(options_.most_points)) return EscapeStop::points;
+    if (ahead.points > static_cast<double>(options_.max_points)) return EscapeStop::points;
     return so_far + seconds > options_.budget ? EscapeStop::budget : EscapeStop::done;
   }
 
@@ -96,24 +96,24 @@ class Builder {
 
   // The curves belong to the result while `function` runs.
   template <typename Function>
-  void with_curves(Necks& necks, const Function& function) {
-    std::swap(necks.list, result_.bottlenecks);
+  void with_curves(Bottlenecks& bottlenecks, const Function& function) {
+    std::swap(bottlenecks.list, result_.bottlenecks);
     function();
-    std::swap(necks.list, result_.bottlenecks);
+    std::swap(bottlenecks.list, result_.bottlenecks);
   }
 
   // Directions alternate, so that m fixes where a trajectory is and n.
   void lay_out_rows(int wanted) {
-    const auto& necks = result_.bottlenecks;
-    for (std::size_t i = 0; i < necks.size(); ++i) {
-      const int start = necks[i].entry[0].direction;
-      for (std::size_t j = 0; j < necks.size(); ++j) {
+    const auto& bottlenecks = result_.bottlenecks;
+    for (std::size_t i = 0; i < bottlenecks.size(); ++i) {
+      const int start = bottlenecks[i].entry[0].direction;
+      for (std::size_t j = 0; j < bottlenecks.size(); ++j) {
         int n = 0;
         for (int m = 0;; ++m) {
           const int here = m % 2 == 0 ? start : -start;
           n += here == result_.section.direction;
           if (n > wanted) break;
-          if (n != wanted || here != necks[j].exit[0].direction) continue;
+          if (n != wanted || here != bottlenecks[j].exit[0].direction) continue;
           EscapeFraction row;
           row.entry = i;
           row.exit = j;
@@ -135,11 +135,11 @@ class Builder {
 
   struct Split {
     int forward;
-    int torn;
+    int cut;
     std::size_t points;
   };
 
-  // Those with the fewest torn curves first, then those with the fewest points.
+  // Those with the fewest cut curves first, then those with the fewest points.
   [[nodiscard]] std::vector<Split> splits_of(const EscapeFraction& row) const {
     const auto &entries = result_.bottlenecks[row.entry].entry, &exits = result_.bottlenecks[row.exit].exit;
     std::vector<Split> splits;
@@ -147,10 +147,10 @@ class Builder {
       const auto forward = static_cast<std::size_t>(a), backward = static_cast<std::size_t>(row.iterates - a);
       if (forward >= entries.size() || backward >= exits.size()) continue;
       const TubeCurve &first = entries[forward], &second = exits[backward];
-      splits.push_back({a, first.torn + second.torn, first.image.points.size() + second.image.points.size()});
+      splits.push_back({a, first.cut + second.cut, first.image.points.size() + second.image.points.size()});
     }
     std::stable_sort(splits.begin(), splits.end(), [](const Split& x, const Split& y) {
-      return x.torn != y.torn ? x.torn < y.torn : x.points < y.points;
+      return x.cut != y.cut ? x.cut < y.cut : x.points < y.points;
     });
     return splits;
   }
@@ -160,7 +160,7 @@ class Builder {
     const Bottleneck &from = result_.bottlenecks[row.entry], &to = result_.bottlenecks[row.exit];
     const TubeCurve& a = from.entry[static_cast<std::size_t>(forward)];
     const TubeCurve& b = to.exit[static_cast<std::size_t>(row.iterates - forward)];
-    if (a.torn || b.torn) {
+    if (a.cut || b.cut) {
       const CommonArea common = common_area_by_winding(a.view(), b.view());
       return {common.area / from.area, (common.error + a.cut_off + b.cut_off) / from.area};
     }
@@ -172,9 +172,9 @@ class Builder {
   }
 
   void measure(EscapeFraction& row) const {
-    if (row.known() && row.other == row.other) return;
+    if (row.is_known() && row.other == row.other) return;
     std::vector<Split> splits = splits_of(row);
-    if (row.known()) {
+    if (row.is_known()) {
       std::erase_if(splits, [&](const Split& split) { return split.forward == row.forward; });
     } else if (!splits.empty()) {
       const CommonArea best = fraction(row, splits[0].forward);
@@ -182,10 +182,10 @@ class Builder {
       row.error = best.error;
       row.forward = splits[0].forward;
       row.backward = row.iterates - row.forward;
-      row.torn = splits[0].torn > 0;
+      row.cut = splits[0].cut > 0;
       splits.erase(splits.begin());
     }
-    if (splits.empty() || (splits[0].torn > 0 && !row.torn)) return;
+    if (splits.empty() || (splits[0].cut > 0 && !row.cut)) return;
     const CommonArea other = fraction(row, splits[0].forward);
     row.other = other.area;
     row.other_error = other.error;
@@ -245,16 +245,17 @@ std::string name_of(const EscapeFraction& row) {
          " after crossing " + std::to_string(row.crossings);
 }
 
-void compare_areas(std::span<const Bottleneck> necks, Agreement& agreement) {
-  for (std::size_t number = 0; number < necks.size(); ++number) {
-    const Bottleneck& neck = necks[number];
-    for (const auto* curves : {&neck.entry, &neck.exit}) {
+void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement& agreement) {
+  for (std::size_t number = 0; number < bottlenecks.size(); ++number) {
+    const Bottleneck& bottleneck = bottlenecks[number];
+    for (const auto* curves : {&bottleneck.entry, &bottleneck.exit}) {
       for (std::size_t k = 0; k < curves->size(); ++k) {
         const TubeCurve& curve = (*curves)[k];
         if (!curve.complete) continue;
-        agreement.compare({std::string("the area of ") + (curves == &neck.entry ? "entrance " : "exit ") +
+        agreement.compare({std::string("the area of ") + (curves == &bottleneck.entry ? "entrance " : "exit ") +
                                std::to_string(number + 1) + ", image " + std::to_string(k),
-                           "its points", "action", curve.area, neck.area, curve.area_error + neck.area_error});
+                           "its points", "action", curve.area, bottleneck.area,
+                           curve.area_error + bottleneck.area_error});
       }
     }
   }
@@ -267,9 +268,9 @@ std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, do
   known.bound_coordinate = section.bound_coordinate;
   known.bound = section.bound;
   known.bound_side = section.bound_side;
-  Necks necks(flow, known, energy, saddles, options);
-  necks.cut_first();
-  return std::move(necks.list);
+  Bottlenecks bottlenecks(flow, known, energy, saddles, options);
+  bottlenecks.cut_first();
+  return std::move(bottlenecks.list);
 }
 
 Escape escape(const Flow& flow, const Section& section, double energy, std::span<const FlowState> saddles,
@@ -290,7 +291,7 @@ std::vector<Survival> survival(const Escape& result, std::size_t entry) {
     bool any = false;
     for (const EscapeFraction& part : result.table) {
       if (part.entry != entry || part.crossings != n) continue;
-      if (!part.known()) return steps;
+      if (!part.is_known()) return steps;
       any = true;
       sum.left[part.exit] += part.fraction;
       sum.remains -= part.fraction;

@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::size_t grain = 2048;  // trajectories a block
 
-struct Gate {
+struct SectionCurve {
   IndexedCurve curve;
   Box box;
   int direction;
-  explicit Gate(const TubeCurve& c) : curve(c.view()), box(box_of(c.view().points())), direction(c.direction) {}
-  [[nodiscard]] bool holds(Point p) const { return meet(box, Box::of(p, p)) && encloses(curve, p); }
+  explicit SectionCurve(const TubeCurve& c) : curve(c.view()), box(box_of(c.view().points())), direction(c.direction) {}
+  [[nodiscard]] bool holds(Point p) const { return meet(box, Box::of(p, p)) && contains(curve, p); }
 };
 
 class Counter {
@@ -29,9 +29,9 @@ class Counter {
   Counter(const Flow& flow, const Escape& result, const MonteCarloOptions& options)
       : flow_(flow), result_(result), options_(options), both_(result.section) {
     both_.direction = 0;
-    for (const Bottleneck& neck : result.bottlenecks) {
-      entries_.emplace_back(neck.entry[0]);
-      exits_.emplace_back(neck.exit[0]);
+    for (const Bottleneck& bottleneck : result.bottlenecks) {
+      entries_.emplace_back(bottleneck.entry[0]);
+      exits_.emplace_back(bottleneck.exit[0]);
     }
     for (const EscapeFraction& row : result.table) most_ = std::max(most_, row.iterates);
   }
@@ -74,14 +74,14 @@ class Counter {
   }
 
   [[nodiscard]] Point sample(std::size_t entry, std::uint64_t k) const {
-    const Gate& gate = entries_[entry];
+    const SectionCurve& curve = entries_[entry];
     std::uint64_t bits = mixed(options_.seed ^ mixed(k * result_.bottlenecks.size() + entry));
     for (;;) {
       bits = mixed(bits);
       const double x = unit(bits);
       bits = mixed(bits);
-      const Point p{gate.box.min_x() + x * gate.box.width(), gate.box.min_y() + unit(bits) * gate.box.height()};
-      if (gate.holds(p)) return p;
+      const Point p{curve.box.min_x() + x * curve.box.width(), curve.box.min_y() + unit(bits) * curve.box.height()};
+      if (curve.holds(p)) return p;
     }
   }
 
@@ -89,7 +89,7 @@ class Counter {
   const Escape& result_;
   const MonteCarloOptions& options_;
   Section both_;
-  std::vector<Gate> entries_, exits_;
+  std::vector<SectionCurve> entries_, exits_;
   int most_ = 0;
 };
 
@@ -98,12 +98,12 @@ class Counter {
 MonteCarlo monte_carlo(const Flow& flow, const Escape& result, const MonteCarloOptions& options) {
   if (options.trajectories == 0) throw UsageError("a Monte Carlo check needs trajectories");
   const Counter counter(flow, result, options);
-  const std::size_t necks = result.bottlenecks.size();
+  const std::size_t bottlenecks = result.bottlenecks.size();
   const std::size_t blocks = (options.trajectories + grain - 1) / grain;
-  std::vector<std::vector<std::uint64_t>> counts(necks, std::vector<std::uint64_t>(counter.columns() + 1));
+  std::vector<std::vector<std::uint64_t>> counts(bottlenecks, std::vector<std::uint64_t>(counter.columns() + 1));
   std::mutex mutex;
   std::size_t done = 0;
-  for_each_block(necks * blocks, 1, [&](std::size_t k, std::size_t) {
+  for_each_block(bottlenecks * blocks, 1, [&](std::size_t k, std::size_t) {
     const std::size_t entry = k / blocks;
     const std::uint64_t begin = (k % blocks) * grain;
     const auto here = counter.count(entry, begin, std::min<std::uint64_t>(begin + grain, options.trajectories));
@@ -111,7 +111,7 @@ MonteCarlo monte_carlo(const Flow& flow, const Escape& result, const MonteCarloO
     const std::lock_guard lock(mutex);
     for (std::size_t i = 0; i < here.size(); ++i) counts[entry][i] += here[i];
     ++done;
-    if (options.progress && !options.progress(static_cast<double>(done) / static_cast<double>(necks * blocks))) {
+    if (options.progress && !options.progress(static_cast<double>(done) / static_cast<double>(bottlenecks * blocks))) {
       throw Cancelled();
     }
   });
@@ -123,11 +123,11 @@ MonteCarlo monte_carlo(const Flow& flow, const Escape& result, const MonteCarloO
     MonteCarloFraction found;
     found.count = counter.in(counts[row.entry], row.exit, row.iterates);
     found.fraction = static_cast<double>(found.count) / total;
-    const double expected = row.known() ? row.fraction : found.fraction;
+    const double expected = row.is_known() ? row.fraction : found.fraction;
     found.standard_error = std::sqrt(std::max(expected * (1 - expected), 0.0) / total);
     // Where the table says nothing leaves, one trajectory that does is as much as one standard error.
     const double scale = std::max(found.standard_error, 1 / total);
-    if (row.known()) {
+    if (row.is_known()) {
       check.largest_deviation = std::max(check.largest_deviation, std::fabs(found.fraction - row.fraction) / scale);
     }
     check.table.push_back(found);

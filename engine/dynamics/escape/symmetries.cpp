@@ -21,14 +21,15 @@ struct Signs {
 };
 
 // States in the box that the orbits span, enlarged by half.
-std::vector<FlowState> states_about(std::span<const Bottleneck> necks) {
+std::vector<FlowState> states_about(std::span<const Bottleneck> bottlenecks) {
   FlowState low, high;
   low.fill(0);
   high.fill(0);
   for (std::size_t k = 0; k < dimension; ++k) {
-    low[k] = high[k] = necks[0].orbit.state[k];
-    for (const Bottleneck& neck : necks) {
-      for (const FlowState& state : {neck.orbit.state, neck.orbit.turning[0], neck.orbit.turning[1]}) {
+    low[k] = high[k] = bottlenecks[0].orbit.state[k];
+    for (const Bottleneck& bottleneck : bottlenecks) {
+      for (const FlowState& state :
+           {bottleneck.orbit.state, bottleneck.orbit.turning[0], bottleneck.orbit.turning[1]}) {
         low[k] = std::min(low[k], state[k]);
         high[k] = std::max(high[k], state[k]);
       }
@@ -58,26 +59,27 @@ bool keeps_hamiltonian(const Flow& flow, const Signs& signs, std::span<const Flo
 }
 
 // Empty when some bottleneck becomes none.
-std::vector<std::size_t> permutation(const Signs& signs, std::span<const Bottleneck> necks) {
+std::vector<std::size_t> permutation(const Signs& signs, std::span<const Bottleneck> bottlenecks) {
   std::vector<std::size_t> becomes;
-  for (const Bottleneck& neck : necks) {
-    const FlowState image = signs(neck.orbit.saddle.at);
-    for (std::size_t j = 0; j < necks.size(); ++j) {
+  for (const Bottleneck& bottleneck : bottlenecks) {
+    const FlowState image = signs(bottleneck.orbit.saddle.at);
+    for (std::size_t j = 0; j < bottlenecks.size(); ++j) {
       double distance = 0;
-      for (std::size_t k = 0; k < dimension; ++k) distance += std::fabs(image[k] - necks[j].orbit.saddle.at[k]);
+      for (std::size_t k = 0; k < dimension; ++k) distance += std::fabs(image[k] - bottlenecks[j].orbit.saddle.at[k]);
       if (distance < 1e-6) {
         becomes.push_back(j);
         break;
       }
     }
   }
-  return becomes.size() == necks.size() ? becomes : std::vector<std::size_t>();
+  return becomes.size() == bottlenecks.size() ? becomes : std::vector<std::size_t>();
 }
 
 }  // namespace
 
-std::vector<EscapeSymmetry> symmetries(const Flow& flow, const Section& section, std::span<const Bottleneck> necks) {
-  const std::vector<FlowState> states = states_about(necks);
+std::vector<EscapeSymmetry> symmetries(const Flow& flow, const Section& section,
+                                       std::span<const Bottleneck> bottlenecks) {
+  const std::vector<FlowState> states = states_about(bottlenecks);
   const auto pairs = flow.conjugate_pairs();
   std::vector<EscapeSymmetry> found;
   for (unsigned pattern = 1; pattern < 1U << dimension; ++pattern) {
@@ -88,7 +90,7 @@ std::vector<EscapeSymmetry> symmetries(const Flow& flow, const Section& section,
       return signs.sign[static_cast<std::size_t>(pair.q)] * signs.sign[static_cast<std::size_t>(pair.p)];
     };
     if (of_pair(pairs[0]) != of_pair(pairs[1]) || !keeps_hamiltonian(flow, signs, states)) continue;
-    std::vector<std::size_t> becomes = permutation(signs, necks);
+    std::vector<std::size_t> becomes = permutation(signs, bottlenecks);
     if (!becomes.empty()) found.push_back({of_pair(pairs[0]) < 0, std::move(becomes)});
   }
   return found;

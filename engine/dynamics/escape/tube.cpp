@@ -155,7 +155,7 @@ TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCu
   };
   ImageOptions tracing;
   tracing.tolerance = options.tolerance;
-  tracing.most_points = options.most_points;
+  tracing.max_points = options.max_points;
   if (options.progress) tracing.progress = [&](const GrowthProgress&) { return options.progress(); };
   std::vector<double> guide;
   if (before != nullptr) {
@@ -168,7 +168,7 @@ TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCu
       sequence, ends, tracing, [](const CurveImage&) { return false; }, guide)[0]);
   curve.direction = direction_of(branch, section, k);
   curve.complete =
-      curve.image.flaws.empty() && curve.image.stop != GrowthStop::points && curve.image.points.size() >= 8;
+      curve.image.diagnostics.empty() && curve.image.stop != GrowthStop::points && curve.image.points.size() >= 8;
   if (curve.complete) {
     const SmoothArea area = smooth_area(ClosedCurve::borrow(curve.image.points));
     curve.area = std::fabs(area.area);

@@ -27,10 +27,10 @@ std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& loc
   }
   points.assign(outwards.rbegin(), outwards.rend());
   // And inwards along P, where errors shrink.
-  constexpr int most_images = 4000;
+  constexpr int max_images = 4000;
   constexpr double gone = 1e-22;
   double s = place.parameter;
-  for (int k = 0; k < most_images && std::fabs(s) > gone * local.reach; ++k) {
+  for (int k = 0; k < max_images && std::fabs(s) > gone * local.reach; ++k) {
     s /= image.factor;
     at = local.at(s);
     std::vector<Point> between{at};
@@ -119,8 +119,8 @@ ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unst
   ConnectingOrbit best;
   best.residual = std::numeric_limits<double>::infinity();
   int without_gain = 0;
-  constexpr int most_rounds = 40;
-  for (int round = 0; round < most_rounds && without_gain < 3; ++round) {
+  constexpr int max_rounds = 40;
+  for (int round = 0; round < max_rounds && without_gain < 3; ++round) {
     const MovingPoint on_u = point_on(map, unstable, u), on_s = point_on(map, stable, s);
     const Point apart{on_s.at.x - on_u.at.x, on_s.at.y - on_u.at.y};
     const double residual = std::hypot(apart.x, apart.y);
@@ -140,7 +140,7 @@ ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unst
   }
   const double distance = std::hypot(best.at.x - unstable.saddle.x, best.at.y - unstable.saddle.y);
   if (!(best.residual <= 1e-6 * distance)) {
-    throw DataError("no orbit between the saddles was found near " + place_text(best.at) +
+    throw DataError("no orbit between the saddles was found near " + format_point(best.at) +
                     ": the manifolds do not cross there, or touch");
   }
   const std::vector<Point> before = towards_saddle(map, unstable, best.u);

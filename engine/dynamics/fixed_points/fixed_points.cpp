@@ -9,6 +9,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
+#include "engine/dynamics/fixed_points/classify.hpp"
 #include "engine/dynamics/fixed_points/displacement_grid.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -21,50 +22,6 @@ namespace {
 void require(const FixedPointOptions& options) {
   if (options.period < 1) throw UsageError("the period of a fixed point must be at least 1");
   if (options.grid < 2) throw UsageError("the grid of a scan for fixed points must have at least 2 points a side");
-}
-
-Point direction(const Matrix2& a, double eigenvalue) {
-  const Point first{a.xy, eigenvalue - a.xx};
-  const Point second{eigenvalue - a.yy, a.yx};
-  Point v = length(first) > length(second) ? first : second;
-  const double norm = length(v);
-  if (norm == 0) return {1, 0};
-  v = {v.x / norm, v.y / norm};
-  const bool turn = std::abs(v.x) > 1e-9 ? v.x < 0 : v.y < 0;
-  return turn ? Point{-v.x, -v.y} : v;
-}
-
-/// Fills in what follows from the derivative.
-void classify(FixedPoint& point) {
-  const Matrix2& a = point.derivative;
-  const double half_trace = 0.5 * (a.xx + a.yy);
-  const double det = determinant(a);
-  // (trace / 2)^2 - det, without the cancellation of that form.
-  const double half_difference = 0.5 * (a.xx - a.yy);
-  const double discriminant = half_difference * half_difference + a.xy * a.yx;
-  const auto compare_to_1 = [](double modulus) { return std::abs(modulus - 1) <= 1e-7 ? 0 : modulus > 1 ? 1 : -1; };
-  if (discriminant < 0) {
-    const double imaginary = std::sqrt(-discriminant);
-    point.eigenvalues = {std::complex(half_trace, imaginary), std::complex(half_trace, -imaginary)};
-    const int side = compare_to_1(std::sqrt(det));
-    point.kind = side == 0 ? FixedPointKind::centre : side > 0 ? FixedPointKind::repelling : FixedPointKind::attracting;
-    return;
-  }
-  const double first = half_trace + std::copysign(std::sqrt(discriminant), half_trace);
-  const double second = first != 0 ? det / first : 0;
-  point.eigenvalues = {first, second};
-  point.directions = {direction(a, first), direction(a, second)};
-  const int larger = compare_to_1(std::abs(first));
-  const int smaller = compare_to_1(std::abs(second));
-  if (larger == 0 || smaller == 0) {
-    point.kind = FixedPointKind::parabolic;
-  } else if (larger == smaller) {
-    point.kind = larger > 0 ? FixedPointKind::repelling : FixedPointKind::attracting;
-  } else if (first * second < 0) {
-    point.kind = FixedPointKind::reversing_saddle;
-  } else {
-    point.kind = first > 0 ? FixedPointKind::saddle : FixedPointKind::inverse_saddle;
-  }
 }
 
 FixedPoint describe(const PlanarMap& map, Point at, const FixedPointOptions& options) {
@@ -115,10 +72,10 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
   require(options);
   const NewtonEnd end = newton(map, guess, options, 0.5 * size_at(guess));
   if (!end.converged) {
-    throw DataError("no point of period " + std::to_string(options.period) + " found from " + place_text(guess) +
-                    (std::isfinite(end.residual)
-                         ? ": Newton's method ended at " + place_text(end.at) + ", off by " + shortest(end.residual)
-                         : ": it has no image under the map"));
+    throw DataError("no point of period " + std::to_string(options.period) + " found from " + format_point(guess) +
+                    (std::isfinite(end.residual) ? ": Newton's method ended at " + format_point(end.at) + ", off by " +
+                                                       format_number(end.residual)
+                                                 : ": it has no image under the map"));
   }
   return describe(map, end.at, options);
 }
@@ -150,11 +107,11 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle&
   }
   if (result.empty()) {
     const auto [place, least] = grid.nearest();
-    throw DataError("no point of period " + std::to_string(options.period) + " in [" + shortest(box.min_x) + ", " +
-                    shortest(box.max_x) + "] x [" + shortest(box.min_y) + ", " + shortest(box.max_y) + "]: " +
-                    (std::isnan(least)
-                         ? "no point of the box has an image"
-                         : "the displacement is least, " + shortest(least) + ", at " + place_text(place)));
+    throw DataError(
+        "no point of period " + std::to_string(options.period) + " in [" + format_number(box.min_x) + ", " +
+        format_number(box.max_x) + "] x [" + format_number(box.min_y) + ", " + format_number(box.max_y) + "]: " +
+        (std::isnan(least) ? "no point of the box has an image"
+                           : "the displacement is least, " + format_number(least) + ", at " + format_point(place)));
   }
   std::sort(result.begin(), result.end(), [](const FixedPoint& a, const FixedPoint& b) {
     return std::tuple(a.period, a.at.x, a.at.y) < std::tuple(b.period, b.at.x, b.at.y);

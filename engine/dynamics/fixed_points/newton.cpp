@@ -33,39 +33,37 @@ Displacement displacement(const PlanarMap& map, Point z, int period, Point shift
   return result;
 }
 
-NewtonEnd newton(const PlanarMap& map, Point z, const FixedPointOptions& options, double reach) {
-  Displacement here = displacement(map, z, options.period, options.shift);
-  double residual = length(here.gap);
-  if (!is_finite(here.gap)) return {z, residual, false};
-  for (int k = 0; k < 60; ++k) {
+NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach) {
+  constexpr int max_rounds = 60, min_rounds = 8, max_halvings = 12;
+  Displacement here = displacement(map, guess, options.period, options.shift);
+  Point z = guess;
+  NewtonEnd best{z, length(here.gap), false};
+  for (int round = 1; round < max_rounds && best.residual > 0; ++round) {
     Point step = newton_step(here);
-    double longest = length(step);
-    if (residual == 0) return {z, residual, is_inside(map, z, options.period)};
-    if (!std::isfinite(longest)) return {z, residual, false};
-    const bool close = longest <= 1e-8 * size_at(z);
-    if (longest > reach) {
-      step = {step.x * reach / longest, step.y * reach / longest};
-      longest = reach;
-    }
-    bool better = false;
-    for (int halvings = 0; halvings < 12 && !better; ++halvings) {
+    const double size = length(step);
+    if (!std::isfinite(size)) break;
+    const bool close = size <= 1e-8 * size_at(z);
+    if (size > reach) step = {step.x * reach / size, step.y * reach / size};
+    // Far from the point each step has to bring it nearer. Close to it rounding decides, and the best of some is taken.
+    for (int halvings = 0;; ++halvings) {
       const Point next{z.x + step.x, z.y + step.y};
-      const Displacement there = displacement(map, next, options.period, options.shift);
-      const double next_residual = length(there.gap);
-      if (next_residual < residual) {
+      here = displacement(map, next, options.period, options.shift);
+      if (close || length(here.gap) < best.residual) {
         z = next;
-        here = there;
-        residual = next_residual;
-        better = true;
-      } else if (close && std::isfinite(next_residual)) {
-        // As near as rounding allows.
-        return {z, residual, residual <= 1e-7 * size_at(z) && is_inside(map, z, options.period)};
+        break;
       }
+      if (halvings == max_halvings) return best;
       step = {0.5 * step.x, 0.5 * step.y};
     }
-    if (!better) return {z, residual, false};
+    const double residual = length(here.gap);
+    if (residual < best.residual) {
+      best = {z, residual, false};
+    } else if (!std::isfinite(residual) || round > min_rounds) {
+      break;
+    }
   }
-  return {z, residual, false};
+  best.converged = best.residual <= 1e-7 * size_at(best.at) && is_inside(map, best.at, options.period);
+  return best;
 }
 
 }  // namespace lober

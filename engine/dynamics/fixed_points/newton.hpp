@@ -25,8 +25,9 @@ struct NewtonEnd {
   bool converged = false;
 };
 
-/// Damped, with steps no longer than `reach`, until the residual falls no further. Converged: it is small then, and the
-/// map is defined all round the point.
-NewtonEnd newton(const PlanarMap& map, Point z, const FixedPointOptions& options, double reach);
+/// Damped, with steps no longer than `reach`, until the residual falls no further, after nine evaluations at least: the
+/// point of the least residual. Converged: that is small, and the map is defined all round the point. A negative period
+/// stands for iterates of the inverse.
+NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach);
 
 }  // namespace lober

@@ -12,7 +12,7 @@ namespace {
 
 void require_sensible(const LocalManifold& local, const GrowthOptions& options) {
   if (!(options.tolerance > 0)) throw UsageError("grow: the tolerance has to be positive");
-  if (!(options.longest >= 0)) throw UsageError("grow: the longest segment cannot be negative");
+  if (!(options.max_length >= 0)) throw UsageError("grow: the maximum length of a segment cannot be negative");
   if (!(options.length > 0)) throw UsageError("grow: the length has to be positive");
   if (options.iterates < 0 && !std::isfinite(options.length)) {
     throw UsageError("grow: either the number of iterates or the length has to be given");
@@ -28,15 +28,15 @@ Branch branch_towards(const LocalManifold& local, Point direction) {
   return local.tangent.x * direction.x + local.tangent.y * direction.y < 0 ? Branch::minus : Branch::plus;
 }
 
-std::string_view name(GrowthFlawCause cause) {
+std::string_view name(GrowthDiagnosticCause cause) {
   switch (cause) {
-    case GrowthFlawCause::failed:
+    case GrowthDiagnosticCause::failed:
       return "failed";
-    case GrowthFlawCause::spacing:
+    case GrowthDiagnosticCause::spacing:
       return "spacing";
-    case GrowthFlawCause::most_rounds:
+    case GrowthDiagnosticCause::max_rounds:
       return "most-rounds";
-    case GrowthFlawCause::left_box:
+    case GrowthDiagnosticCause::left_box:
       return "left-box";
   }
   return "";

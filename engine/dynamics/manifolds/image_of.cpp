@@ -18,10 +18,10 @@ constexpr std::size_t batch = 64;
 TraceOptions options_for_tracing(const ImageOptions& given, const Samples& guide) {
   TraceOptions options;
   options.tolerance = given.tolerance;
-  options.longest = given.longest;
-  options.most_points = std::min<std::size_t>(given.most_points, (std::size_t{1} << 31) - 2) + 1;
-  options.least_spacing = 64 * std::numeric_limits<double>::epsilon() *
-                          std::max(std::fabs(guide.parameters.front()), std::fabs(guide.parameters.back()));
+  options.max_length = given.max_length;
+  options.max_points = std::min<std::size_t>(given.max_points, (std::size_t{1} << 31) - 2) + 1;
+  options.min_spacing = 64 * std::numeric_limits<double>::epsilon() *
+                        std::max(std::fabs(guide.parameters.front()), std::fabs(guide.parameters.back()));
   options.batch = batch;
   options.box = box_of(given.box);
   if (!(options.box.width() >= 0)) {
@@ -52,7 +52,7 @@ void trace_in_turn(const ImageOptions& given, Samples guide, std::vector<std::ui
     CurveImage result;
     result.images = images;
     if (trace.out_of_points) result.stop = GrowthStop::points;
-    append_finite(trace, 0, result.points, result.parameters, result.flaws);
+    append_finite(trace, 0, result.points, result.parameters, result.diagnostics);
     if (!finished(done, std::move(result)) || trace.out_of_points) return;
     guide = std::move(trace.samples);
     kept = std::move(trace.kept);
@@ -86,8 +86,8 @@ CurveImage traced_image(const PlanarMap& map, int iterates, const ImageOptions& 
 
 void require_sensible(const ImageOptions& options) {
   if (!(options.tolerance > 0)) throw UsageError("image: the tolerance has to be positive");
-  if (!(options.longest > 0)) throw UsageError("image: the longest segment has to be positive");
-  if (options.most_points < 3) throw UsageError("image: there has to be room for three points");
+  if (!(options.max_length > 0)) throw UsageError("image: the maximum length of a segment has to be positive");
+  if (options.max_points < 3) throw UsageError("image: there has to be room for three points");
 }
 
 // The last sample repeats the first.

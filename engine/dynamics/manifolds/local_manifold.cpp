@@ -11,6 +11,8 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
+#include "engine/dynamics/fixed_points/classify.hpp"
+#include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/maps/linear_algebra.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/chebyshev.hpp"
@@ -47,29 +49,9 @@ struct Saddle {
   Point tangent;
 };
 
-// Newton's method for F(z) = z, until it no longer comes closer; none if that is not close.
 std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
-  Point best = guess, at = guess;
-  double least = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < 50; ++round) {
-    Matrix2 a;
-    const Point image = map.iterate_with_derivative(at, steps, a);
-    const Point r{image.x - at.x, image.y - at.y};
-    const double size = std::hypot(r.x, r.y);
-    if (!is_finite(image)) break;
-    if (!(size < least)) {
-      if (round > 8 || least == 0) break;
-    } else {
-      least = size;
-      best = at;
-    }
-    const double determinant = (a.xx - 1) * (a.yy - 1) - a.xy * a.yx;
-    if (determinant == 0) break;
-    at.x -= (r.x * (a.yy - 1) - a.xy * r.y) / determinant;
-    at.y -= ((a.xx - 1) * r.y - a.yx * r.x) / determinant;
-  }
-  if (!(least <= 1e-7 * (1 + length(best)))) return std::nullopt;
-  return best;
+  const NewtonEnd end = newton(map, guess, {.period = steps}, 0.5 * size_at(guess));
+  return end.converged ? std::optional(end.at) : std::nullopt;
 }
 
 // The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. Of
@@ -77,33 +59,24 @@ std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point 
 Point saddle_place(const PlanarMap& map, int steps, Point guess) {
   const std::optional<Point> own = refined_fixed_point(map, steps, guess);
   const std::optional<Point> forward = steps > 0 ? own : refined_fixed_point(map, -steps, guess);
-  if (!own && !forward) throw DataError("no fixed point of the map was found near " + place_text(guess));
+  if (!own && !forward) throw DataError("no fixed point of the map was found near " + format_point(guess));
   if (!own) return *forward;
   const bool same = forward && distance(*forward, *own) <= 1e-8 * (1 + length(*own));
   return same ? *forward : *own;
 }
 
 Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
-  const Point at = saddle_place(map, steps, guess);
-  Matrix2 a;
-  if (!is_finite(map.iterate_with_derivative(at, steps, a))) {
-    throw DataError("the map cannot be evaluated at its fixed point " + place_text(at));
+  FixedPoint saddle;
+  saddle.at = saddle_place(map, steps, guess);
+  if (!is_finite(map.iterate_with_derivative(saddle.at, steps, saddle.derivative))) {
+    throw DataError("the map cannot be evaluated at its fixed point " + format_point(saddle.at));
   }
-  // Half the trace, and a determinant free of cancellation: eigenvalues m +- sqrt(((axx - ayy) / 2)^2 + axy ayx).
-  const double mean = (a.xx + a.yy) / 2, half = (a.xx - a.yy) / 2;
-  const double discriminant = half * half + a.xy * a.yx;
-  const double root = std::sqrt(std::max(discriminant, 0.0));
-  const double large = mean + std::copysign(root, mean);
-  const double small = (a.xx * a.yy - a.xy * a.yx) / large;
-  if (!(discriminant > 0) || !(std::fabs(large) > 1) || !(std::fabs(small) < 1)) {
-    throw DataError("the fixed point " + place_text(at) + " is not a saddle");
+  classify(saddle);
+  if (saddle.kind != FixedPointKind::saddle && saddle.kind != FixedPointKind::inverse_saddle &&
+      saddle.kind != FixedPointKind::reversing_saddle) {
+    throw DataError("the fixed point " + format_point(saddle.at) + " is not a saddle");
   }
-  // Either row of A - large gives the eigenvector; the longer one is safe.
-  Point v{a.xy, large - a.xx}, w{large - a.yy, a.yx};
-  if (std::hypot(w.x, w.y) > std::hypot(v.x, v.y)) v = w;
-  double length = std::hypot(v.x, v.y);
-  if (std::fabs(v.x) > 1e-12 * length ? v.x < 0 : v.y < 0) length = -length;
-  return {at, large, {v.x / length, v.y / length}};
+  return {saddle.at, saddle.eigenvalues[0].real(), saddle.directions[0]};
 }
 
 // The derivative that a system gives against differences of the map along both axes: everything that is made of it is
@@ -122,9 +95,9 @@ void require_derivative_fits(const PlanarMap& map, int steps, Point at) {
     if (!is_finite(difference)) return;
     const Point given = along_x ? Point{a.xx, a.yx} : Point{a.xy, a.yy};
     if (distance(difference, given) <= fits * size) continue;
-    throw DataError("the derivative that the system gives at " + place_text(at) + " does not fit its map: along " +
-                    (along_x ? "x" : "y") + " it is " + place_text(given) + ", differences of the map say " +
-                    place_text(difference));
+    throw DataError("the derivative that the system gives at " + format_point(at) + " does not fit its map: along " +
+                    (along_x ? "x" : "y") + " it is " + format_point(given) + ", differences of the map say " +
+                    format_point(difference));
   }
 }
 
@@ -295,7 +268,7 @@ void require_sensible(const LocalManifoldOptions& options) {
   if (options.period < 1) throw UsageError("local manifold: the period has to be 1 or more");
   if (options.degree < 2 || options.degree > 200) throw UsageError("local manifold: the degree has to be 2 .. 200");
   if (!(options.tolerance > 0)) throw UsageError("local manifold: the tolerance has to be positive");
-  if (!(options.longest > 0)) throw UsageError("local manifold: the longest reach has to be positive");
+  if (!(options.max_length > 0)) throw UsageError("local manifold: the maximum length has to be positive");
 }
 
 // The largest reach at which the defect is acceptable.
@@ -304,17 +277,17 @@ Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifo
   const double allowed = options.tolerance * scale;
   // Small enough to be right, so that what defect there is belongs to the map.
   std::optional<Candidate> best;
-  double reach = std::min(1e-2 * scale, options.longest);
+  double reach = std::min(1e-2 * scale, options.max_length);
   for (int attempt = 0; attempt < 20 && !best; ++attempt, reach /= 8) {
     best = solver.solved(solver.linear(reach));
     if (best && !(best->defect_across <= 1e-9 * scale)) best.reset();
   }
-  if (!best) throw DataError("no invariant curve was found through the saddle " + place_text(saddle.at));
+  if (!best) throw DataError("no invariant curve was found through the saddle " + format_point(saddle.at));
   const double noise = 4 * best->defect_across, noise_along = 4 * best->defect;
   for (double factor = 4; factor > 1.1;) {
     const double next = best->reach * factor;
     std::optional<Candidate> candidate;
-    if (next <= options.longest) candidate = solver.solved(solver.continued(*best, next));
+    if (next <= options.max_length) candidate = solver.solved(solver.continued(*best, next));
     const auto acceptable = [&] {
       return candidate->defect_across <= std::max(allowed, noise) &&
              candidate->defect <= std::max(allowed * std::fabs(saddle.multiplier), noise_along);

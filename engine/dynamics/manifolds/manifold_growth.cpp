@@ -16,7 +16,7 @@ namespace {
 // What one point costs at the peak: two copies with their parameters, flags, counts and the next guide.
 constexpr std::size_t bytes_per_point = 120;
 
-// Parameters of P are told apart from here on: P rounds to so many ulps of the largest coordinate.
+// Parameters of P are told apart from here on: P rounds to this number of ulps of the largest coordinate.
 constexpr double ulps_apart = 64;
 
 // A piece is stretched by no more than this in one image, but for a little.
@@ -52,8 +52,8 @@ void ManifoldGrowth::set_up_tracing() {
     throw UsageError("grow: the tolerance is below what coordinates of this size resolve");
   }
   trace_options_.tolerance = options_.tolerance;
-  trace_options_.longest = options_.longest > 0 ? options_.longest : extent / 50;
-  trace_options_.least_spacing = ulps_apart * std::max(rounding, local_.reach * 1e-16);
+  trace_options_.max_length = options_.max_length > 0 ? options_.max_length : extent / 50;
+  trace_options_.min_spacing = ulps_apart * std::max(rounding, local_.reach * 1e-16);
   trace_options_.box = box_of(options_.box);
   trace_options_.cut = !options_.whole_pieces;
   if (options_.box.empty()) {
@@ -61,7 +61,7 @@ void ManifoldGrowth::set_up_tracing() {
     trace_options_.box =
         Box::of({local_.saddle.x - reach, local_.saddle.y - reach}, {local_.saddle.x + reach, local_.saddle.y + reach});
   }
-  max_points_ = std::min(options_.most_points, options_.most_memory / bytes_per_point);
+  max_points_ = std::min(options_.max_points, options_.max_memory / bytes_per_point);
   max_points_ = std::min<std::size_t>(max_points_, (std::size_t{1} << 31) - 1);
   if (max_points_ < 2) throw UsageError("grow: there has to be room for two points");
 }
@@ -148,7 +148,7 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
     const double from = side_ * result_.parameters[k];
     const double to = side_ * result_.parameters[k + 1] * std::pow(ratio_, next - generation);
     const double step = (to - from) / parts;
-    if (!(step > trace_options_.least_spacing)) continue;
+    if (!(step > trace_options_.min_spacing)) continue;
     for (int j = 1; j < parts; ++j) insertions.push_back({k, generation, from + j * step, {}});
   }
   if (insertions.empty() || insertions.size() > max_points_ - std::min(max_points_, result_.points.size())) return {};
@@ -176,10 +176,10 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
     return vertex + static_cast<std::size_t>(before - insertions.begin());
   };
   for (std::size_t& begin : result_.generation_begin) begin = moved(begin);
-  for (GrowthFlaw& flaw : result_.flaws) {
-    const std::size_t end = moved(flaw.first + flaw.count);
-    flaw.first = moved(flaw.first);
-    flaw.count = end - flaw.first;
+  for (GrowthDiagnostic& diagnostic : result_.diagnostics) {
+    const std::size_t end = moved(diagnostic.first + diagnostic.count);
+    diagnostic.first = moved(diagnostic.first);
+    diagnostic.count = end - diagnostic.first;
   }
   return added;
 }
@@ -193,7 +193,7 @@ CurveFunction ManifoldGrowth::image(int generation) const {
   };
 }
 
-// So many evaluations, each of so many images.
+// The number of evaluations, and of images in each.
 void ManifoldGrowth::count(std::size_t evaluations, int images) {
   result_.images += static_cast<std::uint64_t>(evaluations) * static_cast<std::uint64_t>(images) *
                     static_cast<std::uint64_t>(std::abs(steps_));
@@ -220,12 +220,12 @@ std::optional<Trace> ManifoldGrowth::traced_piece(Samples guide, int generation)
   const auto steps = static_cast<std::uint64_t>(std::max(1, generation * std::abs(steps_)));
   const std::uint64_t images_left = options_.max_images - std::min(options_.max_images, result_.images);
   const std::size_t room = max_points_ - std::min(max_points_, result_.points.size());
-  options.most_points = static_cast<std::size_t>(std::min<std::uint64_t>(room, images_left / steps));
-  if (options.most_points < 2) {
+  options.max_points = static_cast<std::size_t>(std::min<std::uint64_t>(room, images_left / steps));
+  if (options.max_points < 2) {
     points_needed_ = static_cast<double>(guide.points.size());
     return std::nullopt;
   }
-  options.most_length = options_.length - result_.length;
+  options.max_total_length = options_.length - result_.length;
   options.evaluated = [&](std::size_t evaluations) { count(evaluations, generation); };
   const auto last = static_cast<std::uint32_t>(guide.points.size() - 1);
   Trace trace = traced(std::move(guide), {0, last}, image(generation), options);
@@ -278,7 +278,7 @@ Samples ManifoldGrowth::carried(Samples guide, int generation, double end) {
 void ManifoldGrowth::append(const Trace& trace, int generation) {
   const CancellationScope shield(CancellationScope::Shield{});  // half a generation could not be kept
   const std::size_t begin = result_.points.size();
-  append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.flaws);
+  append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.diagnostics);
   if (side_ < 0) {
     for_each_block(result_.parameters.size() - begin, pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) result_.parameters[begin + k] *= side_;
@@ -316,7 +316,7 @@ void ManifoldGrowth::add_length(std::size_t begin) {
       if (result_.length < options_.length) continue;
       result_.points.resize(k + 2);
       result_.parameters.resize(k + 2);
-      cut_flaws(result_.flaws, k + 1);
+      cut_diagnostics(result_.diagnostics, k + 1);
       return;
     }
   }

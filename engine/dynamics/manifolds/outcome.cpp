@@ -6,9 +6,9 @@
 namespace lober {
 
 void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points, Buffer<double>& parameters,
-                   std::vector<GrowthFlaw>& flaws) {
+                   std::vector<GrowthDiagnostic>& diagnostics) {
   const Samples& samples = trace.samples;
-  // Samples without an image are next to flaws, so that from one flaw to the next all are taken.
+  // Samples without an image are next to diagnostics, so that from one diagnostic to the next all are taken.
   std::size_t next = first;
   const auto take_to = [&](std::size_t end) {
     if (next >= end) return;
@@ -20,26 +20,29 @@ void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points,
   const auto finite = [&](std::size_t k) {
     return std::isfinite(samples.points[k].x) && std::isfinite(samples.points[k].y);
   };
-  for (const GrowthFlaw& flaw : trace.flaws) {
-    const std::size_t k = flaw.first;
+  for (const GrowthDiagnostic& diagnostic : trace.diagnostics) {
+    const std::size_t k = diagnostic.first;
     take_to(finite(k) ? k + 1 : k);
     next = std::max(next, finite(k + 1) ? k + 1 : k + 2);
     if (points.empty()) continue;  // nothing to join
-    const GrowthFlaw here{points.size() - 1, 1, flaw.cause};
-    if (!flaws.empty() && flaws.back().first + flaws.back().count > here.first) continue;  // the same gap
-    if (!flaws.empty() && flaws.back().cause == here.cause && flaws.back().first + flaws.back().count == here.first) {
-      ++flaws.back().count;
+    const GrowthDiagnostic here{points.size() - 1, 1, diagnostic.cause};
+    if (!diagnostics.empty() && diagnostics.back().first + diagnostics.back().count > here.first)
+      continue;  // the same gap
+    if (!diagnostics.empty() && diagnostics.back().cause == here.cause &&
+        diagnostics.back().first + diagnostics.back().count == here.first) {
+      ++diagnostics.back().count;
     } else {
-      flaws.push_back(here);
+      diagnostics.push_back(here);
     }
   }
   take_to(samples.points.size());
-  cut_flaws(flaws, points.empty() ? 0 : points.size() - 1);
+  cut_diagnostics(diagnostics, points.empty() ? 0 : points.size() - 1);
 }
 
-void cut_flaws(std::vector<GrowthFlaw>& flaws, std::size_t segments) {
-  while (!flaws.empty() && flaws.back().first >= segments) flaws.pop_back();
-  if (!flaws.empty()) flaws.back().count = std::min(flaws.back().count, segments - flaws.back().first);
+void cut_diagnostics(std::vector<GrowthDiagnostic>& diagnostics, std::size_t segments) {
+  while (!diagnostics.empty() && diagnostics.back().first >= segments) diagnostics.pop_back();
+  if (!diagnostics.empty())
+    diagnostics.back().count = std::min(diagnostics.back().count, segments - diagnostics.back().first);
 }
 
 }  // namespace lober

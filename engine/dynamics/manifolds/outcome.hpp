@@ -1,4 +1,4 @@
-// From samples to a curve with flaws (private to dynamics/).
+// From samples to a curve with diagnostics (private to dynamics/).
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,12 @@
 
 namespace lober {
 
-/// Appends the samples from number `first` on to a curve, without those whose image is not finite; flaws are numbered
-/// by the segments of the curve, and neighbouring ones of the same cause joined.
+/// Appends the samples from number `first` on to a curve, without those whose image is not finite; diagnostics are
+/// numbered by the segments of the curve, and neighbouring ones of the same cause joined.
 void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points, Buffer<double>& parameters,
-                   std::vector<GrowthFlaw>& flaws);
+                   std::vector<GrowthDiagnostic>& diagnostics);
 
-/// Drops flaws of segments from number `segments` on.
-void cut_flaws(std::vector<GrowthFlaw>& flaws, std::size_t segments);
+/// Drops diagnostics of segments from number `segments` on.
+void cut_diagnostics(std::vector<GrowthDiagnostic>& diagnostics, std::size_t segments);
 
 }  // namespace lober

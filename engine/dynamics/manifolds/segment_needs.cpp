@@ -9,7 +9,7 @@ namespace lober {
 namespace {
 
 // Neighbouring segments differ in length per parameter by no more than this factor.
-constexpr double most_uneven = 4;
+constexpr double max_unevenness = 4;
 constexpr double corner = -1;  // in the place of a curvature
 
 }  // namespace
@@ -39,7 +39,7 @@ void SegmentNeeds::measure(const Samples& samples, std::span<const std::uint32_t
     const double a = length_[k] * gap[k + 1], b = length_[k + 1] * gap[k];
     const double longer = length_[k] > length_[k + 1] ? length_[k] : length_[k + 1];
     const double larger = a > b ? a : b, smaller = a > b ? b : a;
-    const bool smooth = bend[k] >= 0, seen = longer >= visible, far = larger > most_uneven * smaller;
+    const bool smooth = bend[k] >= 0, seen = longer >= visible, far = larger > max_unevenness * smaller;
     differ[k] = static_cast<std::uint8_t>(smooth & seen & far);
   }
   for (std::size_t k = 0; k < count; ++k) {
@@ -48,7 +48,7 @@ void SegmentNeeds::measure(const Samples& samples, std::span<const std::uint32_t
     unknown_[k] = larger < 0 ? 1 : 0;
     uneven_[k] = static_cast<std::uint8_t>(differ[k] | differ[k + 1]);
   }
-  parts_needed(&length_[1], curvature_.data(), count, {options.tolerance, options.longest, most_parts}, need_.data());
+  parts_needed(&length_[1], curvature_.data(), count, {options.tolerance, options.max_length, max_parts}, need_.data());
 }
 
 }  // namespace lober

@@ -11,13 +11,13 @@
 namespace lober {
 
 /// No segment is cut into more parts at once: estimates that ask for more know too little.
-inline constexpr double most_parts = 16;
+inline constexpr double max_parts = 16;
 
 struct TracedSegment {
   std::size_t number;
   double length;
   double curvature;  ///< the larger of those at its ends
-  double need;       ///< parts, a real number; at most most_parts
+  double need;       ///< parts, a real number; at most max_parts
   bool unknown;      ///< both ends are corners, so that nothing tells how the curve bends in between
   bool uneven;       ///< the curve is run through at a very different speed next to it: a fold may hide there
 };

@@ -18,8 +18,8 @@ constexpr double reserve = 1.08;
 // A segment is taken for too coarse when the estimate comes so close to the tolerance, because it is one.
 constexpr double caution = 0.97;
 // Points lie by so much, as a fraction, more or less densely, where that lets a point of the guide stay.
-constexpr double most_stretching = 0.04;
-// The guide has to be no coarser than so many parts of a segment, and to turn by no more than so much (radians).
+constexpr double max_stretching = 0.04;
+// The guide has at least this number of parts a segment, and turns by no more than this (radians).
 constexpr double coarsest_guide = 5;
 constexpr double sharpest_guide = 0.7;
 // Where the map fails on one side, the edge is sought to this fraction of the range of the parameter.
@@ -37,20 +37,20 @@ class Tracer {
  public:
   Tracer(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function, const TraceOptions& options)
       : samples_(std::move(guide)), kept_(std::move(kept)), function_(function), options_(options) {
-    edge_ = std::max(2 * options.least_spacing,
-                     edge_resolution * (samples_.parameters.back() - samples_.parameters.front()));
+    edge_ =
+        std::max(2 * options.min_spacing, edge_resolution * (samples_.parameters.back() - samples_.parameters.front()));
   }
 
   Trace run() {
     verdicts_.assign(segments(), open);
-    while (rounds_ < options_.most_rounds && insert_where([&](const TracedSegment& s) { return guided(s); })) {
+    while (rounds_ < options_.max_rounds && insert_where([&](const TracedSegment& s) { return guided(s); })) {
     }
     if (!abandoned()) place_evenly();
     verdicts_.assign(segments(), open);
-    while (!abandoned() && rounds_ < options_.most_rounds &&
+    while (!abandoned() && rounds_ < options_.max_rounds &&
            insert_where([&](const TracedSegment& s) { return judged(s); })) {
     }
-    if (!abandoned()) collect_flaws();
+    if (!abandoned()) collect_diagnostics();
     trace_.samples = std::move(samples_);
     trace_.kept = std::move(kept_);
     return std::move(trace_);
@@ -92,8 +92,8 @@ class Tracer {
   }
 
   [[nodiscard]] std::uint32_t allowed(const TracedSegment& segment, double parts) const {
-    const double most = std::floor(gap(segment.number) / std::max(options_.least_spacing, 1e-300));
-    return static_cast<std::uint32_t>(std::max(1.0, std::min({std::ceil(parts), most_parts, most})));
+    const double most = std::floor(gap(segment.number) / std::max(options_.min_spacing, 1e-300));
+    return static_cast<std::uint32_t>(std::max(1.0, std::min({std::ceil(parts), max_parts, most})));
   }
 
   [[nodiscard]] std::uint32_t parts_for_guide(const TracedSegment& segment) const {
@@ -117,12 +117,12 @@ class Tracer {
   using Verdict = std::uint8_t;
   static constexpr Verdict open = 0, fine = 1;
   [[nodiscard]] Verdict verdict(const TracedSegment& segment, Kind what) const {
-    GrowthFlawCause cause = GrowthFlawCause::most_rounds;
+    GrowthDiagnosticCause cause = GrowthDiagnosticCause::max_rounds;
     if (what == Kind::ordinary) {
       if (!(segment.need > 1)) return fine;
-      if (gap(segment.number) < 2 * options_.least_spacing) cause = GrowthFlawCause::spacing;
+      if (gap(segment.number) < 2 * options_.min_spacing) cause = GrowthDiagnosticCause::spacing;
     } else {
-      cause = what == Kind::outside ? GrowthFlawCause::left_box : GrowthFlawCause::failed;
+      cause = what == Kind::outside ? GrowthDiagnosticCause::left_box : GrowthDiagnosticCause::failed;
     }
     return static_cast<Verdict>(fine + 1 + static_cast<int>(cause));
   }
@@ -175,7 +175,7 @@ class Tracer {
         [](std::size_t k) { return static_cast<std::uint32_t>(k); });
     if (broken.empty()) return false;
     const auto begin = running_sums(broken.size(), [&](std::size_t k) { return more[broken[k]]; });
-    if (samples_.points.size() + begin[broken.size()] > options_.most_points) {
+    if (samples_.points.size() + begin[broken.size()] > options_.max_points) {
       end_where_points_run_out(broken, begin);
       return !abandoned();
     }
@@ -236,10 +236,10 @@ class Tracer {
       return;
     }
     std::size_t k = 0;
-    while (k < broken.size() && broken[k] + 1 + begin[k + 1] <= options_.most_points) ++k;
+    while (k < broken.size() && broken[k] + 1 + begin[k + 1] <= options_.max_points) ++k;
     // Up to broken[k] nothing exceeds; leave room for what the next rounds add there.
     const std::size_t size = std::max<std::size_t>(
-        2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)], options_.most_points - begin[k]));
+        2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)], options_.max_points - begin[k]));
     truncate(std::min(size, samples_.points.size() - 1));
   }
 
@@ -249,9 +249,9 @@ class Tracer {
     for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
       for_segments(first, last, [&](const TracedSegment& segment) {
         const Kind what = kind(segment.number);
-        // Outside the box nothing is asked for: the guide itself, thinned.
+        // Outside the box nothing is asked for: the guide itself, simplified.
         double parts = what == Kind::ordinary ? segment.need * reserve : what == Kind::edge ? 1 : 0.5;
-        parts = std::min(parts, gap(segment.number) / std::max(options_.least_spacing, 1e-300));
+        parts = std::min(parts, gap(segment.number) / std::max(options_.min_spacing, 1e-300));
         need[segment.number] = parts;
       });
     });
@@ -277,10 +277,10 @@ class Tracer {
 
   // Cuts what lies beyond the length asked for. Chords are shorter than the curve, so enough remains.
   void end_by_length(Buffer<double>& need) {
-    if (options_.most_length < std::numeric_limits<double>::infinity()) {
+    if (options_.max_total_length < std::numeric_limits<double>::infinity()) {
       double length = 0;
       std::size_t k = 0;
-      while (k < segments() && length <= options_.most_length) {
+      while (k < segments() && length <= options_.max_total_length) {
         const double more = distance(samples_.points[k], samples_.points[k + 1]);
         length += std::isfinite(more) ? more : 0;
         ++k;
@@ -290,7 +290,7 @@ class Tracer {
     double points = 1 + static_cast<double>(kept_.size());
     if (!options_.cut) {
       for (std::size_t k = 0; k < segments(); ++k) points += need[k];
-      if (points > static_cast<double>(options_.most_points)) {
+      if (points > static_cast<double>(options_.max_points)) {
         trace_.out_of_points = true;
         trace_.points_needed = points;
       }
@@ -299,7 +299,7 @@ class Tracer {
     }
     for (std::size_t k = 0; k < segments(); ++k) {
       points += need[k];
-      if (points > static_cast<double>(options_.most_points)) {
+      if (points > static_cast<double>(options_.max_points)) {
         trace_.out_of_points = true;
         truncate(std::max<std::size_t>(k, 1) + 1);
         break;
@@ -323,7 +323,7 @@ class Tracer {
       const bool stays = k + 1 == kept_[j];
       if (stays) ++j;
       const double parts = std::max(1.0, stays ? std::ceil(sum) : std::round(sum));
-      if (!stays && !(std::fabs(parts - sum) <= most_stretching * sum)) continue;
+      if (!stays && !(std::fabs(parts - sum) <= max_stretching * sum)) continue;
       const double scale = sum > 0 ? parts / sum : 0;
       for (std::size_t i = first; i <= k; ++i) place[i] = begin + std::min(place[i] * scale, parts);
       begin += parts;
@@ -368,19 +368,19 @@ class Tracer {
         [&](std::size_t k, Point point) { even.points[fresh[k]] = point; });
   }
 
-  void collect_flaws() {
-    if (rounds_ == options_.most_rounds || trace_.out_of_points) {  // some may be open still
+  void collect_diagnostics() {
+    if (rounds_ == options_.max_rounds || trace_.out_of_points) {  // some may be open still
       verdicts_.resize(segments());
       for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
         for_segments(first, last, [&](const TracedSegment& s) { verdicts_[s.number] = verdict(s, kind(s.number)); });
       });
     }
-    const Buffer<GrowthFlaw> flaws = gathered<GrowthFlaw>(
+    const Buffer<GrowthDiagnostic> diagnostics = gathered<GrowthDiagnostic>(
         segments(), [&](std::size_t k) { return verdicts_[k] > fine; },
         [&](std::size_t k) {
-          return GrowthFlaw{k, 1, static_cast<GrowthFlawCause>(verdicts_[k] - fine - 1)};
+          return GrowthDiagnostic{k, 1, static_cast<GrowthDiagnosticCause>(verdicts_[k] - fine - 1)};
         });
-    trace_.flaws.assign(flaws.begin(), flaws.end());
+    trace_.diagnostics.assign(diagnostics.begin(), diagnostics.end());
   }
 
   Samples samples_;

@@ -28,23 +28,23 @@ struct Samples {
 
 struct TraceOptions {
   double tolerance = 0;
-  double longest = 0;
-  double least_spacing = 0;  ///< parameters come no closer
-  Box box;                   ///< only what lies in it has to meet the tolerance
-  std::size_t most_points = 0;
+  double max_length = 0;
+  double min_spacing = 0;  ///< parameters come no closer
+  Box box;                 ///< only what lies in it has to meet the tolerance
+  std::size_t max_points = 0;
   bool cut = true;  ///< where points run out, the samples end there; else the trace is abandoned
-  double most_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
-  std::uint32_t most_rounds = 40;
+  double max_total_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
+  std::uint32_t max_rounds = 40;
   std::size_t batch = 64;
-  std::function<void(std::size_t)> evaluated;  ///< told about so many more evaluations; may throw to cancel
+  std::function<void(std::size_t)> evaluated;  ///< told the number of further evaluations; may throw to cancel
 };
 
 struct Trace {
   Samples samples;
-  std::vector<std::uint32_t> kept;  ///< where the points that stayed are now
-  std::vector<GrowthFlaw> flaws;    ///< segments of the samples, ascending; each one apart
-  bool out_of_points = false;       ///< most_points was reached: the samples end where that was, or are worthless
-  double points_needed = 0;         ///< of a trace that was abandoned, about
+  std::vector<std::uint32_t> kept;            ///< where the points that stayed are now
+  std::vector<GrowthDiagnostic> diagnostics;  ///< segments of the samples, ascending; each one apart
+  bool out_of_points = false;  ///< max_points was reached: the samples end where that was, or are worthless
+  double points_needed = 0;    ///< of a trace that was abandoned, about
 };
 
 /// Points of the guide with the numbers `kept` (ascending, the first and the last among them) stay; the curve may have

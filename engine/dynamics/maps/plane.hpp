@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/point.hpp"
 #include "lober/planar_map.hpp"
 
 namespace lober {
@@ -26,10 +27,6 @@ inline double determinant(const Matrix2& a) {
 inline Matrix2 inverse(const Matrix2& a) {
   const double d = determinant(a);
   return {a.yy / d, -a.xy / d, -a.yx / d, a.xx / d};
-}
-
-inline double length(Point v) {
-  return std::hypot(v.x, v.y);
 }
 
 }  // namespace lober

@@ -25,7 +25,7 @@ class VortexPair {
       : gamma_(gamma), eps_(eps), vv_(0.5 * std::exp(eps) / std::cyl_bessel_i(0.0, std::abs(eps))) {
     // I_k(-e) = (-1)^k I_k(e). The terms fall off faster than (e/2)^k / k!.
     const double size = std::abs(eps);
-    for (std::size_t k = 1; k <= most_terms; ++k) {
+    for (std::size_t k = 1; k <= max_terms; ++k) {
       const double sign = eps < 0 && k % 2 == 1 ? -1 : 1;
       coefficient_[k] = sign * std::cyl_bessel_i(static_cast<double>(k), size) /
                         (static_cast<double>(k) * std::cyl_bessel_i(0.0, size));
@@ -77,11 +77,11 @@ class VortexPair {
     return {-gamma_ / y * next * sine, y, sine};
   }
 
-  static constexpr std::size_t most_terms = 40;
+  static constexpr std::size_t max_terms = 40;
   double gamma_;
   double eps_;
   double vv_;
-  std::array<double, most_terms + 1> coefficient_{};
+  std::array<double, max_terms + 1> coefficient_{};
   std::size_t terms_ = 0;
 };
 

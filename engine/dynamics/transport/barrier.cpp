@@ -62,13 +62,13 @@ std::vector<Point> clipped(std::vector<Point> polygon, const Box& box) {
 }
 
 // Area between the segments of a closed polygon that meet a box and smooth curves through its vertices, by estimate.
-double sagitta_area(const std::vector<Point>& polygon, const Box& box) {
+double chord_area(const std::vector<Point>& polygon, const Box& box) {
   double sum = 0;
   const std::size_t size = polygon.size();
   for (std::size_t k = 0; k < size; ++k) {
     const Point a = polygon[k], b = polygon[(k + 1) % size];
     if (!meet(Box::of(a, b), box)) continue;
-    sum += std::fabs(twice_sagitta_area(polygon[(k + size - 1) % size], a, b, polygon[(k + 2) % size])) / 2;
+    sum += std::fabs(twice_chord_area(polygon[(k + size - 1) % size], a, b, polygon[(k + 2) % size])) / 2;
   }
   return sum;
 }
@@ -87,7 +87,7 @@ Measured by_overlay(const std::vector<Point>& first, const std::vector<Point>& s
     const Regions found = regions(ClosedCurve::borrow(one), ClosedCurve::borrow(other));
     double sum = 0;
     for (const WindingArea& entry : found.table()) sum += entry.w1 * entry.w2 * entry.area;
-    return {std::fabs(sum), sagitta_area(first, both) + sagitta_area(second, both) + found.rounding(std::fabs(sum))};
+    return {std::fabs(sum), chord_area(first, both) + chord_area(second, both) + found.rounding(std::fabs(sum))};
   }
 }
 

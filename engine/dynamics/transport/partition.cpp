@@ -22,7 +22,7 @@ class Nesting {
     parents_.resize(barriers.size());
     for (std::size_t c = 0; c < barriers.size(); ++c) {
       for (std::size_t d = 0; d < barriers.size(); ++d) {
-        if (c != d && encloses(d, c) && (!parents_[c] || areas_[d].value < areas_[*parents_[c]].value)) parents_[c] = d;
+        if (c != d && contains(d, c) && (!parents_[c] || areas_[d].value < areas_[*parents_[c]].value)) parents_[c] = d;
       }
     }
   }
@@ -31,7 +31,7 @@ class Nesting {
   [[nodiscard]] Measured area(std::size_t barrier) const { return areas_[barrier]; }
 
  private:
-  [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const {
+  [[nodiscard]] bool contains(std::size_t outer, std::size_t inner) const {
     constexpr double negligible = 1e-6;
     const double whole = areas_[inner].value;
     const double common = area_in_common(outlines_[outer], outlines_[inner], 0).value;

@@ -13,7 +13,7 @@ namespace lober {
 namespace {
 
 constexpr std::size_t samples = 64;
-// A computed point is off by so many roundings of its coordinates where nothing is integrated.
+// A computed point is off by this number of roundings of its coordinates where nothing is integrated.
 constexpr double roundings = 4;
 
 // The lengths of a polyline from its beginning to each of the positions, which ascend in `order`.

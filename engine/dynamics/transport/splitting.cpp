@@ -100,7 +100,7 @@ std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& un
     return true;
   };
   if (!walk(half, 1) || !walk(half - 1, -1)) return std::nullopt;
-  // One iterate outward along U is one iterate inward along S, or the search has strayed to another strand.
+  // One iterate outward along U is one iterate inward along S, or the search has strayed to another arc.
   if (std::fabs(time_of(stable, at[0].s) - time_of(stable, at[samples].s) - 1) > 0.05) return std::nullopt;
 
   Splitting result;

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <mutex>
+#include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "lober/error.hpp"
@@ -51,46 +55,44 @@ SweepRow row_at(const Family& family, double value, const ManifoldTangleOptions&
   return row;
 }
 
-// Regula falsi with the Illinois rule, which never gives up the bracket; a bisection where it gets stuck.
+// The end of a refinement at a value that has no difference.
+struct NoDifference {};
+
+// By the method of Alefeld, Potra & Shi (1995), TOMS 748, which never gives up the bracket.
 SweepZero refined(const Family& family, const SweepRow& first, const SweepRow& last, const SweepOptions& options) {
-  constexpr int most_evaluations = 60;
   SweepZero zero{first.value, last.value, 0, 0, 0, 0, {}};
-  double a = first.value, b = last.value, at_a = first.difference, at_b = last.difference;
-  const double least_end = std::min(std::fabs(at_a), std::fabs(at_b));
-  double weight_a = at_a, weight_b = at_b;  // what the Illinois rule makes of them
-  int side = 0;
-  double width = std::fabs(b - a);
-  while (zero.evaluations < most_evaluations && width > options.zero_tolerance * std::max(std::fabs(a), std::fabs(b))) {
-    double x = zero.evaluations % 4 == 3 ? 0.5 * (a + b) : a - weight_a * (b - a) / (weight_b - weight_a);
-    // Nearer to an end than the zero is asked for, nothing would be learned from the other side.
-    const double margin = 0.25 * options.zero_tolerance * std::fabs(a);
-    x = std::clamp(x, std::min(a, b) + margin, std::max(a, b) - margin);
-    const SweepRow row = row_at(family, x, options.tangle);
+  struct End {
+    double value, difference;
+  };
+  End low{first.value, first.difference}, high{last.value, last.difference};
+  if (low.value > high.value) std::swap(low, high);
+  const End from = low, to = high;
+  const double least_end = std::min(std::fabs(from.difference), std::fabs(to.difference));
+  const auto difference_at = [&](double value) {
+    const SweepRow row = row_at(family, value, options.tangle);
     ++zero.evaluations;
     if (!row.failure.empty() || std::isnan(row.difference)) {
       zero.failure = row.failure;
-      break;
+      throw NoDifference();
     }
-    if (row.difference == 0) {
-      a = b = x;
-      at_a = at_b = 0;
-    } else if (row.difference * at_a > 0) {
-      a = x;
-      weight_a = at_a = row.difference;
-      if (side == 1) weight_b /= 2;
-      side = 1;
-    } else {
-      b = x;
-      weight_b = at_b = row.difference;
-      if (side == -1) weight_a /= 2;
-      side = -1;
-    }
-    width = std::fabs(b - a);
+    if (row.difference * low.difference >= 0) low = {value, row.difference};
+    if (row.difference * high.difference >= 0) high = {value, row.difference};
+    return row.difference;
+  };
+  const auto narrow = [&](double a, double b) {
+    return b - a <= options.zero_tolerance * std::max(std::fabs(a), std::fabs(b));
+  };
+  std::uintmax_t max_evaluations = 60;
+  try {
+    boost::math::tools::toms748_solve(difference_at, from.value, to.value, from.difference, to.difference, narrow,
+                                      max_evaluations);
+  } catch (const NoDifference&) {  // the bracket is what it was
   }
-  const bool nearer_a = std::fabs(at_a) <= std::fabs(at_b);
-  zero.value = nearer_a ? a : b;
-  zero.difference = nearer_a ? at_a : at_b;
-  zero.width = width;
+  const End& nearer = std::fabs(low.difference) <= std::fabs(high.difference) ? low : high;
+  zero.value = nearer.value;
+  zero.difference = nearer.difference;
+  // Ends closer than asked for differ by what the integration leaves, no longer by the zero.
+  zero.width = std::max(high.value - low.value, 0.25 * options.zero_tolerance * std::fabs(zero.value));
   if (zero.failure.empty() && std::fabs(zero.difference) > 0.1 * least_end) {
     zero.failure = "the difference jumps there: it belongs to other pips on either side";
   }
@@ -108,11 +110,14 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
   Sweep result;
   result.rows.resize(values.size());
   std::atomic<std::size_t> done{0};
-  std::atomic<bool> cancelled{false};
+  std::mutex one_at_a_time;
+  bool cancelled = false;
   SweepOptions inner = options;
   // A manifold may take long: it asks as well.
   inner.tangle.progress = [&](const std::string&) {
-    if (options.progress && !options.progress(done)) cancelled = true;
+    if (!options.progress) return true;
+    const std::lock_guard lock(one_at_a_time);
+    cancelled = cancelled || !options.progress(done);
     return !cancelled;
   };
   for_each_block(values.size(), 1, [&](std::size_t k, std::size_t) {

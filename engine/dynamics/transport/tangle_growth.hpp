@@ -43,11 +43,15 @@ class TangleGrowth {
     Branch branch{};
     GrowthOptions options;
     std::optional<ManifoldGrowth> growth;
-    std::size_t drawn_in = 0;  // points
+    std::size_t compressed = 0;  // points
   };
   struct Time {
     double u, s;
   };
+  // Pips are followed farther than to where they are by this, in images.
+  static constexpr double beyond = 0.02;
+  // Polygons are finer than the splitting by this factor.
+  static constexpr double finer_than_splitting = 30;
 
   void begin(double tolerance);
   [[nodiscard]] std::uint64_t images() const;

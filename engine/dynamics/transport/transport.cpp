@@ -7,6 +7,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/transport/comparisons.hpp"
 #include "engine/dynamics/transport/cylinder.hpp"
 #include "engine/dynamics/transport/particles.hpp"
 #include "engine/dynamics/transport/series.hpp"
@@ -27,70 +28,8 @@ void require_areas_preserved(const PlanarMap& map, Point saddle) {
   const double largest = std::max({std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
   const double factor = std::fabs(a.xx * a.yy - a.xy * a.yx);
   if (std::fabs(factor - 1) <= 1e-3 + 1e-10 * largest * largest) return;
-  throw DataError("transport: the map does not preserve area, it multiplies it by " + shortest(factor) +
-                  " at the saddle " + place_text(saddle) + "; lober tangle lists its lobes");
-}
-
-std::string pair_text(const char* name, std::size_t i, std::size_t j, int n) {
-  return name + std::to_string(i + 1) + std::to_string(j + 1) + "(" + std::to_string(n) + ")";
-}
-
-// What the rows say of each other and of themselves.
-void compare(Agreement& agreement, const Partition& partition, const TransportStep& step) {
-  const std::size_t regions = partition.size();
-  for (std::size_t i = 0; i < regions; ++i) {
-    for (std::size_t j = 0; j < regions; ++j) {
-      const Measured lobes = step.total(i, j), boundaries = step.by_boundaries(i, j);
-      agreement.compare({pair_text("T", i, j, step.n), "lobes", "boundaries", lobes.value, boundaries.value,
-                         lobes.error + boundaries.error});
-    }
-    const Region& region = partition.regions()[i];
-    if (!region.bounded) continue;
-    // Species i is somewhere.
-    Measured everywhere{}, change{};
-    for (std::size_t j = 0; j < regions; ++j) {
-      everywhere = everywhere + step.total(i, j);
-      change = change + step.flux(i, j);
-    }
-    agreement.compare({"area of species " + std::to_string(i + 1) + " at n = " + std::to_string(step.n), "the region",
-                       "the sum over regions", region.area.value, everywhere.value,
-                       region.area.error + everywhere.error});
-    if (regions == 2) {
-      const Measured out = step.flux(0, 1), in = step.flux(1, 0);
-      agreement.compare({"a(" + std::to_string(step.n) + ")", "what leaves R1", "what enters R1", out.value, in.value,
-                         out.error + in.error});
-    }
-  }
-}
-
-void compare_particles(Agreement& agreement, const TransportStep& step) {
-  for (std::size_t i = 0; i < step.total.size(); ++i) {
-    for (std::size_t j = 0; j < step.total.size(); ++j) {
-      const Measured lobes = step.total(i, j), particles = step.by_particles(i, j);
-      agreement.compare({pair_text("T", i, j, step.n), "lobes", "particles", lobes.value, particles.value,
-                         lobes.error + 5 * particles.error});
-    }
-  }
-}
-
-// How far points of two curves alone are off, by what an area-preserving map would leave unchanged: the area of a lobe
-// of the turnstile and that of its image. The points come from elsewhere, and their spacing says nothing of it. (Images
-// farther out may be drawn coarsely.)
-double point_error_of(const Tangle& tangle) {
-  const std::size_t period = tangle.images.period, bip = tangle.boundary->bip;
-  const auto length = [&](std::size_t lobe) { return perimeter(lobe_outline(tangle, lobe)); };
-  double largest = 0;
-  for (std::size_t k = bip - std::min(bip, period); k < bip && k + period < tangle.lobes.size(); ++k) {
-    const Lobe &lobe = tangle.lobes[k], &image = tangle.lobes[k + period];
-    const double change = std::fabs(image.area - lobe.area);
-    if (change > 0.1 * std::fabs(lobe.area)) {
-      throw DataError("transport: the area of lobe " + std::to_string(k) + " is " + shortest(lobe.area) +
-                      " and that of its image " + shortest(image.area) +
-                      "; the formulas hold for maps that preserve area");
-    }
-    largest = std::max(largest, change / std::min(length(k), length(k + period)));
-  }
-  return largest;
+  throw DataError("transport: the map does not preserve area, it multiplies it by " + format_number(factor) +
+                  " at the saddle " + format_point(saddle) + "; lober tangle lists its lobes");
 }
 
 class Builder {
@@ -109,7 +48,7 @@ class Builder {
         series.emplace(barriers(), cylinder_ ? std::optional(Point{0, 0}) : std::nullopt);
       }
       result_.steps.push_back(series->next());
-      compare(result_.agreement, series->partition(), result_.steps.back());
+      compare_routes(result_.agreement, series->partition(), result_.steps.back());
       if (options_.on_step) options_.on_step(result_.steps.back(), result_.agreement);
     }
     series->extend(barriers());  // of what there is now: the last growth may have added to it without a row
@@ -135,7 +74,7 @@ class Builder {
     connections.insert(connections.end(), options_.further.begin(), options_.further.end());
     ManifoldTangleOptions growth;
     growth.tolerance = options_.tolerance;
-    growth.most_points = options_.most_points;
+    growth.max_points = options_.max_points;
     growth.max_work = options_.max_work;
     growth.budget = options_.budget;
     growth.progress = options_.progress;
@@ -197,9 +136,9 @@ class Builder {
         Point image = at;
         map_.iterate({&image, 1}, 1);
         if (is_finite(image) && away(image) <= kept * length) continue;
-        throw DataError("transport: the boundary of R1 is closed from " + place_text(path.front()) + " to " +
-                        place_text(path.back()) + " by a path that the map does not keep: it takes " + place_text(at) +
-                        " to " + place_text(image) +
+        throw DataError("transport: the boundary of R1 is closed from " + format_point(path.front()) + " to " +
+                        format_point(path.back()) + " by a path that the map does not keep: it takes " +
+                        format_point(at) + " to " + format_point(image) +
                         ", so that fluid crosses there too; give the path that it keeps (closure) or the period of the "
                         "plane (lattice) in the description of the system. lober tangle lists the lobes");
       }
@@ -268,15 +207,15 @@ class Builder {
 
   // The tangle on the cylinder, as fine as it takes for polygons to have the pips there that the plane has.
   void wrap(Place& place, const ManifoldTangle& manifolds, int n) {
-    constexpr int most_refinements = 5;
-    for (int k = 0; k <= most_refinements; ++k) {
+    constexpr int max_refinements = 5;
+    for (int k = 0; k <= max_refinements; ++k) {
       wrap_to(place, manifolds, manifolds.tolerance / std::pow(10, k));
       if (has_pips_of_plane(place, manifolds, n)) return;
     }
     throw DataError(
         "transport: on the cylinder manifolds cross elsewhere than in the plane, by those of the neighbouring "
         "cells or because they lie too close to each other: the bip " +
-        place_text(manifolds.orbits.back().at) + " bounds no region of it");
+        format_point(manifolds.orbits.back().at) + " bounds no region of it");
   }
 
   [[nodiscard]] bool has_pips_of_plane(const Place& place, const ManifoldTangle& manifolds, int n) const {
@@ -310,7 +249,7 @@ class Builder {
     const OpenCurve u = OpenCurve::borrow(place.wrapped_u), s = OpenCurve::borrow(place.wrapped_s);
     try {
       place.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
-    } catch (const NotSimpleError&) {  // strands closer to each other than polygons show
+    } catch (const NotSimpleError&) {  // arcs closer to each other than polygons show
       options.check_simple = false;
       place.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
     }
@@ -366,33 +305,6 @@ class Builder {
 Transport transport(const PlanarMap& map, const Connection& connection, const TransportOptions& options) {
   if (options.iterates < 1) throw UsageError("transport takes at least one iterate");
   return Builder(map, options).build(connection);
-}
-
-TransportOfCurves transport(const Tangle& tangle, int iterates) {
-  if (iterates < 1) throw UsageError("transport takes at least one iterate");
-  if (!tangle.boundary) throw DataError("transport: the manifolds do not cross");
-  if (tangle.images.period == 0) {
-    throw DataError("transport: which pip is the image of which is not known (" + tangle.images.reason +
-                    "); give the period");
-  }
-  Barrier barrier;
-  barrier.tangle = &tangle;
-  barrier.bip = tangle.boundary->bip;
-  barrier.period = tangle.images.period;
-  barrier.curve_error = point_error_of(tangle);
-  barrier.lobes_include_it = false;
-  TransportSeries series({barrier});
-  TransportOfCurves result;
-  result.regions = series.partition().regions();
-  result.enclosed = enclosed_area(barrier, 0);
-  result.area12 = series.turnstiles()[0].area12();
-  result.area21 = series.turnstiles()[0].area21();
-  while (static_cast<int>(result.steps.size()) < iterates && series.reaches_next()) {
-    result.steps.push_back(series.next());
-    compare(result.agreement, series.partition(), result.steps.back());
-  }
-  result.remarks = tangle.remarks;
-  return result;
 }
 
 }  // namespace lober

@@ -18,7 +18,7 @@ bool leaves(const std::vector<Point>& polygon, const Box& box) {
 // Of the regions that wind about, however the polygons cross themselves.
 double area_of_both(const std::vector<Point>& first, const std::vector<Point>& second) {
   try {
-    return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(WindingRule::nonzero).intersection;
+    return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(FillRule::nonzero).intersection;
   } catch (const DataError&) {  // nothing is left of one of them
     return 0;
   }

@@ -7,6 +7,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/geometry/crossings/pair_contacts.hpp"
 #include "engine/geometry/curve/countable.hpp"
 #include "engine/geometry/curve/point_along.hpp"
 #include "kernels/pair_filter.hpp"
@@ -62,7 +63,7 @@ class ContactFinder final : public PairConsumer {
       const PairVerdict verdict = block->verdicts[k];
       if (verdict == PairVerdict::apart) continue;
       if (i >= block->covered_begin && i < block->covered_end) continue;
-      if (verdict == PairVerdict::doubtful) {
+      if (verdict == PairVerdict::uncertain) {
         classify(i, j, end, *block);
       } else {
         block->hits.push_back(crossing(i, j, verdict == PairVerdict::crosses_to_left ? 1 : -1));
@@ -111,25 +112,14 @@ class ContactFinder final : public PairConsumer {
 
  private:
   void classify(std::uint32_t i, std::uint32_t j, std::uint32_t block_end, Block& block) {
-    const auto [a, b] = c1_.segment(i);
-    const auto [c, d] = c2_.segment(j);
-    PredicateCounts& counts = block.counts.predicates;
-    const int side_c = orient2d(a, b, c, counts), side_d = orient2d(a, b, d, counts);
-    if (side_c * side_d > 0) return;
-    const int side_a = orient2d(c, d, a, counts), side_b = orient2d(c, d, b, counts);
-    if (side_a * side_b > 0) return;
-    if (side_a * side_b < 0 && side_c * side_d < 0) {
-      block.hits.push_back(crossing(i, j, side_d));
-      return;
-    }
-    if (a == b || c == d) return;  // repeated vertices carry no segment
-    if (a == c) {
+    const PairContacts found = contacts_of(c1_.segment(i), c2_.segment(j), block.counts.predicates);
+    if (found.rho != 0) block.hits.push_back(crossing(i, j, found.rho));
+    if (found.coincide) {
       block.hits.push_back(at_vertex(i, j, true, true));
       follow_run(i, j, block_end, block);
-      return;
     }
-    if (side_a == 0 && a != d && on_segment(c, d, a, counts)) block.hits.push_back(at_vertex(i, j, true, false));
-    if (side_c == 0 && c != b && on_segment(a, b, c, counts)) block.hits.push_back(at_vertex(i, j, false, true));
+    if (found.start1_on) block.hits.push_back(at_vertex(i, j, true, false));
+    if (found.start2_on) block.hits.push_back(at_vertex(i, j, false, true));
   }
 
   // Vertex i of C1 is vertex j of C2: follows both as long as they have the same vertices, inside the block.
@@ -200,37 +190,16 @@ class ContactFinder final : public PairConsumer {
 
   // Computes the parameters of all hits of the block. Returns whether all are proper crossings.
   bool place(Block& block, std::span<Contact> contacts) {
-    constexpr std::size_t batch = 256;
-    std::array<SegmentCrossing, batch> crossings;
-    std::array<CrossingParameters, batch> parameters;
-    std::array<std::uint32_t, batch> target;
-    std::size_t waiting = 0;
+    ParameterBatch<Contact> batch(scale_);
     bool all_proper = true;
-    const auto flush = [&] {
-      block.counts.exact_parameters += crossing_parameters(crossings.data(), waiting, scale_, parameters.data());
-      for (std::size_t k = 0; k < waiting; ++k) {
-        contacts[target[k]].t1 = parameters[k].t1;
-        contacts[target[k]].t2 = parameters[k].t2;
-      }
-      waiting = 0;
-    };
     for (std::uint32_t k = 0; k < block.hits.size(); ++k) {
       const Hit& hit = block.hits[k];
-      const auto [a, b] = c1_.segment(hit.segment1);
-      const auto [c, d] = c2_.segment(hit.segment2);
-      Contact& contact = contacts[k];
-      contact = {hit.kind(), hit.segment1, hit.segment2, {}, {}};
-      if (hit.proper()) {
-        crossings[waiting] = {a, b, c, d};
-        target[waiting++] = k;
-        if (waiting == batch) flush();
-      } else {
-        all_proper = false;
-        if (!hit.vertex1) contact.t1 = exact_parameter(a, b, {c, c, true});
-        if (!hit.vertex2) contact.t2 = exact_parameter(c, d, {a, a, true});
-      }
+      contacts[k] = {hit.kind(), hit.segment1, hit.segment2, {}, {}};
+      batch.add(c1_.segment(hit.segment1), c2_.segment(hit.segment2), hit.vertex1, hit.vertex2, contacts[k]);
+      all_proper = all_proper && hit.proper();
     }
-    flush();
+    batch.flush();
+    block.counts.exact_parameters += batch.exact();
     return all_proper;
   }
 
@@ -257,8 +226,8 @@ class ContactFinder final : public PairConsumer {
     ++block.counts.comparisons;
     if (x.vertex1 != y.vertex1) return x.vertex1;
     const double difference = (x.t1.hi - y.t1.hi) + (x.t1.lo - y.t1.lo);
-    if (difference < -parameter_doubt) return true;
-    if (difference > parameter_doubt) return false;
+    if (difference < -parameter_uncertainty) return true;
+    if (difference > parameter_uncertainty) return false;
     ++block.counts.exact_orders;
     const auto [a, b] = c1_.segment(x.segment1);
     return compare_along(a, b, implicit(x), implicit(y)) < 0;
@@ -288,7 +257,7 @@ Point place_of(const Contact& contact, const CurveView& c1, const CurveView& c2)
 }
 
 Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind) {
-  const double scale = unite(c1.tree().box(), c2.tree().box()).extent();
+  const double scale = union_of(c1.tree().box(), c2.tree().box()).extent();
   const Stopwatch watch;
   ContactFinder finder(c1.view(), c2.view(), scale);
   const SearchCounts search = find_pairs(c1, c2, kind, finder);

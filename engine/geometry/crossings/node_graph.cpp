@@ -4,7 +4,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/geometry/crossings/arms.hpp"
+#include "engine/geometry/crossings/rotation.hpp"
 
 namespace lober {
 namespace {
@@ -139,9 +139,8 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
       const NodeSpan& span = graph.spans[k];
       const Contact first = graph.contacts[span.first], last = graph.contacts[span.last];
       PredicateCounts& counts = graph.counts.predicates;
-      graph.order[k] = span.direction == 0
-                           ? arm_order_at_point(first, c1.view(), c2.view(), counts)
-                           : arm_order_at_arc(first, last, span.direction, c1.view(), c2.view(), counts);
+      graph.order[k] = span.direction == 0 ? rotation_at_point(first, c1.view(), c2.view(), counts)
+                                           : rotation_at_arc(first, last, span.direction, c1.view(), c2.view(), counts);
       node_of[span.first] = static_cast<std::uint32_t>(k);  // along C2 a node sits where its first contact does
     }
     graph.nodes2.reserve(nodes);

@@ -1,8 +1,9 @@
 // The planar graph of two curves at the places where they meet: what overlay/ (and later tangle/) walk on.
 //
-// A node is a point or a shared arc, in either case a small disc out of which four arms lead: C1 onwards (out1), C2
-// onwards (out2), and the two ways back (in1, in2). Their cyclic order is all the geometry that is left at a node: it
-// says whether the curves cross or touch, and on which side. Directions are those of the input.
+// A node is a point or a shared arc, in either case a small disc out of which four half-edges lead: C1 onwards
+// (forward1), C2 onwards (forward2), and the two ways back (backward1, backward2). Their cyclic order is all the
+// geometry that is left at a node: it says whether the curves cross or touch, and on which side. Directions are those
+// of the input.
 #pragma once
 
 #include <array>
@@ -12,18 +13,19 @@
 
 namespace lober {
 
-enum Arm : std::uint8_t { out1 = 0, out2 = 1, in1 = 2, in2 = 3 };
+enum HalfEdge : std::uint8_t { forward1 = 0, forward2 = 1, backward1 = 2, backward2 = 3 };
 
-/// The arms counter-clockwise from out1. The six possible orders; a node stores its number.
-inline constexpr std::array<std::array<Arm, 4>, 6> arm_orders{{
-    {out1, out2, in1, in2},  // a crossing, C2 from right to left: rho = +1 for curves that run counter-clockwise
-    {out1, in2, in1, out2},  // a crossing, C2 from left to right: rho = -1
-    {out1, out2, in2, in1},  // a touch, C2 on the left of C1 (two ways)
-    {out1, in2, out2, in1},
-    {out1, in1, out2, in2},  // a touch, C2 on the right of C1 (two ways)
-    {out1, in1, in2, out2},
+/// The half-edges counter-clockwise from forward1. The six possible orders; a node stores its number.
+inline constexpr std::array<std::array<HalfEdge, 4>, 6> rotations{{
+    {forward1, forward2, backward1,
+     backward2},  // a crossing, C2 from right to left: rho = +1 for curves that run counter-clockwise
+    {forward1, backward2, backward1, forward2},  // a crossing, C2 from left to right: rho = -1
+    {forward1, forward2, backward2, backward1},  // a touch, C2 on the left of C1 (two ways)
+    {forward1, backward2, forward2, backward1},
+    {forward1, backward1, forward2, backward2},  // a touch, C2 on the right of C1 (two ways)
+    {forward1, backward1, backward2, forward2},
 }};
-enum ArmOrder : std::uint8_t { rightward_to_left = 0, leftward_to_right = 1, first_touch = 2 };
+enum RotationSystem : std::uint8_t { rightward_to_left = 0, leftward_to_right = 1, first_touch = 2 };
 
 /// First and last contact of a node along C1. `direction` is 0 for a point, else how C2 runs along the shared arc
 /// compared with C1, as the input runs.
@@ -36,7 +38,7 @@ struct NodeSpan {
 struct NodeGraph {
   ContactList contacts;             ///< in order along C1
   Buffer<NodeSpan> spans;           ///< in order along C1; empty when every node is the contact of the same number
-  Buffer<std::uint8_t> order;       ///< ArmOrder of each node
+  Buffer<std::uint8_t> order;       ///< RotationSystem of each node
   Buffer<std::uint32_t> contacts2;  ///< contact numbers in order along C2
   Buffer<std::uint32_t> nodes2;     ///< node numbers in order along C2; empty when `spans` is: then see along2()
   Buffer<std::uint32_t> rank2;      ///< place of each node in along2()

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "engine/geometry/crossings/arms.hpp"
 #include "engine/geometry/crossings/require_simple.hpp"
+#include "engine/geometry/crossings/rotation.hpp"
 #include "engine/geometry/curve/point_along.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "kernels/pair_filter.hpp"
@@ -34,7 +34,7 @@ class SelfChecker final : public PairConsumer {
       if (block.verdicts[k] == PairVerdict::apart) continue;
       const bool wanted = block.meetings.size() < most_;
       if (block.first_bad < pair && !wanted) continue;
-      if (block.verdicts[k] == PairVerdict::doubtful && !bad(pair, block.counts)) continue;
+      if (block.verdicts[k] == PairVerdict::uncertain && !bad(pair, block.counts)) continue;
       block.first_bad = std::min(block.first_bad, pair);
       if (wanted) block.meetings.push_back(pair);
     }
@@ -145,7 +145,7 @@ SimpleCheck require_simple_scaled(const IndexedCurve& curve, int number, int exp
 }
 
 SimpleCheck require_simple(const IndexedCurve& curve, int number) {
-  const int exponent = comfortable_exponent(curve.tree().box());
+  const int exponent = scaling_exponent(curve.tree().box());
   if (exponent == 0) return require_simple_scaled(curve, number, 0);
   const std::vector<Point> points = scaled(curve.view(), exponent);
   return require_simple_scaled(IndexedCurve(CurveView{points, curve.view().closed}), number, exponent);

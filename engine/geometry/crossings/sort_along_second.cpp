@@ -36,8 +36,8 @@ Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const Curve
       const Contact cx = contacts[x], cy = contacts[y];
       if (cx.vertex2 != cy.vertex2) return cx.vertex2;
       const double difference = (cx.t2.hi - cy.t2.hi) + (cx.t2.lo - cy.t2.lo);
-      if (difference < -parameter_doubt) return true;
-      if (difference > parameter_doubt || x == y) return false;
+      if (difference < -parameter_uncertainty) return true;
+      if (difference > parameter_uncertainty || x == y) return false;
       ++exact_here;
       const auto [c, d] = c2.segment(cx.segment2);
       return compare_along(c, d, implicit(cx), implicit(cy)) < 0;

@@ -39,7 +39,7 @@ double twice_signed_area(std::span<const Point> points) {
 double signed_area(CurveView curve) {
   const double twice = twice_signed_area(curve.points);
   if (std::isfinite(twice)) return 0.5 * twice;
-  const int exponent = comfortable_exponent(box_of(curve.points));
+  const int exponent = scaling_exponent(box_of(curve.points));
   return scaled_area(twice_signed_area(scaled(curve, exponent)), -1 - 2 * exponent);
 }
 

@@ -9,17 +9,17 @@
 namespace lober {
 namespace {
 
-constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::unite,
+constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::union_,
                              &Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::symmetric_difference};
 
 }  // namespace
 
-int comfortable_exponent(const Box& box) {
-  constexpr int comfortable = 300;  // centroids take products of three lengths, parameters of crossings those too
+int scaling_exponent(const Box& box) {
+  constexpr int max_exponent = 300;  // centroids take products of three lengths, parameters of crossings those too
   int size = 0;
   for (const double lane : box.lane) size = std::max(size, std::abs(lane) == 0 ? 0 : std::ilogb(lane));
   const int extent = box.extent() == 0 ? 0 : std::ilogb(box.extent());
-  return size > comfortable ? -size : extent < -comfortable ? -extent : 0;
+  return size > max_exponent ? -size : extent < -max_exponent ? -extent : 0;
 }
 
 std::vector<Point> scaled(const CurveView& curve, int exponent) {

@@ -11,7 +11,7 @@
 namespace lober {
 
 /// The power of two by which the coordinates of a scene with this box have to be multiplied; 0 nearly always.
-[[nodiscard]] int comfortable_exponent(const Box& box);
+[[nodiscard]] int scaling_exponent(const Box& box);
 
 /// The vertices times 2^exponent. Throws DataError when that is not exact: then coordinates range too widely for areas
 /// in double. O(N).

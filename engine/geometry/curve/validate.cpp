@@ -8,7 +8,7 @@
 namespace lober {
 namespace {
 
-constexpr std::size_t most_vertices = std::size_t{1} << 31;
+constexpr std::size_t max_vertices = std::size_t{1} << 31;
 
 /// How many distinct vertices there are, counted up to three.
 int distinct_vertices(std::span<const Point> points) {
@@ -45,7 +45,7 @@ std::size_t first_not_finite(std::span<const Point> points) {
 
 void require_enough_vertices(CurveView curve, std::string_view name) {
   const auto fail = [&](const std::string& message) { throw DataError(std::string(name) + ": " + message); };
-  if (curve.points.size() >= most_vertices) {
+  if (curve.points.size() >= max_vertices) {
     fail("has " + std::to_string(curve.points.size()) + " vertices, the limit is 2147483647");
   }
   const int needed = curve.closed ? 3 : 2;

@@ -28,18 +28,18 @@ Criteria hobson_criteria(CurveView curve) {
   validate(curve, "the curve to densify");
   const Box box = BoxTree(curve).box();
   const double extent = std::max(box.width(), box.height());
-  return {.longest = Criteria::off, .angle = 0.3, .distance_angle = 1e-3 * extent, .shortest = 1e-6 * extent};
+  return {.max_length = Criteria::off, .angle = 0.3, .distance_angle = 1e-3 * extent, .min_length = 1e-6 * extent};
 }
 
 void require_sensible(const Criteria& criteria) {
-  if (!(criteria.longest > 0) || !(criteria.angle > 0) || !(criteria.distance_angle > 0)) {
+  if (!(criteria.max_length > 0) || !(criteria.angle > 0) || !(criteria.distance_angle > 0)) {
     throw UsageError("densify: distance, angle and distance times angle have to be positive");
   }
-  if (!(criteria.shortest >= 0) || criteria.shortest == Criteria::off) {
-    throw UsageError("densify: the shortest length has to be zero or positive, and finite");
+  if (!(criteria.min_length >= 0) || criteria.min_length == Criteria::off) {
+    throw UsageError("densify: the minimum length has to be zero or positive, and finite");
   }
-  if (criteria.shortest == 0 && counts_angles(criteria)) {
-    throw UsageError("densify: angle criteria need a shortest length, since a corner stays one at any length");
+  if (criteria.min_length == 0 && counts_angles(criteria)) {
+    throw UsageError("densify: angle criteria need a minimum length, since a corner stays one at any length");
   }
 }
 
@@ -70,7 +70,7 @@ Judge::Judge(const Interpolant& interpolant, const Criteria& criteria, double ex
     : interpolant_(interpolant),
       curve_(interpolant.curve()),
       criteria_(criteria),
-      floor_(std::max(criteria.shortest, 0x1p-50 * extent)),
+      floor_(std::max(criteria.min_length, 0x1p-50 * extent)),
       angles_(counts_angles(criteria)) {}
 
 Need Judge::grown(std::uint32_t parts, VertexNeed need, double chord) const {
@@ -81,13 +81,13 @@ Need Judge::grown(std::uint32_t parts, VertexNeed need, double chord) const {
   return {std::max(parts, static_cast<std::uint32_t>(std::min(wanted, most))), true, need.corner};
 }
 
-// With so many parts the criteria hold for all of them and at the vertices between them. One part is the chord,
-// whatever the cubic.
+// The number of parts with which the criteria hold for all of them and at the vertices between them. One part is the
+// chord, whatever the cubic.
 double Judge::parts_by_bounds(const CubicPiece& piece, double chord) const {
-  if (interpolant_.kind() == Interpolation::linear) return chord / criteria_.longest;
+  if (interpolant_.kind() == Interpolation::linear) return chord / criteria_.max_length;
   const PieceBounds bounds = bounds_of(piece);
   const double speed = std::sqrt(bounds.speed2);
-  const double by_length = chord <= criteria_.longest ? 0 : speed / criteria_.longest;
+  const double by_length = chord <= criteria_.max_length ? 0 : speed / criteria_.max_length;
   if (!angles_) return by_length;
   if (!(bounds.advance > 0)) return Criteria::off;
   // asin(x) <= 1.05 x up to x = 1/2; the sine of an angle a <= 1/2 is at least 0.95 a. Larger angles are not bounded.
@@ -170,11 +170,11 @@ VertexNeed Judge::need_by_points(std::size_t segment, const Buffer<std::uint32_t
   if (count >= enough) return need;
   Point a = piece.a, b = second;
   double length = distance(a, b);
-  need.growth = std::max(need.growth, length / criteria_.longest);
+  need.growth = std::max(need.growth, length / criteria_.max_length);
   for (std::uint32_t k = 2; k <= count; ++k) {
     const Point c = point(k);
     const double next_length = distance(b, c), longer = std::max(length, next_length);
-    need.growth = std::max(need.growth, next_length / criteria_.longest);
+    need.growth = std::max(need.growth, next_length / criteria_.max_length);
     if (!angle_surely_holds(criteria_, a, b, c, longer)) {
       need += need_at_vertex(criteria_, turning_angle(a, b, c), 0, longer, 0);
     }

@@ -10,8 +10,8 @@
 
 namespace lober {
 
-/// Throws UsageError for a value that is not positive (`shortest`: negative), not a number, or for an angle criterion
-/// without `shortest`.
+/// Throws UsageError for a value that is not positive (`min_length`: negative), not a number, or for an angle criterion
+/// without `min_length`.
 void require_sensible(const Criteria& criteria);
 
 /// What one vertex asks of a segment that ends there.
@@ -38,9 +38,9 @@ struct VertexNeed {
 /// What a segment needs.
 struct Need {
   std::uint32_t parts = 1;
-  bool too_short = false;  ///< more parts would be shorter than Criteria::shortest
+  bool too_short = false;  ///< more parts would be shorter than Criteria::min_length
   bool corner = false;     ///< at one of its ends is a corner, which no number of parts makes as flat as asked for
-  /// Of an estimate: with so many parts bounds speak for all points but those next to the ends.
+  /// Of an estimate: with that number of parts the bounds hold for all points but those next to the ends.
   std::uint32_t enough = 0;
 };
 
@@ -56,7 +56,7 @@ class Judge {
   [[nodiscard]] bool estimate_is_final() const { return !angles_ || interpolant_.kind() == Interpolation::linear; }
 
   /// By looking at the points that come from `parts` of this segment and of its neighbours; at those next to its ends
-  /// only, where bounds speak for the others: from `enough` parts on (see Need). Never less than parts[segment].
+  /// only, where bounds hold for the others: from `enough` parts on (see Need). Never less than parts[segment].
   /// O(parts[segment]).
   [[nodiscard]] Need judge(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const;
 

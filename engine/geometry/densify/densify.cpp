@@ -11,7 +11,7 @@
 namespace lober {
 namespace {
 
-constexpr std::uint64_t most_vertices = (std::uint64_t{1} << 31) - 1;
+constexpr std::uint64_t max_vertices = (std::uint64_t{1} << 31) - 1;
 
 double largest_coordinate(std::span<const Point> points) {
   std::vector<double> largest((points.size() + pass_grain - 1) / pass_grain, 0);
@@ -35,15 +35,15 @@ State state_of(const Need& need) {
 // The number of parts of every segment, brought up round by round.
 class Rounds {
  public:
-  Rounds(const Judge& judge, std::size_t segments, std::size_t vertices, std::uint64_t most_points)
+  Rounds(const Judge& judge, std::size_t segments, std::size_t vertices, std::uint64_t max_points)
       : judge_(judge),
         extra_(vertices - segments),
-        most_points_(std::min(most_points, most_vertices)),
+        max_points_(std::min(max_points, max_vertices)),
         parts_(segments),
         next_(segments),
         state_(segments) {}
 
-  void run(bool closed, std::uint32_t most_rounds) {
+  void run(bool closed, std::uint32_t max_rounds) {
     for_each_block(parts_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       std::fill(parts_.begin() + static_cast<std::ptrdiff_t>(first), parts_.begin() + static_cast<std::ptrdiff_t>(last),
                 1U);
@@ -58,7 +58,7 @@ class Rounds {
         [](State) { return true; });
     if (judge_.estimate_is_final() || !fits_) return;
     std::fill(state_.begin(), state_.end(), State::waiting);
-    while (rounds_ < most_rounds) {
+    while (rounds_ < max_rounds) {
       const bool changed = round([&](std::size_t k) { return judge_.judge(k, parts_, enough_[k]); },
                                  [](State state) { return state == State::waiting; });
       if (!changed || !fits_) return;
@@ -70,16 +70,16 @@ class Rounds {
   [[nodiscard]] const Buffer<std::uint32_t>& parts() const { return parts_; }
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
 
-  [[nodiscard]] std::vector<Flaw> flaws(const Buffer<std::uint64_t>& begin) const {
+  [[nodiscard]] std::vector<Diagnostic> diagnostics(const Buffer<std::uint64_t>& begin) const {
     const auto cause = [&](std::size_t k) {
-      return state_[k] == State::corner      ? FlawCause::corner
-             : state_[k] == State::too_short ? FlawCause::shortest
+      return state_[k] == State::corner      ? DiagnosticCause::corner
+             : state_[k] == State::too_short ? DiagnosticCause::min_length
                                              : unmet_cause_;
     };
-    const Buffer<Flaw> found = gathered<Flaw>(
+    const Buffer<Diagnostic> found = gathered<Diagnostic>(
         parts_.size(), [&](std::size_t k) { return state_[k] != State::met; },
         [&](std::size_t k) {
-          return Flaw{static_cast<std::uint32_t>(begin[k]), parts_[k], cause(k)};
+          return Diagnostic{static_cast<std::uint32_t>(begin[k]), parts_[k], cause(k)};
         });
     return {found.begin(), found.end()};
   }
@@ -110,14 +110,14 @@ class Rounds {
       return extra_ +
              sum_of(parts_.size(), [&](std::size_t k) { return std::max(parts_[k], std::min(next_[k], cap)); });
     };
-    if (points_with(~0U) <= most_points_) return;
+    if (points_with(~0U) <= max_points_) return;
     std::uint32_t low = 1, high = ~0U;  // low fits, or nothing does; high does not
     while (high - low > 1) {
       const std::uint32_t middle = low + (high - low) / 2;
-      (points_with(middle) <= most_points_ ? low : high) = middle;
+      (points_with(middle) <= max_points_ ? low : high) = middle;
     }
     fits_ = false;
-    unmet_cause_ = FlawCause::most_points;
+    unmet_cause_ = DiagnosticCause::max_points;
     for_each_block(parts_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         const std::uint32_t allowed = std::max(parts_[k], std::min(next_[k], low));
@@ -152,33 +152,29 @@ class Rounds {
 
   const Judge& judge_;
   std::uint64_t extra_;  // the last vertex of an open curve
-  std::uint64_t most_points_;
+  std::uint64_t max_points_;
   Buffer<std::uint32_t> parts_, next_;
   Buffer<std::uint32_t> enough_;  // see Need; only where estimates are not final
   Buffer<State> state_;
   std::uint32_t rounds_ = 0;
   bool fits_ = true;
-  FlawCause unmet_cause_ = FlawCause::most_rounds;
+  DiagnosticCause unmet_cause_ = DiagnosticCause::max_rounds;
 };
 
 }  // namespace
 
-std::string_view name(FlawCause cause) {
+std::string_view name(DiagnosticCause cause) {
   switch (cause) {
-    case FlawCause::most_points:
-      return "most_points";
-    case FlawCause::most_rounds:
-      return "most_rounds";
-    case FlawCause::spacing:
-      return "spacing";
-    case FlawCause::not_finite:
-      return "not_finite";
-    case FlawCause::corner:
+    case DiagnosticCause::max_points:
+      return "max_points";
+    case DiagnosticCause::max_rounds:
+      return "max_rounds";
+    case DiagnosticCause::corner:
       return "corner";
-    case FlawCause::shortest:
+    case DiagnosticCause::min_length:
       break;
   }
-  return "shortest";
+  return "min_length";
 }
 
 DensifiedCurve densify(CurveView curve, const Criteria& criteria, const DensifyOptions& options) {
@@ -190,13 +186,13 @@ DensifiedCurve densify(CurveView curve, const Criteria& criteria, const DensifyO
   const DistinctCurve distinct(curve);
   const Interpolant interpolant(distinct.view(), options.interpolation);
   const Judge judge(interpolant, criteria, largest_coordinate(distinct.view().points));
-  Rounds rounds(judge, distinct.view().segments(), distinct.view().points.size(), options.most_points);
-  rounds.run(curve.closed, options.most_rounds);
+  Rounds rounds(judge, distinct.view().segments(), distinct.view().points.size(), options.max_points);
+  rounds.run(curve.closed, options.max_rounds);
   DensifiedCurve result;
   Buffer<std::uint64_t> begin;
   result.points = subdivided(interpolant, rounds.parts(), begin);
   result.closed = curve.closed;
-  result.flaws = rounds.flaws(begin);
+  result.diagnostics = rounds.diagnostics(begin);
   result.rounds = rounds.rounds();
   return result;
 }

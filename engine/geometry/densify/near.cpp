@@ -162,7 +162,7 @@ DensifiedCurve densify_near(CurveView curve, CurveView other, const NearOptions&
   Refined refined(interpolant);
   // On the chords the intersections stay where they are, so one search serves all passes.
   const bool linear = options.interpolation == Interpolation::linear;
-  const std::size_t max_points = std::min<std::size_t>(options.most_points, (std::size_t{1} << 31) - 1);
+  const std::size_t max_points = std::min<std::size_t>(options.max_points, (std::size_t{1} << 31) - 1);
   const int searches = options.points == 0 || options.passes == 0 ? 0 : linear ? 1 : options.passes;
   DensifiedCurve result;
   for (int pass = 1; pass <= searches; ++pass) {

@@ -4,16 +4,13 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "kernels/point.hpp"
 
 namespace lober {
 namespace {
 
 constexpr std::size_t block = 4096;
 constexpr std::ptrdiff_t guard = 128;  // 2^-128 of the second derivative there: nothing, for any curve that has points
-
-Point minus(Point a, Point b) {
-  return {a.x - b.x, a.y - b.y};
-}
 
 // Rows of one block, eliminated downwards: M_k = value - factor M_{k+1}.
 struct Row {
@@ -33,11 +30,11 @@ class Solver {
     const std::ptrdiff_t low = starts ? 1 : begin - guard, high = stops ? size_ - 1 : end + guard;
     rows_.resize(static_cast<std::size_t>(high - low));
     Point before = difference(low - 1);
-    double length_before = length(before);
+    double length_before = std::sqrt(dot(before, before));
     Row last{0, {}};  // the row above the first is M = 0
     for (std::ptrdiff_t k = low; k < high; ++k) {
       const Point after = difference(k);
-      const double length_after = length(after);
+      const double length_after = std::sqrt(dot(after, after));
       double left = length_before, middle = 2 * (length_before + length_after), right = length_after;
       const Point jump{6 * (after.x / length_after - before.x / length_before),
                        6 * (after.y / length_after - before.y / length_before)};
@@ -76,8 +73,7 @@ class Solver {
     if (k < 0 || k >= size_) k = ((k % size_) + size_) % size_;
     return curve_.points[static_cast<std::size_t>(k)];
   }
-  [[nodiscard]] Point difference(std::ptrdiff_t k) const { return minus(vertex(k + 1), vertex(k)); }
-  [[nodiscard]] static double length(Point a) { return std::sqrt(a.x * a.x + a.y * a.y); }
+  [[nodiscard]] Point difference(std::ptrdiff_t k) const { return vertex(k + 1) - vertex(k); }
 
   CurveView curve_;
   std::ptrdiff_t size_;
@@ -87,7 +83,7 @@ class Solver {
 
 // M at an end from the not-a-knot condition; `near` and `far` are the next two vertices.
 Point at_end(Point end, Point near, Point far, Point second_near, Point second_far) {
-  const Point e = minus(near, end), f = minus(far, near);
+  const Point e = near - end, f = far - near;
   const double ratio = std::sqrt((e.x * e.x + e.y * e.y) / (f.x * f.x + f.y * f.y));
   return {second_near.x + ratio * (second_near.x - second_far.x),
           second_near.y + ratio * (second_near.y - second_far.y)};

@@ -92,7 +92,7 @@ void BoxTree::build_upper(std::uint32_t level, std::size_t begin, std::size_t en
   std::uint8_t* flags_here = &flags_[level_begin_[level]];
   const std::size_t pairs = std::min<std::size_t>(end, level_size_[level - 1] / 2);
   for (std::size_t k = begin; k < pairs; ++k) {
-    here[k] = unite(below[2 * k], below[2 * k + 1]);
+    here[k] = union_of(below[2 * k], below[2 * k + 1]);
     flags_here[k] = flags_below[2 * k] & flags_below[2 * k + 1];
   }
   if (pairs < end) {  // an odd last node has one child

@@ -23,10 +23,10 @@ constexpr std::size_t cells_per_task = 1 << 14;
 // The segments of each cell, in one array, cell by cell, ascending within a cell.
 class Grid {
  public:
-  Grid(const IndexedCurve& curve, const Box& window, std::uint64_t most_entries)
+  Grid(const IndexedCurve& curve, const Box& window, std::uint64_t max_entries)
       : curve_(curve),
-        most_entries_(most_entries),
-        raster_(Raster::fitted(curve.tree(), window, most_entries, leaves_sampled)) {
+        max_entries_(max_entries),
+        raster_(Raster::fitted(curve.tree(), window, max_entries, leaves_sampled)) {
     while (!count()) raster_ = raster_.coarser();
     enter();
     sort_cells();
@@ -97,9 +97,9 @@ class Grid {
     for_each_entry(
         [&](std::uint32_t, std::size_t cell) { std::atomic_ref(end_[cell]).fetch_add(1, std::memory_order_relaxed); },
         [&](std::uint64_t entries) {
-          return total.fetch_add(entries, std::memory_order_relaxed) + entries <= most_entries_;
+          return total.fetch_add(entries, std::memory_order_relaxed) + entries <= max_entries_;
         });
-    return total <= most_entries_;
+    return total <= max_entries_;
   }
 
   // Turns the counts into the beginnings of the cells; entering the segments moves each on to the end of its
@@ -129,7 +129,7 @@ class Grid {
   }
 
   const IndexedCurve& curve_;
-  std::uint64_t most_entries_;
+  std::uint64_t max_entries_;
   Raster raster_;
   Buffer<std::uint32_t> end_;
   Buffer<std::uint32_t> entries_;

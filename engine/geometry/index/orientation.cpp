@@ -11,7 +11,7 @@
 namespace lober {
 namespace {
 
-// Twice the area, from the sums that the tree brings along, if its sign is beyond doubt; else 0.
+// Twice the area, from the sums that the tree brings along, if its sign is certain; else 0.
 double certain_twice_area(const BoxTree& tree) {
   const Point origin = tree.leaf_begin(0);
   DD twice_area;

@@ -19,7 +19,7 @@ std::uint64_t max_grid_entries(std::size_t segments) {
   return std::min<std::uint64_t>(8 * std::uint64_t{segments} + (1U << 20U), std::numeric_limits<std::uint32_t>::max());
 }
 
-Raster Raster::fitted(const BoxTree& tree, const Box& window, std::uint64_t most_entries, std::size_t sample) {
+Raster Raster::fitted(const BoxTree& tree, const Box& window, std::uint64_t max_entries, std::size_t sample) {
   const std::size_t leaves = tree.leaves(), looked_at = std::min(leaves, sample);
   double segments = 0, across = 0,
          along = 0;  // how many, and their widths and heights in those of the window
@@ -39,7 +39,7 @@ Raster Raster::fitted(const BoxTree& tree, const Box& window, std::uint64_t most
   const double x = std::max(across * factor, 1.0), y = std::max(along * factor, 1.0);
   const double mean = std::sqrt(x * y);
   const double two_per_cell = (mean + std::sqrt(mean * mean + 2 * segments)) / 2;  // the square root of c r
-  const double affordable = std::max(static_cast<double>(most_entries) - segments, 0.0) / (2 * mean);
+  const double affordable = std::max(static_cast<double>(max_entries) - segments, 0.0) / (2 * mean);
   const double side = std::min({two_per_cell, affordable, 0x1p15});
   const double cells = std::max(side * side, 1.0);
   const double columns = std::clamp(side * std::sqrt(y / x), 1.0, cells);

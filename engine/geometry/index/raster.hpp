@@ -25,9 +25,9 @@ class Raster {
         y_{window.min_y(), scale(window.height(), rows), usable(window.height()) ? rows : 1} {}
 
   /// A grid over the window for the segments of a curve that meet it: about two entries a cell, shaped so
-  /// that the segments cross as few borders as they can, coarse enough that `most_entries` are not likely to
+  /// that the segments cross as few borders as they can, coarse enough that `max_entries` are not likely to
   /// be exceeded. Looks at `sample` leaves of the tree, evenly spread.
-  static Raster fitted(const BoxTree& tree, const Box& window, std::uint64_t most_entries, std::size_t sample);
+  static Raster fitted(const BoxTree& tree, const Box& window, std::uint64_t max_entries, std::size_t sample);
 
   /// Halves the number of columns and rows.
   [[nodiscard]] Raster coarser() const { return {window_, std::max(x_.cells / 2, 1U), std::max(y_.cells / 2, 1U)}; }
@@ -112,7 +112,7 @@ class Raster {
   Axis x_, y_;
 };
 
-/// Entries that a grid may have for curves of so many segments together: memory stays proportional to them.
+/// Entries that a grid may have for curves of `segments` segments together: memory stays proportional to them.
 [[nodiscard]] std::uint64_t max_grid_entries(std::size_t segments);
 
 }  // namespace lober

@@ -36,7 +36,7 @@ class ArcLabeller {
     const SeenContact from = contacts_[k];
     if (const std::optional<Point> vertex = vertex_after(k, from)) {
       ++queries;
-      return side_of(other_, *vertex);
+      return locate(other_, *vertex);
     }
     if (from.proper) return to_left(!from.other_goes_left);
     const CurveView& other = other_.view();

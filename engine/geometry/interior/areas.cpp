@@ -51,7 +51,7 @@ class InteriorBuilder {
     report(0.2);
     find_crossings();
     report(0.5);
-    const double extent = unite(c1_.tree().box(), c2_.tree().box()).extent();
+    const double extent = union_of(c1_.tree().box(), c2_.tree().box()).extent();
     const bool split = options_.method == InteriorMethod::split;
     const SideSums sums1 = split ? split_sums(1, extent) : end_sums(1, extent);
     report(0.75);
@@ -91,7 +91,7 @@ class InteriorBuilder {
     ArcLabels labels = label_arcs(own(curve).view(), other(curve), other_clockwise, contacts);
     Side whole = Side::outside;
     if (contacts.size() == 0) {
-      whole = side_of(other(curve), own(curve).view().points[0]);
+      whole = locate(other(curve), own(curve).view().points[0]);
       ++labels.queries;
     }
     result_.statistics.queries += labels.queries;
@@ -137,7 +137,7 @@ class InteriorBuilder {
     result_.areas = {.c1 = not_negative(area1),
                      .c2 = not_negative(area2),
                      .intersection = not_negative(q3),
-                     .unite = not_negative(q2),
+                     .union_ = not_negative(q2),
                      .c1_minus_c2 = not_negative(quarter + difference),
                      .c2_minus_c1 = not_negative(quarter - difference),
                      .symmetric_difference = not_negative(q1)};
@@ -148,7 +148,7 @@ class InteriorBuilder {
     const Areas& areas = result_.areas;
     const auto bound = [&](double area) { return area * 0x1p-53 + lost; };
     result_.rounding = {
-        bound(areas.c1),          bound(areas.c2),          bound(areas.intersection),        bound(areas.unite),
+        bound(areas.c1),          bound(areas.c2),          bound(areas.intersection),        bound(areas.union_),
         bound(areas.c1_minus_c2), bound(areas.c2_minus_c1), bound(areas.symmetric_difference)};
   }
 
@@ -176,7 +176,7 @@ InteriorAreas scaled_areas(const IndexedCurve& c1, const IndexedCurve& c2, const
 InteriorAreas interior_areas(const IndexedCurve& c1, const IndexedCurve& c2, const InteriorOptions& options) {
   require_region(c1.view(), "curve 1", "interior");
   require_region(c2.view(), "curve 2", "interior");
-  const int exponent = comfortable_exponent(unite(c1.tree().box(), c2.tree().box()));
+  const int exponent = scaling_exponent(union_of(c1.tree().box(), c2.tree().box()));
   if (exponent != 0) return scaled_areas(c1, c2, options, exponent);
   return InteriorBuilder(c1, c2, options, 0).build();
 }

@@ -14,11 +14,11 @@ namespace {
 // The side of the stretch that leaves a node. The region of a counter-clockwise curve lies between its way
 // out and its way in, turning counter-clockwise.
 Side side_after(const Crossings& nodes, int curve, std::uint32_t node) {
-  const std::array<Arm, 4>& order = arm_orders[graph_of(nodes).order[node]];
-  const auto place = [&](Arm arm) { return std::find(order.begin(), order.end(), arm); };
-  // Arms are listed from out1 on, so a turn from out2 meets in1 before it comes round to out1 if in1 is
-  // listed after it.
-  const bool on_left = curve == 1 ? place(in2) < place(out2) : place(out2) < place(in1);
+  const std::array<HalfEdge, 4>& order = rotations[graph_of(nodes).order[node]];
+  const auto place = [&](HalfEdge half_edge) { return std::find(order.begin(), order.end(), half_edge); };
+  // Half-edges are listed from forward1 on, so a turn from forward2 meets backward1 before it comes round to forward1
+  // if backward1 is listed after it.
+  const bool on_left = curve == 1 ? place(backward2) < place(forward2) : place(forward2) < place(backward1);
   const bool clockwise = curve == 1 ? nodes.clockwise2() : nodes.clockwise1();
   return on_left != clockwise ? Side::inside : Side::outside;
 }
@@ -65,7 +65,7 @@ Buffer<Side> label_vertices(const Crossings& nodes, int curve) {
   }
   const std::vector<SideChange> changes = side_changes(nodes, curve);
   if (changes.empty()) {
-    fill(0, size, side_of(IndexedCurve(other), own.points[0]));
+    fill(0, size, locate(IndexedCurve(other), own.points[0]));
     return labels;
   }
   fill(0, changes.front().at.segment + std::size_t{1}, changes.back().side);

@@ -17,17 +17,17 @@ namespace lober {
 
 struct DiscretisationData {
   CurveView curve;
-  Buffer<DD> before;  // running sums, up to each stretch of segments
+  Buffer<DD> before;  // running sums, up to each chunk of segments
   DD total;
 };
 
 namespace {
 
-constexpr std::size_t stretch = 8;  // a bulge costs 40 ns: a contact has to compute half of so many again
+constexpr std::size_t chunk = 8;  // a chord-to-arc area costs 40 ns: a contact has to compute half of a chunk again
 constexpr std::size_t grain = 4096;
-static_assert(grain % stretch == 0);
+static_assert(grain % chunk == 0);
 
-double bulge(const CurveView& curve, std::size_t number) {
+double chord_area(const CurveView& curve, std::size_t number) {
   const std::size_t size = curve.points.size();
   const auto at = [&](std::size_t k) { return curve.points[k >= size ? k - size : k]; };
   const Point from = at(number), to = at(number + 1);
@@ -37,24 +37,26 @@ double bulge(const CurveView& curve, std::size_t number) {
   while (at(back) == from) back = back == 0 ? size - 1 : back - 1;
   while (at(forth) == to) forth = forth + 1 == size ? 0 : forth + 1;
   const Point before = at(back), after = at(forth);
-  const double area = twice_sagitta_area(before, from, to, after);
+  const double area = twice_chord_area(before, from, to, after);
   if (std::isfinite(area)) return area;
   // Squares of lengths have left the range of double.
   constexpr int down = -600;
   const auto small = [](Point p) { return Point{std::ldexp(p.x, down), std::ldexp(p.y, down)}; };
-  return std::ldexp(twice_sagitta_area(small(before), small(from), small(to), small(after)), -2 * down);
+  return std::ldexp(twice_chord_area(small(before), small(from), small(to), small(after)), -2 * down);
 }
 
-// Calls take(k, sum) with the running sum of the bulges up to contact k, like sum_along for the shoelace sums.
+// Calls take(k, sum) with the running sum of the chord-to-arc areas up to contact k, like sum_along for the shoelace
+// sums.
 template <typename ContactAt, typename Take>
-void bulges_at_contacts(const DiscretisationSums& sums, std::size_t count, const ContactAt& contact, const Take& take) {
+void chord_areas_at_contacts(const DiscretisationSums& sums, std::size_t count, const ContactAt& contact,
+                             const Take& take) {
   const CurveView& curve = sums.data().curve;
   for_each_block(count, 1024, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last;) {
-      const std::size_t begin = contact(k).segment / stretch * stretch;
-      DD sum = sums.data().before[begin / stretch];
-      for (std::size_t number = begin; k < last && contact(k).segment < begin + stretch; ++number) {
-        const double here = bulge(curve, number);
+      const std::size_t begin = contact(k).segment / chunk * chunk;
+      DD sum = sums.data().before[begin / chunk];
+      for (std::size_t number = begin; k < last && contact(k).segment < begin + chunk; ++number) {
+        const double here = chord_area(curve, number);
         for (; k < last && contact(k).segment == number; ++k) {
           take(k, sum + DD{here * sagitta_fraction(contact(k).t), 0});
         }
@@ -77,32 +79,32 @@ DiscretisationSums::DiscretisationSums(CurveView curve) {
   made->curve = curve;
   Buffer<DD>& before = made->before;
   const std::size_t segments = curve.segments(), blocks = (segments + grain - 1) / grain;
-  before.resize((segments + stretch - 1) / stretch);
+  before.resize((segments + chunk - 1) / chunk);
   Buffer<DD> block_sums(blocks);
   for_each_block(segments, grain, [&](std::size_t begin, std::size_t end) {
-    std::array<double, grain> bulges;
+    std::array<double, grain> chord_areas;
     const std::size_t size = curve.points.size();
     // The points of a segment and its neighbours follow each other, but for those at the first vertex.
     const std::size_t inner_begin = std::min(std::max<std::size_t>(begin, 1), end);
     const std::size_t inner_end = std::max(inner_begin, std::min(end, size < 2 ? 0 : size - 2));
-    twice_sagitta_areas(&curve.points[inner_begin] - 1, inner_end - inner_begin, &bulges[inner_begin - begin]);
-    for (std::size_t k = begin; k < inner_begin; ++k) bulges[k - begin] = bulge(curve, k);
-    for (std::size_t k = inner_end; k < end; ++k) bulges[k - begin] = bulge(curve, k);
+    twice_chord_areas(&curve.points[inner_begin] - 1, inner_end - inner_begin, &chord_areas[inner_begin - begin]);
+    for (std::size_t k = begin; k < inner_begin; ++k) chord_areas[k - begin] = chord_area(curve, k);
+    for (std::size_t k = inner_end; k < end; ++k) chord_areas[k - begin] = chord_area(curve, k);
     DD sum;
     for (std::size_t k = begin; k < end; ++k) {
-      if (k % stretch == 0) before[k / stretch] = sum;
-      const double here = bulges[k - begin];
+      if (k % chunk == 0) before[k / chunk] = sum;
+      const double here = chord_areas[k - begin];
       // The neighbours of a segment next to repeated vertices lie farther away.
       const bool inner = k >= inner_begin && k < inner_end;
       const bool repeated =
           inner && (curve.points[k - 1] == curve.points[k] || curve.points[k + 1] == curve.points[k + 2]);
-      sum += DD{std::isfinite(here) && !repeated ? here : bulge(curve, k), 0};
+      sum += DD{std::isfinite(here) && !repeated ? here : chord_area(curve, k), 0};
     }
     block_sums[begin / grain] = sum;
   });
   for (std::size_t block = 0; block < blocks; ++block) {
-    const std::size_t end = std::min((block + 1) * (grain / stretch), before.size());
-    for (std::size_t k = block * (grain / stretch); k < end; ++k) before[k] = made->total + before[k];
+    const std::size_t end = std::min((block + 1) * (grain / chunk), before.size());
+    for (std::size_t k = block * (grain / chunk); k < end; ++k) before[k] = made->total + before[k];
     made->total += block_sums[block];
   }
   data_ = std::move(made);
@@ -128,13 +130,13 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
   sums.gap.resize(count);
   sums.total1 = reduced(first.data().total);
   sums.total2 = reduced(second.data().total);
-  bulges_at_contacts(
+  chord_areas_at_contacts(
       first, count,
       [&](std::size_t k) {
         return Place{graph.contacts[k].segment1, graph.contacts[k].t1.hi};
       },
       [&](std::size_t k, DD sum) { sums.gap[k] = reduced(sum); });
-  bulges_at_contacts(
+  chord_areas_at_contacts(
       second, count,
       [&](std::size_t k) {
         const Contact contact = graph.contacts[graph.contacts2[k]];
@@ -148,8 +150,8 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
            gain2 = result.nodes.clockwise2() ? -sums.total2 : sums.total2;
   DD minus12, minus21, common;
   if (graph.size() > 0) {
-    const Handedness hands{result.nodes.clockwise1(), result.nodes.clockwise2()};
-    const FaceTotals totals = total_of_faces(graph, sums, hands);
+    const Orientations orientations{result.nodes.clockwise1(), result.nodes.clockwise2()};
+    const FaceTotals totals = total_of_faces(graph, sums, orientations);
     minus12 = totals.only1;
     minus21 = totals.only2;
     common = totals.both;
@@ -171,7 +173,7 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
   areas.c2_minus_c1 = lost(minus21);
   areas.intersection = lost(common);
   areas.symmetric_difference = lost(minus12 + minus21);
-  areas.unite = lost(minus12 + minus21 + common);
+  areas.union_ = lost(minus12 + minus21 + common);
   return areas;
 }
 

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 14;
 
-// What happens to a walk that arrives along an arm, its face on the left: the arm it leaves by and the side of each
-// curve (as the input runs) that the face lies on.
+// What happens to a walk that arrives along an half-edge, its face on the left: the half-edge it leaves by and the side
+// of each curve (as the input runs) that the face lies on.
 struct Turn {
-  Arm leave;
+  HalfEdge leave;
   bool left1, left2;
 };
 
@@ -22,54 +22,54 @@ constexpr std::array<std::array<Turn, 4>, 6> make_turns() {
   std::array<std::array<Turn, 4>, 6> turns{};
   for (std::size_t order = 0; order < 6; ++order) {
     std::array<unsigned, 4> place{};
-    for (unsigned k = 0; k < 4; ++k) place[arm_orders[order][k]] = k;
+    for (unsigned k = 0; k < 4; ++k) place[rotations[order][k]] = k;
     for (unsigned arrive = 0; arrive < 4; ++arrive) {
-      const unsigned sector = (place[arrive] + 3) % 4;  // the face lies between arm `sector` and the next
-      const auto left_of = [&](Arm out, Arm in) {
+      const unsigned sector = (place[arrive] + 3) % 4;  // the face lies between half-edge `sector` and the next
+      const auto left_of = [&](HalfEdge out, HalfEdge in) {
         return (sector + 4 - place[out]) % 4 < (place[in] + 4 - place[out]) % 4;
       };
-      turns[order][arrive] = {arm_orders[order][sector], left_of(out1, in1), left_of(out2, in2)};
+      turns[order][arrive] = {rotations[order][sector], left_of(forward1, backward1), left_of(forward2, backward2)};
     }
   }
   return turns;
 }
 constexpr std::array<std::array<Turn, 4>, 6> turns = make_turns();
 
-// The arms along which a walk with the wanted face on its left can arrive at a node, as bits, for each arm order.
-std::array<std::uint8_t, 6> arrivals(Handedness hands, Membership wanted) {
+// The half-edges along which a walk with the wanted face on its left can arrive at a node, as bits, for each rotation.
+std::array<std::uint8_t, 6> arrivals(Orientations orientations, Membership wanted) {
   std::array<std::uint8_t, 6> bits{};
   for (std::size_t order = 0; order < 6; ++order) {
     for (unsigned arrive = 0; arrive < 4; ++arrive) {
       const Turn& turn = turns[order][arrive];
-      const Membership here{turn.left1 != hands.clockwise1, turn.left2 != hands.clockwise2};
+      const Membership here{turn.left1 != orientations.clockwise1, turn.left2 != orientations.clockwise2};
       if (here == wanted) bits[order] = static_cast<std::uint8_t>(bits[order] | 1U << arrive);
     }
   }
   return bits;
 }
 
-// At which end of a shared arc an arm is.
-bool at_last(Arm arm, int direction) {
-  switch (arm) {
-    case in1:
+// At which end of a shared arc an half-edge is.
+bool at_last(HalfEdge half_edge, int direction) {
+  switch (half_edge) {
+    case backward1:
       return false;
-    case out1:
+    case forward1:
       return true;
-    case in2:
+    case backward2:
       return direction < 0;
-    case out2:
+    case forward2:
       return direction > 0;
   }
   return false;
 }
 
-constexpr bool on_second(Arm arm) {
-  return arm == out2 || arm == in2;
+constexpr bool on_second(HalfEdge half_edge) {
+  return half_edge == forward2 || half_edge == backward2;
 }
 
 // What a walk collects at a node: S1 - S2 where it comes along C1 and goes on along C2, S2 - S1 the other way round
 // (ends of a shared arc apart, its first vertex included).
-DD at_node(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, Arm arrive, Arm leave) {
+DD at_node(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, HalfEdge arrive, HalfEdge leave) {
   const bool came2 = on_second(arrive), goes2 = on_second(leave);
   const NodeSpan& span = graph.spans[node];
   const bool from = at_last(arrive, span.direction), to = at_last(leave, span.direction);
@@ -94,8 +94,8 @@ void fail_not_simple() {
   throw DataError("the curves cannot be overlaid: at least one of them crosses or touches itself");
 }
 
-int sectors_at(std::uint8_t arm_order, Handedness hands, Membership wanted) {
-  return std::popcount(arrivals(hands, wanted)[arm_order]);
+int sectors_at(std::uint8_t rotation, Orientations orientations, Membership wanted) {
+  return std::popcount(arrivals(orientations, wanted)[rotation]);
 }
 
 namespace {
@@ -115,14 +115,14 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
   for (std::uint32_t start = 0; start < count; ++start) {
     while (open[start] != 0) {
       std::uint32_t node = start;
-      auto arrive = static_cast<Arm>(__builtin_ctz(open[start]));
+      auto arrive = static_cast<HalfEdge>(__builtin_ctz(open[start]));
       const std::size_t kind = second[order[start]] >> arrive & 1U;
       std::uint32_t* step = next_step[kind];
       RunningSum twice_area;
       Turns rounds;
       do {
         open[node] = static_cast<std::uint8_t>(open[node] & ~(1U << arrive));
-        const Arm leave = turns[order[node]][arrive].leave;
+        const HalfEdge leave = turns[order[node]][arrive].leave;
         const bool goes2 = on_second(leave), came2 = on_second(arrive);
         if constexpr (points_only) {
           if (goes2 != came2) twice_area.add(goes2 ? gap[node] : -gap[node]);
@@ -132,28 +132,28 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
         if (step == end_step[kind]) fail_not_simple();
         *step++ = pack({node, goes2});
         switch (leave) {
-          case out1:
+          case forward1:
             rounds.round1 += node == sums.wraps1;
             node = node + 1 == count ? 0 : node + 1;
-            arrive = in1;
+            arrive = backward1;
             break;
-          case in1:
+          case backward1:
             node = node == 0 ? count - 1 : node - 1;
             rounds.round1 -= node == sums.wraps1;
-            arrive = out1;
+            arrive = forward1;
             break;
-          case out2: {
+          case forward2: {
             const std::uint32_t rank = rank2[node];
             rounds.round2 += rank == sums.wraps2;
             node = along2[rank + 1 == count ? 0 : rank + 1];
-            arrive = in2;
+            arrive = backward2;
             break;
           }
-          case in2: {
+          case backward2: {
             const std::uint32_t rank = rank2[node] == 0 ? count - 1 : rank2[node] - 1;
             rounds.round2 -= rank == sums.wraps2;
             node = along2[rank];
-            arrive = out2;
+            arrive = forward2;
             break;
           }
         }
@@ -169,10 +169,10 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
 
 }  // namespace
 
-std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands,
+std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Orientations orientations,
                                 const std::array<Membership, 2>& wanted) {
   const std::uint32_t count = graph.size();
-  const std::array arrive{arrivals(hands, wanted[0]), arrivals(hands, wanted[1])};
+  const std::array arrive{arrivals(orientations, wanted[0]), arrivals(orientations, wanted[1])};
   std::array<std::uint8_t, 6> arrive_either{};
   for (std::size_t order = 0; order < 6; ++order)
     arrive_either[order] = static_cast<std::uint8_t>(arrive[0][order] | arrive[1][order]);
@@ -204,13 +204,13 @@ std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Han
 
 namespace {
 
-// Where all nodes are points, what the walks of a membership collect at one depends on its arm order only: so many
+// Where all nodes are points, what the walks of a membership collect at one depends on its rotation only: so many
 // times the gap.
 int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
   int times = 0;
   for (unsigned bits = arrivals_wanted; bits != 0; bits &= bits - 1) {
-    const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
-    const Arm leave = turns[order][arrive].leave;
+    const auto arrive = static_cast<HalfEdge>(__builtin_ctz(bits));
+    const HalfEdge leave = turns[order][arrive].leave;
     times += static_cast<int>(on_second(leave)) - static_cast<int>(on_second(arrive));
   }
   return times;
@@ -244,7 +244,7 @@ std::array<DD, 2> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
   });
 }
 
-using ArrivalsWanted = std::array<std::array<std::uint8_t, 6>, 3>;  ///< of three memberships, by arm order
+using ArrivalsWanted = std::array<std::array<std::uint8_t, 6>, 3>;  ///< of three memberships, by rotation
 
 // The same with shared arcs, node by node, for each membership.
 std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const ArrivalsWanted& wanted) {
@@ -254,7 +254,7 @@ std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums
       const std::uint8_t order = graph.order[node];
       for (std::size_t m = 0; m < 3; ++m) {
         for (unsigned bits = wanted[m][order]; bits != 0; bits &= bits - 1) {
-          const auto arrive = static_cast<Arm>(__builtin_ctz(bits));
+          const auto arrive = static_cast<HalfEdge>(__builtin_ctz(bits));
           sum[m].add(at_node(graph, sums, node, arrive, turns[order][arrive].leave));
         }
       }
@@ -265,11 +265,11 @@ std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums
 
 }  // namespace
 
-FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands) {
+FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Orientations orientations) {
   constexpr std::array<Membership, 3> memberships{{{true, false}, {false, true}, {true, true}}};
   const std::uint32_t count = graph.size();
   ArrivalsWanted wanted;
-  for (std::size_t m = 0; m < 3; ++m) wanted[m] = arrivals(hands, memberships[m]);
+  for (std::size_t m = 0; m < 3; ++m) wanted[m] = arrivals(orientations, memberships[m]);
   std::array<DD, 3> total{};
   if (graph.spans.empty()) {
     const std::array<DD, 2> gaps = gaps_by_order(graph, sums);
@@ -283,7 +283,7 @@ FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handednes
   for (std::size_t m = 0; m < 3; ++m) {
     // Whole turns: a walk goes along the way past the first vertex if it leaves the node before by that way, and back
     // if it leaves the node after.
-    const auto leaving = [&](std::uint32_t node, Arm by) {
+    const auto leaving = [&](std::uint32_t node, HalfEdge by) {
       int times = 0;
       for (unsigned bits = wanted[m][graph.order[node]]; bits != 0; bits &= bits - 1) {
         times += turns[graph.order[node]][static_cast<unsigned>(__builtin_ctz(bits))].leave == by;
@@ -293,10 +293,11 @@ FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handednes
     const auto next = [&](std::uint32_t place) { return place + 1 == count ? 0 : place + 1; };
     Turns rounds;
     if (sums.wraps1 != ArcSums::nowhere) {
-      rounds.round1 = leaving(sums.wraps1, out1) - leaving(next(sums.wraps1), in1);
+      rounds.round1 = leaving(sums.wraps1, forward1) - leaving(next(sums.wraps1), backward1);
     }
     if (sums.wraps2 != ArcSums::nowhere) {
-      rounds.round2 = leaving(graph.along2()[sums.wraps2], out2) - leaving(graph.along2()[next(sums.wraps2)], in2);
+      rounds.round2 =
+          leaving(graph.along2()[sums.wraps2], forward2) - leaving(graph.along2()[next(sums.wraps2)], backward2);
     }
     total[m] += rounds.sum(sums);
   }

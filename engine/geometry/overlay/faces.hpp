@@ -1,9 +1,9 @@
 // The faces of the arrangement of two curves that meet (private to overlay/).
 //
 // Two curves with at least one common point form a connected planar graph, so the boundary of each face is one closed
-// walk. A walk that keeps its face on the left arrives at a node along one arm and goes on along the next arm
-// clockwise: that is the paper's sigma (section 3) for crossings, and the right thing at touches and shared arcs too,
-// where it keeps apart what only touches.
+// walk. A walk that keeps its face on the left arrives at a node along one half-edge and goes on along the next
+// half-edge clockwise: that is sigma of Naik, Lekien & Ross (2017, section 3) for crossings, and the right thing at
+// touches and shared arcs too, where it keeps apart what only touches.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace lober {
 
 /// Where a point lies: inside A1, inside A2.
 struct Membership {
-  bool in1, in2;
+  bool backward1, backward2;
   friend bool operator==(const Membership&, const Membership&) = default;
 };
 
@@ -42,14 +42,14 @@ inline constexpr Step unpack(std::uint32_t packed) {
 }
 
 /// Which curves run clockwise in the input.
-struct Handedness {
+struct Orientations {
   bool clockwise1, clockwise2;
 };
 
 /// Walks every face of the two memberships, each in order of their first nodes: two at a time, because what costs is
 /// to bring the nodes from memory. Throws DataError when walks contradict each other, which they do on curves that are
 /// not simple. O(nodes).
-[[nodiscard]] std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands,
+[[nodiscard]] std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Orientations orientations,
                                               const std::array<Membership, 2>& wanted);
 
 /// Twice the total areas of all faces of a membership.
@@ -58,12 +58,12 @@ struct FaceTotals {
 };
 
 /// The totals without walking: each arc counts for the faces at its sides. O(nodes), parallel.
-[[nodiscard]] FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Handedness hands);
+[[nodiscard]] FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Orientations orientations);
 
 /// Throws the DataError that says so.
 [[noreturn]] void fail_not_simple();
 
 /// How many of the four sectors at a node have this membership (0, 1 or 2).
-[[nodiscard]] int sectors_at(std::uint8_t arm_order, Handedness hands, Membership wanted);
+[[nodiscard]] int sectors_at(std::uint8_t rotation, Orientations orientations, Membership wanted);
 
 }  // namespace lober

@@ -29,46 +29,6 @@ DD turned(DD twice_area, Orientation orientation) {
   return orientation == Orientation::clockwise ? -twice_area : twice_area;
 }
 
-}  // namespace
-
-std::string_view name(Pairing pairing) {
-  switch (pairing) {
-    case Pairing::c1_minus_c2:
-      return "c1_minus_c2";
-    case Pairing::c2_minus_c1:
-      return "c2_minus_c1";
-    case Pairing::intersection:
-      return "intersection";
-    case Pairing::unite:
-      return "union";
-  }
-  return "";
-}
-
-Pieces::Pieces() {
-  static const auto none = std::make_shared<const PiecesData>();
-  data_ = none;
-}
-
-std::span<const double> Pieces::areas() const {
-  return data_->areas;
-}
-
-Piece Pieces::operator[](std::size_t piece) const {
-  const std::span<const PieceHole> holes = data_->holes_of(piece);
-  return {data_->areas[piece], static_cast<std::uint32_t>(holes.size()), {data_->outer(piece), holes}};
-}
-
-std::span<const PieceHole> PiecesData::holes_of(std::size_t piece) const {
-  const auto first = std::lower_bound(holes.begin(), holes.end(), piece,
-                                      [](const PieceHole& hole, std::size_t number) { return hole.piece < number; });
-  auto last = first;
-  while (last != holes.end() && last->piece == piece) ++last;
-  return {first, last};
-}
-
-namespace {
-
 // Puts an Overlay together. One for each call.
 class OverlayBuilder {
  public:
@@ -151,52 +111,52 @@ class OverlayBuilder {
 
   [[nodiscard]] DD twice_area1() const { return turned(sums_.total1, result_.orientation1); }
   [[nodiscard]] DD twice_area2() const { return turned(sums_.total2, result_.orientation2); }
-  [[nodiscard]] Handedness hands() const { return {result_.nodes.clockwise1(), result_.nodes.clockwise2()}; }
+  [[nodiscard]] Orientations orientations() const { return {result_.nodes.clockwise1(), result_.nodes.clockwise2()}; }
   PiecesData& pieces(Pairing pairing) { return pieces_[static_cast<std::size_t>(pairing)]; }
 
   // Twice the areas of A1 \ A2, A2 \ A1 and A1 n A2; none for a region that is empty, the only one whose area is known
   // without error. A thin region may well have a computed area of 0, and then has a bound.
   using TwiceArea = std::optional<DD>;
   void set_areas(const TwiceArea& minus12, const TwiceArea& minus21, const TwiceArea& common) {
-    const double extent = unite(c1_.tree().box(), c2_.tree().box()).extent();
+    const double extent = union_of(c1_.tree().box(), c2_.tree().box()).extent();
     const double lost = lost_in_sums(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
     const auto set = [&](double Areas::*area, DD twice, bool some = true) {
       result_.areas.*area = half(twice);
       result_.rounding.*area = some ? result_.areas.*area * 0x1p-53 + lost : 0;
     };
-    const DD in1 = minus12.value_or(DD{}), in2 = minus21.value_or(DD{}), in_both = common.value_or(DD{});
+    const DD backward1 = minus12.value_or(DD{}), backward2 = minus21.value_or(DD{}), in_both = common.value_or(DD{});
     set(&Areas::c1, twice_area1());
     set(&Areas::c2, twice_area2());
-    set(&Areas::c1_minus_c2, in1, minus12.has_value());
-    set(&Areas::c2_minus_c1, in2, minus21.has_value());
+    set(&Areas::c1_minus_c2, backward1, minus12.has_value());
+    set(&Areas::c2_minus_c1, backward2, minus21.has_value());
     set(&Areas::intersection, in_both, common.has_value());
-    set(&Areas::symmetric_difference, in1 + in2, minus12.has_value() || minus21.has_value());
-    set(&Areas::unite, in1 + in2 + in_both);
+    set(&Areas::symmetric_difference, backward1 + backward2, minus12.has_value() || minus21.has_value());
+    set(&Areas::union_, backward1 + backward2 + in_both);
   }
 
   // ------------------------------------------------------------------------------ curves that meet
 
   void overlay_connected() {
     const NodeGraph& graph = graph_of(result_.nodes);
-    const FaceTotals totals = total_of_faces(graph, sums_, hands());
+    const FaceTotals totals = total_of_faces(graph, sums_, orientations());
     // The arrangement is connected: every face has a corner at some node.
     const auto unless_empty = [&](Membership wanted, DD twice) {
       const bool some = std::any_of(graph.order.begin(), graph.order.end(),
-                                    [&](std::uint8_t order) { return sectors_at(order, hands(), wanted) > 0; });
+                                    [&](std::uint8_t order) { return sectors_at(order, orientations(), wanted) > 0; });
       return some ? TwiceArea(twice) : std::nullopt;
     };
     set_areas(unless_empty(only1, totals.only1), unless_empty(only2, totals.only2), unless_empty(both, totals.both));
     if (!options_.pieces) return;
-    run_together(
+    parallel_if(
         graph.size() > 4096,
         [&] {
-          auto [in1, in_both] = walk_faces(graph, sums_, hands(), {only1, both});
-          take_faces(std::move(in1), Pairing::c1_minus_c2);
+          auto [backward1, in_both] = walk_faces(graph, sums_, orientations(), {only1, both});
+          take_faces(std::move(backward1), Pairing::c1_minus_c2);
           take_faces(std::move(in_both), Pairing::intersection);
         },
         [&] {
-          auto [in2, outside] = walk_faces(graph, sums_, hands(), {only2, neither});
-          take_faces(std::move(in2), Pairing::c2_minus_c1);
+          auto [backward2, outside] = walk_faces(graph, sums_, orientations(), {only2, neither});
+          take_faces(std::move(backward2), Pairing::c2_minus_c1);
           unite_connected(outside);
         });
     classify();
@@ -222,10 +182,10 @@ class OverlayBuilder {
   // outside.
   void unite_connected(const Faces& faces) {
     const NodeGraph& graph = graph_of(result_.nodes);
-    PiecesData& target = pieces(Pairing::unite);
+    PiecesData& target = pieces(Pairing::union_);
     bool one_piece = false;
     for (std::uint32_t node = 0; node < graph.size() && !one_piece; ++node) {
-      one_piece = graph.span(node).direction != 0 || sectors_at(graph.order[node], hands(), both) > 0;
+      one_piece = graph.span(node).direction != 0 || sectors_at(graph.order[node], orientations(), both) > 0;
     }
     if (!one_piece) {
       const auto round = [&](std::uint32_t curve, bool backward) {
@@ -234,8 +194,8 @@ class OverlayBuilder {
         if (backward) std::reverse(steps.begin(), steps.end());
         return steps;
       };
-      add_piece(target, result_.areas.c1, round(0, hands().clockwise1));
-      add_piece(target, result_.areas.c2, round(1, hands().clockwise2));
+      add_piece(target, result_.areas.c1, round(0, orientations().clockwise1));
+      add_piece(target, result_.areas.c2, round(1, orientations().clockwise2));
       return;
     }
     if (faces.size() == 0) fail_not_simple();
@@ -248,7 +208,7 @@ class OverlayBuilder {
         target.holes.push_back({0, std::move(steps)});
       }
     }
-    target.areas = {result_.areas.unite};
+    target.areas = {result_.areas.union_};
     target.steps.resize(faces.begin[outside + 1] - faces.begin[outside]);
     target.begin = {0, static_cast<std::uint32_t>(target.steps.size())};
     reverse_face(faces, outside, target.steps.data());
@@ -298,8 +258,8 @@ class OverlayBuilder {
       const auto number = static_cast<std::uint32_t>(result_.class_count++);
       for (std::uint32_t node = start; result_.classes[node] == Overlay::no_class;) {
         result_.classes[node] = number;
-        node = result_.nodes.rho(node) > 0 ? next_crossing(node, true, !hands().clockwise1)
-                                           : next_crossing(node, false, hands().clockwise2);
+        node = result_.nodes.rho(node) > 0 ? next_crossing(node, true, !orientations().clockwise1)
+                                           : next_crossing(node, false, orientations().clockwise2);
       }
     }
   }
@@ -312,23 +272,23 @@ class OverlayBuilder {
     if (result_.nodes.same_curve()) {
       set_areas(std::nullopt, std::nullopt, area1);
       add_whole(Pairing::intersection, result_.areas.c1, whole1);
-      add_whole(Pairing::unite, result_.areas.c1, whole1);
-    } else if (encloses(c1_, c2_.view().points[0])) {
+      add_whole(Pairing::union_, result_.areas.c1, whole1);
+    } else if (contains(c1_, c2_.view().points[0])) {
       set_areas(area1 - area2, std::nullopt, area2);
       add_whole(Pairing::c1_minus_c2, result_.areas.c1_minus_c2, whole1, whole2);
       add_whole(Pairing::intersection, result_.areas.c2, whole2);
-      add_whole(Pairing::unite, result_.areas.c1, whole1);
-    } else if (encloses(c2_, c1_.view().points[0])) {
+      add_whole(Pairing::union_, result_.areas.c1, whole1);
+    } else if (contains(c2_, c1_.view().points[0])) {
       set_areas(std::nullopt, area2 - area1, area1);
       add_whole(Pairing::c2_minus_c1, result_.areas.c2_minus_c1, whole2, whole1);
       add_whole(Pairing::intersection, result_.areas.c1, whole1);
-      add_whole(Pairing::unite, result_.areas.c2, whole2);
+      add_whole(Pairing::union_, result_.areas.c2, whole2);
     } else {
       set_areas(area1, area2, std::nullopt);
       add_whole(Pairing::c1_minus_c2, result_.areas.c1, whole1);
       add_whole(Pairing::c2_minus_c1, result_.areas.c2, whole2);
-      add_whole(Pairing::unite, result_.areas.c1, whole1);
-      add_whole(Pairing::unite, result_.areas.c2, whole2);
+      add_whole(Pairing::union_, result_.areas.c1, whole1);
+      add_whole(Pairing::union_, result_.areas.c2, whole2);
     }
   }
 
@@ -353,7 +313,7 @@ class OverlayBuilder {
 Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options) {
   require_region(c1.view(), "curve 1", "overlay");
   require_region(c2.view(), "curve 2", "overlay");
-  const int exponent = comfortable_exponent(unite(c1.tree().box(), c2.tree().box()));
+  const int exponent = scaling_exponent(union_of(c1.tree().box(), c2.tree().box()));
   if (exponent == 0) return OverlayBuilder(c1, c2, options, 0).build(c1, c2);
   const std::vector<Point> first = scaled(c1.view(), exponent), second = scaled(c2.view(), exponent);
   const IndexedCurve scaled1(CurveView{first}), scaled2(CurveView{second});

@@ -131,8 +131,8 @@ class PieceBoundary {
     for (std::size_t k = 0; k < steps.size(); k += steps_at_once) {
       for (const Stretch& stretch : stretches(result_, steps, k, std::min(k + steps_at_once, steps.size()), forward_)) {
         const StretchPoints points = points_of(result_, stretch);
-        if (!points.whole) box = unite(box, Box::of(points.first, points.first));
-        box = unite(unite(box, box_of(points.low)), box_of(points.high));
+        if (!points.whole) box = union_of(box, Box::of(points.first, points.first));
+        box = union_of(union_of(box, box_of(points.low)), box_of(points.high));
       }
     }
     return box;
@@ -204,20 +204,20 @@ Slivers find_slivers(const Overlay& result, Pairing pairing) {
   const double vertices = static_cast<double>(result.nodes.curve1().points.size()) +
                           static_cast<double>(result.nodes.curve2().points.size());
   const std::span<const double> areas = result.pieces(pairing).areas();
-  Buffer<std::uint8_t> thin(areas.size());
+  Buffer<std::uint8_t> uncertain(areas.size());
   for_each_block(areas.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      thin[k] = 0;
+      uncertain[k] = 0;
       if (areas[k] > 2 * ulp * result.longest_segment * vertices) continue;
       // A piece between few nodes has few segments, mostly; only then is its outline worth walking.
       double perimeter = 0;
       for (const std::vector<Point>& polygon : outline(result, pairing, k)) perimeter += length(polygon);
-      thin[k] = areas[k] <= 2 * ulp * perimeter;
+      uncertain[k] = areas[k] <= 2 * ulp * perimeter;
     }
   });
   Slivers slivers;
   for (std::size_t k = 0; k < areas.size(); ++k) {
-    if (thin[k] == 0) continue;
+    if (uncertain[k] == 0) continue;
     slivers.pieces.push_back(static_cast<std::uint32_t>(k));
     slivers.area += areas[k];
   }

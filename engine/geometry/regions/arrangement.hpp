@@ -7,15 +7,15 @@
 namespace lober {
 
 struct Arrangement {
-  Strands strands;
-  Marks marks;
+  EdgeChains edge_chains;
+  Events events;
   HalfEdges graph;
   Faces faces;
   int area_exponent = 0;  ///< areas are those of curves scaled by 2^-(area_exponent / 2)
   double lost = 0;        ///< bound on the error of any area before it is rounded to double
 
   [[nodiscard]] double area(DD twice) const;
-  [[nodiscard]] Point node_place(std::uint32_t node) const { return place(strands, marks.list[first_mark[node]]); }
+  [[nodiscard]] Point node_place(std::uint32_t node) const { return place(edge_chains, events.list[first_mark[node]]); }
   Buffer<std::uint32_t> first_mark;  ///< of each node
 
   std::vector<WindingArea> table;
@@ -35,6 +35,6 @@ struct RegionPiecesData {
 };
 
 /// Whether a point with these winding numbers belongs to the region.
-[[nodiscard]] bool belongs(Windings windings, WindingRule rule, Pairing pairing);
+[[nodiscard]] bool belongs(Windings windings, FillRule rule, Pairing pairing);
 
 }  // namespace lober

@@ -41,11 +41,11 @@ struct Guest {
   std::uint32_t host;   // walk of the other component around it, or unknown
 };
 
-std::vector<Guest> guests_of(const Strands& strands, const Marks& marks, const HalfEdges& graph, const Walks& walks,
-                             bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2,
+std::vector<Guest> guests_of(const EdgeChains& edge_chains, const Events& events, const HalfEdges& graph,
+                             const Walks& walks, bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2,
                              PredicateCounts& counts) {
   const std::array<std::uint32_t, 2> outer{walks.of[graph.outer[0]], walks.of[graph.outer[1]]};
-  const auto extreme = [&](std::size_t curve) { return place(strands, marks.list[marks.extreme[curve]]); };
+  const auto extreme = [&](std::size_t curve) { return place(edge_chains, events.list[events.extreme[curve]]); };
   if (c2 == nullptr) return {{outer[0], unknown}};
   if (curves_meet) {
     const Point p = extreme(0), q = extreme(1);
@@ -55,7 +55,7 @@ std::vector<Guest> guests_of(const Strands& strands, const Marks& marks, const H
   const auto walk_around = [&](std::size_t curve) {
     const int other = curve == 0 ? 1 : 0;
     const std::uint32_t half =
-        half_edge_right_of(extreme(curve), strands, marks, graph, other == 0 ? c1 : *c2, other, counts);
+        half_edge_right_of(extreme(curve), edge_chains, events, graph, other == 0 ? c1 : *c2, other, counts);
     if (half == no_half_edge) return unknown;
     const std::uint32_t walk = walks.of[half];
     return walk == outer[static_cast<std::size_t>(other)] ? unknown : walk;
@@ -65,10 +65,10 @@ std::vector<Guest> guests_of(const Strands& strands, const Marks& marks, const H
 
 }  // namespace
 
-Faces make_faces(const Strands& strands, const Marks& marks, const HalfEdges& graph, const Buffer<DD>& sums,
+Faces make_faces(const EdgeChains& edge_chains, const Events& events, const HalfEdges& graph, const Buffer<DD>& sums,
                  bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2, PredicateCounts& counts) {
   Walks walks = walk_all(graph, sums);
-  const std::vector<Guest> guests = guests_of(strands, marks, graph, walks, curves_meet, c1, c2, counts);
+  const std::vector<Guest> guests = guests_of(edge_chains, events, graph, walks, curves_meet, c1, c2, counts);
 
   // Every walk but the outer ones has a face of its own.
   Buffer<std::uint32_t> face_of(walks.start.size(), unknown);

@@ -12,6 +12,7 @@ namespace lober {
 
 struct Windings {
   std::int32_t of1, of2;
+  // NOLINTNEXTLINE(modernize-use-nullptr): it means the literal 0 that the compiler generates
   friend auto operator<=>(const Windings&, const Windings&) = default;
 };
 
@@ -28,15 +29,15 @@ struct Faces {
 };
 
 /// `sums`: of each edge, the shoelace sum about the common origin of all. `curves_meet`: whether C1 and C2 have a point
-/// in common. O(marks), and one ray through the curves when they do not meet.
-[[nodiscard]] Faces make_faces(const Strands& strands, const Marks& marks, const HalfEdges& graph,
+/// in common. O(events), and one ray through the curves when they do not meet.
+[[nodiscard]] Faces make_faces(const EdgeChains& edge_chains, const Events& events, const HalfEdges& graph,
                                const Buffer<DD>& sums, bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2,
                                PredicateCounts& counts);
 
 /// What a ray from `point`, which does not lie on the curve, to greater x meets first, on the side of greater y when it
 /// runs through a vertex: the half-edge of curve `number` (0 or 1) that has the point on its left; or none.
 inline constexpr std::uint32_t no_half_edge = 0xffffffff;
-[[nodiscard]] std::uint32_t half_edge_right_of(Point point, const Strands& strands, const Marks& marks,
+[[nodiscard]] std::uint32_t half_edge_right_of(Point point, const EdgeChains& edge_chains, const Events& events,
                                                const HalfEdges& graph, const IndexedCurve& curve, int number,
                                                PredicateCounts& counts);
 

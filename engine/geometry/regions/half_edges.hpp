@@ -1,14 +1,14 @@
 // The planar graph between the nodes (private to regions/).
 //
-// Edge k is the stretch of curve from mark k to the next one. It has two half-edges: 2 k leaves mark k onwards, 2 k + 1
-// leaves the next mark back. Half-edges that leave a node in the same direction are the same straight piece, passed
+// Edge k is the stretch of curve from event k to the next one. It has two half-edges: 2 k leaves event k onwards, 2 k +
+// 1 leaves the next event back. Half-edges that leave a node in the same direction are the same straight piece, passed
 // several times: one edge stands for all of them and carries how often each curve runs along it.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "engine/geometry/regions/marks.hpp"
+#include "engine/geometry/regions/events.hpp"
 
 namespace lober {
 
@@ -34,12 +34,12 @@ struct HalfEdges {
   [[nodiscard]] std::uint32_t next(std::uint32_t half) const { return clockwise[half ^ 1U]; }
 };
 
-/// Sorts the half-edges round every node, exactly, and merges those that coincide. O(marks log degree), parallel.
-[[nodiscard]] HalfEdges connect(const Strands& strands, const Marks& marks);
+/// Sorts the half-edges round every node, exactly, and merges those that coincide. O(events log degree), parallel.
+[[nodiscard]] HalfEdges connect(const EdgeChains& edge_chains, const Events& events);
 
-/// The mark that a half-edge leaves.
-[[nodiscard]] inline std::uint32_t origin(const Marks& marks, std::uint32_t half) {
-  return half % 2 == 0 ? half / 2 : marks.next(half / 2);
+/// The event that a half-edge leaves.
+[[nodiscard]] inline std::uint32_t origin(const Events& events, std::uint32_t half) {
+  return half % 2 == 0 ? half / 2 : events.next(half / 2);
 }
 
 }  // namespace lober

@@ -1,11 +1,10 @@
 #include "engine/geometry/regions/incidences.hpp"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "kernels/crossing_parameters.hpp"
+#include "engine/geometry/crossings/pair_contacts.hpp"
 #include "kernels/pair_filter.hpp"
 
 namespace lober {
@@ -13,7 +12,7 @@ namespace {
 
 class IncidenceFinder final : public PairConsumer {
  public:
-  // `begin1`, `begin2`: what Strands call the first segment of the two curves, which may be one and the same.
+  // `begin1`, `begin2`: what EdgeChains call the first segment of the two curves, which may be one and the same.
   IncidenceFinder(const CurveView& c1, std::uint32_t begin1, const CurveView& c2, std::uint32_t begin2, double scale)
       : c1_(c1),
         c2_(c2),
@@ -33,7 +32,7 @@ class IncidenceFinder final : public PairConsumer {
       const auto [i, j] = pairs[k];
       const PairVerdict verdict = block->verdicts[k];
       if (verdict == PairVerdict::apart) continue;
-      if (verdict == PairVerdict::doubtful) {
+      if (verdict == PairVerdict::uncertain) {
         classify(i, j, *block);
       } else {
         block->list.push_back({{}, {}, i, j, false, false});
@@ -64,7 +63,7 @@ class IncidenceFinder final : public PairConsumer {
     });
     for (const std::unique_ptr<Block>& block : blocks_) {
       if (!block) continue;
-      all.tips.insert(all.tips.end(), block->tips.begin(), block->tips.end());
+      all.spikes.insert(all.spikes.end(), block->spikes.begin(), block->spikes.end());
       all.counts.predicates += block->predicates;
       all.counts.exact_parameters += block->exact_parameters;
     }
@@ -75,7 +74,7 @@ class IncidenceFinder final : public PairConsumer {
   struct Block {
     Buffer<PairVerdict> verdicts;
     Buffer<Incidence> list;
-    std::vector<std::uint32_t> tips;
+    std::vector<std::uint32_t> spikes;
     PredicateCounts predicates;
     std::uint64_t exact_parameters = 0;
   };
@@ -88,23 +87,14 @@ class IncidenceFinder final : public PairConsumer {
     // Segments that join end to start, as neighbours do: nothing unless they lie on one line.
     if (b == c && orient2d(a, b, d, counts) != 0) return;
     if (d == a && orient2d(c, d, b, counts) != 0) return;
-    const int side_c = orient2d(a, b, c, counts), side_d = orient2d(a, b, d, counts);
-    if (side_c * side_d > 0) return;
-    const int side_a = orient2d(c, d, a, counts), side_b = orient2d(c, d, b, counts);
-    if (side_a * side_b > 0) return;
-    if (side_a * side_b < 0 && side_c * side_d < 0) {
-      block.list.push_back({{}, {}, i, j, false, false});
-      return;
-    }
-    if (a == c) {
-      block.list.push_back({{}, {}, i, j, true, true});
-      return;
-    }
-    if (side_a == 0 && a != d && on_segment(c, d, a, counts)) block.list.push_back({{}, {}, i, j, true, false});
-    if (side_c == 0 && c != b && on_segment(a, b, c, counts)) block.list.push_back({{}, {}, i, j, false, true});
-    const bool one_line = side_a == 0 && side_b == 0;
-    if (one_line && b == c && folds(a, b, d, counts)) block.tips.push_back(begin2_ + j);
-    if (one_line && d == a && folds(c, d, b, counts)) block.tips.push_back(begin1_ + i);
+    const PairContacts found = contacts_of({a, b}, {c, d}, counts);
+    if (found.rho != 0) block.list.push_back({{}, {}, i, j, false, false});
+    if (found.coincide) block.list.push_back({{}, {}, i, j, true, true});
+    if (found.start1_on) block.list.push_back({{}, {}, i, j, true, false});
+    if (found.start2_on) block.list.push_back({{}, {}, i, j, false, true});
+    if (!found.one_line || found.coincide) return;
+    if (b == c && folds(a, b, d, counts)) block.spikes.push_back(begin2_ + j);
+    if (d == a && folds(c, d, b, counts)) block.spikes.push_back(begin1_ + i);
   }
 
   // Whether the way from `before` to `joint` to `after`, three points of one line, turns back at the joint.
@@ -114,34 +104,15 @@ class IncidenceFinder final : public PairConsumer {
 
   // Computes the parameters of a block and gives the segments their numbers.
   void place(Block& block) {
-    constexpr std::size_t batch = 256;
-    std::array<SegmentCrossing, batch> crossings;
-    std::array<CrossingParameters, batch> parameters;
-    std::array<Incidence*, batch> target;
-    std::size_t waiting = 0;
-    const auto flush = [&] {
-      block.exact_parameters += crossing_parameters(crossings.data(), waiting, scale_, parameters.data());
-      for (std::size_t k = 0; k < waiting; ++k) {
-        target[k]->t1 = parameters[k].t1;
-        target[k]->t2 = parameters[k].t2;
-      }
-      waiting = 0;
-    };
+    ParameterBatch<Incidence> batch(scale_);
     for (Incidence& incidence : block.list) {
-      const auto [a, b] = c1_.segment(incidence.first);
-      const auto [c, d] = c2_.segment(incidence.second);
-      if (!incidence.starts1 && !incidence.starts2) {
-        crossings[waiting] = {a, b, c, d};
-        target[waiting++] = &incidence;
-        if (waiting == batch) flush();
-      } else {
-        if (!incidence.starts1) incidence.t1 = exact_parameter(a, b, {c, c, true});
-        if (!incidence.starts2) incidence.t2 = exact_parameter(c, d, {a, a, true});
-      }
+      batch.add(c1_.segment(incidence.first), c2_.segment(incidence.second), incidence.starts1, incidence.starts2,
+                incidence);
       incidence.first += begin1_;
       incidence.second += begin2_;
     }
-    flush();
+    batch.flush();
+    block.exact_parameters += batch.exact();
   }
 
   CurveView c1_, c2_;
@@ -155,7 +126,7 @@ class IncidenceFinder final : public PairConsumer {
 
 Incidences find_incidences(const IndexedCurve& c1, const IndexedCurve* c2, IndexKind kind) {
   Incidences found;
-  const double scale = (c2 == nullptr ? c1.tree().box() : unite(c1.tree().box(), c2->tree().box())).extent();
+  const double scale = (c2 == nullptr ? c1.tree().box() : union_of(c1.tree().box(), c2->tree().box())).extent();
   const auto begin2 = static_cast<std::uint32_t>(c1.segments());
   const auto with_itself = [&](const IndexedCurve& curve, std::uint32_t begin) {
     IncidenceFinder finder(curve.view(), begin, curve.view(), begin, scale);

@@ -1,17 +1,17 @@
 // Every place where two segments meet, found exactly, once (private to regions/).
 //
 // Segments are half-open, with their first end and without their second, as in crossings/: so a point that two segments
-// have in common belongs to exactly one pair for each two strands that pass through it, and consecutive segments have
-// nothing in common unless the curve folds back. Where segments overlap, the ends of the overlap and all vertices in it
-// are first ends of some segment, hence incidences too; in between there are none. What half-open segments do not show
-// is the tip of a spike that runs back on itself; tips are listed apart.
+// have in common belongs to exactly one pair for each two edge chains that pass through it, and consecutive segments
+// have nothing in common unless the curve folds back. Where segments overlap, the ends of the overlap and all vertices
+// in it are first ends of some segment, hence incidences too; in between there are none. What half-open segments do not
+// show is the end of a spike that runs back on itself; spikes are listed apart.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "engine/geometry/index/index.hpp"
-#include "engine/geometry/regions/strands.hpp"
+#include "engine/geometry/regions/edge_chains.hpp"
 #include "kernels/double_double.hpp"
 #include "kernels/predicates.hpp"
 #include "lober/buffer.hpp"
@@ -20,7 +20,7 @@ namespace lober {
 
 struct Incidence {
   DD t1, t2;                    ///< parameters in [0, 1) on the two segments
-  std::uint32_t first, second;  ///< segments, as Strands number them
+  std::uint32_t first, second;  ///< segments, as EdgeChains number them
   bool starts1, starts2;        ///< the point is the first end of the segment; if neither, it is a proper crossing
 };
 
@@ -33,7 +33,7 @@ struct IncidenceCounts {
 
 struct Incidences {
   Buffer<Incidence> list;
-  std::vector<std::uint32_t> tips;  ///< segments whose first end is the tip of a spike; one may occur twice
+  std::vector<std::uint32_t> spikes;  ///< segments whose first end is the end of a spike; one may occur twice
   IncidenceCounts counts;
 };
 

@@ -13,7 +13,7 @@ constexpr std::uint32_t none = 0xffffffff;
 
 class PieceFinder {
  public:
-  PieceFinder(const Arrangement& scene, WindingRule rule, Pairing pairing)
+  PieceFinder(const Arrangement& scene, FillRule rule, Pairing pairing)
       : scene_(scene), graph_(scene.graph), faces_(scene.faces), piece_of_(faces_.size(), none) {
     for (std::uint32_t face = 0; face < faces_.size(); ++face) {
       if (belongs(faces_.windings[face], rule, pairing)) piece_of_[face] = face;
@@ -134,7 +134,7 @@ class PieceFinder {
 
 }  // namespace
 
-RegionPieces Regions::pieces(WindingRule rule, Pairing pairing) const {
+RegionPieces Regions::pieces(FillRule rule, Pairing pairing) const {
   return PieceFinder(*arrangement_, rule, pairing).find(arrangement_);
 }
 
@@ -153,24 +153,24 @@ RegionPiece RegionPieces::operator[](std::size_t piece) const {
 
 std::vector<std::vector<Point>> RegionPieces::outline(std::size_t piece) const {
   const Arrangement& scene = *data_->arrangement;
-  const Strands& strands = scene.strands;
-  const Marks& marks = scene.marks;
+  const EdgeChains& edge_chains = scene.edge_chains;
+  const Events& events = scene.events;
   // Appends the first point of a half-edge and the vertices inside it.
   const auto append = [&](std::uint32_t half, std::vector<Point>& points) {
-    points.push_back(scene.node_place(marks.list[origin(marks, half)].node));
-    const std::uint32_t from = half / 2, to = marks.next(from);
-    const Mark &first = marks.list[from], &last = marks.list[to];
-    const int curve = strands.curve_of(first.segment);
-    const std::uint32_t offset = strands.first_of(curve);
-    const auto size = static_cast<std::uint32_t>(strands.curve(curve).points.size());
-    // Vertices begin + 1 .. begin + count lie between the two marks, the second excluded if it is one of them.
+    points.push_back(scene.node_place(events.list[origin(events, half)].node));
+    const std::uint32_t from = half / 2, to = events.next(from);
+    const Event &first = events.list[from], &last = events.list[to];
+    const int curve = edge_chains.curve_of(first.segment);
+    const std::uint32_t offset = edge_chains.first_of(curve);
+    const auto size = static_cast<std::uint32_t>(edge_chains.curve(curve).points.size());
+    // Vertices begin + 1 .. begin + count lie between the two events, the second excluded if it is one of them.
     std::uint32_t count =
         last.segment >= first.segment ? last.segment - first.segment : size - (first.segment - last.segment);
     if (to <= from && last.segment == first.segment) count = size;  // once round the curve
-    if (last.kind == Mark::Kind::at_start && count > 0) --count;
+    if (last.kind == Event::Kind::at_start && count > 0) --count;
     const std::size_t end = points.size() + count;
     for (std::uint32_t k = 1; k <= count; ++k) {
-      points.push_back(strands.curve(curve).points[(first.segment - offset + k) % size]);
+      points.push_back(edge_chains.curve(curve).points[(first.segment - offset + k) % size]);
     }
     if (half % 2 == 1) std::reverse(points.begin() + static_cast<std::ptrdiff_t>(end - count), points.end());
   };

@@ -60,26 +60,27 @@ std::optional<Hit> first_hit(const BoxTree& tree, Point from, Point to, Predicat
 
 }  // namespace
 
-std::uint32_t half_edge_right_of(Point point, const Strands& strands, const Marks& marks, const HalfEdges& graph,
-                                 const IndexedCurve& curve, int number, PredicateCounts& counts) {
+std::uint32_t half_edge_right_of(Point point, const EdgeChains& edge_chains, const Events& events,
+                                 const HalfEdges& graph, const IndexedCurve& curve, int number,
+                                 PredicateCounts& counts) {
   const Point end{curve.tree().box().max_x(), point.y};
   if (end.x <= point.x) return no_half_edge;
   const std::optional<Hit> hit = first_hit(curve.tree(), point, end, counts);
   if (!hit) return no_half_edge;
-  // The mark before the hit on the same segment, if any; else the last one before the segment.
-  const std::uint32_t segment = strands.first_of(number) + hit->segment;
-  const Segment ends = strands.segment(segment);
-  const auto begin = marks.list.begin() + marks.begin[static_cast<std::size_t>(number)];
-  const auto last = marks.list.begin() + marks.begin[static_cast<std::size_t>(number) + 1];
+  // The event before the hit on the same segment, if any; else the last one before the segment.
+  const std::uint32_t segment = edge_chains.first_of(number) + hit->segment;
+  const Segment ends = edge_chains.segment(segment);
+  const auto begin = events.list.begin() + events.begin[static_cast<std::size_t>(number)];
+  const auto last = events.list.begin() + events.begin[static_cast<std::size_t>(number) + 1];
   const ImplicitPoint place = on_segment_of(*hit, point, end);
-  const auto after = std::partition_point(begin, last, [&](const Mark& mark) {
-    if (mark.segment != segment) return mark.segment < segment;
-    const int order = compare_along(ends.a, ends.b, implicit_point(strands, mark), place);
+  const auto after = std::partition_point(begin, last, [&](const Event& event) {
+    if (event.segment != segment) return event.segment < segment;
+    const int order = compare_along(ends.a, ends.b, implicit_point(edge_chains, event), place);
     return order != 0 ? order < 0 : hit->upward;  // the hit is a little above its place
   });
-  const auto next = static_cast<std::uint32_t>(after - marks.list.begin());
+  const auto next = static_cast<std::uint32_t>(after - events.list.begin());
   const bool none_before = after == begin;
-  const std::uint32_t edge = (none_before ? marks.begin[static_cast<std::size_t>(number) + 1] : next) - 1;
+  const std::uint32_t edge = (none_before ? events.begin[static_cast<std::size_t>(number) + 1] : next) - 1;
   return graph.representative(2 * edge + (hit->upward ? 0U : 1U));
 }
 

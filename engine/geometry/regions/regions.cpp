@@ -15,35 +15,35 @@
 
 namespace lober {
 
-std::string_view name(WindingRule rule) {
+std::string_view name(FillRule rule) {
   switch (rule) {
-    case WindingRule::nonzero:
+    case FillRule::nonzero:
       return "nonzero";
-    case WindingRule::evenodd:
+    case FillRule::evenodd:
       return "evenodd";
-    case WindingRule::positive:
+    case FillRule::positive:
       return "positive";
-    case WindingRule::negative:
+    case FillRule::negative:
       return "negative";
   }
   return "";
 }
 
-bool inside(WindingRule rule, int winding) {
+bool inside(FillRule rule, int winding) {
   switch (rule) {
-    case WindingRule::nonzero:
+    case FillRule::nonzero:
       return winding != 0;
-    case WindingRule::evenodd:
+    case FillRule::evenodd:
       return winding % 2 != 0;
-    case WindingRule::positive:
+    case FillRule::positive:
       return winding > 0;
-    case WindingRule::negative:
+    case FillRule::negative:
       return winding < 0;
   }
   return false;
 }
 
-bool belongs(Windings windings, WindingRule rule, Pairing pairing) {
+bool belongs(Windings windings, FillRule rule, Pairing pairing) {
   const bool in1 = inside(rule, windings.of1), in2 = inside(rule, windings.of2);
   switch (pairing) {
     case Pairing::c1_minus_c2:
@@ -52,7 +52,7 @@ bool belongs(Windings windings, WindingRule rule, Pairing pairing) {
       return in2 && !in1;
     case Pairing::intersection:
       return in1 && in2;
-    case Pairing::unite:
+    case Pairing::union_:
       return in1 || in2;
   }
   return false;
@@ -76,7 +76,7 @@ class RegionBuilder {
     report(0);
     auto arrangement = std::make_shared<Arrangement>();
     Arrangement& scene = *arrangement;
-    scene.strands = c2_ == nullptr ? Strands(c1_.view()) : Strands(c1_.view(), c2_->view());
+    scene.edge_chains = c2_ == nullptr ? EdgeChains(c1_.view()) : EdgeChains(c1_.view(), c2_->view());
     const IndexKind kind = c2_ == nullptr                           ? IndexKind::tree
                            : options_.index != IndexKind::automatic ? options_.index
                                                                     : choose_index(c1_, *c2_);
@@ -88,30 +88,31 @@ class RegionBuilder {
 
     const Stopwatch node_watch;
     const std::uint32_t extreme1 = extreme_segment(c1_.tree());
-    const std::uint32_t extreme2 = c2_ == nullptr ? 0 : scene.strands.first_of(1) + extreme_segment(c2_->tree());
-    scene.marks = make_marks(scene.strands, incidences, {extreme1, extreme2});
+    const std::uint32_t extreme2 = c2_ == nullptr ? 0 : scene.edge_chains.first_of(1) + extreme_segment(c2_->tree());
+    scene.events = make_marks(scene.edge_chains, incidences, {extreme1, extreme2});
     const IncidenceCounts found = incidences.counts;
     incidences = {};
-    scene.first_mark.resize(scene.marks.nodes);
-    for (std::uint32_t mark = scene.marks.size(); mark-- > 0;) scene.first_mark[scene.marks.list[mark].node] = mark;
+    scene.first_mark.resize(scene.events.nodes);
+    for (std::uint32_t event = scene.events.size(); event-- > 0;)
+      scene.first_mark[scene.events.list[event].node] = event;
     timing.nodes = node_watch.seconds();
     report(0.7);
 
     const Stopwatch graph_watch;
-    scene.graph = connect(scene.strands, scene.marks);
+    scene.graph = connect(scene.edge_chains, scene.events);
     timing.graph = graph_watch.seconds();
 
     const Stopwatch face_watch;
     const Buffer<DD> sums = sum_edges(scene);
     PredicateCounts placing;
-    scene.faces = make_faces(scene.strands, scene.marks, scene.graph, sums, found.mutual > 0, c1_, c2_, placing);
+    scene.faces = make_faces(scene.edge_chains, scene.events, scene.graph, sums, found.mutual > 0, c1_, c2_, placing);
     scene.area_exponent = -2 * exponent_;
     make_table(scene);
     timing.faces = face_watch.seconds();
 
     count(scene, found, placing, kind);
     if (exponent_ != 0) {  // the result speaks of the caller's points
-      scene.strands = c2_ == nullptr ? Strands(caller1.view()) : Strands(caller1.view(), caller2->view());
+      scene.edge_chains = c2_ == nullptr ? EdgeChains(caller1.view()) : EdgeChains(caller1.view(), caller2->view());
     }
     scene.owners = {caller1.owner(), caller2 == nullptr ? nullptr : caller2->owner()};
     timing.total = watch.seconds() + index_seconds;
@@ -128,20 +129,20 @@ class RegionBuilder {
   // (crossing_parameters.hpp) times the size of the scene, and the additions of RunningSum, relative to the largest
   // sum.
   Buffer<DD> sum_edges(Arrangement& scene) {
-    const Marks& marks = scene.marks;
-    Buffer<DD> sums(marks.size());
+    const Events& events = scene.events;
+    Buffer<DD> sums(events.size());
     double largest = 0, additions = 4096;
-    for (int curve = 0; curve < scene.strands.curves(); ++curve) {
+    for (int curve = 0; curve < scene.edge_chains.curves(); ++curve) {
       const BoxTree& tree = curve == 0 ? c1_.tree() : c2_->tree();
-      const std::uint32_t first = marks.begin[static_cast<std::size_t>(curve)];
-      const std::uint32_t count = marks.begin[static_cast<std::size_t>(curve) + 1] - first;
-      const std::uint32_t offset = scene.strands.first_of(curve);
+      const std::uint32_t first = events.begin[static_cast<std::size_t>(curve)];
+      const std::uint32_t count = events.begin[static_cast<std::size_t>(curve) + 1] - first;
+      const std::uint32_t offset = scene.edge_chains.first_of(curve);
       Buffer<DD> at(count);
       const SumAlong along = sum_along(
           tree, c1_.view().points[0], count,
           [&](std::size_t k) {
-            const Mark& mark = marks.list[first + k];
-            return PlaceAlong{mark.segment - offset, mark.t};
+            const Event& event = events.list[first + k];
+            return PlaceAlong{event.segment - offset, event.t};
           },
           [&](std::size_t k, DD sum) { at[k] = sum; });
       for (std::uint32_t k = 0; k < count; ++k) {
@@ -153,9 +154,9 @@ class RegionBuilder {
       scene.signed_areas[static_cast<std::size_t>(curve)] =
           scaled_area(0.5 * (along.total.hi + along.total.lo), -2 * exponent_);
     }
-    const double extent = (c2_ == nullptr ? c1_.tree().box() : unite(c1_.tree().box(), c2_->tree().box())).extent();
+    const double extent = (c2_ == nullptr ? c1_.tree().box() : union_of(c1_.tree().box(), c2_->tree().box())).extent();
     const double size = extent * extent;
-    scene.lost = size * marks.size() * 0x1p-91 + (size + largest) * additions * 0x1p-104;
+    scene.lost = size * events.size() * 0x1p-91 + (size + largest) * additions * 0x1p-104;
     return sums;
   }
 
@@ -175,9 +176,9 @@ class RegionBuilder {
 
   void count(Arrangement& scene, const IncidenceCounts& found, const PredicateCounts& placing, IndexKind kind) {
     RegionCounts& counts = scene.counts;
-    counts.nodes = scene.marks.nodes - scene.marks.plain;
-    // A plain node cuts an edge in two, unless it is the only one of its curve.
-    counts.edges = scene.marks.size() - scene.graph.merged - scene.marks.plain;
+    counts.nodes = scene.events.nodes - scene.events.degree2;
+    // A node of degree 2 cuts an edge in two, unless it is the only one of its curve.
+    counts.edges = scene.events.size() - scene.graph.merged - scene.events.degree2;
     if (found.mutual == 0 && found.self1 == 0) ++counts.edges;
     if (found.mutual == 0 && found.self2 == 0 && c2_ != nullptr) ++counts.edges;
     counts.faces = scene.faces.size();
@@ -190,7 +191,7 @@ class RegionBuilder {
     counts.predicates += scene.graph.predicates;
     counts.predicates += placing;
     counts.exact_parameters = found.exact_parameters;
-    counts.exact_orders = scene.marks.exact_orders;
+    counts.exact_orders = scene.events.exact_orders;
   }
 
   const IndexedCurve& c1_;
@@ -208,13 +209,13 @@ constexpr std::array<Part, 7> parts{{
     {&Areas::c1, [](bool in1, bool) { return in1; }},
     {&Areas::c2, [](bool, bool in2) { return in2; }},
     {&Areas::intersection, [](bool in1, bool in2) { return in1 && in2; }},
-    {&Areas::unite, [](bool in1, bool in2) { return in1 || in2; }},
+    {&Areas::union_, [](bool in1, bool in2) { return in1 || in2; }},
     {&Areas::c1_minus_c2, [](bool in1, bool in2) { return in1 && !in2; }},
     {&Areas::c2_minus_c1, [](bool in1, bool in2) { return !in1 && in2; }},
     {&Areas::symmetric_difference, [](bool in1, bool in2) { return in1 != in2; }},
 }};
 
-bool takes(const Part& part, WindingRule rule, const WindingArea& entry) {
+bool takes(const Part& part, FillRule rule, const WindingArea& entry) {
   return part.wanted(inside(rule, entry.w1), inside(rule, entry.w2));
 }
 
@@ -238,7 +239,7 @@ const RegionTiming& Regions::timing() const {
   return arrangement_->timing;
 }
 
-Areas Regions::areas(WindingRule rule) const {
+Areas Regions::areas(FillRule rule) const {
   const Arrangement& scene = *arrangement_;
   Areas areas;
   for (const Part& part : parts) {
@@ -255,7 +256,7 @@ double Regions::rounding(double area) const {
   return area * 0x1p-53 + scaled_bound(arrangement_->lost, arrangement_->area_exponent);
 }
 
-Areas Regions::rounding(WindingRule rule) const {
+Areas Regions::rounding(FillRule rule) const {
   const Areas computed = areas(rule);
   Areas bounds;
   for (const Part& part : parts) {
@@ -271,7 +272,7 @@ namespace {
 Regions build(const IndexedCurve& c1, const IndexedCurve* c2, const RegionOptions& options, double index_seconds = 0) {
   require_region(c1.view(), "curve 1", "regions");
   if (c2 != nullptr) require_region(c2->view(), "curve 2", "regions");
-  const int exponent = comfortable_exponent(c2 == nullptr ? c1.tree().box() : unite(c1.tree().box(), c2->tree().box()));
+  const int exponent = scaling_exponent(c2 == nullptr ? c1.tree().box() : union_of(c1.tree().box(), c2->tree().box()));
   if (exponent == 0) return RegionBuilder(c1, c2, options, 0).build(c1, c2, index_seconds);
   const std::vector<Point> first = scaled(c1.view(), exponent);
   const IndexedCurve scaled1(CurveView{first});

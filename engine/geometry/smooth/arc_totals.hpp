@@ -1,35 +1,37 @@
 // From arcs to regions (private to smooth/).
 //
-// Every arc between two nodes bounds two regions, on its left and on its right. Which ones the order of the arms at the
-// node before it says: a walk of faces is not needed for totals.
+// Every arc between two nodes bounds two regions, on its left and on its right. Which ones the order of the half-edges
+// at the node before it says: a walk of faces is not needed for totals.
 #pragma once
 
 #include "engine/geometry/crossings/node_graph.hpp"
-#include "engine/geometry/smooth/bulges.hpp"
+#include "engine/geometry/smooth/chord_areas.hpp"
 #include "lober/overlay.hpp"
 
 namespace lober {
 
-Bulge operator+(const Bulge& a, const Bulge& b);
-Bulge operator-(const Bulge& a, const Bulge& b);  ///< areas; errors add up
+ChordArea operator+(const ChordArea& a, const ChordArea& b);
+ChordArea operator-(const ChordArea& a, const ChordArea& b);  ///< areas; errors add up
 
-/// Running sums of bulges up to each contact that is an end of a node, whole curves, and the sum of doubts.
+/// Running sums of chord-to-arc areas up to each contact that is an end of a node, whole curves, and the sum of
+/// uncertainties.
 struct ArcEnds {
-  Buffer<Bulge> on1, on2;
-  Bulge total1, total2;
-  double doubt = 0;
+  Buffer<ChordArea> on1, on2;
+  ChordArea total1, total2;
+  double uncertainty = 0;
 };
 
 /// By how much smooth regions exceed those of the polygons, twice.
-struct RegionBulges {
-  Bulge c1, c2, only1, only2, both, unite;
+struct RegionChordAreas {
+  ChordArea c1, c2, only1, only2, both, union_;
 };
 
-/// Curves that meet in nodes. A shared arc counts with the bulges of C1 on both curves.
-[[nodiscard]] RegionBulges bulges_of_regions(const Crossings& nodes, const ArcEnds& ends);
+/// Curves that meet in nodes. A shared arc counts with the chord-to-arc areas of C1 on both curves.
+[[nodiscard]] RegionChordAreas chord_areas_of_regions(const Crossings& nodes, const ArcEnds& ends);
 
 /// Curves without nodes: apart, one inside the other, or one and the same (then C1 counts for both).
-[[nodiscard]] RegionBulges bulges_apart(const Overlay& result, const Bulge& total1, const Bulge& total2);
+[[nodiscard]] RegionChordAreas chord_areas_apart(const Overlay& result, const ChordArea& total1,
+                                                 const ChordArea& total2);
 
 /// The contacts by which C2 comes to a node and leaves it.
 inline std::uint32_t enters2(const NodeSpan& span) {

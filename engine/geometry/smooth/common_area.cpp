@@ -14,10 +14,10 @@ CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second) {
     const SmoothAreas smooth = smooth_areas(overlay(first, second, options));
     return {smooth.areas.intersection, smooth.error.intersection};
   } catch (const NotSimpleError&) {
-    const Areas areas = regions(first, second).areas(WindingRule::nonzero);
-    const double doubt = std::fabs(areas.c1 - std::fabs(smooth_area(first).area)) +
-                         std::fabs(areas.c2 - std::fabs(smooth_area(second).area));
-    return {areas.intersection, doubt};
+    const Areas areas = regions(first, second).areas(FillRule::nonzero);
+    const double uncertainty = std::fabs(areas.c1 - std::fabs(smooth_area(first).area)) +
+                               std::fabs(areas.c2 - std::fabs(smooth_area(second).area));
+    return {areas.intersection, uncertainty};
   }
 }
 

@@ -9,7 +9,7 @@
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/smooth/arc_totals.hpp"
-#include "engine/geometry/smooth/bulges.hpp"
+#include "engine/geometry/smooth/chord_areas.hpp"
 #include "engine/geometry/smooth/smooth_crossing.hpp"
 
 namespace lober {
@@ -30,15 +30,15 @@ class Builder {
     SmoothAreas smooth;
     smooth.fallback_segments = fallback_segments_;
     smooth.fallback_crossings = fallback_crossings_;
-    const RegionBulges bulges =
-        graph_.size() > 0 ? bulges_of_regions(result_.nodes, ends) : bulges_apart(result_, ends.total1, ends.total2);
-    add(&Areas::c1, bulges.c1, smooth);
-    add(&Areas::c2, bulges.c2, smooth);
-    add(&Areas::c1_minus_c2, bulges.only1, smooth);
-    add(&Areas::c2_minus_c1, bulges.only2, smooth);
-    add(&Areas::intersection, bulges.both, smooth);
-    add(&Areas::unite, bulges.unite, smooth);
-    add(&Areas::symmetric_difference, bulges.only1 + bulges.only2, smooth);
+    const RegionChordAreas chord_areas = graph_.size() > 0 ? chord_areas_of_regions(result_.nodes, ends)
+                                                           : chord_areas_apart(result_, ends.total1, ends.total2);
+    add(&Areas::c1, chord_areas.c1, smooth);
+    add(&Areas::c2, chord_areas.c2, smooth);
+    add(&Areas::c1_minus_c2, chord_areas.only1, smooth);
+    add(&Areas::c2_minus_c1, chord_areas.only2, smooth);
+    add(&Areas::intersection, chord_areas.both, smooth);
+    add(&Areas::union_, chord_areas.union_, smooth);
+    add(&Areas::symmetric_difference, chord_areas.only1 + chord_areas.only2, smooth);
     return smooth;
   }
 
@@ -117,12 +117,12 @@ class Builder {
       segments1[k] = graph_.contacts[k].segment1;
       segments2[k] = graph_.contacts[graph_.contacts2[k]].segment2;
     }
-    BulgeSums sums1 = sum_bulges(c1_, segments1), sums2 = sum_bulges(c2_, segments2);
+    ChordAreaSums sums1 = sum_chord_areas(c1_, segments1), sums2 = sum_chord_areas(c2_, segments2);
     fallback_segments_ = sums1.fallbacks + sums2.fallbacks;
-    ArcEnds ends{std::move(sums1.before), Buffer<Bulge>(count), sums1.total, sums2.total, 0};
+    ArcEnds ends{std::move(sums1.before), Buffer<ChordArea>(count), sums1.total, sums2.total, 0};
     for (std::size_t k = 0; k < count; ++k) ends.on2[graph_.contacts2[k]] = sums2.before[k];
 
-    std::vector<double> doubt(graph_.size());
+    std::vector<double> uncertainty(graph_.size());
     for_each_block(graph_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const NodeSpan span = graph_.span(static_cast<std::uint32_t>(k));
@@ -132,25 +132,25 @@ class Builder {
             ends.on1[contact].area += DD{end_here.on1, 0};
             ends.on2[contact].area += DD{end_here.on2, 0};
           }
-          doubt[k] += end_here.doubt;
+          uncertainty[k] += end_here.uncertainty;
           if (span.first == span.last) break;
         }
       }
     });
     for (std::uint32_t k = 0; k < graph_.size(); ++k) {
-      ends.doubt += doubt[k];
+      ends.uncertainty += uncertainty[k];
       fallback_crossings_ += is_crossing(k) && !straight_[graph_.span(k).first] && !moved_[k];
     }
     return ends;
   }
 
   // An area that comes out negative is one that smooth curves do not enclose.
-  void add(double Areas::*member, const Bulge& bulge, SmoothAreas& smooth) const {
+  void add(double Areas::*member, const ChordArea& chord_area, SmoothAreas& smooth) const {
     const auto half = [&](double twice) { return scaled_area(twice, exponent_ - 1); };
-    const double area = result_.areas.*member + half(bulge.area.hi + bulge.area.lo);
+    const double area = result_.areas.*member + half(chord_area.area.hi + chord_area.area.lo);
     smooth.areas.*member = std::max(area, 0.0);
-    smooth.error.*member = result_.rounding.*member + half(bulge.error) + std::max(-area, 0.0) +
-                           (bulge.area.hi == 0 ? 0 : std::fabs(area) * 0x1p-53);
+    smooth.error.*member = result_.rounding.*member + half(chord_area.error) + std::max(-area, 0.0) +
+                           (chord_area.area.hi == 0 ? 0 : std::fabs(area) * 0x1p-53);
   }
 
   const Overlay& result_;
@@ -166,7 +166,7 @@ class Builder {
 
 SmoothAreas smooth_areas(const Overlay& result) {
   const CurveView &c1 = result.nodes.curve1(), &c2 = result.nodes.curve2();
-  const int exponent = comfortable_exponent(unite(box_of(c1.points), box_of(c2.points)));
+  const int exponent = scaling_exponent(union_of(box_of(c1.points), box_of(c2.points)));
   if (exponent == 0) return Builder(result, c1, c2, 0).build();
   const std::vector<Point> first = scaled(c1, exponent), second = scaled(c2, exponent);
   return Builder(result, CurveView{first}, CurveView{second}, -2 * exponent).build();

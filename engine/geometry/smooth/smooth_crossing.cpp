@@ -7,19 +7,6 @@
 namespace lober {
 namespace {
 
-Point operator+(Point u, Point v) {
-  return {u.x + v.x, u.y + v.y};
-}
-Point operator-(Point u, Point v) {
-  return {u.x - v.x, u.y - v.y};
-}
-double cross(Point u, Point v) {
-  return u.x * v.y - u.y * v.x;
-}
-double length(Point u) {
-  return std::hypot(u.x, u.y);
-}
-
 // A point that moves along a smooth curve. Coordinates are relative to `origin`, a vertex near by.
 class Runner {
  public:
@@ -67,11 +54,11 @@ class Runner {
 };
 
 // Twice the area of the loop from `from`, on the polygon's segment `segment`, along the polygon to the segment where
-// the runner is, along the smooth curve to the runner, straight to `to` and back; with the bulges of whole segments
-// between.
+// the runner is, along the smooth curve to the runner, straight to `to` and back; with the chord-to-arc areas of whole
+// segments between.
 double loop(const SmoothCurve& curve, Point origin, std::int64_t segment, Point from, const Runner& runner, Point to) {
   const SmoothPlace place = runner.place();
-  double sum = runner.shape().bulge(place.u);
+  double sum = runner.shape().chord_area(place.u);
   Point previous{};  // relative to `from`, so that the sides there have no term
   const auto go_to = [&](Point next) {
     next = next - from;
@@ -80,12 +67,12 @@ double loop(const SmoothCurve& curve, Point origin, std::int64_t segment, Point 
   };
   for (std::int64_t k = segment; k < place.segment; ++k) {
     go_to(curve.vertex(k + 1) - origin);
-    sum += curve.segment(k).bulge(1);
+    sum += curve.segment(k).chord_area(1);
   }
   if (place.segment <= segment) go_to(curve.vertex(segment) - origin);
   for (std::int64_t k = segment; k > place.segment; --k) {
     go_to(curve.vertex(k - 1) - origin);
-    sum -= curve.segment(k - 1).bulge(1);
+    sum -= curve.segment(k - 1).chord_area(1);
   }
   go_to(runner.at());
   go_to(to);
@@ -127,8 +114,8 @@ EndOfArcs end_of_arcs(const SmoothCurve& c1, const SmoothCurve& c2, const Contac
   ends.on1 = loop(c1, origin, here1.segment, polygons, on1, meeting);
   ends.on2 = loop(c2, origin, here2.segment, polygons, on2, meeting);
   const double apart = length(on2.at() - on1.at());
-  ends.doubt = on1.shape().error + on2.shape().error +
-               2 * apart * std::max(length(on1.shape().chord), length(on2.shape().chord));
+  ends.uncertainty = on1.shape().error + on2.shape().error +
+                     2 * apart * std::max(length(on1.shape().chord), length(on2.shape().chord));
   return ends;
 }
 

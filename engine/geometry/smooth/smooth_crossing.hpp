@@ -18,12 +18,12 @@ struct SmoothCrossing {
 [[nodiscard]] std::optional<SmoothCrossing> find_smooth_crossing(const SmoothCurve& c1, const SmoothCurve& c2,
                                                                  const Contact& contact, bool rightward_to_left);
 
-/// What one contact adds to the running sums of bulges before its two segments, so that they reach the point where both
-/// curves pass; `doubt` is twice the area that may hide where the smooth curves do not meet in that point, and the
-/// errors of the two segments.
+/// What one contact adds to the running sums of chord-to-arc areas before its two segments, so that they reach the
+/// point where both curves pass; `uncertainty` is twice the area that may hide where the smooth curves do not meet in
+/// that point, and the errors of the two segments.
 struct EndOfArcs {
   double on1 = 0, on2 = 0;
-  double doubt = 0;
+  double uncertainty = 0;
 };
 
 /// With the crossing where it was moved to, or at the contact where there is none. The sum of (v_i - o) x (v_{i+1} - o)

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/smooth/bulges.hpp"
+#include "engine/geometry/smooth/chord_areas.hpp"
 #include "engine/geometry/smooth/smooth_crossing.hpp"
 
 namespace lober {
@@ -40,7 +40,7 @@ class GapFinder {
       segments1[k] = contact(k).segment1;
       segments2[k] = contact(order[k]).segment2;
     }
-    const BulgeSums sums1 = sum_bulges(c1_, segments1), sums2 = sum_bulges(c2_, segments2);
+    const ChordAreaSums sums1 = sum_chord_areas(c1_, segments1), sums2 = sum_chord_areas(c2_, segments2);
     gaps.fallback_segments = sums1.fallbacks + sums2.fallbacks;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       gaps.at[k].twice += sums1.before[k].area;
@@ -52,7 +52,7 @@ class GapFinder {
       SmoothGap& gap = gaps.at[k];
       const EndOfArcs end = end_of_arcs(c1_, c2_, contact(k), moved_[k]);
       gap.twice += two_diff(end.on1, end.on2);
-      gap.doubt = end.doubt;
+      gap.uncertainty = end.uncertainty;
       gap.moved = moved_[k].has_value();
       gap.at = gap.moved ? place(moved_[k]->place1) : place_of(contact(k), view1_, view2_);
       gaps.fallback_crossings += !gap.moved;

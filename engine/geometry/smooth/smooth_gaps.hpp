@@ -13,12 +13,12 @@ namespace lober {
 
 /// What the smooth curves through the points have more than the polygons at one crossing.
 struct SmoothGap {
-  DD twice;            ///< to be added to S_1 - S_2 up to the crossing (engine/lober/tangle.hpp)
-  double error1 = 0;   ///< twice the error of that, summed along C1 and C2 from their beginnings: an arc between
-  double error2 = 0;   ///< two crossings has the difference
-  double doubt = 0;    ///< twice the area that may hide at the crossing itself
-  Point at;            ///< where the smooth curves cross
-  bool moved = false;  ///< false where they do not cross near by in the same order: then the polygons' crossing
+  DD twice;                ///< to be added to S_1 - S_2 up to the crossing (engine/lober/tangle.hpp)
+  double error1 = 0;       ///< twice the error of that, summed along C1 and C2 from their beginnings: an arc between
+  double error2 = 0;       ///< two crossings has the difference
+  double uncertainty = 0;  ///< twice the area that may hide at the crossing itself
+  Point at;                ///< where the smooth curves cross
+  bool moved = false;      ///< false where they do not cross near by in the same order: then the polygons' crossing
 };
 
 struct SmoothGaps {
@@ -28,7 +28,7 @@ struct SmoothGaps {
 };
 
 /// At the given nodes, which ascend, in the method of smooth_areas (engine/lober/smooth.hpp). Coordinates
-/// must be of a comfortable size (curve/scaled.hpp). O(n + m), parallel; the same bits for any number of threads.
+/// must be scaled (curve/scaled.hpp). O(n + m), parallel; the same bits for any number of threads.
 [[nodiscard]] SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const NodeGraph& graph,
                                      std::span<const std::uint32_t> nodes);
 

@@ -39,9 +39,9 @@ ChordCuts cuts_of_chord(const Tangle& tangle) {
   if (ends[0] == ends[1]) return cuts;
   const IndexedCurve chord({ends, false});
   // Parameters are rounded: what lies that near to a pip counts for both sides.
-  constexpr double doubt = 1e-12;
+  constexpr double uncertainty = 1e-12;
   const auto not_after = [](Position x, Position y) {
-    return x.segment != y.segment ? x.segment < y.segment : x.t <= y.t + doubt;
+    return x.segment != y.segment ? x.segment < y.segment : x.t <= y.t + uncertainty;
   };
   const Pip& bip = tangle.pips[tangle.boundary->bip];
   const auto mark = [&](const std::vector<Position>& meetings, Position Pip::*on) {
@@ -67,11 +67,11 @@ ChordCuts cuts_of_chord(const Tangle& tangle) {
 }
 
 double nonzero_area(const std::vector<Point>& polygon) {
-  return regions(ClosedCurve::borrow(polygon)).areas(WindingRule::nonzero).c1;
+  return regions(ClosedCurve::borrow(polygon)).areas(FillRule::nonzero).c1;
 }
 
 double common_area(const std::vector<Point>& first, const std::vector<Point>& second) {
-  return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(WindingRule::nonzero).intersection;
+  return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(FillRule::nonzero).intersection;
 }
 
 // The crossings of the boundary with lobes: node numbers, and for each the lobe it is on.

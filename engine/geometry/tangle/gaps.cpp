@@ -21,7 +21,7 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
     if (slots[node] != unwanted) order[place++] = slots[node];
   }
   const auto contact = [&](std::size_t k) { return graph.contacts[graph.span(nodes[k]).first]; };
-  run_together(
+  parallel_if(
       curves.u().segments() + curves.s().segments() > 100'000,
       [&] {
         sum_along(

@@ -63,7 +63,7 @@ SweptArea swept_area(const Tangle& tangle, std::size_t number) {
 std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe) {
   const std::vector<Point> outline = lobe_outline(tangle, lobe);
   const Regions region = regions(ClosedCurve::borrow(outline));
-  const RegionPieces pieces = region.pieces(WindingRule::nonzero, Pairing::c1_minus_c2);
+  const RegionPieces pieces = region.pieces(FillRule::nonzero, Pairing::c1_minus_c2);
   return {pieces.areas().begin(), pieces.areas().end()};
 }
 

@@ -37,7 +37,7 @@ struct Sum {
 // What runs up along the curves to one crossing: the gap, twice the estimated errors of the areas, lengths.
 struct Along {
   DD gap;
-  double error_u = 0, error_s = 0, doubt = 0;
+  double error_u = 0, error_s = 0, uncertainty = 0;
   double length_u = 0, length_s = 0;
 };
 
@@ -57,7 +57,7 @@ std::vector<Along> sums_along(const Tangle& tangle, std::span<const std::uint32_
   if (nodes.empty()) return along;
   const Buffer<DD> gaps = polygon_gaps_at(*tangle.curves, graph_of(tangle.nodes), nodes);
   std::vector<double> u, s;
-  run_together(
+  parallel_if(
       tangle.u().segments() + tangle.s().segments() > 100'000, [&] { u = lengths(tangle.u()); },
       [&] { s = lengths(tangle.s()); });
   for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -73,7 +73,7 @@ std::vector<Along> sums_along(const Tangle& tangle, std::span<const std::uint32_
     along[k].gap += smooth.at[k].twice;
     along[k].error_u = smooth.at[k].error1;
     along[k].error_s = smooth.at[k].error2;
-    along[k].doubt = smooth.at[k].doubt;
+    along[k].uncertainty = smooth.at[k].uncertainty;
   }
   return along;
 }
@@ -111,7 +111,7 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
       const int rho = tangle.nodes.rho(nodes[terms[k].node]);
       sum.twice = rho > 0 ? sum.twice + here.gap : sum.twice - here.gap;
       // The crossing is one of U_j with S_i: U leaves lobe i if rho o_i = 1, S leaves lobe j if -rho o_j = 1.
-      sum.error += rho * (o_i * here.error_u - o_j * here.error_s) + here.doubt;
+      sum.error += rho * (o_i * here.error_u - o_j * here.error_s) + here.uncertainty;
       sum.length += rho * (o_i * here.length_u - o_j * here.length_s);
     }
     if (o_i != o_j) sum.twice = -sum.twice;

@@ -14,7 +14,7 @@ namespace {
 struct Measures {
   double twice_area = 0, moment_x = 0, moment_y = 0;  // about the first pip
   double length = 0;
-  double bulge = 0;
+  double chord_area = 0;
 
   void add_segment(Point a, Point b, Point origin) {
     const double ax = a.x - origin.x, ay = a.y - origin.y, dx = b.x - a.x, dy = b.y - a.y;
@@ -33,19 +33,19 @@ struct Measures {
       a = curve.points[k];
     }
     add_segment(a, last, origin);
-    add_bulges(curve, from, to);
+    add_chord_areas(curve, from, to);
   }
-  void add_bulges(const CurveView& curve, Position from, Position to) {
-    for (std::size_t k = from.segment; k <= to.segment; ++k) bulge += std::fabs(bulge_of(curve, k, from, to));
+  void add_chord_areas(const CurveView& curve, Position from, Position to) {
+    for (std::size_t k = from.segment; k <= to.segment; ++k) chord_area += std::fabs(chord_area_of(curve, k, from, to));
   }
 
   // Of the part of segment k that lies between the two places.
-  static double bulge_of(const CurveView& curve, std::size_t k, Position from, Position to) {
+  static double chord_area_of(const CurveView& curve, std::size_t k, Position from, Position to) {
     const std::span<const Point> p = curve.points;
     const Point before = k > 0 ? p[k - 1] : p[k], after = k + 2 < p.size() ? p[k + 2] : p[k + 1];
     const double begin = k == from.segment ? sagitta_fraction(from.t) : 0;
     const double end = k == to.segment ? sagitta_fraction(to.t) : 1;
-    return twice_sagitta_area(before, p[k], p[k + 1], after) * (end - begin);
+    return twice_chord_area(before, p[k], p[k + 1], after) * (end - begin);
   }
 };
 
@@ -55,13 +55,13 @@ std::vector<LobeShape> lobe_shapes(const Tangle& tangle) {
   std::vector<LobeShape> shapes(tangle.lobes.size());
   const TangleCurves& curves = *tangle.curves;  // at a scale where squares stay in range
   const CurveView &u = curves.u().view(), &s = curves.s().view();
-  const auto at_scale = [&](Point p, int exponent) {
+  const auto scaled_by = [&](Point p, int exponent) {
     return exponent == 0 ? p : Point{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
   };
   for_each_block(shapes.size(), 1, [&](std::size_t k, std::size_t) {
     const Pip &first = tangle.pips[k], &last = tangle.pips[k + 1];
-    const Point begin = at_scale(tangle.nodes[first.node].begin, curves.exponent);
-    const Point end = at_scale(tangle.nodes[last.node].begin, curves.exponent);
+    const Point begin = scaled_by(tangle.nodes[first.node].begin, curves.exponent);
+    const Point end = scaled_by(tangle.nodes[last.node].begin, curves.exponent);
     Measures measures;
     measures.add_arc(u, first.u, begin, last.u, end, begin);
     measures.add_arc(s, last.s, end, first.s, begin, begin);
@@ -69,10 +69,10 @@ std::vector<LobeShape> lobe_shapes(const Tangle& tangle) {
     const double below = 3 * measures.twice_area;
     const Point centroid =
         below == 0 ? begin : Point{begin.x + measures.moment_x / below, begin.y + measures.moment_y / below};
-    shape.centroid = at_scale(centroid, -curves.exponent);
+    shape.centroid = scaled_by(centroid, -curves.exponent);
     shape.perimeter = std::ldexp(measures.length, -curves.exponent);
     shape.width = shape.perimeter > 0 ? 2 * std::fabs(tangle.lobes[k].area) / shape.perimeter : 0;
-    shape.discretisation = curves.area({measures.bulge, 0});
+    shape.discretisation = curves.area({measures.chord_area, 0});
   });
   return shapes;
 }
@@ -81,9 +81,9 @@ double boundary_discretisation(const Tangle& tangle) {
   const Pip& bip = tangle.pips.at(tangle.boundary->bip);
   const TangleCurves& curves = *tangle.curves;
   Measures measures;
-  measures.add_bulges(curves.u().view(), {}, bip.u);
-  measures.add_bulges(curves.s().view(), {}, bip.s);
-  return curves.area({measures.bulge, 0});
+  measures.add_chord_areas(curves.u().view(), {}, bip.u);
+  measures.add_chord_areas(curves.s().view(), {}, bip.s);
+  return curves.area({measures.chord_area, 0});
 }
 
 }  // namespace lober

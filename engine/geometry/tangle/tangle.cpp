@@ -23,7 +23,7 @@ std::shared_ptr<const TangleCurves> scaled_curves(const IndexedCurve& u, const I
   if (!u.tree().sums_finite()) validate(u.view(), "U");
   if (!s.tree().sums_finite()) validate(s.view(), "S");
   auto curves = std::make_shared<TangleCurves>();
-  curves->exponent = comfortable_exponent(unite(u.tree().box(), s.tree().box()));
+  curves->exponent = scaling_exponent(union_of(u.tree().box(), s.tree().box()));
   curves->smooth = smooth;
   if (curves->exponent == 0) {
     curves->index_u = u;
@@ -54,11 +54,12 @@ void smooth_lobes(Tangle& tangle) {
     const Point at = smooth.at[k].at;
     tangle.pips[k].at = {std::ldexp(at.x, -curves.exponent), std::ldexp(at.y, -curves.exponent)};
     set_gap(tangle.pips[k], gap_of(tangle.pips[k]) + smooth.at[k].twice);
-    tangle.pips[k].gap_error = smooth.at[k].error1 + smooth.at[k].error2 + smooth.at[k].doubt;
+    tangle.pips[k].gap_error = smooth.at[k].error1 + smooth.at[k].error2 + smooth.at[k].uncertainty;
   }
   for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
     const SmoothGap &first = smooth.at[k], &last = smooth.at[k + 1];
-    const double error = last.error1 - first.error1 + (first.error2 - last.error2) + first.doubt + last.doubt;
+    const double error =
+        last.error1 - first.error1 + (first.error2 - last.error2) + first.uncertainty + last.uncertainty;
     tangle.lobes[k].area = curves.area(gap_of(tangle.pips[k + 1]) - gap_of(tangle.pips[k]));
     tangle.lobes[k].smooth_error = curves.area({error, 0}) + tangle.rounding(tangle.lobes[k].area);
   }
@@ -88,6 +89,7 @@ Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptio
   const Stopwatch watch;
   Tangle result;
   report(0);
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): copies of an index share it
   const IndexedCurve u(given_u), s(given_s);
   result.curves = scaled_curves(u, s, options.smooth);
   const TangleCurves& curves = *result.curves;
@@ -146,7 +148,7 @@ Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptio
 }  // namespace
 
 double Tangle::rounding(double area) const {
-  const Box box = unite(curves->u().tree().box(), curves->s().tree().box());
+  const Box box = union_of(curves->u().tree().box(), curves->s().tree().box());
   const double lost = lost_in_sums(box.extent(), nodes.size(), u().segments() + s().segments());
   if (curves->exponent == 0) return std::fabs(area) * 0x1p-53 + lost;
   return std::fabs(area) * 0x1p-53 + scaled_bound(lost, -2 * curves->exponent);

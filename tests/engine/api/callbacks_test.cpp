@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -17,6 +18,7 @@
 #include "engine/geometry/views.hpp"
 #include "lober/densify.hpp"
 #include "lober/interior.hpp"
+#include "lober/manifolds.hpp"
 #include "lober/overlay.hpp"
 #include "lober/regions.hpp"
 #include "lober/tangle.hpp"
@@ -61,21 +63,21 @@ const std::vector<Function>& functions() {
          OverlayOptions options;
          options.progress = progress;
          const Overlay result = overlay(CurveView{first}, CurveView{second}, options);
-         return std::vector{result.areas.unite, result.areas.c1_minus_c2, static_cast<double>(result.nodes.size())};
+         return std::vector{result.areas.union_, result.areas.c1_minus_c2, static_cast<double>(result.nodes.size())};
        }},
       {"interior_areas",
        [](const Callback& progress) {
          InteriorOptions options;
          options.progress = progress;
          const InteriorAreas result = interior_areas(CurveView{first}, CurveView{second}, options);
-         return std::vector{result.areas.unite, result.areas.c1_minus_c2, result.q1};
+         return std::vector{result.areas.union_, result.areas.c1_minus_c2, result.q1};
        }},
       {"regions",
        [](const Callback& progress) {
          RegionOptions options;
          options.progress = progress;
          const Regions result = regions(CurveView{first}, CurveView{second}, options);
-         return std::vector{result.areas(WindingRule::nonzero).unite, static_cast<double>(result.counts().nodes)};
+         return std::vector{result.areas(FillRule::nonzero).union_, static_cast<double>(result.counts().nodes)};
        }},
       {"tangle",
        [](const Callback& progress) {
@@ -166,26 +168,24 @@ TEST(Callbacks, CancellationAtRandomInstantsLeavesResultsAlone) {
   }
 }
 
-// The function of a sampled curve runs in many threads at a time.
+// The function of a curve runs in many threads at a time.
 TEST(Callbacks, WhatTheFunctionOfACurveThrowsReachesTheCaller) {
-  const auto circle = [](std::span<const double> t, std::span<Point> points) {
+  const auto circle = [](int, std::span<const double> t, std::span<Point> points) {
     for (std::size_t k = 0; k < t.size(); ++k) points[k] = {std::cos(t[k]), std::sin(t[k])};
   };
-  const std::vector<double> start{0, 1, 2, 3, 4, 5, 6};
-  SampledOptions options;
-  options.criteria.longest = 1e-4;
-  options.period = 2 * std::numbers::pi;
-  options.batch = 64;
-  const std::size_t expected = densify_sampled(start, circle, options).points.size();
-  for (const int at : {1, 2, 10, 500}) {
+  const std::array<double, 2> ends{0, 2 * std::numbers::pi};
+  const ImageOptions options{.tolerance = 1e-9};
+  const auto once = [](const CurveImage&) { return false; };
+  const std::size_t expected = images_of(circle, ends, options, once)[0].points.size();
+  for (const int at : {1, 2, 5}) {
     std::atomic<int> calls{0};
-    const auto throwing = [&](std::span<const double> t, std::span<Point> points) {
+    const auto throwing = [&](int curve, std::span<const double> t, std::span<Point> points) {
       if (++calls == at) throw Mine();
-      circle(t, points);
+      circle(curve, t, points);
     };
-    EXPECT_THROW((void)densify_sampled(start, throwing, options), Mine) << at;
+    EXPECT_THROW((void)images_of(throwing, ends, options, once), Mine) << at;
   }
-  EXPECT_EQ(densify_sampled(start, circle, options).points.size(), expected);
+  EXPECT_EQ(images_of(circle, ends, options, once)[0].points.size(), expected);
 }
 
 }  // namespace

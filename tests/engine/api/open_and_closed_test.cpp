@@ -55,12 +55,12 @@ const std::vector<Function>& functions() {
        }},
       {"interior_function_direct", Wanted::closed,
        [](CurveView a, CurveView) { (void)interior_function_direct(a, somewhere); }},
-      {"side_of", Wanted::closed, [](CurveView a, CurveView) { (void)side_of(IndexedCurve(a), somewhere); }},
+      {"locate", Wanted::closed, [](CurveView a, CurveView) { (void)locate(IndexedCurve(a), somewhere); }},
       {"label_points", Wanted::closed,
        [](CurveView a, CurveView) {
          (void)label_points(IndexedCurve(a), {&somewhere, 1});
        }},
-      {"encloses", Wanted::closed, [](CurveView a, CurveView) { (void)encloses(IndexedCurve(a), somewhere); }},
+      {"contains", Wanted::closed, [](CurveView a, CurveView) { (void)contains(IndexedCurve(a), somewhere); }},
       {"orientation", Wanted::closed, [](CurveView a, CurveView) { (void)orientation(IndexedCurve(a)); }},
       {"regions of one", Wanted::closed, [](CurveView a, CurveView) { (void)regions(a); }},
       {"regions", Wanted::closed, [](CurveView a, CurveView b) { (void)regions(a, b); }},
@@ -83,12 +83,12 @@ const std::vector<Function>& functions() {
       {"densify", Wanted::either,
        [](CurveView a, CurveView) {
          for (const Interpolation how : {Interpolation::linear, Interpolation::dritschel, Interpolation::spline})
-           (void)densify(a, {.longest = 0.25}, {.interpolation = how});
+           (void)densify(a, {.max_length = 0.25}, {.interpolation = how});
        }},
       {"densify_near", Wanted::either, [](CurveView a, CurveView b) { (void)densify_near(a, b, {}); }},
       {"densify_near, other", Wanted::either, [](CurveView a, CurveView b) { (void)densify_near(b, a, {}); }},
       {"insert_crossings", Wanted::either, [](CurveView a, CurveView b) { (void)insert_crossings(a, b); }},
-      {"thin", Wanted::either, [](CurveView a, CurveView) { (void)thin(a, {.tolerance = 0.1}); }},
+      {"simplify", Wanted::either, [](CurveView a, CurveView) { (void)simplify(a, {.tolerance = 0.1}); }},
   };
   return all;
 }

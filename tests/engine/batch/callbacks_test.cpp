@@ -28,7 +28,7 @@ Operation summing() {
   Operation sum;
   sum.name = "sum";
   sum.columns = {{"sum", Column::Kind::real}};
-  sum.needs = [](const Options&) { return Needs{.index = true}; };
+  sum.requirements = [](const Options&) { return Requirements{.index = true}; };
   sum.run = [](JobCurves curves, const Options&) {
     std::vector<double> parts(64, 0);
     for (int round = 0; round < 3; ++round) {
@@ -171,8 +171,9 @@ TEST(Callbacks, MayNotSubmit) {
 TEST(Callbacks, UnitsThatThrowFailTheirJobsOnly) {
   Queue mine({.threads = 2});
   int number = 0;
-  for (const auto& fail : std::vector<std::function<void()>>{
-           [] { throw std::bad_alloc(); }, [] { throw std::length_error("too long"); }, [] { throw Thrown("torn"); }}) {
+  for (const auto& fail :
+       std::vector<std::function<void()>>{[] { throw std::bad_alloc(); }, [] { throw std::length_error("too long"); },
+                                          [] { throw Thrown("broken"); }}) {
     CurveUnit unit;
     unit.points = 10;
     unit.load = [fail](const Loading&) -> std::vector<LoadedCurve> {
@@ -189,7 +190,7 @@ TEST(Callbacks, UnitsThatThrowFailTheirJobsOnly) {
   EXPECT_EQ(errors[""], 28);
   EXPECT_EQ(report.failed, 27U);
   EXPECT_GT(errors["out of memory"], 0);
-  EXPECT_GT(errors["torn"], 0);
+  EXPECT_GT(errors["broken"], 0);
 }
 
 // Bytes that no machine has: the loader says how many points there are, and the index asks for memory.
@@ -225,7 +226,7 @@ TEST(Callbacks, WorkThatGrowsIsPutBackUntilThereIsRoom) {
     Operation count;
     count.name = "count";
     count.arity = Arity::one;
-    count.needs = [](const Options&) { return Needs{}; };
+    count.requirements = [](const Options&) { return Requirements{}; };
     count.run = [](JobCurves jobs, const Options&) {
       return Record{{static_cast<double>(jobs[0]->curve().points.size())}, {}};
     };

@@ -184,7 +184,7 @@ class StoreInPlace : public ScratchFolder {
   }
   void expect_both_in(const std::string& name, const std::string& message) const {
     EXPECT_NE(message.find(path(name)), std::string::npos) << message;
-    EXPECT_EQ(Store::open(path(name)).known().size(), 2U);
+    EXPECT_EQ(Store::open(path(name)).stored().size(), 2U);
   }
 };
 
@@ -228,7 +228,7 @@ TEST_F(StoreInPlace, AFileTooShortToBeADatabaseIsNotFilled) {
     EXPECT_EQ(bytes_of(path("short")), std::string(size, 'x'));
   }
   write("empty", "");
-  EXPECT_EQ(Store::create(path("empty")).known().size(), 0U);
+  EXPECT_EQ(Store::create(path("empty")).stored().size(), 0U);
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #include "engine/batch/manifest.hpp"
 
 #include <algorithm>
+#include <random>
 
 #include "engine/batch/curve_set.hpp"
-#include "engine/batch/dealer.hpp"
 #include "engine/batch/plan.hpp"
+#include "engine/batch/work_queue.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
@@ -80,12 +81,12 @@ options = { method = "ends", index = "grid" }
 grid = { passes = [1, 2], points = [10, 20] }
 )");
   ASSERT_EQ(all.groups.size(), 5U);
-  EXPECT_EQ(all.groups[0].spelled(), "areas_only=false discretisation=true lobes=false index=tree");
-  EXPECT_EQ(all.groups[1].spelled(), "method=ends passes=1 points=10 index=grid");
-  EXPECT_EQ(all.groups[4].spelled(), "method=ends passes=2 points=20 index=grid");
+  EXPECT_EQ(all.groups[0].to_string(), "areas_only=false discretisation=true lobes=false index=tree");
+  EXPECT_EQ(all.groups[1].to_string(), "method=ends passes=1 points=10 index=grid");
+  EXPECT_EQ(all.groups[4].to_string(), "method=ends passes=2 points=20 index=grid");
   EXPECT_EQ(all.groups[4].name, "fine");
   EXPECT_EQ(all.jobs.size(), 3U + 4);
-  EXPECT_EQ(options_of(all.groups[3]).spelled(), all.groups[3].spelled());
+  EXPECT_EQ(options_of(all.groups[3]).to_string(), all.groups[3].to_string());
 }
 
 TEST_F(ManifestTest, RefusalsNameLineAndKey) {
@@ -129,17 +130,17 @@ operation = "interior"
   EXPECT_EQ(seen, std::vector<int>(all.jobs.size(), 1));
 }
 
-TEST_F(ManifestTest, DealerDealsEachJobOnceInShrinkingPortions) {
+TEST_F(ManifestTest, WorkQueueHandsOutEachJobOnceInShrinkingPortions) {
   const Plan all = plan("operation = \"densify\"\ncurves = \"separ.*\"\n[grid]\nmax_length = [" + [] {
     std::string lengths = "1";
     for (int k = 2; k < 1000; ++k) lengths += "," + std::to_string(k);
     return lengths;
   }() + "]");
   std::vector<std::uint32_t> numbers = jobs_of(all, {});
-  Dealer dealer(all, path("job.toml"), numbers, 3);
+  WorkQueue queue(all, path("job.toml"), numbers, 3);
   std::vector<std::uint32_t> dealt;
   std::size_t before = numbers.size();
-  for (std::vector<std::uint32_t> portion = dealer.deal(); !portion.empty(); portion = dealer.deal()) {
+  for (std::vector<std::uint32_t> portion = queue.next_portion(); !portion.empty(); portion = queue.next_portion()) {
     EXPECT_LE(portion.size(), before);
     before = portion.size();
     dealt.insert(dealt.end(), portion.begin(), portion.end());
@@ -163,7 +164,31 @@ TEST(NaturalOrder, RunsOfDigitsAreNumbers) {
   EXPECT_TRUE(natural_less("a", "b"));
   EXPECT_TRUE(natural_less("a", "a1"));
   EXPECT_FALSE(natural_less("a1", "a1"));
-  EXPECT_NE(natural_less("a01", "a1"), natural_less("a1", "a01"));
+}
+
+// As printf writes them: %d, %02d and so on, also where a number is too long for the width.
+TEST(NaturalOrder, NumbersOfAnyWidthAreInOrder) {
+  for (const std::size_t width : {1U, 2U, 3U, 4U}) {
+    std::vector<std::string> names;
+    for (int number = 0; number <= 1200; ++number) {
+      std::string digits = std::to_string(number);
+      digits.insert(0, width - std::min(width, digits.size()), '0');
+      names.push_back("separ." + digits + ".dat");
+    }
+    const std::vector<std::string> ordered = names;
+    std::shuffle(names.begin(), names.end(), std::mt19937(5));
+    std::sort(names.begin(), names.end(), natural_less);
+    EXPECT_EQ(names, ordered) << "width " << width;
+  }
+}
+
+TEST(NaturalOrder, LeadingZerosComeFirstAndCountAsDecimalPlaces) {
+  const std::vector<std::string> ordered{"a", "a000", "a00", "a01", "a010", "a09", "a0", "a1", "a9", "a10"};
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    for (std::size_t k = 0; k < ordered.size(); ++k) {
+      EXPECT_EQ(natural_less(ordered[i], ordered[k]), i < k) << ordered[i] << ' ' << ordered[k];
+    }
+  }
 }
 
 }  // namespace

@@ -21,13 +21,13 @@ std::string message_of(std::vector<OptionSetting> settings) {
 }
 
 TEST(Options, WhatIsNotGivenHasItsFallback) {
-  EXPECT_EQ(Options(specs, {}).spelled(), "flag=false count=2 size=0.5 kind=auto");
+  EXPECT_EQ(Options(specs, {}).to_string(), "flag=false count=2 size=0.5 kind=auto");
 }
 
 TEST(Options, SpellingDoesNotDependOnHowTheyWereGiven) {
   const std::vector<OptionSetting> one{{"size", std::int64_t{3}}, {"flag", true}};
   const std::vector<OptionSetting> other{{"flag", false}, {"flag", true}, {"count", std::int64_t{2}}, {"size", 3.0}};
-  EXPECT_EQ(Options(specs, one).spelled(), Options(specs, other).spelled());
+  EXPECT_EQ(Options(specs, one).to_string(), Options(specs, other).to_string());
   EXPECT_EQ(Options(specs, one).real("size"), 3.0);
 }
 

@@ -49,7 +49,7 @@ TEST(JobQueue, GivesWhatTheOverlayGives) {
   EXPECT_EQ(report.points, 66U * 800);
   EXPECT_EQ(report.cache.units_read, 12U);
   EXPECT_EQ(report.cache.curves_indexed, 12U);
-  EXPECT_EQ(report.cache.most_reads, 1U);
+  EXPECT_EQ(report.cache.max_reads, 1U);
   std::size_t job = 0;
   for (int i = 0; i < 12; ++i) {
     for (int k = i + 1; k < 12; ++k, ++job) {
@@ -133,7 +133,7 @@ TEST(JobQueue, RunsOperationsOfTheCaller) {
   count.name = "count";
   count.arity = Arity::one;
   count.columns = {{"points", Column::Kind::count}};
-  count.needs = [](const Options&) { return Needs{}; };
+  count.requirements = [](const Options&) { return Requirements{}; };
   count.run = [](JobCurves curves, const Options&) {
     return Record{{static_cast<double>(curves[0]->curve().points.size())}, {}};
   };

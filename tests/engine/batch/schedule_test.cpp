@@ -8,7 +8,7 @@
 namespace lober {
 namespace {
 
-// How often units are read when jobs go one by one through a cache of so many bytes that drops the least recently used.
+// How often units are read when jobs go one by one through a cache of `bytes` bytes that drops the least recently used.
 std::size_t readings(std::span<const ScheduledJob> jobs, std::span<const std::uint32_t> order, std::size_t unit_bytes,
                      std::size_t budget) {
   std::list<std::uint32_t> cache;

@@ -34,10 +34,10 @@ TEST_F(StoreTest, WhatIsAppendedIsThereAfterwards) {
     store.end_run("complete");
   }
   const Store store = Store::open(path("s"));
-  ASSERT_EQ(store.known().size(), 2U);
-  EXPECT_EQ(store.result(store.known().at(key(1)))->value, "one");
-  EXPECT_EQ(store.result(store.known().at(key(1)))->seconds, 0.5);
-  EXPECT_TRUE(store.known().at(key(2)).failed);
+  ASSERT_EQ(store.stored().size(), 2U);
+  EXPECT_EQ(store.result(store.stored().at(key(1)))->value, "one");
+  EXPECT_EQ(store.result(store.stored().at(key(1)))->seconds, 0.5);
+  EXPECT_TRUE(store.stored().at(key(2)).failed);
   EXPECT_EQ(store.digests().at("curve"), "digest");
   ASSERT_EQ(store.runs().size(), 1U);
   EXPECT_EQ(store.runs()[0].manifest, "text");
@@ -51,10 +51,10 @@ TEST_F(StoreTest, NothingIsStoredTwiceAndFailuresGiveWay) {
   second.append(std::vector{done(1, "other"), done(2, "better"), done(3, "three")}, {});
   first.append(std::vector{failure(2, "worse"), failure(3, "worse")}, {});
   const Store store = Store::open(path("s"));
-  EXPECT_EQ(store.known().size(), 3U);
-  EXPECT_EQ(store.result(store.known().at(key(1)))->value, "one");
-  EXPECT_EQ(store.result(store.known().at(key(2)))->value, "better");
-  EXPECT_EQ(store.result(store.known().at(key(3)))->value, "three");
+  EXPECT_EQ(store.stored().size(), 3U);
+  EXPECT_EQ(store.result(store.stored().at(key(1)))->value, "one");
+  EXPECT_EQ(store.result(store.stored().at(key(2)))->value, "better");
+  EXPECT_EQ(store.result(store.stored().at(key(3)))->value, "three");
 }
 
 TEST_F(StoreTest, OtherFilesAreRefused) {
@@ -78,8 +78,8 @@ TEST_F(StoreTest, MergeJoinsAndRefusesOtherPlans) {
   all.merge(a);
   all.merge(b);
   all.merge(b);
-  EXPECT_EQ(all.known().size(), 3U);
-  EXPECT_EQ(all.result(all.known().at(key(2)))->value, "better");
+  EXPECT_EQ(all.stored().size(), 3U);
+  EXPECT_EQ(all.result(all.stored().at(key(2)))->value, "better");
   EXPECT_EQ(all.digests().size(), 2U);
   EXPECT_THROW(all.merge(c), DataError);
   b.append({}, {{"x", "9"}});
@@ -97,7 +97,7 @@ TEST_F(StoreTest, WriterStoresFromManyThreads) {
   }
   for (std::thread& thread : threads) thread.join();
   writer.finish();
-  EXPECT_EQ(Store::open(path("s")).known().size(), 200U);
+  EXPECT_EQ(Store::open(path("s")).stored().size(), 200U);
 }
 
 TEST(Record, ComesBackBitForBit) {

@@ -272,7 +272,7 @@ struct Expected {
   Point first;
 };
 
-TEST(RealData, ReadsWhatThePublishedProgramWrote) {
+TEST(RealData, ReadsWhatLober18Wrote) {
   const std::vector<Expected> all{
       {"run1/u.n", 1, 8056, {-1.049623606362420e-01, -1.000000000000000e-12}},
       {"run1/s.n", 1, 8056, {-1.049623606362420e-01, 1.000000000000000e-12}},

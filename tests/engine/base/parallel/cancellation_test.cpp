@@ -58,7 +58,7 @@ TEST(Cancellation, ReachesPiecesOfPieces) {
     const CancellationScope scope(flag);
     const auto endless = [&] {
       with_threads(3, [&] {
-        run_together(
+        parallel_if(
             true, [] {},
             [&] {
               for_each_block(4, 1, [&](std::size_t, std::size_t) {

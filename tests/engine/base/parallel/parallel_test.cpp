@@ -11,7 +11,7 @@
 namespace lober {
 namespace {
 
-// Every piece waits until so many threads are in one at the same time; false when they never are.
+// Every piece waits until `threads` threads are in one at the same time; false when they never are.
 bool meet_at_once(std::size_t threads) {
   std::mutex mutex;
   std::condition_variable all_here;

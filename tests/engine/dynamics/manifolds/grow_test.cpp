@@ -13,6 +13,7 @@
 #include "lober/overlay.hpp"
 #include "lober/smooth.hpp"
 #include "lober/systems.hpp"
+#include "tests/engine/dynamics/manifolds/distance.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
 namespace lober {
@@ -20,13 +21,6 @@ namespace {
 
 using testing::HenonMap;
 using testing::StandardMap;
-
-double distance_to_segment(Point p, Point a, Point b) {
-  const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
-  double t = square > 0 ? ((p.x - a.x) * x + (p.y - a.y) * y) / square : 0;
-  t = std::clamp(t, 0.0, 1.0);
-  return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
-}
 
 struct Sagittas {
   double worst = 0;           // in units of the tolerance
@@ -74,9 +68,9 @@ TEST(Grow, MeetsTheToleranceWithFewPoints) {
     const LocalManifold local = local_manifold(map, c.saddle, c.side);
     for (const double tolerance : {1e-4, 1e-6}) {
       const GrownManifold grown =
-          grow(map, local, c.branch, {.tolerance = tolerance, .iterates = c.iterates, .longest = 1});
+          grow(map, local, c.branch, {.tolerance = tolerance, .iterates = c.iterates, .max_length = 1});
       EXPECT_EQ(grown.stop, GrowthStop::iterates);
-      EXPECT_TRUE(grown.flaws.empty()) << c.name;
+      EXPECT_TRUE(grown.diagnostics.empty()) << c.name;
       const Sagittas sagittas = measured(map, local, grown, tolerance);
       // The distance is estimated; estimates are good where the tolerance is far below the radius of the folds.
       EXPECT_LE(sagittas.worst, tolerance > 1e-5 ? 1.25 : 1.0) << c.name << ' ' << tolerance;
@@ -135,7 +129,7 @@ TEST(Grow, SameBitsForAnyNumberOfThreads) {
     const GrownManifold other = with_threads(threads, [&] { return grow(map, local, Branch::minus, options); });
     EXPECT_EQ(one.points, other.points);
     EXPECT_EQ(one.parameters, other.parameters);
-    EXPECT_EQ(one.flaws, other.flaws);
+    EXPECT_EQ(one.diagnostics, other.diagnostics);
     EXPECT_EQ(one.length, other.length);
   }
 }
@@ -146,9 +140,9 @@ TEST(Grow, ReportsWhatEscapes) {
   const Box box = Box::of({-5, -5}, {5, 5});
   const GrownManifold grown = grow(map, local, Branch::minus, {.tolerance = 1e-4, .iterates = 14, .box = box});
   bool left = false;
-  for (const GrowthFlaw& flaw : grown.flaws) {
-    left = left || flaw.cause == GrowthFlawCause::left_box;
-    EXPECT_LE(flaw.first + flaw.count, grown.points.size() - 1);
+  for (const GrowthDiagnostic& diagnostic : grown.diagnostics) {
+    left = left || diagnostic.cause == GrowthDiagnosticCause::left_box;
+    EXPECT_LE(diagnostic.first + diagnostic.count, grown.points.size() - 1);
   }
   EXPECT_TRUE(left);
   for (const Point point : grown.points) ASSERT_TRUE(std::isfinite(point.x) && std::isfinite(point.y));
@@ -159,7 +153,7 @@ TEST(Grow, ReportsWhatEscapes) {
 }
 
 // A map whose orbits end at x = 8.
-class Torn : public StandardMap {
+class Discontinuous : public StandardMap {
  public:
   using StandardMap::StandardMap;
   void iterate(std::span<Point> points, int iterates) const override {
@@ -173,19 +167,19 @@ class Torn : public StandardMap {
 };
 
 TEST(Grow, GoesOnBehindTears) {
-  const LocalManifold local = local_manifold(StandardMap(1.2), {0, 0}, ManifoldSide::unstable, {.longest = 1});
-  const GrownManifold grown = grow(Torn(1.2), local, Branch::plus, {.tolerance = 1e-4, .iterates = 8});
+  const LocalManifold local = local_manifold(StandardMap(1.2), {0, 0}, ManifoldSide::unstable, {.max_length = 1});
+  const GrownManifold grown = grow(Discontinuous(1.2), local, Branch::plus, {.tolerance = 1e-4, .iterates = 8});
   const GrownManifold whole = grow(StandardMap(1.2), local, Branch::plus, {.tolerance = 1e-4, .iterates = 8});
   EXPECT_EQ(grown.stop, GrowthStop::iterates);
   EXPECT_LT(grown.points.size(), whole.points.size());
   std::size_t tears = 0;
-  for (const GrowthFlaw& flaw : grown.flaws) {
-    EXPECT_EQ(flaw.cause, GrowthFlawCause::failed);
-    EXPECT_EQ(flaw.count, 1U);
-    tears += flaw.count;
+  for (const GrowthDiagnostic& diagnostic : grown.diagnostics) {
+    EXPECT_EQ(diagnostic.cause, GrowthDiagnosticCause::failed);
+    EXPECT_EQ(diagnostic.count, 1U);
+    tears += diagnostic.count;
     // Both ends of the tear are followed until nothing more of the curve is to be had.
     if (tears == 1) {
-      EXPECT_NEAR(grown.points[flaw.first].x, 8, 1e-4);
+      EXPECT_NEAR(grown.points[diagnostic.first].x, 8, 1e-4);
     }
   }
   EXPECT_GT(tears, 0U);
@@ -200,12 +194,12 @@ TEST(Grow, Stops) {
   EXPECT_GE(by_length.length, 40);
   EXPECT_LT(by_length.length, 40.5);
   const GrownManifold by_points =
-      grow(map, local, Branch::plus, {.tolerance = 1e-6, .length = 1e9, .most_points = 5000});
+      grow(map, local, Branch::plus, {.tolerance = 1e-6, .length = 1e9, .max_points = 5000});
   EXPECT_EQ(by_points.stop, GrowthStop::points);
   EXPECT_LE(by_points.points.size(), 5000U);
   EXPECT_GT(by_points.points.size(), 4000U);
   const GrownManifold by_memory =
-      grow(map, local, Branch::plus, {.tolerance = 1e-6, .length = 1e9, .most_memory = 600'000});
+      grow(map, local, Branch::plus, {.tolerance = 1e-6, .length = 1e9, .max_memory = 600'000});
   EXPECT_EQ(by_memory.points, by_points.points);
   // What there is agrees with a longer run.
   const GrownManifold longer = grow(map, local, Branch::plus, {.tolerance = 1e-5, .length = 60});
@@ -241,7 +235,7 @@ TEST(Grow, RefusesOptionsWithoutSense) {
   EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 0, .iterates = 1}), UsageError);
   EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-5}), UsageError);
   EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-15, .iterates = 1}), UsageError);
-  EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-5, .iterates = 1, .most_points = 1}), UsageError);
+  EXPECT_THROW((void)grow(map, local, Branch::plus, {.tolerance = 1e-5, .iterates = 1, .max_points = 1}), UsageError);
   EXPECT_THROW((void)grow(map, LocalManifold{}, Branch::plus, {.tolerance = 1e-5, .iterates = 1}), UsageError);
 }
 
@@ -267,10 +261,10 @@ struct Lobe {
 // one that is below in between is closed far above, the other one far below, so that the lobe is what they share.
 Lobe lobe(double k, Point q_b, Point q_a, double tolerance) {
   const StandardMap map(k);
-  const LocalManifoldOptions near{.longest = 0.5};  // so that it takes some growing
+  const LocalManifoldOptions near{.max_length = 0.5};  // so that it takes some growing
   const LocalManifold u = local_manifold(map, {0, 0}, ManifoldSide::unstable, near);
   const LocalManifold s = local_manifold(map, {2 * std::numbers::pi, 0}, ManifoldSide::stable, near);
-  const GrowthOptions options{.tolerance = tolerance, .length = 6, .longest = 1};
+  const GrowthOptions options{.tolerance = tolerance, .length = 6, .max_length = 1};
   const GrownManifold grown_u = grow(map, u, Branch::plus, options), grown_s = grow(map, s, Branch::minus, options);
   std::vector<Point> first = between(grown_u, q_b.x - 0.05, q_a.x + 0.05);
   std::vector<Point> second = between(grown_s, q_a.x + 0.05, q_b.x - 0.05);
@@ -311,64 +305,6 @@ TEST(Grow, LobesOfTheStandardMap) {
     EXPECT_LE(fine.points, 100'000U);
     EXPECT_NEAR(fine.smooth, expected.area, 1e-12 * expected.area) << fine.points << ' ' << fine.error;
   }
-}
-
-// ------------------------------------------------------------------------------------------- images of curves
-
-// The circle with this radius about (pi, 0) under the map.
-TEST(ImageOf, SmoothCurveMeetsTheTolerance) {
-  const StandardMap map(1.2);
-  const CurveFunction circle = [](std::span<const double> parameters, std::span<Point> points) {
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-      points[k] = {std::numbers::pi + 2 * std::cos(parameters[k]), 2 * std::sin(parameters[k])};
-    }
-  };
-  const double corners[] = {0, 2 * std::numbers::pi};
-  for (const int iterates : {0, 1, 5, -4}) {
-    const ImageOptions options{.tolerance = 1e-5};
-    const CurveImage image = image_of(map, iterates, circle, corners, options);
-    EXPECT_TRUE(image.flaws.empty());
-    double worst = 0, optimal = 0;
-    for (std::size_t i = 0; i < image.points.size(); ++i) {
-      const bool last = i + 1 == image.points.size();
-      const double from = image.parameters[i], to = last ? corners[1] : image.parameters[i + 1];
-      double most = 0;
-      for (int j = 1; j < 16; ++j) {
-        const double t = from + (to - from) * j / 16;
-        Point point;
-        circle({&t, 1}, {&point, 1});
-        map.iterate({&point, 1}, iterates);
-        most = std::max(most, distance_to_segment(point, image.points[i], image.points[last ? 0 : i + 1]));
-      }
-      worst = std::max(worst, most / options.tolerance);
-      optimal += std::sqrt(most / options.tolerance);
-    }
-    EXPECT_LE(worst, 1) << iterates;
-    EXPECT_LE(static_cast<double>(image.points.size()), 1.3 * optimal) << iterates;
-    // Area is preserved; the polygon inscribed in the curve misses length times 2/3 of the tolerance at most.
-    EXPECT_NEAR(std::fabs(signed_area(image)), 4 * std::numbers::pi, 1e-3) << iterates;
-  }
-}
-
-TEST(ImageOf, PolygonsKeepTheirVertices) {
-  const StandardMap map(1.2);
-  const std::vector<Point> square{{1, -1}, {4, -1}, {4, 1}, {1, 1}};
-  const CurveImage image = image_of(map, 3, CurveView{square}, {.tolerance = 1e-6});
-  ASSERT_GT(image.points.size(), 100U);
-  for (std::size_t k = 0; k < square.size(); ++k) {
-    Point point = square[k];
-    map.iterate({&point, 1}, 3);
-    const auto at = std::find(image.parameters.begin(), image.parameters.end(), static_cast<double>(k));
-    ASSERT_NE(at, image.parameters.end());
-    EXPECT_EQ(image.points[static_cast<std::size_t>(at - image.parameters.begin())], point);
-  }
-  EXPECT_NEAR(std::fabs(signed_area(image)), 6, 1e-4);
-  const CurveImage same = with_threads(7, [&] { return image_of(map, 3, CurveView{square}, {.tolerance = 1e-6}); });
-  EXPECT_EQ(image.points, same.points);
-  const CurveImage few = image_of(map, 3, CurveView{square}, {.tolerance = 1e-6, .most_points = 50});
-  EXPECT_EQ(few.stop, GrowthStop::points);
-  EXPECT_LE(few.points.size(), 51U);
-  EXPECT_THROW((void)image_of(map, 1, CurveView{square}, {.tolerance = 0}), UsageError);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(LocalManifold, InverseSaddle) {
 TEST(LocalManifold, ClosedForm) {
   for (const double a : {3.0, -3.0, 400.0}) {
     const CubicSaddle map(a, 2);
-    const LocalManifold local = local_manifold(map, {1e-3, 1e-3}, ManifoldSide::unstable, {.longest = 2});
+    const LocalManifold local = local_manifold(map, {1e-3, 1e-3}, ManifoldSide::unstable, {.max_length = 2});
     EXPECT_NEAR(local.multiplier / a, 1, 1e-13);
     for (double s = -local.reach; s <= local.reach; s += local.reach / 16) {
       const Point at = local.at(s);

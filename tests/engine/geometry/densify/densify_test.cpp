@@ -19,7 +19,7 @@ constexpr std::array all_interpolations{Interpolation::linear, Interpolation::dr
 // ------------------------------------------------------------------------------------------ interpolation
 
 double worst_off_ellipse(const std::vector<Point>& given, bool closed, Interpolation interpolation) {
-  const Criteria criteria{.longest = distance(given[0], given[1]) / 8};
+  const Criteria criteria{.max_length = distance(given[0], given[1]) / 8};
   const DensifiedCurve dense = densify({given, closed}, criteria, {.interpolation = interpolation});
   double worst = 0;
   for (const Point& point : dense.points) worst = std::max(worst, off_ellipse(point));
@@ -94,7 +94,7 @@ TEST(DensifyInterpolation, CubicsAreReproduced) {
   // A straight line stays one whatever the interpolation and however uneven its vertices.
   const std::vector<Point> line{{0, 0}, {1, 2}, {1.5, 3}, {10, 20}, {11, 22}};
   for (const Interpolation interpolation : all_interpolations) {
-    const DensifiedCurve dense = densify({line, false}, {.longest = 0.1}, {.interpolation = interpolation});
+    const DensifiedCurve dense = densify({line, false}, {.max_length = 0.1}, {.interpolation = interpolation});
     for (const Point& point : dense.points) EXPECT_NEAR(point.y, 2 * point.x, 1e-13);
     EXPECT_EQ(dense.points.back(), line.back());
   }
@@ -113,10 +113,11 @@ TEST(DensifyCriteria, DistanceHoldsAndNothingIsLost) {
     for (const bool closed : {true, false}) {
       const std::vector<Point> given = ellipse(57, 0.6, closed ? 2 * std::numbers::pi : 4, closed);
       for (const double longest : {0.3, 0.04, 0.0021}) {
-        const DensifiedCurve dense = densify({given, closed}, {.longest = longest}, {.interpolation = interpolation});
-        EXPECT_LE(extremes(dense).longest, longest * (1 + 1e-12));
+        const DensifiedCurve dense =
+            densify({given, closed}, {.max_length = longest}, {.interpolation = interpolation});
+        EXPECT_LE(extremes(dense).max_length, longest * (1 + 1e-12));
         EXPECT_TRUE(keeps(given, dense.points));
-        EXPECT_TRUE(dense.flaws.empty());
+        EXPECT_TRUE(dense.diagnostics.empty());
         EXPECT_EQ(dense.closed, closed);
         // Not many more than needed: perimeter over length, and what is lost to whole numbers.
         const double perimeter = closed ? 9.69 : 9.69 * 0.7;
@@ -128,7 +129,7 @@ TEST(DensifyCriteria, DistanceHoldsAndNothingIsLost) {
 
 TEST(DensifyCriteria, LinearPartsAreAsFewAsPossible) {
   const std::vector<Point> given{{0, 0}, {1, 0}, {1, 0.25}, {0, 0.25}};
-  const DensifiedCurve dense = densify({given, true}, {.longest = 0.25});
+  const DensifiedCurve dense = densify({given, true}, {.max_length = 0.25});
   const std::vector<Point> expected{{0, 0},    {0.25, 0},    {0.5, 0},    {0.75, 0},    {1, 0},
                                     {1, 0.25}, {0.75, 0.25}, {0.5, 0.25}, {0.25, 0.25}, {0, 0.25}};
   EXPECT_TRUE(std::equal(dense.points.begin(), dense.points.end(), expected.begin(), expected.end()));
@@ -142,12 +143,12 @@ TEST(DensifyCriteria, AnglesHold) {
            {std::pair{0.1, Criteria::off}, {Criteria::off, 1e-3}, {0.3, 1e-3}, {0.01, 1e-5}}) {
         // Dritschel's tangents do not quite agree at the vertices of so coarse a curve.
         if (interpolation == Interpolation::dritschel && angle == 0.01) continue;
-        const Criteria criteria{.angle = angle, .distance_angle = distance_angle, .shortest = 1e-6};
+        const Criteria criteria{.angle = angle, .distance_angle = distance_angle, .min_length = 1e-6};
         const DensifiedCurve dense = densify({given, closed}, criteria, {.interpolation = interpolation});
         const Extremes found = extremes(dense);
         EXPECT_LE(found.angle, angle * (1 + 1e-9)) << name(interpolation) << closed;
         EXPECT_LE(found.distance_angle, distance_angle * (1 + 1e-9)) << name(interpolation) << closed;
-        EXPECT_TRUE(dense.flaws.empty());
+        EXPECT_TRUE(dense.diagnostics.empty());
         EXPECT_TRUE(keeps(given, dense.points));
         EXPECT_GT(dense.points.size(), given.size());
       }
@@ -155,36 +156,37 @@ TEST(DensifyCriteria, AnglesHold) {
   }
 }
 
-// Every segment that breaks a criterion, and no other, is in a flaw. (Linear interpolation keeps the corners.)
+// Every segment that breaks a criterion, and no other, is in a diagnostic. (Linear interpolation keeps the corners.)
 TEST(DensifyCriteria, CornersAreRefinedUntilDistanceTimesAngleHolds) {
   const std::vector<Point> given{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const Criteria criteria{.distance_angle = 1e-4, .shortest = 1e-3};
+  const Criteria criteria{.distance_angle = 1e-4, .min_length = 1e-3};
   const DensifiedCurve dense = densify({given, true}, criteria);
-  EXPECT_GE(extremes(dense).shortest, 1e-3 * (1 - 1e-9));
+  EXPECT_GE(extremes(dense).min_length, 1e-3 * (1 - 1e-9));
   EXPECT_EQ(dense.points.size(), 4000U);
-  ASSERT_EQ(dense.flaws.size(), 4U);
-  for (std::uint32_t k = 0; k < 4; ++k) EXPECT_EQ(dense.flaws[k], (Flaw{1000 * k, 1000, FlawCause::shortest}));
+  ASSERT_EQ(dense.diagnostics.size(), 4U);
+  for (std::uint32_t k = 0; k < 4; ++k)
+    EXPECT_EQ(dense.diagnostics[k], (Diagnostic{1000 * k, 1000, DiagnosticCause::min_length}));
   // With a lower floor the criterion can be met.
-  const DensifiedCurve finer = densify({given, true}, {.distance_angle = 1e-4, .shortest = 1e-6});
-  EXPECT_TRUE(finer.flaws.empty());
+  const DensifiedCurve finer = densify({given, true}, {.distance_angle = 1e-4, .min_length = 1e-6});
+  EXPECT_TRUE(finer.diagnostics.empty());
   EXPECT_LE(extremes(finer).distance_angle, 1e-4 * (1 + 1e-9));
 }
 
 TEST(DensifyCriteria, CornersOfTheInterpolationAreReportedAndNotPursued) {
   const std::vector<Point> given{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
   for (const Interpolation interpolation : {Interpolation::dritschel, Interpolation::spline}) {
-    const Criteria criteria{.angle = 0.05, .shortest = 1e-3};
+    const Criteria criteria{.angle = 0.05, .min_length = 1e-3};
     const DensifiedCurve dense = densify({given, true}, criteria, {.interpolation = interpolation});
     EXPECT_LT(dense.points.size(), 2000U);  // down to the floor everywhere it would be 8000
-    EXPECT_EQ(dense.flaws.empty(), interpolation == Interpolation::spline);  // the spline has no corners
-    std::vector<bool> flawed(dense.points.size());
-    for (const Flaw& flaw : dense.flaws) {
-      for (std::uint32_t k = 0; k < flaw.count; ++k) flawed[flaw.first + k] = true;
+    EXPECT_EQ(dense.diagnostics.empty(), interpolation == Interpolation::spline);  // the spline has no corners
+    std::vector<bool> with_diagnostic(dense.points.size());
+    for (const Diagnostic& diagnostic : dense.diagnostics) {
+      for (std::uint32_t k = 0; k < diagnostic.count; ++k) with_diagnostic[diagnostic.first + k] = true;
     }
     for (std::size_t k = 0; k < dense.points.size(); ++k) {
       const std::size_t next = (k + 1) % dense.points.size(), then = (k + 2) % dense.points.size();
       if (angle_at(dense.points[k], dense.points[next], dense.points[then]) > 0.05 * (1 + 1e-9)) {
-        EXPECT_TRUE(flawed[k] || flawed[next]) << name(interpolation) << k;
+        EXPECT_TRUE(with_diagnostic[k] || with_diagnostic[next]) << name(interpolation) << k;
       }
     }
   }
@@ -194,16 +196,16 @@ TEST(DensifyCriteria, LimitsAreKeptAndReported) {
   const std::vector<Point> given = ellipse(50);
   for (const Interpolation interpolation : all_interpolations) {
     const DensifiedCurve dense =
-        densify({given, true}, {.longest = 1e-4}, {.interpolation = interpolation, .most_points = 1000});
+        densify({given, true}, {.max_length = 1e-4}, {.interpolation = interpolation, .max_points = 1000});
     EXPECT_LE(dense.points.size(), 1000U);
     EXPECT_GT(dense.points.size(), 900U);
-    ASSERT_EQ(dense.flaws.size(), 50U);
-    for (const Flaw& flaw : dense.flaws) EXPECT_EQ(flaw.cause, FlawCause::most_points);
-    const DensifiedCurve none = densify({given, true}, {.longest = 1e-4}, {.most_points = 10});
+    ASSERT_EQ(dense.diagnostics.size(), 50U);
+    for (const Diagnostic& diagnostic : dense.diagnostics) EXPECT_EQ(diagnostic.cause, DiagnosticCause::max_points);
+    const DensifiedCurve none = densify({given, true}, {.max_length = 1e-4}, {.max_points = 10});
     EXPECT_EQ(none.points.size(), 50U);
-    EXPECT_EQ(none.flaws.size(), 50U);
+    EXPECT_EQ(none.diagnostics.size(), 50U);
   }
-  const DensifiedCurve huge = densify({given, true}, {.longest = 1e-300}, {.most_points = 2000});
+  const DensifiedCurve huge = densify({given, true}, {.max_length = 1e-300}, {.max_points = 2000});
   EXPECT_LE(huge.points.size(), 2000U);
 }
 
@@ -211,50 +213,51 @@ TEST(DensifyCriteria, FewAndRepeatedVertices) {
   for (const Interpolation interpolation : all_interpolations) {
     const DensifyOptions options{.interpolation = interpolation};
     const std::vector<Point> two{{0, 0}, {0, 0}, {1, 0}, {1, 0}};
-    const DensifiedCurve line = densify({two, false}, {.longest = 0.5}, options);
+    const DensifiedCurve line = densify({two, false}, {.max_length = 0.5}, options);
     ASSERT_EQ(line.points.size(), 3U);
     EXPECT_EQ(line.points[1], (Point{0.5, 0}));
     const std::vector<Point> three{{0, 0}, {1, 0}, {1, 0}, {0, 1}, {0, 0}};
-    const DensifiedCurve triangle = densify({three, true}, {.longest = 0.6}, options);
+    const DensifiedCurve triangle = densify({three, true}, {.max_length = 0.6}, options);
     EXPECT_TRUE(keeps(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}}, triangle.points));
-    EXPECT_LE(extremes(triangle).longest, 0.6);
-    EXPECT_GT(extremes(triangle).shortest, 0);
-    const DensifiedCurve open = densify({std::vector<Point>{{0, 0}, {1, 0}, {1, 1}}, false}, {.longest = 0.1}, options);
-    EXPECT_LE(extremes(open).longest, 0.1 * (1 + 1e-12));
+    EXPECT_LE(extremes(triangle).max_length, 0.6);
+    EXPECT_GT(extremes(triangle).min_length, 0);
+    const DensifiedCurve open =
+        densify({std::vector<Point>{{0, 0}, {1, 0}, {1, 1}}, false}, {.max_length = 0.1}, options);
+    EXPECT_LE(extremes(open).max_length, 0.1 * (1 + 1e-12));
   }
 }
 
 TEST(DensifyCriteria, BadInputIsRefused) {
   const std::vector<Point> good = ellipse(10);
   const double nan = std::nan("");
-  EXPECT_THROW((void)densify({good, true}, {.longest = 0}), UsageError);
-  EXPECT_THROW((void)densify({good, true}, {.longest = nan}), UsageError);
-  EXPECT_THROW((void)densify({good, true}, {.shortest = -1}), UsageError);
-  EXPECT_THROW((void)densify({good, true}, {.angle = 0.3, .shortest = 1e-3}), UsageError);  // linear
-  EXPECT_THROW((void)densify({good, true}, {.distance_angle = 0.3}), UsageError);           // no floor
-  EXPECT_THROW((void)densify({std::vector<Point>{{0, 0}, {1, 1}}, true}, {.longest = 1}), DataError);
-  EXPECT_THROW((void)densify({std::vector<Point>{{0, 0}}, false}, {.longest = 1}), DataError);
-  EXPECT_THROW((void)densify({std::vector<Point>{{0, 0}, {nan, 1}, {2, 2}}, false}, {.longest = 1}), DataError);
+  EXPECT_THROW((void)densify({good, true}, {.max_length = 0}), UsageError);
+  EXPECT_THROW((void)densify({good, true}, {.max_length = nan}), UsageError);
+  EXPECT_THROW((void)densify({good, true}, {.min_length = -1}), UsageError);
+  EXPECT_THROW((void)densify({good, true}, {.angle = 0.3, .min_length = 1e-3}), UsageError);  // linear
+  EXPECT_THROW((void)densify({good, true}, {.distance_angle = 0.3}), UsageError);             // no floor
+  EXPECT_THROW((void)densify({std::vector<Point>{{0, 0}, {1, 1}}, true}, {.max_length = 1}), DataError);
+  EXPECT_THROW((void)densify({std::vector<Point>{{0, 0}}, false}, {.max_length = 1}), DataError);
+  EXPECT_THROW((void)densify({std::vector<Point>{{0, 0}, {nan, 1}, {2, 2}}, false}, {.max_length = 1}), DataError);
 }
 
 TEST(DensifyCriteria, HobsonDefaultsScaleWithTheCurve) {
   const Criteria criteria = hobson_criteria({ellipse(400), true});
   EXPECT_EQ(criteria.angle, 0.3);
   EXPECT_NEAR(criteria.distance_angle, 4e-3, 1e-6);
-  EXPECT_NEAR(criteria.shortest, 4e-6, 1e-9);
+  EXPECT_NEAR(criteria.min_length, 4e-6, 1e-9);
 }
 
 TEST(DensifyCriteria, SameBitsForAnyNumberOfThreads) {
   const std::vector<Point> given = ellipse(40'000, 0.7);
   for (const Interpolation interpolation : all_interpolations) {
-    Criteria criteria{.longest = 1e-4, .distance_angle = 1e-9, .shortest = 1e-6};
+    Criteria criteria{.max_length = 1e-4, .distance_angle = 1e-9, .min_length = 1e-6};
     if (interpolation == Interpolation::linear) criteria.distance_angle = 2e-8;
     const auto run = [&] { return densify({given, true}, criteria, {.interpolation = interpolation}); };
     const DensifiedCurve one = with_threads(1, run);
     for (const int threads : {2, 7}) {
       const DensifiedCurve more = with_threads(threads, run);
       EXPECT_TRUE(one.points == more.points);
-      EXPECT_TRUE(one.flaws == more.flaws);
+      EXPECT_TRUE(one.diagnostics == more.diagnostics);
       EXPECT_EQ(one.rounds, more.rounds);
     }
   }

@@ -76,7 +76,7 @@ TEST(DensifyNear, NothingToDo) {
   EXPECT_EQ(densify_near({given, true}, {other, true}, {.passes = 0, .points = 10}).points.size(), 60U);
   EXPECT_EQ(densify_near({given, true}, {other, true}, {.passes = 10, .points = 0}).points.size(), 60U);
   EXPECT_THROW((void)densify_near({given, true}, {other, true}, {.passes = -1}), UsageError);
-  EXPECT_THROW((void)densify_near({given, true}, {other, true}, {.points = 100, .most_points = 100}), DataError);
+  EXPECT_THROW((void)densify_near({given, true}, {other, true}, {.points = 100, .max_points = 100}), DataError);
 }
 
 TEST(DensifyNear, OpenCurvesAndTheirEnds) {

@@ -41,7 +41,7 @@ inline double angle_at(Point a, Point b, Point c) {
 }
 
 struct Extremes {
-  double longest = 0, angle = 0, distance_angle = 0, shortest = Criteria::off;
+  double max_length = 0, angle = 0, distance_angle = 0, min_length = Criteria::off;
 };
 
 /// Every segment and every angle, looked at one by one.
@@ -51,8 +51,8 @@ inline Extremes extremes(CurveView curve) {
   for (std::size_t k = 0; k < curve.segments(); ++k) {
     const auto [a, b] = curve.segment(k);
     const double length = distance(a, b);
-    found.longest = std::max(found.longest, length);
-    found.shortest = std::min(found.shortest, length);
+    found.max_length = std::max(found.max_length, length);
+    found.min_length = std::min(found.min_length, length);
     if (curve.closed || k + 1 < curve.segments()) {
       const Point c = curve.points[(k + 2) % size];
       const double angle = angle_at(a, b, c);

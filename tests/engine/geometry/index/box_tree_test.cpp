@@ -35,7 +35,7 @@ Expected brute_force(const CurveView& curve, std::size_t begin, std::size_t end)
   if (end > curve.segments()) expected.flags = 0;  // filled up with segments of no length
   for (std::size_t k = begin; k < std::min(end, curve.segments()); ++k) {
     const auto [a, b] = ends_of(curve, k);
-    expected.box = unite(expected.box, Box::of(a, b));
+    expected.box = union_of(expected.box, Box::of(a, b));
     if (!(b.x > a.x)) expected.flags &= ~static_cast<unsigned>(rises_in_x);
     if (!(b.y > a.y)) expected.flags &= ~static_cast<unsigned>(rises_in_y);
     if (!(b.x < a.x)) expected.flags &= ~static_cast<unsigned>(falls_in_x);

@@ -94,7 +94,7 @@ TEST(Orientation, CurvesThatAreNotSimpleDoNoHarmUnchecked) {
         const Overlay result = overlay(CurveView{pair.first}, CurveView{pair.second}, unchecked);
         (void)interior_areas(CurveView{pair.first}, CurveView{pair.second}, unchecked_interior);
         ++answered;
-        EXPECT_LT(result.pieces(Pairing::unite).size(), 1000U);
+        EXPECT_LT(result.pieces(Pairing::union_).size(), 1000U);
       } catch (const DataError&) {
         ++refused;
       }

@@ -28,7 +28,7 @@ using oracle::CurvePair;
 using oracle::Polygon;
 using oracle::Rational;
 
-constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::unite,
+constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::union_,
                              &Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::symmetric_difference};
 
 std::array<Rational, 7> exact_areas(const oracle::ExactOverlay& exact) {
@@ -36,7 +36,7 @@ std::array<Rational, 7> exact_areas(const oracle::ExactOverlay& exact) {
   return {exact.area1,
           exact.area2,
           areas[oracle::intersection],
-          areas[oracle::unite],
+          areas[oracle::union_],
           areas[oracle::c1_minus_c2],
           areas[oracle::c2_minus_c1],
           areas[oracle::c1_minus_c2] + areas[oracle::c2_minus_c1]};
@@ -134,7 +134,7 @@ std::pair<double, double> differences(const std::vector<Point>& c1, const std::v
   return {areas.c1_minus_c2, areas.c2_minus_c1};
 }
 
-// What the published program gets wrong.
+// Cases that Lober 1.8 gets wrong.
 TEST(InteriorAreasOf, SharedSides) {
   using Pair = std::pair<double, double>;
   EXPECT_EQ(differences(box(0, 0, 1, 1), box(0, 0, 2, 1)), Pair(0, 1));
@@ -198,7 +198,7 @@ TEST(InteriorAreasOf, SegmentsThatAreNotSplitConvergeWithDensifying) {
 }
 
 TEST(InteriorAreasOf, SegmentsThatAreNotSplitMissWhatCrossesTwice) {
-  // Both ends of the horizontal sides of one bar lie outside the other: the paper's rule sees no crossing at all.
+  // Both ends of the horizontal sides of one bar lie outside the other: the rule of -DENS 0 sees no crossing at all.
   const std::vector<Point> bar1 = box(0, 2, 6, 4), bar2 = box(2, 0, 4, 6);
   const InteriorAreas found =
       interior_areas(CurveView{bar1}, CurveView{bar2}, {.method = InteriorMethod::ends, .passes = 3, .points = 10});
@@ -237,8 +237,8 @@ TEST(InteriorAreasOf, ManyCrossingsAndManyPointsAgreeWithTheOverlay) {
   for (const auto member : members) {
     EXPECT_NEAR(found.areas.*member, other.*member, 1e-15 * other.*member);
   }
-  EXPECT_GT(found.rounding.unite, 0);
-  EXPECT_LT(found.rounding.unite, 1e-15);
+  EXPECT_GT(found.rounding.union_, 0);
+  EXPECT_LT(found.rounding.union_, 1e-15);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(Insertion, IsInProportionToTheChangesOfSide) {
   }
 }
 
-// (Where both ends of a segment lie on the other curve nothing is inserted, as in the paper, so that the areas come
+// (Where both ends of a segment lie on the other curve nothing is inserted, as in the article, so that the areas come
 // near to those of the split curves, but not all the way.)
 TEST(Insertion, MorePassesAreNeverWorse) {
   const Shared curves;

@@ -84,7 +84,7 @@ TEST(Centroids, AreTheSameForAnyNumberOfThreads) {
   const Points first = wavy(40000, 0, 0.05, 7), second = wavy(30000, 0.1, 0.05, 5);
   const Overlay result = overlay(CurveView{first}, CurveView{second});
   const auto with = [&](int threads) {
-    return with_threads(threads, [&] { return centroids(result, Pairing::unite); });
+    return with_threads(threads, [&] { return centroids(result, Pairing::union_); });
   };
   EXPECT_EQ(with(1), with(2));
   EXPECT_EQ(with(1), with(7));
@@ -109,7 +109,7 @@ TEST(Centroids, DoNotDependOnTheScale) {
       }
     }
     const Areas lost = discretisation_error(scaled);
-    EXPECT_TRUE(std::isfinite(lost.unite) && std::isfinite(lost.c1_minus_c2)) << exponent;
+    EXPECT_TRUE(std::isfinite(lost.union_) && std::isfinite(lost.c1_minus_c2)) << exponent;
   }
 }
 

@@ -51,10 +51,10 @@ TEST(Extremes, AnAreaBeyondTheLargestDoubleIsAnError) {
 TEST(Extremes, AnAreaJustBelowItIsNot) {
   const Points first = box(-5e153, -5e153, 5e153, 5e153), second = box(0, 0, 9e153, 5e153);
   const Overlay result = overlay(CurveView{first}, CurveView{second});
-  EXPECT_NEAR(result.areas.unite / 1.2e308, 1, 1e-15);
+  EXPECT_NEAR(result.areas.union_ / 1.2e308, 1, 1e-15);
   EXPECT_EQ(result.areas.c1, signed_area(CurveView{first}));
-  EXPECT_NEAR(regions(CurveView{first}, CurveView{second}).areas(WindingRule::nonzero).unite / 1.2e308, 1, 1e-15);
-  EXPECT_TRUE(std::isfinite(discretisation_error(result).unite));
+  EXPECT_NEAR(regions(CurveView{first}, CurveView{second}).areas(FillRule::nonzero).union_ / 1.2e308, 1, 1e-15);
+  EXPECT_TRUE(std::isfinite(discretisation_error(result).union_));
 }
 
 TEST(Extremes, CrossingsOfSegmentsLongerThanTheLargestDoubleHaveAPlace) {
@@ -72,7 +72,7 @@ TEST(Extremes, CrossingsOfSegmentsLongerThanTheLargestDoubleHaveAPlace) {
     }
   }
   const Regions found = regions(CurveView{first}, CurveView{second});
-  for (const Points& polygon : found.pieces(WindingRule::nonzero, Pairing::intersection).outline(0)) {
+  for (const Points& polygon : found.pieces(FillRule::nonzero, Pairing::intersection).outline(0)) {
     for (const Point p : polygon) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
   }
 }

@@ -1,4 +1,4 @@
-// The example of the paper's Tables 1 to 4 (six crossings, two classes), on polygons made for it.
+// The example of Tables 1 to 4 of Naik, Lekien & Ross (2017) (six crossings, two classes), on polygons made for it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

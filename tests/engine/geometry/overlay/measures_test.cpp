@@ -108,8 +108,8 @@ TEST(Slivers, AreCountedApartFromLobes) {
     if (k % 3 != 0) second[k].x = std::nextafter(second[k].x, k % 3 == 1 ? 9 : -9);
   }
   for (std::size_t k = 1001; k < 2000; ++k) {
-    const double bulge = 1 + 0.1 * std::sin(std::numbers::pi * 3 * static_cast<double>(k - 1000) / 1000);
-    second[k] = {second[k].x * bulge, second[k].y * bulge};
+    const double chord_area = 1 + 0.1 * std::sin(std::numbers::pi * 3 * static_cast<double>(k - 1000) / 1000);
+    second[k] = {second[k].x * chord_area, second[k].y * chord_area};
   }
   const Overlay result = overlay(CurveView{first}, CurveView{second});
   std::size_t significant = 0;

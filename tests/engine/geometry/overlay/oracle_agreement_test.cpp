@@ -49,7 +49,7 @@ void compare_with_itself(const CurvePair& pair, const ExactOverlay& exact, std::
   const ExactOverlay other = exact_overlay(second, first);
   const bool same = other.crossings == exact.crossings && other.touches == exact.touches &&
                     other.shared_arcs == exact.shared_arcs && other.areas[c1_minus_c2] == exact.areas[c2_minus_c1] &&
-                    other.pieces[unite].size() == exact.pieces[unite].size();
+                    other.pieces[union_].size() == exact.pieces[union_].size();
   if (!same) difference << "another answer for the same curves, exchanged\n";
 }
 

@@ -1,5 +1,5 @@
 // Pairs with areas known in closed form or from elsewhere, for the oracle and for the engine. The first ones
-// are those that the published program gets wrong: shared sides, shared corners, a curve and itself.
+// are those that Lober 1.8 gets wrong: shared sides, shared corners, a curve and itself.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -104,9 +104,9 @@ INSTANTIATE_TEST_SUITE_P(Pairs, KnownOverlay, testing::ValuesIn(known_pairs()),
 TEST(KnownOverlayHoles, BayClosedAlongSharedArcs) {
   const Polygon cup{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
   const ExactOverlay exact = exact_overlay(cup, box(1, 2, 2, 3));
-  ASSERT_EQ(exact.pieces[unite].size(), 1U);
-  EXPECT_EQ(exact.pieces[unite][0].holes, 1U);
-  EXPECT_EQ(exact.pieces[unite][0].area, 8);
+  ASSERT_EQ(exact.pieces[union_].size(), 1U);
+  EXPECT_EQ(exact.pieces[union_][0].holes, 1U);
+  EXPECT_EQ(exact.pieces[union_][0].area, 8);
 }
 
 TEST(KnownOverlayHoles, RingTouchedFromInsideHasNone) {

@@ -66,17 +66,17 @@ TEST(KnownRegions, FigureEightHasALobeOfEitherSign) {
   EXPECT_EQ(result.counts().faces, 3U);
   EXPECT_EQ(result.counts().self1, 1U);
   EXPECT_EQ(result.signed_areas()[0], 0);
-  EXPECT_EQ(result.areas(WindingRule::nonzero).c1, 4);
-  EXPECT_EQ(result.areas(WindingRule::positive).c1, 2);
-  EXPECT_EQ(result.areas(WindingRule::negative).c1, 2);
-  EXPECT_EQ(result.pieces(WindingRule::nonzero, Pairing::c1_minus_c2).size(), 2U) << "they meet in a vertex only";
-  EXPECT_EQ(result.pieces(WindingRule::positive, Pairing::c1_minus_c2).size(), 1U);
+  EXPECT_EQ(result.areas(FillRule::nonzero).c1, 4);
+  EXPECT_EQ(result.areas(FillRule::positive).c1, 2);
+  EXPECT_EQ(result.areas(FillRule::negative).c1, 2);
+  EXPECT_EQ(result.pieces(FillRule::nonzero, Pairing::c1_minus_c2).size(), 2U) << "they meet in a vertex only";
+  EXPECT_EQ(result.pieces(FillRule::positive, Pairing::c1_minus_c2).size(), 1U);
 }
 
 TEST(KnownRegions, PentagramWindsTwiceAboutItsPentagon) {
   const Polygon pentagram = star_polygon(5, 2);
   const Regions result = of(pentagram);
-  const double pentagon_radius = (3 - std::sqrt(5.0)) / 2;  // circumradius, 1 for the tips
+  const double pentagon_radius = (3 - std::sqrt(5.0)) / 2;  // circumradius, 1 for the points of the star
   const double pentagon = 2.5 * pentagon_radius * pentagon_radius * std::sin(2 * std::numbers::pi / 5);
   const double signed_area = 2.5 * std::sin(4 * std::numbers::pi / 5);
   ASSERT_EQ(result.table().size(), 2U);
@@ -87,12 +87,12 @@ TEST(KnownRegions, PentagramWindsTwiceAboutItsPentagon) {
   EXPECT_NEAR(result.signed_areas()[0], signed_area, 1e-15);
   EXPECT_EQ(result.counts().nodes, 5U);
   EXPECT_EQ(result.counts().faces, 7U);
-  const RegionPieces whole = result.pieces(WindingRule::nonzero, Pairing::unite);
+  const RegionPieces whole = result.pieces(FillRule::nonzero, Pairing::union_);
   ASSERT_EQ(whole.size(), 1U);
   EXPECT_EQ(whole[0].holes, 0U);
   ASSERT_EQ(whole.outline(0).size(), 1U);
   EXPECT_EQ(whole.outline(0)[0].size(), 10U);
-  const RegionPieces points = result.pieces(WindingRule::evenodd, Pairing::unite);
+  const RegionPieces points = result.pieces(FillRule::evenodd, Pairing::union_);
   EXPECT_EQ(points.size(), 5U);
 }
 
@@ -101,8 +101,8 @@ TEST(KnownRegions, SquareWoundTwice) {
   twice.insert(twice.end(), square.begin(), square.end());
   EXPECT_EQ(table(of(twice)), (std::vector<Entry>{{2, 0, 16}}));
   EXPECT_EQ(table(of(reversed(twice))), (std::vector<Entry>{{-2, 0, 16}}));
-  EXPECT_EQ(of(twice).areas(WindingRule::evenodd).c1, 0);
-  EXPECT_EQ(of(twice).areas(WindingRule::nonzero).c1, 16);
+  EXPECT_EQ(of(twice).areas(FillRule::evenodd).c1, 0);
+  EXPECT_EQ(of(twice).areas(FillRule::nonzero).c1, 16);
   EXPECT_EQ(of(twice).counts().edges, 4U) << "each side counts once";
   Polygon back = square;
   const Polygon other_way = reversed(square);
@@ -124,7 +124,7 @@ TEST(KnownRegions, CircleWoundTwiceWithASmallerLoop) {
   EXPECT_NEAR(result.table()[1].area, inner, 1e-7);
   EXPECT_EQ(result.table()[1].w1, 2);
   EXPECT_EQ(result.counts().nodes, 1U);
-  const RegionPieces odd = result.pieces(WindingRule::evenodd, Pairing::unite);
+  const RegionPieces odd = result.pieces(FillRule::evenodd, Pairing::union_);
   ASSERT_EQ(odd.size(), 1U);
   EXPECT_EQ(odd[0].holes, 1U) << "the inner loop touches the outer one in the node only";
   EXPECT_EQ(odd.outline(0).size(), 2U);
@@ -133,8 +133,8 @@ TEST(KnownRegions, CircleWoundTwiceWithASmallerLoop) {
 TEST(KnownRegions, SpikesHaveNoArea) {
   const Polygon spiked{{0, 0}, {4, 0}, {4, 4}, {9, 9}, {4, 4}, {0, 4}, {-3, 4}, {0, 4}, {2, 2}, {0, 4}};
   EXPECT_EQ(table(of(spiked)), (std::vector<Entry>{{1, 0, 16}}));
-  EXPECT_EQ(of(spiked).counts().nodes, 5U) << "three roots of spikes, of which two are one, and three tips";
-  EXPECT_EQ(of(spiked).pieces(WindingRule::nonzero, Pairing::unite).size(), 1U);
+  EXPECT_EQ(of(spiked).counts().nodes, 5U) << "three roots of spikes, of which two are one, and three ends";
+  EXPECT_EQ(of(spiked).pieces(FillRule::nonzero, Pairing::union_).size(), 1U);
   EXPECT_EQ(table(of({{0, 0}, {4, 0}, {2, 0}})), std::vector<Entry>{}) << "all of it a spike";
 }
 
@@ -143,7 +143,7 @@ TEST(KnownRegions, ASpikeJoinsNothing) {
   const Polygon dumbbell{{0, 0}, {1, 0}, {1, 1}, {3, 1}, {3, 0}, {4, 0}, {4, 1}, {3, 1}, {1, 1}, {0, 1}};
   const Regions result = of(dumbbell);
   EXPECT_EQ(table(result), (std::vector<Entry>{{1, 0, 2}}));
-  EXPECT_EQ(result.pieces(WindingRule::nonzero, Pairing::unite).size(), 2U);
+  EXPECT_EQ(result.pieces(FillRule::nonzero, Pairing::union_).size(), 2U);
   EXPECT_EQ(result.counts().faces, 3U);
 }
 
@@ -152,7 +152,7 @@ TEST(KnownRegions, CurvesThatDoNotMeetAreFoundInsideEachOther) {
   const Polygon small{{-1.75, -0.25}, {-1.5, -0.25}, {-1.5, 0.25}, {-1.75, 0.25}};
   const Regions result = of(eight, small);
   EXPECT_EQ(table(result), (std::vector<Entry>{{-1, 0, 2}, {1, 0, 1.875}, {1, 1, 0.125}}));
-  const RegionPieces rest = result.pieces(WindingRule::nonzero, Pairing::c1_minus_c2);
+  const RegionPieces rest = result.pieces(FillRule::nonzero, Pairing::c1_minus_c2);
   ASSERT_EQ(rest.size(), 2U);
   EXPECT_EQ(rest[0].holes + rest[1].holes, 1U);
   EXPECT_EQ(table(of(small, eight)), (std::vector<Entry>{{0, -1, 2}, {0, 1, 1.875}, {1, 1, 0.125}}));
@@ -171,13 +171,13 @@ TEST(KnownRegions, ARayThroughANodeFindsTheRightFace) {
 TEST(KnownRegions, HolesThatTouchAreCountedApart) {
   const Polygon inner{{0, 2}, {2, 1}, {4, 2}, {2, 3}};  // touches the square on the left and on the right
   const Regions result = of(square, inner);
-  EXPECT_EQ(result.pieces(WindingRule::nonzero, Pairing::c1_minus_c2).size(), 2U);
+  EXPECT_EQ(result.pieces(FillRule::nonzero, Pairing::c1_minus_c2).size(), 2U);
   const Polygon once{{0, 2}, {2, 1}, {3, 2}, {2, 3}};
-  const RegionPieces ring = of(square, once).pieces(WindingRule::nonzero, Pairing::c1_minus_c2);
+  const RegionPieces ring = of(square, once).pieces(FillRule::nonzero, Pairing::c1_minus_c2);
   ASSERT_EQ(ring.size(), 1U);
   EXPECT_EQ(ring[0].holes, 1U);
   const Polygon two_holes{{1, 2}, {2, 1}, {2, 2}, {3, 2}, {3, 3}, {2, 2}};  // two triangles with a common vertex
-  const RegionPieces pierced = of(square, two_holes).pieces(WindingRule::nonzero, Pairing::c1_minus_c2);
+  const RegionPieces pierced = of(square, two_holes).pieces(FillRule::nonzero, Pairing::c1_minus_c2);
   ASSERT_EQ(pierced.size(), 1U);
   EXPECT_EQ(pierced[0].holes, 2U);
 }
@@ -186,13 +186,13 @@ TEST(KnownRegions, OrientationIsThatOfTheInput) {
   const Polygon shifted = moved(square, 2, 0);
   EXPECT_EQ(table(of(square, shifted)), (std::vector<Entry>{{0, 1, 8}, {1, 0, 8}, {1, 1, 8}}));
   EXPECT_EQ(table(of(square, reversed(shifted))), (std::vector<Entry>{{0, -1, 8}, {1, -1, 8}, {1, 0, 8}}));
-  EXPECT_EQ(of(square, reversed(shifted)).areas(WindingRule::positive).c2, 0);
+  EXPECT_EQ(of(square, reversed(shifted)).areas(FillRule::positive).c2, 0);
 }
 
 TEST(KnownRegions, TheSameCurveTwice) {
   EXPECT_EQ(table(of(square, square)), (std::vector<Entry>{{1, 1, 16}}));
   EXPECT_EQ(table(of(square, reversed(square))), (std::vector<Entry>{{1, -1, 16}}));
-  EXPECT_EQ(of(square, square).pieces(WindingRule::nonzero, Pairing::c1_minus_c2).size(), 0U);
+  EXPECT_EQ(of(square, square).pieces(FillRule::nonzero, Pairing::c1_minus_c2).size(), 0U);
 }
 
 TEST(KnownRegions, OneCurveCountsNothingOfTheOther) {
@@ -200,11 +200,11 @@ TEST(KnownRegions, OneCurveCountsNothingOfTheOther) {
   EXPECT_EQ(result.counts().nodes, 0U);
   EXPECT_EQ(result.counts().edges, 1U);
   EXPECT_EQ(result.counts().faces, 2U);
-  const Areas areas = result.areas(WindingRule::nonzero);
+  const Areas areas = result.areas(FillRule::nonzero);
   EXPECT_EQ(areas.c1, 16);
   EXPECT_EQ(areas.c1_minus_c2, 16);
   EXPECT_EQ(areas.c2, 0);
-  EXPECT_EQ(result.pieces(WindingRule::nonzero, Pairing::c1_minus_c2).outline(0).front().size(), 4U);
+  EXPECT_EQ(result.pieces(FillRule::nonzero, Pairing::c1_minus_c2).outline(0).front().size(), 4U);
 }
 
 TEST(KnownRegions, EdgesCountOnceAround) {
@@ -224,13 +224,13 @@ TEST(KnownRegions, BadCurvesAreRefused) {
   EXPECT_THROW((void)regions(CurveView{square}, {}, cancel), Cancelled);
 }
 
-TEST(WindingRules, SayWhatIsInside) {
-  EXPECT_TRUE(inside(WindingRule::nonzero, -2));
-  EXPECT_FALSE(inside(WindingRule::evenodd, -2));
-  EXPECT_TRUE(inside(WindingRule::evenodd, -3));
-  EXPECT_FALSE(inside(WindingRule::positive, -1));
-  EXPECT_TRUE(inside(WindingRule::negative, -1));
-  for (const WindingRule rule : all_winding_rules) EXPECT_FALSE(inside(rule, 0));
+TEST(FillRules, SayWhatIsInside) {
+  EXPECT_TRUE(inside(FillRule::nonzero, -2));
+  EXPECT_FALSE(inside(FillRule::evenodd, -2));
+  EXPECT_TRUE(inside(FillRule::evenodd, -3));
+  EXPECT_FALSE(inside(FillRule::positive, -1));
+  EXPECT_TRUE(inside(FillRule::negative, -1));
+  for (const FillRule rule : all_fill_rules) EXPECT_FALSE(inside(rule, 0));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(LargeRegions, AreThoseOfTheCurvesBeforeTheyWereSubdivided) {
         same = x.w1 == y.w1 && x.w2 == y.w2 && std::fabs(x.area - y.area) <= 1e-15 * x.area;
       }
       for (const Pairing pairing : all_pairings) {
-        const auto rule = all_winding_rules[seed % 4];
+        const auto rule = all_fill_rules[seed % 4];
         const auto x = sorted(coarse.pieces(rule, pairing)), y = sorted(fine.pieces(rule, pairing));
         same = same && x.size() == y.size();
         for (std::size_t k = 0; same && k < x.size(); ++k) same = std::fabs(x[k].area - y[k].area) <= 1e-15 * x[k].area;
@@ -88,9 +88,9 @@ TEST(LargeRegions, OfSimpleCurvesAreThoseOfTheOverlay) {
         const CurveView c1{pair.first}, c2{pair.second};
         const Overlay expected = overlay(c1, c2);
         const Regions found = regions(c1, c2);
-        const Areas areas = found.areas(WindingRule::nonzero), bounds = found.rounding(WindingRule::nonzero);
+        const Areas areas = found.areas(FillRule::nonzero), bounds = found.rounding(FillRule::nonzero);
         bool same = true;
-        for (double Areas::*area : {&Areas::c1, &Areas::c2, &Areas::intersection, &Areas::unite, &Areas::c1_minus_c2,
+        for (double Areas::*area : {&Areas::c1, &Areas::c2, &Areas::intersection, &Areas::union_, &Areas::c1_minus_c2,
                                     &Areas::c2_minus_c1, &Areas::symmetric_difference}) {
           same = same && std::fabs(areas.*area - expected.areas.*area) <= bounds.*area + expected.rounding.*area;
         }
@@ -98,7 +98,7 @@ TEST(LargeRegions, OfSimpleCurvesAreThoseOfTheOverlay) {
           std::vector<RegionPiece> x;
           for (const Piece& piece : expected.pieces(pairing)) x.push_back({piece.area, piece.holes});
           std::sort(x.begin(), x.end(), [](const RegionPiece& p, const RegionPiece& q) { return p.area < q.area; });
-          const std::vector<RegionPiece> y = sorted(found.pieces(WindingRule::evenodd, pairing));
+          const std::vector<RegionPiece> y = sorted(found.pieces(FillRule::evenodd, pairing));
           same = same && x.size() == y.size();
           std::uint32_t holes_x = 0, holes_y = 0;
           for (std::size_t k = 0; same && k < x.size(); ++k) {
@@ -147,7 +147,7 @@ TEST(LargeRegions, AreTheSameBitsForAnyNumberOfThreadsAndAnyIndex) {
     Answer all;
     all.nodes = result.counts().nodes;
     for (const WindingArea& entry : result.table()) all.numbers.push_back(entry.area);
-    for (const WindingRule rule : all_winding_rules) {
+    for (const FillRule rule : all_fill_rules) {
       for (const Pairing pairing : all_pairings) {
         const RegionPieces pieces = result.pieces(rule, pairing);
         all.numbers.insert(all.numbers.end(), pieces.areas().begin(), pieces.areas().end());

@@ -34,21 +34,21 @@ bool in_pairing(Pairing pairing, bool in1, bool in2) {
       return !in1 && in2;
     case Pairing::intersection:
       return in1 && in2;
-    case Pairing::unite:
+    case Pairing::union_:
       break;
   }
   return in1 || in2;
 }
 
-bool is_inside(WindingRule rule, int winding) {
+bool is_inside(FillRule rule, int winding) {
   switch (rule) {
-    case WindingRule::nonzero:
+    case FillRule::nonzero:
       return winding != 0;
-    case WindingRule::evenodd:
+    case FillRule::evenodd:
       return winding % 2 != 0;
-    case WindingRule::positive:
+    case FillRule::positive:
       return winding > 0;
-    case WindingRule::negative:
+    case FillRule::negative:
       break;
   }
   return winding < 0;
@@ -57,7 +57,7 @@ bool is_inside(WindingRule rule, int winding) {
 // Everything there is to complain of about one pair.
 class Examination {
  public:
-  Examination(const PolygonPair& pair, WindingRule rule)
+  Examination(const PolygonPair& pair, FillRule rule)
       : exact_(pair.first, pair.second), result_(regions(CurveView{pair.first}, CurveView{pair.second})), rule_(rule) {
     double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
     for (const Polygon* polygon : {&pair.first, &pair.second}) {
@@ -68,7 +68,7 @@ class Examination {
     }
     box_ = (high_x - low_x) * (high_y - low_y);
     compare_tables();
-    for (const WindingRule any : all_winding_rules) compare_totals(any);
+    for (const FillRule any : all_fill_rules) compare_totals(any);
     for (const Pairing pairing : all_pairings) compare_pieces(pairing);
   }
 
@@ -105,7 +105,7 @@ class Examination {
     }
   }
 
-  void compare_totals(WindingRule rule) {
+  void compare_totals(FillRule rule) {
     const Areas areas = result_.areas(rule);
     const auto compare = [&](const char* what, double area, const auto& wanted) {
       Rational exact;
@@ -122,7 +122,7 @@ class Examination {
     for (const auto& [pairing, area] : {std::pair{Pairing::c1_minus_c2, areas.c1_minus_c2},
                                         {Pairing::c2_minus_c1, areas.c2_minus_c1},
                                         {Pairing::intersection, areas.intersection},
-                                        {Pairing::unite, areas.unite}}) {
+                                        {Pairing::union_, areas.union_}}) {
       compare("pairing", area, [pairing = pairing](bool in1, bool in2) { return in_pairing(pairing, in1, in2); });
     }
   }
@@ -178,7 +178,7 @@ class Examination {
 
   SlabArrangement exact_;
   Regions result_;
-  WindingRule rule_;
+  FillRule rule_;
   double box_ = 0;
   std::ostringstream complaints_;
   double relative_error_ = 0, small_error_ = 0;
@@ -206,7 +206,7 @@ TEST_P(RandomRegions, AgreeWithExactSlabs) {
     for (std::uint64_t seed = first + begin; seed < first + end; ++seed) {
       Random random(seed);
       const PolygonPair pair = GetParam().make(random);
-      const Examination examination(pair, all_winding_rules[seed % all_winding_rules.size()]);
+      const Examination examination(pair, all_fill_rules[seed % all_fill_rules.size()]);
       const std::lock_guard lock(mutex);
       relative_error = std::max(relative_error, examination.relative_error());
       small_error = std::max(small_error, examination.small_error());

@@ -20,7 +20,7 @@ TEST_P(RandomSmooth, FitsTogether) {
     const Overlay result = overlay(CurveView{pair.first}, CurveView{pair.second});
     const SmoothAreas smooth = smooth_areas(result);
     const Areas &a = smooth.areas, &e = smooth.error, &polygons = result.areas;
-    for (const auto member : {&Areas::c1, &Areas::c2, &Areas::unite, &Areas::c1_minus_c2, &Areas::c2_minus_c1,
+    for (const auto member : {&Areas::c1, &Areas::c2, &Areas::union_, &Areas::c1_minus_c2, &Areas::c2_minus_c1,
                               &Areas::intersection, &Areas::symmetric_difference}) {
       EXPECT_TRUE(std::isfinite(a.*member) && std::isfinite(e.*member)) << seed;
       EXPECT_GE(a.*member, 0) << seed;
@@ -29,11 +29,11 @@ TEST_P(RandomSmooth, FitsTogether) {
         EXPECT_LE(a.*member, e.*member) << seed;
       }
     }
-    const double slack = 1e-12 * polygons.unite;
+    const double slack = 1e-12 * polygons.union_;
     const auto fit = [&](double left, double right, double bars) { EXPECT_NEAR(left, right, bars + slack) << seed; };
     fit(a.c1, a.c1_minus_c2 + a.intersection, e.c1_minus_c2 + e.intersection);
     fit(a.c2, a.c2_minus_c1 + a.intersection, e.c2_minus_c1 + e.intersection);
-    fit(a.unite, a.c1_minus_c2 + a.c2_minus_c1 + a.intersection, e.symmetric_difference + e.intersection);
+    fit(a.union_, a.c1_minus_c2 + a.c2_minus_c1 + a.intersection, e.symmetric_difference + e.intersection);
   }
 }
 

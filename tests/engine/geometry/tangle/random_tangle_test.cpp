@@ -56,10 +56,10 @@ bool is_pip(const std::vector<ExactCrossing>& crossings, std::size_t q) {
 }
 
 double area_of(const std::vector<Point>& polygon) {
-  return regions(CurveView{polygon}).areas(WindingRule::nonzero).c1;
+  return regions(CurveView{polygon}).areas(FillRule::nonzero).c1;
 }
 double common_area(const std::vector<Point>& first, const std::vector<Point>& second) {
-  return regions(CurveView{first}, CurveView{second}).areas(WindingRule::nonzero).intersection;
+  return regions(CurveView{first}, CurveView{second}).areas(FillRule::nonzero).intersection;
 }
 
 struct Tally {

@@ -1,0 +1,288 @@
+// The bottlenecks of a well with their tubes, from which curves are cut (private to escape/).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "engine/dynamics/escape/cut_images.hpp"
+#include "engine/dynamics/manifolds/growth_forecast.hpp"
+#include "lober/error.hpp"
+#include "lober/escape.hpp"
+#include "lober/smooth.hpp"
+
+namespace lober {
+
+// Cut images are measured as polygons and end where a strip is cut off: they need not be as fine as whole ones.
+inline constexpr double cut_coarseness = 10;
+// Trajectories that are followed for each point of a curve: those that show where points are needed, and the points.
+inline constexpr double evaluations_a_point = 2;
+
+// What is under way: the number of the images, and when all is expected to be done, by a watch.
+struct EscapeWork {
+  int images;
+  double end;
+  Stopwatch watch;
+};
+
+// Tells what is being done, from whatever thread, one at a time.
+class Reporter {
+ public:
+  explicit Reporter(const EscapeOptions& options) : options_(options) {}
+  void begin(const EscapeWork& work) {
+    work_ = work;
+    (*this)("tubes");
+  }
+  void operator()(const std::string& what) const {
+    if (!options_.progress) return;
+    const std::lock_guard lock(mutex_);
+    const double now = work_.watch.seconds();
+    const double fraction = work_.end > 0 ? std::min(now / work_.end, 0.99) : 0;
+    if (!options_.progress({what, fraction, work_.images})) throw Cancelled();
+  }
+
+ private:
+  const EscapeOptions& options_;
+  EscapeWork work_{};
+  mutable std::mutex mutex_;
+};
+
+class Bottlenecks {
+ public:
+  Bottlenecks(const Flow& flow, const Section& cut_by, double energy, std::span<const FlowState> guesses,
+              const EscapeOptions& options)
+      : flow_(flow), section_(cut_by), options_(options), report_(options) {
+    find_orbits(guesses, energy);
+    find_tubes();
+  }
+
+  std::vector<Bottleneck> list;
+
+  // E and X.
+  void cut_first() {
+    for_each_tube([&](std::size_t k) {
+      Carried& tube = carried_[k];
+      tube.curves->push_back(tubes_[k]->curve(tube.branch, section_, 1, nullptr, tracing_));
+      if (!tube.curves->back().complete) throw DataError("a tube does not reach the section as a closed curve");
+    });
+    measure_defects();
+  }
+
+  // One more image of every E and of every X that has fewer than so many: whole as long as the image before meets no
+  // end of the well, which cuts the next one; cut ones only if asked for.
+  void carry(int images, bool cut_too, const EscapeWork& work) {
+    report_.begin(work);
+    if (ends_.empty()) find_ends();
+    for_each_tube([&](std::size_t k) {
+      if (static_cast<int>(carried_[k].curves->size()) <= images) carry_one(k, cut_too);
+    });
+    measure_defects();
+  }
+
+  // What the next images are expected to need: points of the largest one, crossings of trajectories of all.
+  struct Ahead {
+    double points = 0, crossings = 0;
+  };
+  // Whole images grow by a factor much like the one before. Cut ones do not, but how many trajectories one takes to
+  // begin with shows once the image before it is cut, which is done here if they are wanted.
+  [[nodiscard]] Ahead look_ahead(int images, bool cut_too) {
+    if (ends_.empty()) find_ends();
+    std::vector<double> points(carried_.size(), 0);
+    for_each_tube([&](std::size_t k) {
+      Carried& tube = carried_[k];
+      if (static_cast<int>(tube.curves->size()) > images || tube.ended) return;
+      const TubeCurve& last = tube.curves->back();
+      if (last.direction == 0) throw DataError("a tube crosses the section in both directions");
+      const bool cut = tube.cutting != nullptr || meets_an_end(last, k % 2 == 0);
+      if (cut && !cut_too) return;
+      if (cut) {
+        if (tube.cutting == nullptr) begin_cutting(k);
+        points[k] = static_cast<double>(tube.cutting->prepare());
+      } else {
+        GrowthForecast forecast;
+        for (const TubeCurve& curve : *tube.curves) forecast.add(static_cast<double>(curve.image.points.size()));
+        points[k] = forecast.next();
+      }
+    });
+    Ahead ahead;
+    for (const double here : points) {
+      ahead.points = std::max(ahead.points, here);
+      ahead.crossings += evaluations_a_point * here * (images + 1);
+    }
+    return ahead;
+  }
+  // Crossings of trajectories that were followed for the curves so far.
+  [[nodiscard]] double crossings_so_far() const {
+    double sum = 0;
+    for (const Carried& tube : carried_) {
+      for (std::size_t k = 0; k < tube.curves->size(); ++k) {
+        sum += static_cast<double>((*tube.curves)[k].image.images) * static_cast<double>(k + 1);
+      }
+    }
+    return sum;
+  }
+
+  // Whether a tube could not be carried on because that takes too many points.
+  [[nodiscard]] bool out_of_points() const {
+    return std::any_of(carried_.begin(), carried_.end(), [](const Carried& tube) { return tube.out_of_points; });
+  }
+
+ private:
+  // What has been cut from a tube.
+  struct Carried {
+    std::vector<TubeCurve>* curves;
+    Branch branch;
+    std::unique_ptr<CutImages> cutting;         // once one is cut
+    bool ended = false, out_of_points = false;  // the next one cannot be found
+  };
+
+  // E and X of every bottleneck, and what cut images need.
+  void find_ends() {
+    for (const Bottleneck& bottleneck : list) {
+      exits_.push_back(bottleneck.exit[0]);
+      entries_.push_back(bottleneck.entry[0]);
+    }
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      ends_.push_back({&*tubes_[2 * k], &*tubes_[2 * k + 1], list[k].entry_branch, list[k].exit_branch,
+                       list[k].exit[0].direction, list[k].entry[0].direction});
+    }
+  }
+
+  void carry_one(std::size_t k, bool cut_too) {
+    Carried& tube = carried_[k];
+    if (tube.ended) return;
+    const int images = static_cast<int>(tube.curves->size());
+    const TubeCurve& last = tube.curves->back();
+    if (tube.cutting == nullptr) {
+      if (last.direction == 0) throw DataError("a tube crosses the section in both directions");
+      if (!meets_an_end(last, k % 2 == 0)) {
+        TubeCurve next = tubes_[k]->curve(tube.branch, section_, images + 1, &last, tracing_);
+        tube.out_of_points = next.image.stop == GrowthStop::points;
+        tube.ended = tube.out_of_points;
+        if (next.complete) tube.curves->push_back(std::move(next));
+        if (tube.ended || static_cast<int>(tube.curves->size()) > images) return;
+      }
+      if (!cut_too) return;
+      begin_cutting(k);
+    }
+    if (!cut_too) return;
+    std::optional<TubeCurve> next = tube.cutting->next();
+    if (next) {
+      tube.curves->push_back(std::move(*next));
+    } else {
+      tube.ended = true;
+      tube.out_of_points = tube.cutting->out_of_points();
+    }
+  }
+
+  // Its images are cut from the next one on.
+  void begin_cutting(std::size_t k) {
+    Carried& tube = carried_[k];
+    tube.cutting = std::make_unique<CutImages>(flow_, section_, ends_, k / 2, k % 2 == 0, tube.curves->back(),
+                                               static_cast<int>(tube.curves->size()) - 1, options_.integration,
+                                               cut_image_options());
+  }
+
+  [[nodiscard]] bool meets_an_end(const TubeCurve& curve, bool entry) const {
+    const std::vector<TubeCurve>& ends = entry ? exits_ : entries_;
+    return std::any_of(ends.begin(), ends.end(), [&](const TubeCurve& exit) {
+      return exit.direction == curve.direction && common_area(curve.view(), exit.view()).area > 0;
+    });
+  }
+
+  [[nodiscard]] CutImageOptions cut_image_options() const {
+    CutImageOptions cut;
+    cut.tracing = tracing_;
+    cut.tracing.tolerance *= cut_coarseness;
+    cut.strip = options_.strip * least_area_;
+    return cut;
+  }
+
+  void find_orbits(std::span<const FlowState> guesses, double energy) {
+    if (guesses.empty()) throw UsageError("escape needs at least one saddle");
+    report_("periodic orbits");
+    const auto axis = static_cast<std::size_t>(section_.coordinate);
+    IntegrationOptions exact = options_.integration;
+    exact.tolerance = std::min(exact.tolerance, 3e-15);
+    for (const FlowState& guess : guesses) {
+      Bottleneck bottleneck;
+      bottleneck.orbit = periodic_orbit(flow_, saddle_point(flow_, guess), energy, exact);
+      for (const Bottleneck& other : list) {
+        double distance = 0;
+        for (std::size_t k = 0; k < 4; ++k) distance += std::fabs(other.orbit.state[k] - bottleneck.orbit.state[k]);
+        if (distance < 1e-9) throw UsageError("two of the saddles are one");
+      }
+      list.push_back(std::move(bottleneck));
+    }
+    std::stable_sort(list.begin(), list.end(), [&](const Bottleneck& x, const Bottleneck& y) {
+      return x.orbit.saddle.at[axis] < y.orbit.saddle.at[axis];
+    });
+  }
+
+  void find_tubes() {
+    report_("local manifolds");
+    tubes_.resize(2 * list.size());
+    for_each_block(tubes_.size(), 1, [&](std::size_t k, std::size_t) {
+      Bottleneck& bottleneck = list[k / 2];
+      tubes_[k].emplace(flow_, bottleneck.orbit, k % 2 == 0 ? ManifoldSide::unstable : ManifoldSide::stable,
+                        options_.integration);
+      (k % 2 == 0 ? bottleneck.entry_branch : bottleneck.exit_branch) = tubes_[k]->branch_towards(section_);
+    });
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Tube &entry = *tubes_[2 * k], &exit = *tubes_[2 * k + 1];
+      list[k].area = entry.area_by_action(section_);
+      list[k].area_error = list[k].area * list[k].orbit.action_error / std::fabs(list[k].orbit.action);
+      list[k].multiplier = entry.local().multiplier;
+      list[k].defect_across = std::max(entry.local().defect_across, exit.local().defect_across);
+      least_area_ = std::min(least_area_, list[k].area);
+    }
+    for (std::size_t k = 0; k < tubes_.size(); ++k) {
+      Bottleneck& bottleneck = list[k / 2];
+      carried_.push_back({k % 2 == 0 ? &bottleneck.entry : &bottleneck.exit,
+                          k % 2 == 0 ? bottleneck.entry_branch : bottleneck.exit_branch, nullptr, false});
+    }
+    tracing_.tolerance = options_.tolerance * std::sqrt(least_area_);
+    tracing_.max_points = options_.max_points;
+    tracing_.progress = [this] { return report_("tubes"), true; };
+  }
+
+  // Calls body(k) for tube k = 2 * bottleneck + (0: unstable, 1: stable), in parallel.
+  template <typename Body>
+  void for_each_tube(const Body& body) {
+    for_each_block(carried_.size(), 1, [&](std::size_t k, std::size_t) { body(k); });
+  }
+
+  void measure_defects() {
+    for (Bottleneck& bottleneck : list) {
+      bottleneck.area_defect = 0;
+      for (const auto* curves : {&bottleneck.entry, &bottleneck.exit}) {
+        for (const TubeCurve& curve : *curves) {
+          if (!curve.complete) continue;
+          bottleneck.area_defect = std::max(bottleneck.area_defect, std::fabs(curve.area / bottleneck.area - 1));
+        }
+      }
+    }
+  }
+
+  const Flow& flow_;
+  Section section_;
+  const EscapeOptions& options_;
+  Reporter report_;
+  std::vector<std::optional<Tube>> tubes_;
+  std::vector<Carried> carried_;
+  std::vector<TubeCurve> entries_, exits_;  // E and X of all
+  std::vector<BottleneckTubes> ends_;
+  TubeCurveOptions tracing_;
+  double least_area_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace lober

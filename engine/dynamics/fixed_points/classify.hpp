@@ -1,0 +1,11 @@
+// What the derivative says about a fixed point.
+#pragma once
+
+#include "lober/fixed_points.hpp"
+
+namespace lober {
+
+/// Fills in eigenvalues, directions and kind from the derivative.
+void classify(FixedPoint& point);
+
+}  // namespace lober

@@ -1,0 +1,149 @@
+// The pips of a growing tangle: until U and S cross, and until a bip and its pre-image are among the crossings.
+#include "engine/dynamics/transport/tangle_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/text.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/transport/tangle_box.hpp"
+
+namespace lober {
+namespace {
+
+// A pip is taken for the one that is asked for when it lies so near, relative to the scene.
+constexpr double near_enough = 0.01;
+
+}  // namespace
+
+void TangleGrowth::find_pips() {
+  report();
+  TangleOptions options;
+  options.check_simple = false;
+  options.period = period_;
+  found_ = tangle(OpenCurve::borrow(u_.growth->grown().points), OpenCurve::borrow(s_.growth->grown().points), options);
+}
+
+// The pips of what there is, and the bip among them.
+void TangleGrowth::look() {
+  constexpr int max_rounds = 12;
+  find_pips();
+  for (int round = 0; round < max_rounds && refine_flat_pips(); ++round) find_pips();
+  if (found_.pips.empty()) return;
+  if (!near_) near_ = found_.pips[found_.pips.size() / 2].at;
+  bip_ = nearest(*near_);
+}
+
+// Grows until U and S cross, as polygons. False where they do not.
+bool TangleGrowth::find_crossing() {
+  for (find_pips(); found_.pips.empty(); find_pips()) {
+    if (!towards_a_crossing()) return false;
+  }
+  bip_ = nearest(bip_near_.value_or(found_.pips[found_.pips.size() / 2].at));
+  return true;
+}
+
+// Where the local manifolds are short the tangle may be larger than the scene that they make. Makes that larger, then.
+bool TangleGrowth::box_is_too_small() {
+  constexpr int max_enlargements = 6;
+  constexpr double times = 4;
+  const Point at = found_.pips[bip_].at;
+  Box tangle = Box::of(at, at);
+  const auto add = [&](const Side& side, std::size_t last) {
+    const Buffer<Point>& points = side.growth->grown().points;
+    for (std::size_t k = 0; k <= std::min(last, points.size() - 1); ++k)
+      tangle = union_of(tangle, Box::of(points[k], points[k]));
+  };
+  add(u_, found_.pips[bip_].u.segment);
+  add(s_, found_.pips[bip_].s.segment);
+  if (enlargements_ == max_enlargements || within(tangle, box_)) return false;
+  ++enlargements_;
+  box_ = square_about(middle_of(box_), times / 2 * box_.extent());
+  return true;
+}
+
+// Grows until f^-1(q) and q are there. False with the trouble that finer polygons may mend, or without.
+bool TangleGrowth::find_turnstile(std::string& trouble) {
+  for (look();; look()) {
+    if (found_.pips.empty()) {
+      if (!towards_a_crossing()) return false;
+      continue;
+    }
+    const Time bip = time_of_pip(bip_);
+    const bool far = bip_near_ && distance(found_.pips[bip_].at, *bip_near_) > near_enough * box_.extent();
+    // One that is nearer may come with the next image.
+    if (far && u_.growth->time() < bip.u + 1 && grow(u_, bip.u + 1 + beyond)) continue;
+    if (s_.growth->time() >= bip.s + 1 + beyond) break;
+    if (!grow(s_, bip.s + 1 + beyond)) return false;
+  }
+  constexpr double close = 0.02;
+  const std::optional<std::size_t> before = image_of_bip(-1, close);
+  if (before) {
+    period_ = static_cast<std::uint32_t>(bip_ - *before);
+  } else {
+    trouble = "the pip " + format_point(found_.pips[bip_].at) +
+              " has no pre-image among the pips of polygons to the tolerance " + format_number(tolerance_);
+  }
+  return before.has_value();
+}
+
+// Goes on with one manifold as long as they do not cross: not one that has left the other behind, unless both have.
+bool TangleGrowth::towards_a_crossing() {
+  for (const Side* const side : {&u_, &s_}) {
+    if (side->growth->stop() != GrowthStop::ended) continue;
+    limit_ = std::string("the manifolds do not cross: ") + (side == &u_ ? "U" : "S") + " ends in another fixed point";
+    return false;
+  }
+  const bool u_near = newest_meets(u_, s_), s_near = newest_meets(s_, u_);
+  // Else the cheaper one: under damping one of them winds into a sink, and the other one far away.
+  const bool u_next = u_near != s_near ? u_near : u_.growth->grown().images <= s_.growth->grown().images;
+  Side& next = u_next ? u_ : s_;
+  return grow(next, next.growth->time() + next.growth->piece());
+}
+
+// Whether the last generation of one manifold comes to where the other one is.
+bool TangleGrowth::newest_meets(const Side& one, const Side& other) {
+  const GrownManifold& grown = one.growth->grown();
+  const Box box = box_of(other.growth->grown().points);
+  const std::size_t generations = grown.generation_begin.size() - 1;
+  for (std::size_t k = grown.generation_begin[generations - 1]; k + 1 < grown.points.size(); ++k) {
+    if (meet(Box::of(grown.points[k], grown.points[k + 1]), box)) return true;
+  }
+  return false;
+}
+
+std::size_t TangleGrowth::nearest(Point place) const {
+  const auto at = std::min_element(found_.pips.begin(), found_.pips.end(), [&](const Pip& x, const Pip& y) {
+    return distance(x.at, place) < distance(y.at, place);
+  });
+  return static_cast<std::size_t>(at - found_.pips.begin());
+}
+
+std::pair<ManifoldPlace, ManifoldPlace> TangleGrowth::places_of(std::size_t pip) const {
+  return {place_on(u_.growth->grown(), u_.local, found_.pips[pip].u),
+          place_on(s_.growth->grown(), s_.local, found_.pips[pip].s)};
+}
+
+// How many images a pip is away from the end of the local manifold: f adds 1 along U and takes 1 away along S, whatever
+// the map.
+TangleGrowth::Time TangleGrowth::time_of_pip(std::size_t pip) const {
+  const auto [u, s] = places_of(pip);
+  return {time_of(u_.local, u), time_of(s_.local, s)};
+}
+
+// The pip that is the image of the bip under `steps` of the map, if it is there: the one whose times are nearest.
+std::optional<std::size_t> TangleGrowth::image_of_bip(int steps, double close) const {
+  const Time bip = time_of_pip(bip_);
+  double nearest = close;
+  std::optional<std::size_t> image;
+  for (std::size_t pip = 0; pip < found_.pips.size(); ++pip) {
+    const Time time = time_of_pip(pip);
+    const double off = std::max(std::fabs(time.u - bip.u - steps), std::fabs(time.s - bip.s + steps));
+    if (off >= nearest) continue;
+    nearest = off;
+    image = pip;
+  }
+  return image;
+}
+
+}  // namespace lober

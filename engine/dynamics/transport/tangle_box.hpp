@@ -1,0 +1,29 @@
+// Where the manifolds of a tangle are followed exactly, and how far distances are true (private to transport/).
+#pragma once
+
+#include <span>
+
+#include "kernels/box.hpp"
+#include "lober/local_manifold.hpp"
+#include "lober/point.hpp"
+
+namespace lober {
+
+/// The box in which manifolds are followed exactly is larger than that of the saddles and the local manifolds by this.
+inline constexpr double times_scene = 17;
+
+/// Where manifolds have to be as fine as asked: the saddles, their local manifolds, and eight times as far. What goes
+/// farther is on its way out and followed coarsely.
+[[nodiscard]] Box scene(const LocalManifold& u, const LocalManifold& s);
+
+/// Orbits that escape leave any scale behind in a few steps. Beyond many times the size of the box distances from its
+/// middle are made logarithmic: a homeomorphism of the plane, so that nothing crosses that did not.
+void compress_radially(std::span<Point> points, const Box& box);
+/// Where `compress_radially` changes nothing.
+[[nodiscard]] Box true_size(const Box& box);
+
+[[nodiscard]] Point middle_of(const Box& box);
+[[nodiscard]] Box square_about(Point middle, double reach);
+[[nodiscard]] bool within(const Box& inner, const Box& outer);
+
+}  // namespace lober

@@ -1,0 +1,61 @@
+// Nodes of the arrangement, and where along the curves they lie (private to regions/).
+//
+// An *event* is a place on a curve where something happens: another edge chain meets it there, or a spike ends, or it
+// is the extreme vertex of its curve. Events that are one point of the plane make a *node*. No coordinates are compared
+// to find out: each two edge chains through a point are a pair whose incidence is known and joins their events, and
+// events of one edge chain are compared by their exact order along it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/geometry/regions/incidences.hpp"
+
+namespace lober {
+
+/// Every incidence places its point within 2^-91 of the scene (crossing_parameters.hpp), so where several make one
+/// event the parameter of any of them will do.
+struct Event {
+  enum class Kind : std::uint8_t {
+    at_start,     ///< the first end of the segment
+    at_vertex,    ///< inside the segment, the first end of `other`
+    at_crossing,  ///< inside both the segment and `other`
+  };
+  DD t;
+  std::uint32_t segment;
+  std::uint32_t other;  ///< of all segments that would do, the same one whatever the order of incidences
+  std::uint32_t node;
+  Kind kind;
+};
+
+struct Events {
+  Buffer<Event> list;                      ///< in order along C1, then along C2
+  std::array<std::uint32_t, 3> begin{};    ///< events of curve c (0, 1): begin[c] .. begin[c + 1]; at least one each
+  std::uint32_t nodes = 0;                 ///< numbered in the order of their first events
+  std::uint32_t degree2 = 0;               ///< of these, points where nothing meets and no spike ends
+  std::array<std::uint32_t, 2> extreme{};  ///< the event at the vertex of each curve that is greatest by x, then y
+  std::uint64_t exact_orders = 0;          ///< pairs of events compared in exact arithmetic
+
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(list.size()); }
+  /// The events before and after a event along its curve, cyclically.
+  [[nodiscard]] std::uint32_t next(std::uint32_t event) const {
+    const std::size_t curve = event < begin[1] ? 0 : 1;
+    return event + 1 == begin[curve + 1] ? begin[curve] : event + 1;
+  }
+  [[nodiscard]] std::uint32_t previous(std::uint32_t event) const {
+    const std::size_t curve = event < begin[1] ? 0 : 1;
+    return event == begin[curve] ? begin[curve + 1] - 1 : event - 1;
+  }
+};
+
+/// `extreme`: the segments whose first ends are the extreme vertices. O(incidences), parallel where it is long.
+[[nodiscard]] Events make_marks(const EdgeChains& edge_chains, const Incidences& incidences,
+                                std::array<std::uint32_t, 2> extreme);
+
+/// The event as a point along its segment, for compare_along.
+[[nodiscard]] ImplicitPoint implicit_point(const EdgeChains& edge_chains, const Event& event);
+
+/// The event rounded to double: exact if it is a vertex, else right to about an ulp.
+[[nodiscard]] Point place(const EdgeChains& edge_chains, const Event& event);
+
+}  // namespace lober

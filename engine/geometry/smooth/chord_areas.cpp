@@ -1,0 +1,63 @@
+#include "engine/geometry/smooth/chord_areas.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "kernels/shoelace.hpp"
+
+namespace lober {
+namespace {
+
+constexpr std::size_t grain = 2048;
+
+class Running {
+ public:
+  explicit Running(const ChordArea& start = {}) : error_(start.error) { area_.add(start.area); }
+  void add(const SmoothSegment& segment) {
+    area_.add({segment.chord_area(1), 0});
+    error_ += segment.error;
+  }
+  [[nodiscard]] ChordArea value() const { return {area_.value(), error_}; }
+
+ private:
+  RunningSum area_;
+  double error_;
+};
+
+}  // namespace
+
+ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uint32_t> segments) {
+  const std::size_t size = curve.segments(), blocks = (size + grain - 1) / grain;
+  std::vector<ChordArea> before(blocks + 1);
+  std::vector<std::uint64_t> fallbacks(blocks);
+  for_each_block(size, grain, [&](std::size_t begin, std::size_t end) {
+    Running sum;
+    for (std::size_t k = begin; k < end; ++k) {
+      const SmoothSegment segment = curve.segment(static_cast<std::int64_t>(k));
+      sum.add(segment);
+      fallbacks[begin / grain] += segment.kind != SmoothSegment::Kind::smooth && !(segment.chord == Point{});
+    }
+    before[begin / grain + 1] = sum.value();
+  });
+  ChordAreaSums sums;
+  for (std::size_t k = 0; k < blocks; ++k) {
+    before[k + 1].area += before[k].area;
+    before[k + 1].error += before[k].error;
+    sums.fallbacks += fallbacks[k];
+  }
+  sums.total = before[blocks];
+  sums.before.resize(segments.size());
+  for_each_block(blocks, 1, [&](std::size_t block, std::size_t) {
+    const auto from = std::lower_bound(segments.begin(), segments.end(), block * grain);
+    Running sum(before[block]);
+    std::size_t next = block * grain;
+    for (auto at = from; at != segments.end() && *at < (block + 1) * grain; ++at) {
+      for (; next < *at; ++next) sum.add(curve.segment(static_cast<std::int64_t>(next)));
+      sums.before[static_cast<std::size_t>(at - segments.begin())] = sum.value();
+    }
+  });
+  return sums;
+}
+
+}  // namespace lober

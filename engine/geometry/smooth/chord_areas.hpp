@@ -1,0 +1,28 @@
+// Running sums of the chord-to-arc areas of a curve (private to smooth/).
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "engine/geometry/smooth/smooth_curve.hpp"
+#include "kernels/double_double.hpp"
+#include "lober/buffer.hpp"
+
+namespace lober {
+
+/// Twice the area between a stretch of smooth curve and its polygon, positive to the right, and twice its error.
+struct ChordArea {
+  DD area;
+  double error = 0;
+};
+
+struct ChordAreaSums {
+  ChordArea total;
+  Buffer<ChordArea> before;     ///< of all segments before segments[k]
+  std::uint64_t fallbacks = 0;  ///< segments of positive length that stay straight
+};
+
+/// `segments` ascend. O(n + places), parallel.
+[[nodiscard]] ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uint32_t> segments);
+
+}  // namespace lober
