@@ -26,6 +26,7 @@ endfunction()
 # -fno-math-errno, -fno-trapping-math: nobody reads errno or the exception flags. No result changes, and loops with
 # square roots and choices become vectors.
 function(lober_own_code target)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
@@ -54,4 +55,20 @@ function(lober_own_code target)
     endif()
     target_link_options(${target} PUBLIC -fsanitize=${LOBER_SANITIZE})
   endif()
+endfunction()
+
+# What users of any form of the library need: C++20, and <lober/...>. The rest of engine/ and kernels/ is private, and not
+# installed.
+function(lober_interface target scope)
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine>)
+endfunction()
+
+# A static library whose objects can also be part of a shared one (engine/shared.cmake).
+function(lober_archive target name)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+                        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  lober_interface(${target} PUBLIC)
+  lober_own_code(${target})
+  set_property(GLOBAL APPEND PROPERTY LOBER_ARCHIVES ${target})
 endfunction()

@@ -58,6 +58,7 @@ if [ -x scripts/check-readme.sh ]; then
 else
   leave_out "commands and code of README and documents" "no scripts/check-readme.sh"
 fi
+step "another project builds lober inside it, with GCC and clang" 15m scripts/run-consumers.sh build
 step "the same bits at a million points" 8m env LOBER_SCENE_POINTS=1000000 build/bin/lober_determinism_tests \
     --gtest_brief=1 --gtest_filter='*Overlay*'
 if [ -n "${LOBER_CI_ALL:-}${LOBER_CI_SANITIZED:-}" ]; then

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lober/error.hpp"
+#include "lober/export.hpp"
 
 namespace lober {
 
@@ -44,7 +45,7 @@ struct Agreement {
 
 /// What a caller throws when a result must not pass for a good one; the program does so after it has printed
 /// everything, and ends with exit status 3.
-class DisagreementError : public Error {
+class LOBER_API DisagreementError : public Error {
  public:
   using Error::Error;
 };

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "lober/export.hpp"
+
 namespace lober {
 
 /// One of several processes or machines that share a plan.
@@ -78,7 +80,7 @@ struct BatchReport {
 /// cannot be read, UsageError "path:line: key: what is wrong" for everything in the manifest that is not understood,
 /// DataError as soon as the store can no longer be written; a job that fails is not an exception but counted. Jobs run
 /// side by side; results do not depend on the number of threads, on shards or on the memory given.
-[[nodiscard]] BatchReport run_batch(const std::string& manifest, const BatchOptions& options);
+[[nodiscard]] LOBER_API BatchReport run_batch(const std::string& manifest, const BatchOptions& options);
 
 enum class ExportFormat : std::uint8_t {
   csv,         ///< a header line; lists are put into one field, separated by blanks; what is not known is empty
@@ -86,7 +88,7 @@ enum class ExportFormat : std::uint8_t {
   npy,         ///< a structured array, texts as bytes; no lists; what is not known is NaN, a count -1
 };
 /// By the end of a file's name (.csv, .jsonl, .npy). Throws UsageError for others.
-[[nodiscard]] ExportFormat export_format(const std::string& path);
+[[nodiscard]] LOBER_API ExportFormat export_format(const std::string& path);
 
 struct ExportCounts {
   std::size_t done = 0, failed = 0, missing = 0;
@@ -97,7 +99,7 @@ struct ExportCounts {
 /// shortest form that reads back to the same bits. A damaged result is left out, as one that is not there. CSV and NPY
 /// hold one operation, which has to be named when the plan has several. The file appears when it is complete; "-" is
 /// standard output. Throws DataError, UsageError.
-ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,
-                            const std::optional<std::string>& operation = {});
+LOBER_API ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,
+                                      const std::optional<std::string>& operation = {});
 
 }  // namespace lober

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "lober/export.hpp"
 #include "lober/point.hpp"
 
 namespace lober {
@@ -19,12 +20,12 @@ namespace lober {
 /// most 512 MiB, and never more than brings the total of blocks to the most that was in use at one time. The system may
 /// take their pages back whenever it is short of memory (MADV_FREE). Under AddressSanitizer and ThreadSanitizer nothing
 /// is kept and all memory comes from the instrumented allocator.
-[[nodiscard]] void* allocate_bulk(std::size_t bytes);
-void free_bulk(void* memory, std::size_t bytes) noexcept;
+[[nodiscard]] LOBER_API void* allocate_bulk(std::size_t bytes);
+LOBER_API void free_bulk(void* memory, std::size_t bytes) noexcept;
 
 /// Gives all memory that only waits for the next array back to the system: for a program that is done with large
 /// curves and goes on.
-void release_bulk_memory() noexcept;
+LOBER_API void release_bulk_memory() noexcept;
 
 /// Types whose arrays are left as the memory is, although their default constructor would fill them: at a thousand
 /// million points that took most of a minute, on one thread, and nothing could interrupt it.

@@ -19,6 +19,8 @@
 
 #include <atomic>
 
+#include "lober/export.hpp"
+
 namespace lober {
 
 /// While it lives, the work of this thread can be cancelled by the flag, and by the flags of the scopes around it.
@@ -26,17 +28,17 @@ namespace lober {
 /// begin.
 class CancellationScope {
  public:
-  explicit CancellationScope(const std::atomic<bool>& flag) noexcept;
+  LOBER_API explicit CancellationScope(const std::atomic<bool>& flag) noexcept;
   /// Within it nothing cancels: for writing down what was done before a cancellation.
   struct Shield {};
-  explicit CancellationScope(Shield) noexcept;
-  ~CancellationScope();
+  LOBER_API explicit CancellationScope(Shield) noexcept;
+  LOBER_API ~CancellationScope();
   CancellationScope(const CancellationScope&) = delete;
   CancellationScope& operator=(const CancellationScope&) = delete;
 
   /// The innermost one of this thread; none if there is none.
-  [[nodiscard]] static const CancellationScope* current() noexcept;
-  [[nodiscard]] bool cancelled() const noexcept;
+  [[nodiscard]] LOBER_API static const CancellationScope* current() noexcept;
+  [[nodiscard]] LOBER_API bool cancelled() const noexcept;
 
  private:
   const std::atomic<bool>* flag_;  ///< none: a shield
@@ -44,8 +46,8 @@ class CancellationScope {
 };
 
 /// Whether a flag of this thread's scopes is set. A few nanoseconds.
-[[nodiscard]] bool is_cancelled() noexcept;
+[[nodiscard]] LOBER_API bool is_cancelled() noexcept;
 /// Throws Cancelled when it is.
-void throw_if_cancelled();
+LOBER_API void throw_if_cancelled();
 
 }  // namespace lober

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "lober/crossings.hpp"
+#include "lober/export.hpp"
 #include "lober/local_manifold.hpp"
 #include "lober/manifolds.hpp"
 #include "lober/planar_map.hpp"
@@ -26,14 +27,15 @@ struct ManifoldPlace {
 struct MovingPoint {
   Point at, velocity;
 };
-[[nodiscard]] MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place);
+[[nodiscard]] LOBER_API MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place);
 
 /// The same place with its parameter in the outermost fundamental segment, so that as few steps of the map as possible
 /// remain (on the local manifold none).
-[[nodiscard]] ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place);
+[[nodiscard]] LOBER_API ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place);
 
 /// About the place of a position on a grown manifold, by linear interpolation of its parameters.
-[[nodiscard]] ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local, Position position);
+[[nodiscard]] LOBER_API ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local,
+                                               Position position);
 
 struct ConnectingOrbit {
   Point at;             ///< its point nearest to the guess
@@ -49,11 +51,12 @@ struct ConnectingOrbit {
 /// The orbit near the point that the two places give. Newton's method; throws DataError with the place when it does not
 /// converge to rounding (1e-6 of the distance from the saddle is where it gives up). A few dozen evaluations of the
 /// map.
-[[nodiscard]] ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unstable,
-                                               const LocalManifold& stable, ManifoldPlace u, ManifoldPlace s);
+[[nodiscard]] LOBER_API ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unstable,
+                                                         const LocalManifold& stable, ManifoldPlace u, ManifoldPlace s);
 
 /// Signed area of the lobe between two orbits, the first one nearer to the saddle along U: positive if the lobe is on
 /// the left of U. Nothing when an action is missing.
-[[nodiscard]] std::optional<double> lobe_area_by_action(const ConnectingOrbit& first, const ConnectingOrbit& second);
+[[nodiscard]] LOBER_API std::optional<double> lobe_area_by_action(const ConnectingOrbit& first,
+                                                                  const ConnectingOrbit& second);
 
 }  // namespace lober

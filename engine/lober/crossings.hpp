@@ -15,6 +15,7 @@
 
 #include "lober/counts.hpp"
 #include "lober/curve.hpp"
+#include "lober/export.hpp"
 #include "lober/index.hpp"
 #include "lober/segment_pair.hpp"
 
@@ -43,25 +44,25 @@ struct CrossingsData;  // private: engine/geometry/crossings/crossings_data.hpp
 /// The nodes of two curves in order along C1, from its first vertex on. Cheap to copy; keeps alive what the curves own.
 class Crossings {
  public:
-  Crossings();  ///< none
+  LOBER_API Crossings();  ///< none
   explicit Crossings(std::shared_ptr<const CrossingsData> data) : data_(std::move(data)) {}
 
-  [[nodiscard]] std::size_t size() const;
-  [[nodiscard]] Node operator[](std::size_t node) const;
+  [[nodiscard]] LOBER_API std::size_t size() const;
+  [[nodiscard]] LOBER_API Node operator[](std::size_t node) const;
   /// Node numbers in order along C2, from its first vertex on.
-  [[nodiscard]] std::span<const std::uint32_t> order2() const;
+  [[nodiscard]] LOBER_API std::span<const std::uint32_t> order2() const;
   /// The place of a node in order2().
-  [[nodiscard]] std::uint32_t rank2(std::size_t node) const;
-  [[nodiscard]] int rho(std::size_t node) const;
-  [[nodiscard]] std::size_t crossings() const;    ///< nodes with rho != 0: always even
-  [[nodiscard]] std::size_t touches() const;      ///< points with rho == 0
-  [[nodiscard]] std::size_t shared_arcs() const;  ///< arcs; 1 when the curves are one and the same
-  [[nodiscard]] bool same_curve() const;
-  [[nodiscard]] const ContactCounts& counts() const;  ///< of the search
-  [[nodiscard]] const CurveView& curve1() const;
-  [[nodiscard]] const CurveView& curve2() const;
-  [[nodiscard]] bool clockwise1() const;
-  [[nodiscard]] bool clockwise2() const;
+  [[nodiscard]] LOBER_API std::uint32_t rank2(std::size_t node) const;
+  [[nodiscard]] LOBER_API int rho(std::size_t node) const;
+  [[nodiscard]] LOBER_API std::size_t crossings() const;    ///< nodes with rho != 0: always even
+  [[nodiscard]] LOBER_API std::size_t touches() const;      ///< points with rho == 0
+  [[nodiscard]] LOBER_API std::size_t shared_arcs() const;  ///< arcs; 1 when the curves are one and the same
+  [[nodiscard]] LOBER_API bool same_curve() const;
+  [[nodiscard]] LOBER_API const ContactCounts& counts() const;  ///< of the search
+  [[nodiscard]] LOBER_API const CurveView& curve1() const;
+  [[nodiscard]] LOBER_API const CurveView& curve2() const;
+  [[nodiscard]] LOBER_API bool clockwise1() const;
+  [[nodiscard]] LOBER_API bool clockwise2() const;
 
   [[nodiscard]] const CrossingsData& data() const { return *data_; }
 
@@ -76,7 +77,7 @@ struct SimpleCheck {
   SearchCounts search;
   std::uint64_t pairs = 0;  ///< pairs of segments decided
 };
-SimpleCheck require_simple(const IndexedCurve& curve, int number);
+LOBER_API SimpleCheck require_simple(const IndexedCurve& curve, int number);
 
 /// A point that two curves have in common: a proper crossing of two segments, or a vertex of one on the other.
 struct CommonPoint {
@@ -87,10 +88,10 @@ struct CommonPoint {
 /// All of them, in order along the first; of an arc that both share its vertices, of which long common runs count once.
 /// Curves may be open or closed, and cross themselves. The last vertex of an open curve is not looked at. The search of
 /// overlay.
-[[nodiscard]] std::vector<CommonPoint> common_points(const IndexedCurve& first, const IndexedCurve& second);
+[[nodiscard]] LOBER_API std::vector<CommonPoint> common_points(const IndexedCurve& first, const IndexedCurve& second);
 
 /// Pairs of segments that meet where a simple curve's do not, in curve order: the first `most` of each block of the
 /// search, and no more than that in all. The cost of require_simple.
-[[nodiscard]] std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t most);
+[[nodiscard]] LOBER_API std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t most);
 
 }  // namespace lober

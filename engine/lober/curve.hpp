@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "lober/error.hpp"
+#include "lober/export.hpp"
 #include "lober/point.hpp"
 
 namespace lober {
@@ -130,21 +131,21 @@ enum class Orientation : std::int8_t { clockwise = -1, degenerate = 0, counter_c
 /// Signed area of a closed curve (an open one is closed by its chord), positive for counter-clockwise:
 /// 1/2 sum (x_i y_{i+1} - x_{i+1} y_i), docs/conventions.md, section 2. Correct to 2^-52 relative to |area| + 2^-95
 /// times the square of the curve's diameter. O(N), parallel; the same bits for any number of threads.
-[[nodiscard]] double signed_area(CurveView curve);
+[[nodiscard]] LOBER_API double signed_area(CurveView curve);
 
 /// Throws DataError unless the curve can be used: every coordinate finite, at least three distinct vertices
 /// when closed and two when open, fewer than 2^31 vertices. `name` begins the message. O(N).
-void validate(CurveView curve, std::string_view name);
+LOBER_API void validate(CurveView curve, std::string_view name);
 
 /// The part of `validate` that need not look at every coordinate. O(1), unless the curve begins with repeated vertices.
-void require_enough_vertices(CurveView curve, std::string_view name);
+LOBER_API void require_enough_vertices(CurveView curve, std::string_view name);
 
 /// The polygon cut to the rectangle, side by side (Sutherland & Hodgman 1974): parts that lie apart are joined along
 /// the sides of the rectangle by edges that run there and back, so that areas and winding numbers inside are right, for
 /// a polygon that crosses itself too. Corners on the sides are rounded to double. O(N).
-[[nodiscard]] std::vector<Point> clipped(const std::vector<Point>& polygon, const Rectangle& rectangle);
+[[nodiscard]] LOBER_API std::vector<Point> clipped(const std::vector<Point>& polygon, const Rectangle& rectangle);
 
 /// Drops a last vertex that repeats the first (several, if several do).
-void drop_closing_vertex(std::vector<Point>& points);
+LOBER_API void drop_closing_vertex(std::vector<Point>& points);
 
 }  // namespace lober

@@ -18,6 +18,7 @@
 
 #include "lober/buffer.hpp"
 #include "lober/curve.hpp"
+#include "lober/export.hpp"
 
 namespace lober {
 
@@ -27,7 +28,7 @@ enum class Interpolation : std::uint8_t {
               ///< tangents at a vertex agree to third order only, which leaves corners on coarse curves
   spline,     ///< the cubic spline over chord length: periodic, or not-a-knot at the ends of an open curve: order 4
 };
-[[nodiscard]] std::string_view name(Interpolation interpolation);  ///< as on the command line
+[[nodiscard]] LOBER_API std::string_view name(Interpolation interpolation);  ///< as on the command line
 
 /// When a curve is fine enough. Lengths in units of the coordinates, angles in radians; infinity switches one off.
 /// `max_length` alone is the distance criterion. `angle`, `distance_angle` and `min_length` are those of Hobson (J.
@@ -45,7 +46,7 @@ struct Criteria {
 
 /// Hobson's criteria with a choice of values of ours, relative to E, the longer side of the curve's box: alpha <= 0.3,
 /// d alpha <= 1e-3 E, delta = 1e-6 E. Throws DataError as `validate` does. O(N).
-[[nodiscard]] Criteria hobson_criteria(CurveView curve);
+[[nodiscard]] LOBER_API Criteria hobson_criteria(CurveView curve);
 
 /// Why a criterion could not be met.
 enum class DiagnosticCause : std::uint8_t {
@@ -54,7 +55,7 @@ enum class DiagnosticCause : std::uint8_t {
   max_points,  ///< the result would have too many points
   max_rounds,  ///< still not met after the last round
 };
-[[nodiscard]] std::string_view name(DiagnosticCause cause);
+[[nodiscard]] LOBER_API std::string_view name(DiagnosticCause cause);
 
 /// Segments first, ..., first + count - 1 of the result: at least one of them breaks a criterion.
 struct Diagnostic {
@@ -85,7 +86,8 @@ struct DensifyOptions {
 /// first, then judged on the points themselves and refined where they fail. Throws UsageError for criteria or options
 /// that make no sense, among them `angle` with linear interpolation, which turns no corner; DataError as `validate`
 /// does. O(points of the result) a round.
-[[nodiscard]] DensifiedCurve densify(CurveView curve, const Criteria& criteria, const DensifyOptions& options = {});
+[[nodiscard]] LOBER_API DensifiedCurve densify(CurveView curve, const Criteria& criteria,
+                                               const DensifyOptions& options = {});
 
 // ------------------------------------------------------------------------------------- near another curve
 
@@ -104,18 +106,19 @@ struct NearOptions {
 /// Linear interpolation keeps the intersections where they are; for the others each pass finds those of the curve as it
 /// has become. Throws UsageError, DataError (too many points). O(N + M + intersections * passes * points) and the
 /// search.
-[[nodiscard]] DensifiedCurve densify_near(CurveView curve, CurveView other, const NearOptions& options);
+[[nodiscard]] LOBER_API DensifiedCurve densify_near(CurveView curve, CurveView other, const NearOptions& options);
 
 /// The two curves with a vertex at each point where they meet and had none, the same bits in both: a crossing is
 /// rounded to double, a vertex of one curve that lies on the other is taken as it is. In exact order along each
 /// segment; an open curve's last vertex counts. Either curve may cross itself, but not along an arc shared with the
 /// other.
-[[nodiscard]] std::array<DensifiedCurve, 2> insert_crossings(CurveView first, CurveView second);
+[[nodiscard]] LOBER_API std::array<DensifiedCurve, 2> insert_crossings(CurveView first, CurveView second);
 
 /// The parameters in (0, 1) that `passes` passes of `points` points insert into one segment, appended in ascending
 /// order. `meetings` are the parameters in [0, 1) where it meets the other curve, ascending. Stops where parts become
 /// shorter than 2^-52. O(points) a meeting and pass.
-void parameters_near(std::span<const double> meetings, int passes, int points, std::vector<double>& parameters);
+LOBER_API void parameters_near(std::span<const double> meetings, int passes, int points,
+                               std::vector<double>& parameters);
 
 // ------------------------------------------------------------------------------------------- fewer points
 
@@ -129,6 +132,6 @@ struct SimplifyOptions {
 /// what was removed in it, so that rounds do not add up to more than the tolerance. The ends of an open curve stay; of
 /// a closed one the first vertex, the one farthest from it, and the one farthest from the line through these. O(N),
 /// parallel. Throws UsageError, DataError.
-[[nodiscard]] DensifiedCurve simplify(CurveView curve, const SimplifyOptions& options);
+[[nodiscard]] LOBER_API DensifiedCurve simplify(CurveView curve, const SimplifyOptions& options);
 
 }  // namespace lober

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lober/export.hpp"
 #include "lober/point.hpp"
 #include "lober/tangle.hpp"
 
@@ -14,15 +15,15 @@ namespace lober {
 /// `tolerance` from the line through those (sideways no further than `tolerance`). O(N), in one pass: from each point
 /// kept goes the cone of directions in which the line past all later points may go on. For curves whose areas matter
 /// there is `simplify`.
-[[nodiscard]] std::vector<Point> simplified_line(std::span<const Point> line, double tolerance);
+[[nodiscard]] LOBER_API std::vector<Point> simplified_line(std::span<const Point> line, double tolerance);
 
 /// Which square cells of a frame from (0, 0) on have been drawn on, so that lines on top of each other are drawn once.
 class Coverage {
  public:
-  Coverage(double width, double height, double cell);
+  LOBER_API Coverage(double width, double height, double cell);
 
   /// Marks the cells on the segment; whether any of them is new. At most one step of a cell's size a cell.
-  bool mark(Point a, Point b);
+  LOBER_API bool mark(Point a, Point b);
 
  private:
   double cell_;
@@ -37,10 +38,10 @@ struct LobeRaster {
   Rectangle window;                         ///< fits the lobes, or the manifolds if there are none
   std::vector<int> lobes;                   ///< row by row from below, each from the left
 
-  [[nodiscard]] Point centre(std::size_t column, std::size_t row) const;
+  [[nodiscard]] LOBER_API Point centre(std::size_t column, std::size_t row) const;
 };
 
 /// Exact for the outlines as polygons; about 100 ns for each cell in the box of a lobe. Parallel.
-[[nodiscard]] LobeRaster rasterise(const Tangle& tangle);
+[[nodiscard]] LOBER_API LobeRaster rasterise(const Tangle& tangle);
 
 }  // namespace lober

@@ -15,33 +15,34 @@
 #include <stdexcept>
 #include <string>
 
+#include "lober/export.hpp"
 #include "lober/point.hpp"
 
 namespace lober {
 
-class Error : public std::runtime_error {
+class LOBER_API Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-class UsageError : public Error {
+class LOBER_API UsageError : public Error {
  public:
   using Error::Error;
 };
 
-class DataError : public Error {
+class LOBER_API DataError : public Error {
  public:
   using Error::Error;
 };
 
-class Cancelled : public Error {
+class LOBER_API Cancelled : public Error {
  public:
   Cancelled() : Error("cancelled") {}
 };
 
 /// A curve that has to be simple and is not. `curve` counts from 1 in the order of the call's arguments;
 /// the two segments (segment k joins vertex k to vertex k + 1) meet at `at`, rounded to double.
-class NotSimpleError : public DataError {
+class LOBER_API NotSimpleError : public DataError {
  public:
   NotSimpleError(int curve_number, std::uint32_t first, std::uint32_t second, Point place);
   int curve;

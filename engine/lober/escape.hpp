@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "lober/agreement.hpp"
+#include "lober/export.hpp"
 #include "lober/tubes.hpp"
 
 namespace lober {
@@ -106,9 +107,9 @@ struct Escape {
 
 /// Orbits and first curves only: each Bottleneck has one curve E and one X. Here the section may count one direction
 /// or both (direction 0), and be bounded. Errors as for `escape`.
-[[nodiscard]] std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, double energy,
-                                                  std::span<const FlowState> saddles,
-                                                  const EscapeOptions& options = {});
+[[nodiscard]] LOBER_API std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, double energy,
+                                                            std::span<const FlowState> saddles,
+                                                            const EscapeOptions& options = {});
 
 /// The table, n by n, as far as it is affordable (options.max_points, options.budget) and trajectories can be
 /// followed. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
@@ -116,13 +117,13 @@ struct Escape {
 /// be found, or a tube crosses the section in both directions; Cancelled before any row is known. The same bits for any
 /// number of threads, as long as the budget does not end it. Images multiply by about the same factor each time, and
 /// with them time and memory.
-[[nodiscard]] Escape escape(const Flow& flow, const Section& section, double energy, std::span<const FlowState> saddles,
-                            const EscapeOptions& options = {});
+[[nodiscard]] LOBER_API Escape escape(const Flow& flow, const Section& section, double energy,
+                                      std::span<const FlowState> saddles, const EscapeOptions& options = {});
 
 /// "the fraction from bottleneck 1 to 2 after crossing 3"
-[[nodiscard]] std::string name_of(const EscapeFraction& row);
+[[nodiscard]] LOBER_API std::string name_of(const EscapeFraction& row);
 /// The area of each complete curve by its points and by action.
-void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement& agreement);
+LOBER_API void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement& agreement);
 
 /// The fractions of one entry, summed up to n crossings: what has left by each exit, and what has not.
 struct Survival {
@@ -132,6 +133,6 @@ struct Survival {
   double error = 0;          ///< sum of the error bars
 };
 /// n = 1, 2, ... as far as all fractions are known.
-[[nodiscard]] std::vector<Survival> survival(const Escape& result, std::size_t entry);
+[[nodiscard]] LOBER_API std::vector<Survival> survival(const Escape& result, std::size_t entry);
 
 }  // namespace lober

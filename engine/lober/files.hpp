@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lober/curve.hpp"
+#include "lober/export.hpp"
 
 namespace lober {
 
@@ -18,7 +19,7 @@ enum class Format : std::uint8_t {
   npy,      ///< NumPy: N x 2 or 2 x N, float64 or float32 of either byte order, C or Fortran order
   raw,      ///< native float64 pairs, nothing else
 };
-[[nodiscard]] std::string_view name(Format format);
+[[nodiscard]] LOBER_API std::string_view name(Format format);
 
 /// One zone of a file. Formats without zones have exactly one.
 struct Zone {
@@ -45,7 +46,7 @@ struct ReadOptions {
 /// What has no lines (a missing file, a binary one) is named by "path: what is wrong". A pipe is read to its
 /// end;
 /// "-" is standard input.
-[[nodiscard]] CurveFile read_curve_file(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] LOBER_API CurveFile read_curve_file(const std::string& path, const ReadOptions& options = {});
 
 /// A curve named on a command line: `FILE`, or `FILE#K` for zone K counted from 0, or `FILE#TITLE`. (A file
 /// whose name really contains '#' is found first.) Closed curves lose a last vertex that repeats the first.
@@ -60,7 +61,7 @@ struct NamedCurve {
 
 /// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the
 /// file has several zones and none is chosen, or the chosen one is not there.
-[[nodiscard]] NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
+[[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
 
 /// Writers. Numbers are written in the shortest form that reads back to the same bits. The file appears under
 /// its name only when it is complete (written beside it, then renamed); on failure an existing file is left
@@ -72,15 +73,16 @@ struct NamedCurve {
 ///
 /// A single zone without a title needs no ZONE line in a Tecplot file.
 enum class ZoneLines : std::uint8_t { where_needed, always };
-void write_tecplot(const std::string& path, std::span<const Zone> zones, ZoneLines lines = ZoneLines::where_needed);
-void write_text(const std::string& path, std::span<const Point> points, char separator = ' ');
-void write_npy(const std::string& path, std::span<const Point> points);
-void write_raw(const std::string& path, std::span<const Point> points);
+LOBER_API void write_tecplot(const std::string& path, std::span<const Zone> zones,
+                             ZoneLines lines = ZoneLines::where_needed);
+LOBER_API void write_text(const std::string& path, std::span<const Point> points, char separator = ' ');
+LOBER_API void write_npy(const std::string& path, std::span<const Point> points);
+LOBER_API void write_raw(const std::string& path, std::span<const Point> points);
 
 /// Writes `content` the same way: complete under its name, or not at all.
-void write_file(const std::string& path, std::string_view content);
+LOBER_API void write_file(const std::string& path, std::string_view content);
 
 /// SHA-256 (FIPS 180-4) of bytes in memory, lower-case hexadecimal.
-[[nodiscard]] std::string sha256(std::span<const std::byte> bytes);
+[[nodiscard]] LOBER_API std::string sha256(std::span<const std::byte> bytes);
 
 }  // namespace lober

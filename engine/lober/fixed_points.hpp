@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lober/export.hpp"
 #include "lober/planar_map.hpp"
 #include "lober/point.hpp"
 
@@ -21,7 +22,7 @@ enum class FixedPointKind {
   attracting,        ///< both moduli < 1
   repelling          ///< both moduli > 1
 };
-[[nodiscard]] std::string_view name_of(FixedPointKind kind);
+[[nodiscard]] LOBER_API std::string_view name_of(FixedPointKind kind);
 
 struct FixedPoint {
   Point at;
@@ -48,13 +49,14 @@ struct FixedPointOptions {
 
 /// Newton's method from `guess`, damped, until rounding (or the tolerance of the integration) stops it. Throws
 /// DataError with where it ended when it does not converge, UsageError for a period or a grid that is not positive.
-[[nodiscard]] FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointOptions& options = {});
+[[nodiscard]] LOBER_API FixedPoint find_fixed_point(const PlanarMap& map, Point guess,
+                                                    const FixedPointOptions& options = {});
 
 /// The points in a box, each once, sorted by period, x, y. Newton's method starts in each cell of a grid on whose
 /// corners both components of f^period(z) - z - shift change sign, and at each grid point where its length is least
 /// among its neighbours: every point is found that the grid resolves. Points whose least period divides `period` are
 /// among them. Throws DataError, with the place of the smallest displacement, when there is none.
-[[nodiscard]] std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
-                                                        const FixedPointOptions& options = {});
+[[nodiscard]] LOBER_API std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
+                                                                  const FixedPointOptions& options = {});
 
 }  // namespace lober

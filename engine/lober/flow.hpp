@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 
+#include "lober/export.hpp"
 #include "lober/planar_map.hpp"
 
 namespace lober {
@@ -70,7 +71,7 @@ struct Section {
 };
 
 /// Immutable and safe to use from several threads at the same time.
-class Flow {
+class LOBER_API Flow {
  public:
   Flow() = default;
   Flow(const Flow&) = delete;

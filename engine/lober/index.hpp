@@ -7,14 +7,15 @@
 #include <string_view>
 
 #include "lober/curve.hpp"
+#include "lober/export.hpp"
 
 namespace lober {
 
 /// Which index prunes the pairs of segments. Results do not depend on it, time does.
 enum class IndexKind : std::uint8_t { automatic, tree, grid, kd };
-[[nodiscard]] std::string_view name(IndexKind kind);
+[[nodiscard]] LOBER_API std::string_view name(IndexKind kind);
 /// The kind of that name; `automatic` if there is none.
-[[nodiscard]] IndexKind index_kind(std::string_view name);
+[[nodiscard]] LOBER_API IndexKind index_kind(std::string_view name);
 
 class BoxTree;  // private: engine/geometry/index/box_tree.hpp
 
@@ -22,16 +23,16 @@ class BoxTree;  // private: engine/geometry/index/box_tree.hpp
 /// Cheap to copy; keeps alive what the curve owns. O(N), parallel; about 2 bytes a point.
 class IndexedCurve {
  public:
-  explicit IndexedCurve(const ClosedCurve& curve);
-  explicit IndexedCurve(const OpenCurve& curve);
+  LOBER_API explicit IndexedCurve(const ClosedCurve& curve);
+  LOBER_API explicit IndexedCurve(const OpenCurve& curve);
   /// Of points that somebody else keeps.
-  explicit IndexedCurve(CurveView curve);
+  LOBER_API explicit IndexedCurve(CurveView curve);
 
   [[nodiscard]] const CurveView& view() const { return view_; }
   [[nodiscard]] std::size_t segments() const { return view_.segments(); }
   /// False when some coordinate is not finite, or so large that products overflow: then `validate` says which.
-  [[nodiscard]] bool finite() const;
-  [[nodiscard]] std::size_t memory() const;  ///< bytes of the index
+  [[nodiscard]] LOBER_API bool finite() const;
+  [[nodiscard]] LOBER_API std::size_t memory() const;  ///< bytes of the index
   [[nodiscard]] const std::shared_ptr<const void>& owner() const { return owner_; }
   [[nodiscard]] const BoxTree& tree() const { return *tree_; }
 
@@ -43,6 +44,6 @@ class IndexedCurve {
 
 /// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. About log N:
 /// whole subtrees count by their end points.
-[[nodiscard]] bool contains(const IndexedCurve& curve, Point point);
+[[nodiscard]] LOBER_API bool contains(const IndexedCurve& curve, Point point);
 
 }  // namespace lober

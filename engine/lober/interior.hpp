@@ -20,6 +20,7 @@
 #include "lober/buffer.hpp"
 #include "lober/crossings.hpp"
 #include "lober/curve.hpp"
+#include "lober/export.hpp"
 #include "lober/index.hpp"
 
 namespace lober {
@@ -37,10 +38,10 @@ struct Winding {
 /// Exact. Throws UsageError for an open curve, as everything that follows does. A ray to the right is followed through
 /// the box tree: a box that it misses is skipped, one that lies wholly to the right of the point counts by the heights
 /// of its two ends. About log N for a curve whose boxes overlap little.
-[[nodiscard]] Winding winding(const IndexedCurve& curve, Point point);
+[[nodiscard]] LOBER_API Winding winding(const IndexedCurve& curve, Point point);
 
 /// The same for many points, in parallel; the same for any number of threads.
-[[nodiscard]] std::vector<Winding> windings(const IndexedCurve& curve, std::span<const Point> points);
+[[nodiscard]] LOBER_API std::vector<Winding> windings(const IndexedCurve& curve, std::span<const Point> points);
 
 /// J at a point.
 struct InteriorValue {
@@ -53,15 +54,16 @@ struct InteriorValue {
 /// from there, which is right because a box is convex, and so do neighbouring ones on one side of the point together.
 /// Angles near half a turn get their sign from an exact predicate, so J / 2 pi is the winding number up to the rounding
 /// of these few angles (each right to about 2^-51). About log N. docs/conventions.md, section 5.
-[[nodiscard]] InteriorValue interior_function(const IndexedCurve& curve, Point point);
+[[nodiscard]] LOBER_API InteriorValue interior_function(const IndexedCurve& curve, Point point);
 
 /// The same for many points, in parallel; the same bits for any number of threads.
-[[nodiscard]] std::vector<InteriorValue> interior_function(const IndexedCurve& curve, std::span<const Point> points);
+[[nodiscard]] LOBER_API std::vector<InteriorValue> interior_function(const IndexedCurve& curve,
+                                                                     std::span<const Point> points);
 
 /// J as Naik, Lekien & Ross (2017) compute it, for reference: a difference of two arc tangents for every segment
 /// (section "Computation of J_i"), in plain double. O(N). Wrong by a turn where rounding puts the point on the other
 /// side of a segment, or on it.
-[[nodiscard]] double interior_function_direct(CurveView curve, Point point);
+[[nodiscard]] LOBER_API double interior_function_direct(CurveView curve, Point point);
 
 // ------------------------------------------------------------------------------------------ labels of vertices
 
@@ -69,15 +71,15 @@ struct InteriorValue {
 enum class Side : std::uint8_t { outside, on, inside };
 
 /// The label of one point, by its winding number: not zero is inside. Exact, about log N.
-[[nodiscard]] Side locate(const IndexedCurve& curve, Point point);
+[[nodiscard]] LOBER_API Side locate(const IndexedCurve& curve, Point point);
 
 /// The label of each point, by a query for each. Parallel.
-[[nodiscard]] Buffer<Side> label_points(const IndexedCurve& curve, std::span<const Point> points);
+[[nodiscard]] LOBER_API Buffer<Side> label_points(const IndexedCurve& curve, std::span<const Point> points);
 
 /// The label of each vertex of curve `curve` (1 or 2) with respect to the other one. Sides change at nodes only, and
 /// there the order of the half-edges says to what; nothing is searched. Agrees with `label_points`. O(N), of which one
 /// point query, O(N), when there is no node.
-[[nodiscard]] Buffer<Side> label_vertices(const Crossings& nodes, int curve);
+[[nodiscard]] LOBER_API Buffer<Side> label_vertices(const Crossings& nodes, int curve);
 
 /// A place on a curve from which on it lies on another side of the other curve (or on the same one again, after a
 /// touch).
@@ -90,7 +92,7 @@ struct SideChange {
 
 /// The changes of side of curve `curve` (1 or 2) in order along it, from its first vertex on, in the direction of the
 /// input: one for each point where the curves meet, two for each shared arc. Empty when there is no node. O(nodes).
-[[nodiscard]] std::vector<SideChange> side_changes(const Crossings& nodes, int curve);
+[[nodiscard]] LOBER_API std::vector<SideChange> side_changes(const Crossings& nodes, int curve);
 
 /// Each pass puts `points` points, equally spaced, into every segment that holds an intersection; the next pass does so
 /// in the parts that hold one. The distance to the nearest points falls by points + 1 a pass (-DENS of Lober 1.8).
@@ -106,8 +108,8 @@ struct LabelledPoint {
 
 /// Curve `curve` (1 or 2) from its first vertex on, with the points where it meets the other one and the inserted ones.
 /// Throws DataError when that makes more than InteriorOptions::max_points. O(N + points inserted).
-[[nodiscard]] std::vector<LabelledPoint> labelled_points(const Crossings& nodes, int curve,
-                                                         const EndsDensification& densification = {});
+[[nodiscard]] LOBER_API std::vector<LabelledPoint> labelled_points(const Crossings& nodes, int curve,
+                                                                   const EndsDensification& densification = {});
 
 // ------------------------------------------------------------------------------------------ areas
 
@@ -169,11 +171,11 @@ struct InteriorAreas {
 /// (validate; also an area beyond the range of double), NotSimpleError, Cancelled. O(n + m + contacts log N) and the
 /// search, parallel; the same bits for any number of threads. Areas are as good as those of `overlay`: relative error
 /// below 1e-15 where they exceed 1e-12 of the bounding box.
-[[nodiscard]] InteriorAreas interior_areas(const ClosedCurve& c1, const ClosedCurve& c2,
-                                           const InteriorOptions& options = {});
+[[nodiscard]] LOBER_API InteriorAreas interior_areas(const ClosedCurve& c1, const ClosedCurve& c2,
+                                                     const InteriorOptions& options = {});
 
 /// The same for curves that are indexed already (and validated by the caller).
-[[nodiscard]] InteriorAreas interior_areas(const IndexedCurve& c1, const IndexedCurve& c2,
-                                           const InteriorOptions& options = {});
+[[nodiscard]] LOBER_API InteriorAreas interior_areas(const IndexedCurve& c1, const IndexedCurve& c2,
+                                                     const InteriorOptions& options = {});
 
 }  // namespace lober

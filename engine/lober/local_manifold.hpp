@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "lober/export.hpp"
 #include "lober/planar_map.hpp"
 
 namespace lober {
@@ -44,10 +45,10 @@ struct LocalManifold {
   double defect = 0;
   double defect_across = 0;
 
-  [[nodiscard]] Point at(double s) const;
+  [[nodiscard]] LOBER_API Point at(double s) const;
   /// points[k] = P(parameters[k]), |parameters[k]| <= reach; the same bits in whatever span.
-  void points_at(std::span<const double> parameters, std::span<Point> points) const;
-  [[nodiscard]] Point slope(double s) const;  ///< P'(s)
+  LOBER_API void points_at(std::span<const double> parameters, std::span<Point> points) const;
+  [[nodiscard]] LOBER_API Point slope(double s) const;  ///< P'(s)
 
   /// What takes each branch to itself: `steps` of F, or twice as many where a negative multiplier exchanges the
   /// branches; and the factor > 1 in s that they stand for.
@@ -55,7 +56,7 @@ struct LocalManifold {
     int steps;
     double factor;
   };
-  [[nodiscard]] Image image() const;
+  [[nodiscard]] LOBER_API Image image() const;
 };
 
 /// The manifold of the saddle near `guess`, which is refined by Newton's method first. r is the largest (to a factor
@@ -64,7 +65,7 @@ struct LocalManifold {
 /// tolerance. Throws DataError with the place when there is no fixed point, when it is not a saddle, or when the map
 /// cannot be evaluated near it; UsageError for options that make no sense. About 5000 evaluations of the map with
 /// derivative, in parallel.
-[[nodiscard]] LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,
-                                           const LocalManifoldOptions& options = {});
+[[nodiscard]] LOBER_API LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,
+                                                     const LocalManifoldOptions& options = {});
 
 }  // namespace lober

@@ -11,6 +11,7 @@
 
 #include "lober/agreement.hpp"
 #include "lober/connecting_orbit.hpp"
+#include "lober/export.hpp"
 #include "lober/systems.hpp"
 #include "lober/tangle.hpp"
 
@@ -71,12 +72,12 @@ struct ManifoldTangle {
 /// the reason when the manifolds do not cross within the limits, when they coincide as far as double precision and
 /// the integration show, when the pips found are not those of the manifolds at any tolerance that can be had, when
 /// points or work run out, or the saddles are none; UsageError; Cancelled.
-[[nodiscard]] std::unique_ptr<ManifoldTangle> grow_tangle(const PlanarMap& map, const Connection& connection,
-                                                          const ManifoldTangleOptions& options = {});
+[[nodiscard]] LOBER_API std::unique_ptr<ManifoldTangle> grow_tangle(const PlanarMap& map, const Connection& connection,
+                                                                    const ManifoldTangleOptions& options = {});
 
 /// What two routes say of it: the areas of the lobes of the turnstile by geometry and by action, what leaves and what
 /// enters in one step (of maps with an action, which preserve area), and the number of pips a period by polygons and by
 /// the splitting.
-[[nodiscard]] Agreement agreement_of(const ManifoldTangle& manifolds);
+[[nodiscard]] LOBER_API Agreement agreement_of(const ManifoldTangle& manifolds);
 
 }  // namespace lober

@@ -21,6 +21,7 @@
 #include "lober/buffer.hpp"
 #include "lober/curve.hpp"
 #include "lober/densify.hpp"
+#include "lober/export.hpp"
 #include "lober/local_manifold.hpp"
 #include "lober/point.hpp"
 
@@ -28,7 +29,7 @@ namespace lober {
 
 enum class Branch : std::int8_t { minus = -1, plus = 1 };
 /// The branch that leaves the saddle to the same side as `direction`.
-[[nodiscard]] Branch branch_towards(const LocalManifold& local, Point direction);
+[[nodiscard]] LOBER_API Branch branch_towards(const LocalManifold& local, Point direction);
 
 /// Why points could not be put where the tolerance asks for them.
 enum class GrowthDiagnosticCause : std::uint8_t {
@@ -38,7 +39,7 @@ enum class GrowthDiagnosticCause : std::uint8_t {
   max_rounds,  ///< still not met after the last round
   left_box,    ///< no diagnostic but a fact: the curve is outside the box there, and is followed coarsely
 };
-[[nodiscard]] std::string_view name(GrowthDiagnosticCause cause);
+[[nodiscard]] LOBER_API std::string_view name(GrowthDiagnosticCause cause);
 
 /// Segments first, ..., first + count - 1 of the result.
 struct GrowthDiagnostic {
@@ -56,7 +57,7 @@ enum class GrowthStop : std::uint8_t {
   failed,     ///< no point of the last generation has an image in the box
   cancelled,  ///< by `progress`
 };
-[[nodiscard]] std::string_view name(GrowthStop stop);
+[[nodiscard]] LOBER_API std::string_view name(GrowthStop stop);
 
 struct GrowthProgress {
   int iterates = 0;          ///< done
@@ -99,8 +100,8 @@ struct GrownManifold {
 /// Grows one branch. All that was computed is kept, whatever stops it. Throws UsageError for options that make no
 /// sense. The same bits for any number of threads. A vertex of generation k costs k steps of the map, and the guides
 /// one for each vertex of the generation before.
-[[nodiscard]] GrownManifold grow(const PlanarMap& map, const LocalManifold& local, Branch branch,
-                                 const GrowthOptions& options);
+[[nodiscard]] LOBER_API GrownManifold grow(const PlanarMap& map, const LocalManifold& local, Branch branch,
+                                           const GrowthOptions& options);
 
 // ------------------------------------------------------------------------------------ images of closed curves
 
@@ -130,11 +131,12 @@ struct CurveImage {
 /// F^iterates of the closed curve c(t), which the function gives for corners.front() <= t <= corners.back() and which
 /// has the same point at both. The parameters in `corners` (at least two, ascending) become vertices; between them the
 /// curve has to be smooth. Throws UsageError, DataError (a corner without an image), Cancelled.
-[[nodiscard]] CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& curve,
-                                  std::span<const double> corners, const ImageOptions& options);
+[[nodiscard]] LOBER_API CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& curve,
+                                            std::span<const double> corners, const ImageOptions& options);
 
 /// F^iterates of a polygon, open or closed. Its vertices stay; new ones are images of points on its segments.
-[[nodiscard]] CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve, const ImageOptions& options);
+[[nodiscard]] LOBER_API CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve,
+                                            const ImageOptions& options);
 
 /// Writes the points of curve k = 0, 1, ... of a sequence at the parameters; safe to call from several threads.
 using CurveSequence = std::function<void(int curve, std::span<const double> parameters, std::span<Point> points)>;
@@ -144,9 +146,9 @@ using CurveSequence = std::function<void(int curve, std::span<const double> para
 /// first one for which `goes_on` is false, or where points run out. Corners, options and errors as for `image_of`. The
 /// first curve is sampled at `guide` to begin with: ascending parameters, the corners among them; a few between corners
 /// when that is empty.
-[[nodiscard]] std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
-                                                const ImageOptions& options,
-                                                const std::function<bool(const CurveImage&)>& goes_on,
-                                                std::span<const double> guide = {});
+[[nodiscard]] LOBER_API std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
+                                                          const ImageOptions& options,
+                                                          const std::function<bool(const CurveImage&)>& goes_on,
+                                                          std::span<const double> guide = {});
 
 }  // namespace lober

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lober/escape.hpp"
+#include "lober/export.hpp"
 
 namespace lober {
 
@@ -32,10 +33,11 @@ struct MonteCarlo {
 
 /// The fractions of the table and those counted. A bar allows five standard errors and what a handful of trajectories
 /// more or less makes of rare ones, so that among a hundred rows none is off by chance in a million tables.
-void compare(const Escape& result, const MonteCarlo& counted, Agreement& agreement);
+LOBER_API void compare(const Escape& result, const MonteCarlo& counted, Agreement& agreement);
 
 /// Points evenly distributed in each E, followed crossing by crossing until they lie in an X or n exceeds what the
 /// table has. Point k depends on the seed and k alone (a hash of both), and so does the result, whatever the threads.
-[[nodiscard]] MonteCarlo monte_carlo(const Flow& flow, const Escape& result, const MonteCarloOptions& options);
+[[nodiscard]] LOBER_API MonteCarlo monte_carlo(const Flow& flow, const Escape& result,
+                                               const MonteCarloOptions& options);
 
 }  // namespace lober

@@ -22,6 +22,7 @@
 #include "lober/areas.hpp"
 #include "lober/crossings.hpp"
 #include "lober/curve.hpp"
+#include "lober/export.hpp"
 #include "lober/index.hpp"
 
 namespace lober {
@@ -29,7 +30,7 @@ namespace lober {
 enum class Pairing : std::uint8_t { c1_minus_c2, c2_minus_c1, intersection, union_ };
 inline constexpr std::array<Pairing, 4> all_pairings{Pairing::c1_minus_c2, Pairing::c2_minus_c1, Pairing::intersection,
                                                      Pairing::union_};
-[[nodiscard]] std::string_view name(Pairing pairing);  ///< as in the JSON: "c1_minus_c2", ..., "union"
+[[nodiscard]] LOBER_API std::string_view name(Pairing pairing);  ///< as in the JSON: "c1_minus_c2", ..., "union"
 
 /// A boundary of a piece as steps: (node << 1 | curve of the arc that follows it), the curve 0 or 1; or one that is a
 /// whole curve without any node.
@@ -110,12 +111,12 @@ struct PiecesData;  // private: engine/geometry/overlay/pieces_data.hpp
 /// allocated to look at them. Cheap to copy.
 class Pieces {
  public:
-  Pieces();  ///< none
+  LOBER_API Pieces();  ///< none
   explicit Pieces(std::shared_ptr<const PiecesData> data) : data_(std::move(data)) {}
 
   [[nodiscard]] std::size_t size() const { return areas().size(); }
-  [[nodiscard]] Piece operator[](std::size_t piece) const;
-  [[nodiscard]] std::span<const double> areas() const;
+  [[nodiscard]] LOBER_API Piece operator[](std::size_t piece) const;
+  [[nodiscard]] LOBER_API std::span<const double> areas() const;
 
   class Iterator {
    public:
@@ -185,23 +186,26 @@ struct Overlay {
 /// double), NotSimpleError, Cancelled. About one pass over the points plus work in proportion to what is near
 /// crossings; parallel; the same bits for any number of threads and any index. Areas, of pieces and in total, have
 /// relative error below 1e-15 where they exceed 1e-12 of the bounding box.
-[[nodiscard]] Overlay overlay(const ClosedCurve& c1, const ClosedCurve& c2, const OverlayOptions& options = {});
+[[nodiscard]] LOBER_API Overlay overlay(const ClosedCurve& c1, const ClosedCurve& c2,
+                                        const OverlayOptions& options = {});
 
 /// The same for closed curves that are indexed already (and validated by the caller). Throws UsageError for an open
 /// one.
-[[nodiscard]] Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2, const OverlayOptions& options = {});
+[[nodiscard]] LOBER_API Overlay overlay(const IndexedCurve& c1, const IndexedCurve& c2,
+                                        const OverlayOptions& options = {});
 
 // ------------------------------------------------------------------- more about a result, computed when asked for
 
 /// The boundary of a piece as closed polygons: the outer one first, counter-clockwise, then the holes, clockwise.
 /// O(vertices of the boundary).
-[[nodiscard]] std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing, std::size_t piece);
+[[nodiscard]] LOBER_API std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing,
+                                                                std::size_t piece);
 
 /// Centroids of all pieces of a pairing, in double-double, so that thin pieces keep theirs. One pass over the points
 /// of both curves, parallel.
-[[nodiscard]] std::vector<Point> centroids(const Overlay& result, Pairing pairing);
+[[nodiscard]] LOBER_API std::vector<Point> centroids(const Overlay& result, Pairing pairing);
 /// Of one piece.
-[[nodiscard]] Point centroid(const Overlay& result, Pairing pairing, std::size_t piece);
+[[nodiscard]] LOBER_API Point centroid(const Overlay& result, Pairing pairing, std::size_t piece);
 
 /// Slivers: pieces no wider than the rounding of their vertices, area <= 2 perimeter ulp, ulp the unit in the last
 /// place of the largest coordinate of the two curves. Where curves share an arc up to rounding, these are the noise
@@ -210,7 +214,7 @@ struct Slivers {
   std::vector<std::uint32_t> pieces;  ///< ascending
   double area = 0;                    ///< their total
 };
-[[nodiscard]] Slivers find_slivers(const Overlay& result, Pairing pairing);
+[[nodiscard]] LOBER_API Slivers find_slivers(const Overlay& result, Pairing pairing);
 
 struct DiscretisationData;  // private: engine/geometry/overlay/discretisation.cpp
 
@@ -218,8 +222,8 @@ struct DiscretisationData;  // private: engine/geometry/overlay/discretisation.c
 /// through its vertices. The points must stay alive. O(N), parallel; 2 bytes a point.
 class DiscretisationSums {
  public:
-  explicit DiscretisationSums(CurveView curve);
-  [[nodiscard]] std::size_t memory() const;  ///< bytes
+  LOBER_API explicit DiscretisationSums(CurveView curve);
+  [[nodiscard]] LOBER_API std::size_t memory() const;  ///< bytes
   [[nodiscard]] const DiscretisationData& data() const { return *data_; }
 
  private:
@@ -229,10 +233,10 @@ class DiscretisationSums {
 /// Estimate, for each area, of |polygon - smooth curve through the same points|: the area between each segment and the
 /// local cubic through its two ends and their neighbours, added up over the arcs that bound the region. Right to the
 /// leading order for smooth curves (error per segment of order h^5 against h^3). One pass over the points, parallel.
-[[nodiscard]] Areas discretisation_error(const Overlay& result);
+[[nodiscard]] LOBER_API Areas discretisation_error(const Overlay& result);
 
 /// The same bits for curves that occur in many pairs, whose sums are known already. O(contacts).
-[[nodiscard]] Areas discretisation_error(const Overlay& result, const DiscretisationSums& first,
-                                         const DiscretisationSums& second);
+[[nodiscard]] LOBER_API Areas discretisation_error(const Overlay& result, const DiscretisationSums& first,
+                                                   const DiscretisationSums& second);
 
 }  // namespace lober

@@ -9,6 +9,7 @@
 
 #include <array>
 
+#include "lober/export.hpp"
 #include "lober/flow.hpp"
 
 namespace lober {
@@ -25,7 +26,7 @@ struct SaddlePoint {
 
 /// The equilibrium near `guess`, by Newton's method. Throws UsageError unless the flow is autonomous, of four
 /// dimensions and Hamiltonian; DataError when there is no equilibrium near the guess or it is no saddle of rank 1.
-[[nodiscard]] SaddlePoint saddle_point(const Flow& flow, const FlowState& guess);
+[[nodiscard]] LOBER_API SaddlePoint saddle_point(const Flow& flow, const FlowState& guess);
 
 struct PeriodicOrbit {
   SaddlePoint saddle;
@@ -47,7 +48,7 @@ struct PeriodicOrbit {
 
 /// The orbit at an energy. Throws UsageError when the energy is not above that of the saddle; DataError when the
 /// continuation gets stuck. A few hundred evaluations of the return map.
-[[nodiscard]] PeriodicOrbit periodic_orbit(const Flow& flow, const SaddlePoint& saddle, double energy,
-                                           const IntegrationOptions& options);
+[[nodiscard]] LOBER_API PeriodicOrbit periodic_orbit(const Flow& flow, const SaddlePoint& saddle, double energy,
+                                                     const IntegrationOptions& options);
 
 }  // namespace lober

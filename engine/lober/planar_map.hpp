@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "lober/export.hpp"
 #include "lober/point.hpp"
 
 namespace lober {
@@ -20,7 +21,7 @@ struct Matrix2 {
 
 /// A diffeomorphism of (a part of) the plane. Immutable: every call may come from several threads at the same time, and
 /// a point has the same image, bit for bit, in whatever batch it comes.
-class PlanarMap {
+class LOBER_API PlanarMap {
  public:
   PlanarMap() = default;
   PlanarMap(const PlanarMap&) = delete;

@@ -3,11 +3,13 @@
 
 #include <limits>
 
+#include "lober/export.hpp"
+
 namespace lober {
 
 /// A point of the plane in the user's units. Layout is two packed doubles, so an array of points is an
 /// N x 2 row-major matrix and can be mapped as one.
-struct Point {
+struct LOBER_API Point {
   double x = 0;
   double y = 0;
   friend constexpr bool operator==(const Point&, const Point&) = default;

@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "lober/export.hpp"
 #include "lober/overlay.hpp"
 
 namespace lober {
@@ -29,9 +30,9 @@ namespace lober {
 enum class FillRule : std::uint8_t { nonzero, evenodd, positive, negative };
 inline constexpr std::array<FillRule, 4> all_fill_rules{FillRule::nonzero, FillRule::evenodd, FillRule::positive,
                                                         FillRule::negative};
-[[nodiscard]] std::string_view name(FillRule rule);
+[[nodiscard]] LOBER_API std::string_view name(FillRule rule);
 /// Whether a winding number is inside. Zero never is.
-[[nodiscard]] bool inside(FillRule rule, int winding);
+[[nodiscard]] LOBER_API bool inside(FillRule rule, int winding);
 
 /// The area where C1 winds w1 times and C2 winds w2 times.
 struct WindingArea {
@@ -73,15 +74,15 @@ struct RegionPiecesData;
 /// The pieces of one region, in the order in which their faces come along C1, then C2. Cheap to copy.
 class RegionPieces {
  public:
-  RegionPieces();  ///< none
+  LOBER_API RegionPieces();  ///< none
   explicit RegionPieces(std::shared_ptr<const RegionPiecesData> data) : data_(std::move(data)) {}
 
   [[nodiscard]] std::size_t size() const { return areas().size(); }
-  [[nodiscard]] std::span<const double> areas() const;
-  [[nodiscard]] RegionPiece operator[](std::size_t piece) const;
+  [[nodiscard]] LOBER_API std::span<const double> areas() const;
+  [[nodiscard]] LOBER_API RegionPiece operator[](std::size_t piece) const;
   /// The boundary of a piece as closed polygons: the outer one first, counter-clockwise, then the holes, clockwise.
   /// Polygons do not cross, but may touch each other, and the outer one itself, in vertices. O(vertices).
-  [[nodiscard]] std::vector<std::vector<Point>> outline(std::size_t piece) const;
+  [[nodiscard]] LOBER_API std::vector<std::vector<Point>> outline(std::size_t piece) const;
 
  private:
   std::shared_ptr<const RegionPiecesData> data_;
@@ -90,24 +91,24 @@ class RegionPieces {
 /// Cheap to copy; keeps alive what the curves own.
 class Regions {
  public:
-  Regions();  ///< of nothing
+  LOBER_API Regions();  ///< of nothing
   explicit Regions(std::shared_ptr<const Arrangement> arrangement) : arrangement_(std::move(arrangement)) {}
 
   /// All pairs of winding numbers that occur, ascending, without (0, 0).
-  [[nodiscard]] std::span<const WindingArea> table() const;
+  [[nodiscard]] LOBER_API std::span<const WindingArea> table() const;
   /// Signed areas of C1 and C2: the sums of winding number times area.
-  [[nodiscard]] std::array<double, 2> signed_areas() const;
+  [[nodiscard]] LOBER_API std::array<double, 2> signed_areas() const;
   /// As in Overlay::areas; c1 is the area of the region of C1 under the rule.
-  [[nodiscard]] Areas areas(FillRule rule) const;
+  [[nodiscard]] LOBER_API Areas areas(FillRule rule) const;
   /// Bounds on |computed - exact area of the region of the polygons|.
-  [[nodiscard]] Areas rounding(FillRule rule) const;
+  [[nodiscard]] LOBER_API Areas rounding(FillRule rule) const;
   /// The same for an area of the table or of a piece.
-  [[nodiscard]] double rounding(double area) const;
+  [[nodiscard]] LOBER_API double rounding(double area) const;
   /// O(faces + edges). With one curve, C2 is empty: c1_minus_c2 is the region of C1.
-  [[nodiscard]] RegionPieces pieces(FillRule rule, Pairing pairing) const;
+  [[nodiscard]] LOBER_API RegionPieces pieces(FillRule rule, Pairing pairing) const;
 
-  [[nodiscard]] const RegionCounts& counts() const;
-  [[nodiscard]] const RegionTiming& timing() const;
+  [[nodiscard]] LOBER_API const RegionCounts& counts() const;
+  [[nodiscard]] LOBER_API const RegionTiming& timing() const;
 
  private:
   std::shared_ptr<const Arrangement> arrangement_;
@@ -119,12 +120,14 @@ class Regions {
 /// to what the search of both curves against themselves and each other meets; memory besides the box trees in
 /// proportion to the points where edge chains meet. All decisions are exact; the same bits for any number of threads
 /// and any index. Where k edge chains run along each other, k^2 / 2 pairs meet at each of their vertices.
-[[nodiscard]] Regions regions(const ClosedCurve& c1, const RegionOptions& options = {});
-[[nodiscard]] Regions regions(const ClosedCurve& c1, const ClosedCurve& c2, const RegionOptions& options = {});
+[[nodiscard]] LOBER_API Regions regions(const ClosedCurve& c1, const RegionOptions& options = {});
+[[nodiscard]] LOBER_API Regions regions(const ClosedCurve& c1, const ClosedCurve& c2,
+                                        const RegionOptions& options = {});
 
 /// The same for closed curves that are indexed already (and validated by the caller). Throws UsageError for an open
 /// one.
-[[nodiscard]] Regions regions(const IndexedCurve& c1, const RegionOptions& options = {});
-[[nodiscard]] Regions regions(const IndexedCurve& c1, const IndexedCurve& c2, const RegionOptions& options = {});
+[[nodiscard]] LOBER_API Regions regions(const IndexedCurve& c1, const RegionOptions& options = {});
+[[nodiscard]] LOBER_API Regions regions(const IndexedCurve& c1, const IndexedCurve& c2,
+                                        const RegionOptions& options = {});
 
 }  // namespace lober

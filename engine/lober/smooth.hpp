@@ -14,6 +14,7 @@
 
 #include "lober/areas.hpp"
 #include "lober/curve.hpp"
+#include "lober/export.hpp"
 #include "lober/overlay.hpp"
 
 namespace lober {
@@ -33,7 +34,7 @@ struct SmoothAreas {
 /// crossings of smooth curves whose polygons do not meet there are not found. A shared arc stays shared, with the
 /// geometry of C1. Throws DataError when coordinates range too widely. O(n + m), parallel; the same bits for any number
 /// of threads.
-[[nodiscard]] SmoothAreas smooth_areas(const Overlay& result);
+[[nodiscard]] LOBER_API SmoothAreas smooth_areas(const Overlay& result);
 
 struct SmoothArea {
   double area = 0;   ///< signed, positive counter-clockwise
@@ -43,7 +44,7 @@ struct SmoothArea {
 
 /// The area of one closed curve, in the same sense; where it crosses itself, weighted by winding numbers. Throws
 /// DataError as `validate` does. O(n), parallel.
-[[nodiscard]] SmoothArea smooth_area(const ClosedCurve& curve);
+[[nodiscard]] LOBER_API SmoothArea smooth_area(const ClosedCurve& curve);
 
 struct CommonArea {
   double area = 0, error = 0;
@@ -51,6 +52,6 @@ struct CommonArea {
 
 /// What two closed curves have in common. Of order h^6 where the polygons are simple; else by winding numbers, of the
 /// polygons, with an error bar of what the smooth curves enclose more or less. As smooth_areas and regions.
-[[nodiscard]] CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second);
+[[nodiscard]] LOBER_API CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second);
 
 }  // namespace lober

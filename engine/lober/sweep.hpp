@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lober/export.hpp"
 #include "lober/manifold_tangle.hpp"
 
 namespace lober {
@@ -60,11 +61,12 @@ struct SweepOptions {
 struct Sweep {
   std::vector<SweepRow> rows;  ///< in the order of the values
   std::vector<SweepZero> zeros;
-  [[nodiscard]] std::size_t failures() const;
+  [[nodiscard]] LOBER_API std::size_t failures() const;
 };
 
 /// One row for each value; values that fail are recorded and the rest goes on. Values are worked on in parallel, zeros
 /// too; the same bits for any number of threads. A zero takes about eight more tangles. Throws Cancelled.
-[[nodiscard]] Sweep sweep(const Family& family, std::span<const double> values, const SweepOptions& options = {});
+[[nodiscard]] LOBER_API Sweep sweep(const Family& family, std::span<const double> values,
+                                    const SweepOptions& options = {});
 
 }  // namespace lober

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "lober/export.hpp"
 #include "lober/flow.hpp"
 #include "lober/local_manifold.hpp"
 #include "lober/planar_map.hpp"
@@ -66,12 +67,12 @@ struct System {
 using ParameterValues = std::vector<std::pair<std::string, double>>;
 
 /// The built-in systems, in the order of their names.
-[[nodiscard]] std::vector<SystemInfo> list_systems();
+[[nodiscard]] LOBER_API std::vector<SystemInfo> list_systems();
 
 /// The system `name`, or the one in the shared library `name` (a name with a slash or ending in ".so"; see
 /// lober_system.h). Throws UsageError, naming the alternatives, for an unknown name or parameter, a parameter given
 /// twice or out of its range; DataError for a library that cannot be used.
-[[nodiscard]] System make_system(std::string_view name, const ParameterValues& values = {},
-                                 const IntegrationOptions& options = {});
+[[nodiscard]] LOBER_API System make_system(std::string_view name, const ParameterValues& values = {},
+                                           const IntegrationOptions& options = {});
 
 }  // namespace lober

@@ -31,6 +31,7 @@
 
 #include "lober/crossings.hpp"
 #include "lober/curve.hpp"
+#include "lober/export.hpp"
 #include "lober/index.hpp"
 
 namespace lober {
@@ -78,7 +79,7 @@ struct LobeLabel {
   int from = 0, to = 0;
   int n = 0;
 };
-[[nodiscard]] std::string text(const LobeLabel& label);  ///< "L12(1)"; empty where from is 0
+[[nodiscard]] LOBER_API std::string text(const LobeLabel& label);  ///< "L12(1)"; empty where from is 0
 
 /// Pairing under the map: f takes pip k to pip k + period and lobe k to lobe k + period.
 struct Images {
@@ -133,17 +134,17 @@ struct Tangle {
   [[nodiscard]] const CurveView& u() const { return nodes.curve1(); }
   [[nodiscard]] const CurveView& s() const { return nodes.curve2(); }
   /// Bound on |computed - exact value| of an area of the polygons.
-  [[nodiscard]] double rounding(double area) const;
+  [[nodiscard]] LOBER_API double rounding(double area) const;
 };
 
 /// The tangle of two manifolds. The result keeps alive what they own. Throws DataError (validate), NotSimpleError,
 /// UsageError (a bip that does not exist), Cancelled. The time of the crossing search and of the sums
 /// up to the pips and to those crossings that the boundary has with lobes; parallel; the same bits for any number of
 /// threads and any index.
-[[nodiscard]] Tangle tangle(const OpenCurve& u, const OpenCurve& s, const TangleOptions& options = {});
+[[nodiscard]] LOBER_API Tangle tangle(const OpenCurve& u, const OpenCurve& s, const TangleOptions& options = {});
 
 /// The same for open curves that are indexed already. Throws the same, and UsageError for a closed one.
-[[nodiscard]] Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options = {});
+[[nodiscard]] LOBER_API Tangle tangle(const IndexedCurve& u, const IndexedCurve& s, const TangleOptions& options = {});
 
 // ------------------------------------------------------------------- more about a result, computed when asked for
 
@@ -157,7 +158,7 @@ struct ArcsAt {
   [[nodiscard]] std::int32_t generation() const { return u - s; }
 };
 /// Of every node; of those that do not cross too. O(nodes).
-[[nodiscard]] std::vector<ArcsAt> arcs_at_nodes(const Tangle& tangle);
+[[nodiscard]] LOBER_API std::vector<ArcsAt> arcs_at_nodes(const Tangle& tangle);
 
 struct LobeOverlap {
   std::uint32_t i, j;  ///< i < j
@@ -167,26 +168,26 @@ struct LobeOverlap {
   double perimeter = 0;  ///< of what they have in common
 };
 /// The area that two lobes have in common, for every pair that has any; ordered by i, then j. O(crossings + N + M).
-[[nodiscard]] std::vector<LobeOverlap> overlaps(const Tangle& tangle);
+[[nodiscard]] LOBER_API std::vector<LobeOverlap> overlaps(const Tangle& tangle);
 
 /// The boundary of a lobe as a closed polygon: pip k, along U to pip k + 1, back along S. Where S_k and U_k touch it
 /// touches itself. Always the polygons'. O(its vertices).
-[[nodiscard]] std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe);
+[[nodiscard]] LOBER_API std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe);
 /// Length of a closed polygon such as that.
-[[nodiscard]] double perimeter(const std::vector<Point>& polygon);
+[[nodiscard]] LOBER_API double perimeter(const std::vector<Point>& polygon);
 /// The boundary from p- along U to the bip and along S to p+: an open polyline; its chord closes it.
-[[nodiscard]] std::vector<Point> boundary_outline(const Tangle& tangle);
+[[nodiscard]] LOBER_API std::vector<Point> boundary_outline(const Tangle& tangle);
 /// The same for another pip.
-[[nodiscard]] std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t bip);
+[[nodiscard]] LOBER_API std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t bip);
 /// Signed area of what U[p-, q], S[q, p+] and the chord from p+ to p- enclose, q a pip, each part counted with its
 /// winding number; of the smooth curves if that is what the tangle is made of. The error is as Lobe::smooth_error.
 /// O(1).
 struct SweptArea {
   double area = 0, error = 0;
 };
-[[nodiscard]] SweptArea swept_area(const Tangle& tangle, std::size_t pip);
+[[nodiscard]] LOBER_API SweptArea swept_area(const Tangle& tangle, std::size_t pip);
 /// The simple polygons of which a lobe consists, as areas; one unless the lobe is not simple.
-[[nodiscard]] std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe);
+[[nodiscard]] LOBER_API std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe);
 
 /// Lengths in units of the coordinates.
 struct LobeShape {
@@ -197,8 +198,8 @@ struct LobeShape {
   double discretisation = 0;
 };
 /// One pass over the arcs of all lobes, parallel.
-[[nodiscard]] std::vector<LobeShape> lobe_shapes(const Tangle& tangle);
+[[nodiscard]] LOBER_API std::vector<LobeShape> lobe_shapes(const Tangle& tangle);
 /// The same estimate for the area of the boundary: its chord is straight. O(its vertices).
-[[nodiscard]] double boundary_discretisation(const Tangle& tangle);
+[[nodiscard]] LOBER_API double boundary_discretisation(const Tangle& tangle);
 
 }  // namespace lober

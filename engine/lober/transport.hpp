@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "lober/agreement.hpp"
+#include "lober/export.hpp"
 #include "lober/manifold_tangle.hpp"
 
 namespace lober {
@@ -118,8 +119,8 @@ struct Transport {
 /// Everything from a map: grows the manifolds, finds the turnstiles and computes a_ij(n) and T_ij(n) for n up to
 /// options.iterates, or as far as points and work suffice: then a remark says what the next n would take. Throws as
 /// grow_tangle when there is not even n = 1, and DataError where the map does not preserve area.
-[[nodiscard]] Transport transport(const PlanarMap& map, const Connection& connection,
-                                  const TransportOptions& options = {});
+[[nodiscard]] LOBER_API Transport transport(const PlanarMap& map, const Connection& connection,
+                                            const TransportOptions& options = {});
 
 /// The same from two curves alone, as far as they reach: their tangle, whose period must be known. Without a map there
 /// are no particles and no integration error.
@@ -131,6 +132,6 @@ struct TransportOfCurves {
   Agreement agreement;
 };
 /// At most `iterates` rows. Throws DataError when the lobes between the bip and its pre-image are not all there.
-[[nodiscard]] TransportOfCurves transport(const Tangle& tangle, int iterates);
+[[nodiscard]] LOBER_API TransportOfCurves transport(const Tangle& tangle, int iterates);
 
 }  // namespace lober

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "lober/export.hpp"
 #include "lober/manifolds.hpp"
 #include "lober/periodic_orbit.hpp"
 
@@ -20,7 +21,7 @@ namespace lober {
 /// A section {state[coordinate] = value} of a flow of two degrees of freedom, in the chart of its other pair.
 /// `direction`: that of the crossings that count, 0 for both. Throws UsageError when the coordinate is not one of
 /// position.
-[[nodiscard]] Section position_section(const Flow& flow, int coordinate, double value, int direction);
+[[nodiscard]] LOBER_API Section position_section(const Flow& flow, int coordinate, double value, int direction);
 
 struct TubeCurve {
   CurveImage image;       ///< in the section's chart
@@ -46,27 +47,27 @@ struct TubeCurveOptions {
 class Tube {
  public:
   /// Throws as local_manifold.
-  Tube(const Flow& flow, const PeriodicOrbit& orbit, ManifoldSide side, const IntegrationOptions& options);
+  LOBER_API Tube(const Flow& flow, const PeriodicOrbit& orbit, ManifoldSide side, const IntegrationOptions& options);
 
   [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
   [[nodiscard]] ManifoldSide side() const { return local_.side; }
   [[nodiscard]] const LocalManifold& local() const { return local_; }
 
   /// Where the trajectories of a branch, numbered by u in [0, 1], begin.
-  void begin(Branch branch, std::span<const double> u, std::span<FlowState> states) const;
+  LOBER_API void begin(Branch branch, std::span<const double> u, std::span<FlowState> states) const;
   /// Their crossing number k = 1, 2, ... of the section: after they began on the unstable side, before on the stable
   /// one. NaN for those that do not get there.
-  void crossings(Branch branch, const Section& section, int k, std::span<const double> u,
-                 std::span<FlowState> states) const;
+  LOBER_API void crossings(Branch branch, const Section& section, int k, std::span<const double> u,
+                           std::span<FlowState> states) const;
   /// The branch whose trajectories reach the section, the sooner one if both do. Throws DataError when neither does.
-  [[nodiscard]] Branch branch_towards(const Section& section) const;
+  [[nodiscard]] LOBER_API Branch branch_towards(const Section& section) const;
   /// Crossing number k = 1, 2, ... as a closed curve. `before`: crossing number k - 1, complete, which shows where this
   /// one needs points; none for the first one. Throws Cancelled.
-  [[nodiscard]] TubeCurve curve(Branch branch, const Section& section, int k, const TubeCurve* before,
-                                const TubeCurveOptions& options) const;
+  [[nodiscard]] LOBER_API TubeCurve curve(Branch branch, const Section& section, int k, const TubeCurve* before,
+                                          const TubeCurveOptions& options) const;
   /// The area that each of those curves encloses: the orbit's action in units of the section's chart (the integral of
   /// p dq about the tube is the same wherever it is cut, and p dq of the section's own pair is 0 on it).
-  [[nodiscard]] double area_by_action(const Section& section) const;
+  [[nodiscard]] LOBER_API double area_by_action(const Section& section) const;
 
  private:
   [[nodiscard]] int direction_of(Branch branch, const Section& section, int k) const;

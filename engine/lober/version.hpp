@@ -5,6 +5,8 @@
 // different minor versions have different names.
 #pragma once
 
+#include "lober/export.hpp"
+
 #define LOBER_VERSION_MAJOR 0
 #define LOBER_VERSION_MINOR 1
 #define LOBER_VERSION_PATCH 0
@@ -12,6 +14,6 @@
 namespace lober {
 
 /// Of the library that is linked: "0.1.0". The macros are those of the headers.
-[[nodiscard]] const char* version() noexcept;
+[[nodiscard]] LOBER_API const char* version() noexcept;
 
 }  // namespace lober

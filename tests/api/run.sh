@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What users of engine/lober/ rely on: each header compiles by itself with all warnings as errors, needs no other header
 # of ours, and curves of the wrong kind do not compile. "Private" is a fact: who includes what is looked at too.
+# What a shared library must export is marked, and inline functions have no bits that depend on the flags of the user.
 # usage: run.sh SOURCE_FOLDER COMPILER...
 set -uo pipefail
 root=$1
@@ -14,7 +15,7 @@ fail() {
   failures=$((failures + 1))
 }
 
-compiles() { "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Werror -I"$root/engine" "$@" >"$work/log" 2>&1; }
+compiles() { "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I"$root/engine" "$@" >"$work/log" 2>&1; }
 
 checked=0
 for compiler in "$@"; do
@@ -47,6 +48,24 @@ done
 bad=$(grep -rnE '#include "engine/(geometry|dynamics)/' "$root/cli" "$root/examples" "$root/tests/consumer" | grep -vE "$known")
 [ -z "$bad" ] || fail "private headers of geometry and dynamics outside of the engine:
 $bad"
+
+bad=$(awk -f "$root/tests/api/exported.awk" "$headers"/*.hpp)
+[ -z "$bad" ] || fail "functions of public headers without LOBER_API:
+$bad"
+
+# Users compile our inline functions with flags of their own. A product and a sum in one of them could be fused there
+# (docs/conventions.md, section 12): made to, GCC shows where.
+if [ "$(uname -m)" = x86_64 ] && command -v g++ >/dev/null; then
+  for header in "$headers"/*.hpp; do echo "#include \"lober/$(basename "$header")\""; done >"$work/all.cpp"
+  g++ -std=c++20 -O2 -fno-tree-vectorize -mfma -ffp-contract=fast -fkeep-inline-functions -I"$root/engine" -S -o "$work/all.s" "$work/all.cpp" ||
+    fail "all headers together"
+  bad=$(awk '/^_Z.*:/ {ours = /^_ZN?K?5lober/; name = $1} /vfn?m/ && ours {print name, $0}' "$work/all.s" | c++filt)
+  [ -z "$bad" ] || fail "inline functions of public headers that are not the same under contraction:
+$bad"
+  grep -q '^_ZN5lober' "$work/all.s" || fail "GCC keeps no inline function"
+else
+  echo "contraction of inline functions: not looked at, because it takes g++ for x86-64"
+fi
 
 echo "$checked compilations, $failures failures"
 [ "$failures" -eq 0 ]
