@@ -20,6 +20,7 @@
 #include "cli/program/log.hpp"
 #include "cli/published/published_form.hpp"
 #include "cli/published/published_tangle.hpp"
+#include "cli/systems/systems_command.hpp"
 #include "cli/tangle/tangle_command.hpp"
 #include "cli/transport/transport_command.hpp"
 #include "engine/base/input_guard.hpp"
@@ -48,6 +49,7 @@ usage:
   lober batch run MANIFEST               computes many curves and pairs; also batch check, status, export, merge
   lober escape SYSTEM --energy E         computes orbits and tubes of a potential well, and the fractions that leave it
                                          by crossing n
+  lober systems [SYSTEM]                 lists the built-in systems; shows the parameters and manifolds of one
   lober overlay --help                   lists the options of a command
   lober --version                        prints the version
 
@@ -98,8 +100,8 @@ std::size_t letters_between(std::string_view a, std::string_view b) {
 std::string command_meant(const std::string& word) {
   std::error_code ignored;
   if (word.empty() || word.front() == '-' || std::filesystem::exists(file_of_curve(word), ignored)) return {};
-  constexpr std::array<std::string_view, 8> commands{"overlay", "interior",  "densify", "tangle",
-                                                     "grow",    "transport", "batch",   "escape"};
+  constexpr std::array<std::string_view, 9> commands{"overlay",   "interior", "densify", "tangle", "grow",
+                                                     "transport", "batch",    "escape",  "systems"};
   for (const std::string_view command : commands) {
     const std::size_t most = command.size() > 4 ? 2 : 1;
     const bool begun = word.size() > 2 && command.starts_with(word);
@@ -133,6 +135,8 @@ void run(const std::vector<std::string>& arguments) {
     run_batch_command({arguments.begin() + 1, arguments.end()});
   } else if (first == "escape") {
     run_escape({arguments.begin() + 1, arguments.end()});
+  } else if (first == "systems") {
+    run_systems({arguments.begin() + 1, arguments.end()});
   } else if (const std::string meant = command_meant(first); !meant.empty()) {
     throw UsageError("\"" + first + "\" is neither a command nor a file; did you mean " + meant +
                      "? (see lober --help)");

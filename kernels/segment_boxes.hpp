@@ -11,7 +11,7 @@
 namespace lober {
 
 /// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once, the same of each
-/// group of four segments, and a strip that holds the leaf.
+/// group of four segments, and a slab that holds the leaf.
 struct alignas(64) SegmentBoxes {
   static constexpr std::size_t groups = leaf_size / 4;
   double min_x[leaf_size];
@@ -22,10 +22,10 @@ struct alignas(64) SegmentBoxes {
   double group_max_x[groups];
   double group_min_y[groups];
   double group_max_y[groups];
-  /// All points of the leaf lie in the strip low <= across . p <= high, across being normal to the leaf's chord,
+  /// All points of the leaf lie in the slab low <= normal . p <= high, which is normal to the leaf's chord,
   /// whatever rounding does to such products with points of this leaf. Where folds run side by side and slanted their
   /// boxes overlap, but not their strips.
-  Point across;
+  Point normal;
   double low, high;
 };
 
@@ -33,7 +33,7 @@ struct alignas(64) SegmentBoxes {
 void segment_boxes(const Point* points, SegmentBoxes& boxes);
 
 /// Writes to `pairs` the (a_begin + i, b_begin + j) such that the boxes of segment i of leaf a and segment j of leaf b
-/// meet (touching counts; decided exactly) and segment j does not lie wholly on one side of the strip of leaf a; every
+/// meet (touching counts; decided exactly) and segment j does not lie wholly on one side of the slab of leaf a; every
 /// pair of segments with a common point is among them. Ordered by j, then i. Returns how many; room for leaf_size^2 is
 /// needed. `b_box` is the box of leaf b. Coordinates must be finite.
 std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,

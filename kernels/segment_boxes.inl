@@ -38,52 +38,52 @@ inline void group_boxes(SegmentBoxes& boxes) {
   by_groups(boxes.max_y, boxes.group_max_y, upper);
 }
 
-// across . p for each of the points of a leaf, and what rounding can do to any of them.
-struct Heights {
-  alignas(32) double height[leaf_size + lanes];  // the last one filled up
+// normal . p for each of the points of a leaf, and what rounding can do to any of them.
+struct SignedDistances {
+  alignas(32) double of[leaf_size + lanes];  // the last one filled up
   double uncertainty;
 };
-inline void heights_of(const Point* points, Point across, Heights& heights) {
+inline void distances_of(const Point* points, Point normal, SignedDistances& distances) {
   const double* coordinates = &points[0].x;
-  const Lanes weight = {across.x, across.y, across.x, across.y};
+  const Lanes weight = {normal.x, normal.y, normal.x, normal.y};
   Lanes size = splat(0);
   for (std::size_t i = 0; i < leaf_size; i += lanes) {
     const Lanes first = load(coordinates + 2 * i) * weight, second = load(coordinates + 2 * i + 4) * weight;
     const Lanes by_x = __builtin_shufflevector(first, second, 0, 2, 4, 6);
     const Lanes by_y = __builtin_shufflevector(first, second, 1, 3, 5, 7);
-    store(heights.height + i, by_x + by_y);
+    store(distances.of + i, by_x + by_y);
     size = max(size, absolute(by_x) + absolute(by_y));
   }
-  const double by_x = points[leaf_size].x * across.x, by_y = points[leaf_size].y * across.y;
-  store(heights.height + leaf_size, splat(by_x + by_y));
+  const double by_x = points[leaf_size].x * normal.x, by_y = points[leaf_size].y * normal.y;
+  store(distances.of + leaf_size, splat(by_x + by_y));
   size = max(size, absolute(splat(by_x)) + absolute(splat(by_y)));
-  heights.uncertainty = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
+  distances.uncertainty = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
 }
 
 inline void strip_of(const Point* points, SegmentBoxes& boxes) {
-  boxes.across = {points[0].y - points[leaf_size].y, points[leaf_size].x - points[0].x};
-  if (!__builtin_isfinite(boxes.across.x) || !__builtin_isfinite(boxes.across.y)) boxes.across = {0, 0};  // a strip of everything
-  Heights heights;
-  heights_of(points, boxes.across, heights);
-  Lanes low = load(heights.height + leaf_size), high = low;
+  boxes.normal = {points[0].y - points[leaf_size].y, points[leaf_size].x - points[0].x};
+  if (!__builtin_isfinite(boxes.normal.x) || !__builtin_isfinite(boxes.normal.y)) boxes.normal = {0, 0};  // a slab of everything
+  SignedDistances distances;
+  distances_of(points, boxes.normal, distances);
+  Lanes low = load(distances.of + leaf_size), high = low;
   for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    low = min(low, load(heights.height + i));
-    high = max(high, load(heights.height + i));
+    low = min(low, load(distances.of + i));
+    high = max(high, load(distances.of + i));
   }
-  boxes.low = least(low) - heights.uncertainty;
-  boxes.high = greatest(high) + heights.uncertainty;
+  boxes.low = least(low) - distances.uncertainty;
+  boxes.high = greatest(high) + distances.uncertainty;
 }
 
-// Bit j is set unless segment j of leaf b lies wholly on one side of the strip of leaf a.
+// Bit j is set unless segment j of leaf b lies wholly on one side of the slab of leaf a.
 inline std::uint32_t in_strip(const SegmentBoxes& a, const Point* b) {
-  Heights heights;
-  heights_of(b, a.across, heights);
-  const Lanes low = splat(a.low - heights.uncertainty), high = splat(a.high + heights.uncertainty);
+  SignedDistances distances;
+  distances_of(b, a.normal, distances);
+  const Lanes low = splat(a.low - distances.uncertainty), high = splat(a.high + distances.uncertainty);
   std::uint64_t above = 0, below = 0;  // of the points
   for (std::size_t i = 0; i < leaf_size + lanes; i += lanes) {
-    const Lanes height = load(heights.height + i);
-    above |= static_cast<std::uint64_t>(mask_bits(height > high)) << i;
-    below |= static_cast<std::uint64_t>(mask_bits(height < low)) << i;
+    const Lanes distance = load(distances.of + i);
+    above |= static_cast<std::uint64_t>(mask_bits(distance > high)) << i;
+    below |= static_cast<std::uint64_t>(mask_bits(distance < low)) << i;
   }
   return ~static_cast<std::uint32_t>((above & above >> 1) | (below & below >> 1));
 }

@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # Fails where a word that must not come back occurs in code, help, messages, JSON or documents (tracked files).
 # CHANGELOG.md tells of old names, bench/RESULTS.md records output. The list, with what to write instead, is scripts/words.txt.
-# usage: check-words.sh [all]      all: also the rows that are marked #todo
+# usage: check-words.sh
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 2
-[ $# -eq 0 ] || [ "$*" = all ] || { sed -n 4p "$0" >&2; exit 2; }
 ours=('*.cpp' '*.hpp' '*.h' '*.md' '*.toml')
-words=0 left=0 places=0
+words=0 places=0
 
 # check PATTERN INSTEAD [PATHSPEC...]
 check() {
@@ -23,15 +22,10 @@ check() {
 }
 
 while IFS=$'\t' read -r pattern instead files; do
-  if [[ $pattern == '#todo '* ]]; then
-    left=$((left + 1))
-    [ $# -gt 0 ] || continue
-    pattern=${pattern#'#todo '}
-  fi
   [[ -n $pattern && $pattern != '#'* ]] || continue
   [ -n "$instead" ] || { echo "scripts/words.txt: nothing instead of $pattern" >&2; exit 2; }
   read -ra scope <<<"$files"
   check "$pattern" "$instead" "${scope[@]:-${ours[@]}}"
 done <scripts/words.txt
-echo "$words patterns, $places places; $left rows marked #todo"
+echo "$words patterns, $places places"
 [ "$places" -eq 0 ] && [ "$words" -gt 0 ]

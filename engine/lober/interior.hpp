@@ -87,7 +87,7 @@ struct SideChange {
   Position at;
   bool at_vertex;  ///< `at` is the first vertex of its segment
   Point point;
-  Side side;  ///< of the stretch that follows
+  Side side;  ///< of the boundary arc that follows
 };
 
 /// The changes of side of curve `curve` (1 or 2) in order along it, from its first vertex on, in the direction of the

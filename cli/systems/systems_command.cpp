@@ -1,0 +1,141 @@
+#include "cli/systems/systems_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "cli/program/command_line.hpp"
+#include "cli/program/option_parser.hpp"
+#include "cli/program/system_options.hpp"
+#include "engine/files/output_file.hpp"
+#include "lober/systems.hpp"
+
+namespace lober::cli {
+namespace {
+
+std::string text_of(Point point) {
+  return fmt::format("({:.10g}, {:.10g})", point.x, point.y);
+}
+
+// The commands that take a system.
+std::vector<std::string> commands_for(const System& system) {
+  std::vector<std::string> commands;
+  if (system.map) commands.emplace_back("grow");
+  if (system.map && system.connection) {
+    commands.emplace_back("tangle --system");
+    commands.emplace_back("transport");
+  }
+  if (system.flow && system.section && !system.saddles.empty()) commands.emplace_back("escape");
+  return commands;
+}
+
+std::string list_text(std::span<const SystemInfo> infos) {
+  std::size_t width = 0;
+  for (const SystemInfo& info : infos) width = std::max(width, info.name.size());
+  std::string text;
+  for (const SystemInfo& info : infos) text += fmt::format("{:<{}}  {}\n", info.name, width, info.summary);
+  return text + "`lober systems NAME` lists the parameters of one; a name with a slash or .so is a shared library.\n";
+}
+
+std::string details_text(const System& system) {
+  std::string text = system.info.name + "  " + system.info.summary + "\n";
+  for (const Parameter& parameter : system.info.parameters) {
+    text += fmt::format("  {:<8} {:<16} {}\n", parameter.name, parameter.value, parameter.meaning);
+  }
+  text += fmt::format("kind       {}\n", system.flow ? system.map ? "flow, with a planar map" : "flow" : "map");
+  const Rectangle& window = system.window;
+  if (system.map) {
+    text += fmt::format("window     [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]\n", window.min_x, window.max_x,
+                        window.min_y, window.max_y);
+  }
+  if (!(system.lattice == Point{})) text += "repeats    after a shift by " + text_of(system.lattice) + "\n";
+  std::vector<Connection> connections = system.further;
+  if (system.connection) connections.insert(connections.begin(), *system.connection);
+  for (const Connection& connection : connections) {
+    text += fmt::format("manifolds  U of {} along {}, S of {} along {}{}\n", text_of(connection.from),
+                        text_of(connection.u_direction), text_of(connection.to), text_of(connection.s_direction),
+                        connection.bip ? ", bip near " + text_of(*connection.bip) : "");
+  }
+  for (const FlowState& saddle : system.saddles) {
+    text +=
+        fmt::format("saddle     ({:.10g}, {:.10g}, {:.10g}, {:.10g})\n", saddle[0], saddle[1], saddle[2], saddle[3]);
+  }
+  text += fmt::format("commands   {}\n", fmt::join(commands_for(system), ", "));
+  return text;
+}
+
+Json parameters_json(const SystemInfo& info) {
+  Json list = Json::array();
+  for (const Parameter& parameter : info.parameters) {
+    list.push_back({{"name", parameter.name}, {"value", parameter.value}, {"meaning", parameter.meaning}});
+  }
+  return list;
+}
+
+Json info_json(const SystemInfo& info) {
+  return {{"name", info.name}, {"summary", info.summary}, {"parameters", parameters_json(info)}};
+}
+
+Json details_json(const System& system) {
+  Json json = info_json(system.info);
+  json["flow"] = system.flow != nullptr;
+  json["map"] = system.map != nullptr;
+  json["window"] = {system.window.min_x, system.window.min_y, system.window.max_x, system.window.max_y};
+  json["lattice"] = point_json(system.lattice);
+  Json connections = Json::array();
+  const auto add = [&](const Connection& connection) {
+    Json one{{"from", point_json(connection.from)},
+             {"u_direction", point_json(connection.u_direction)},
+             {"to", point_json(connection.to)},
+             {"s_direction", point_json(connection.s_direction)}};
+    one["bip_near"] = connection.bip ? point_json(*connection.bip) : Json();
+    connections.push_back(std::move(one));
+  };
+  if (system.connection) add(*system.connection);
+  std::for_each(system.further.begin(), system.further.end(), add);
+  json["connections"] = std::move(connections);
+  Json saddles = Json::array();
+  for (const FlowState& saddle : system.saddles) saddles.push_back(saddle);
+  json["saddles"] = std::move(saddles);
+  json["commands"] = commands_for(system);
+  return json;
+}
+
+}  // namespace
+
+void run_systems(const std::vector<std::string>& arguments) {
+  SystemRequest request;
+  std::string json_path;
+  OptionParser parser(
+      "Lists the built-in systems; with a name, shows the equations, parameters, saddles and manifolds of that system.",
+      "lober systems");
+  parser.add("SYSTEM", request.name, "The name of a system, or a shared library (lober_system.h).");
+  add_parameter_option(parser, request.parameters);
+  add_json_option(parser, json_path, "the list");
+  if (!parser.parse(arguments)) return;
+
+  const Output json_output{"--json", json_path};
+  const std::vector<std::string> inputs = files_of_system(request.name);
+  if (!json_path.empty()) check_outputs({&json_output, 1}, inputs);
+  std::string text;
+  Json json;
+  if (request.name.empty()) {
+    if (!request.parameters.empty()) throw UsageError("--param needs the name of a system");
+    const std::vector<SystemInfo> infos = list_systems();
+    text = list_text(infos);
+    json = Json::array();
+    for (const SystemInfo& info : infos) json.push_back(info_json(info));
+  } else {
+    const System system = make_system(request.name, parameter_values(request.parameters));
+    text = details_text(system);
+    json = details_json(system);
+  }
+  if (!json_path.empty()) {
+    OutputFile file(json_path);
+    file.write(Json{{"program", program_json()}, {"command", "systems"}, {"systems", std::move(json)}}.dump(1) + "\n");
+    file.commit();
+  }
+  if (json_path != "-") print(text);
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,42 @@
+// The list of systems, and what it says of one.
+#include "lober/systems.hpp"
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Json = nlohmann::json;
+using SystemsProgram = ProgramTest;
+
+TEST_F(SystemsProgram, ListsThemAll) {
+  const Outcome outcome = run({"systems", "--json", "list.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json list = Json::parse(read("list.json"))["systems"];
+  const std::vector<SystemInfo> known = list_systems();
+  ASSERT_EQ(list.size(), known.size());
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    EXPECT_EQ(list[k]["name"], known[k].name);
+    EXPECT_EQ(list[k]["parameters"].size(), known[k].parameters.size());
+    EXPECT_NE(("\n" + outcome.out).find("\n" + known[k].name + " "), std::string::npos) << outcome.out;
+    // What the list says of one is what the commands take.
+    const Outcome one = run({"systems", known[k].name, "--json", "-"});
+    ASSERT_EQ(one.status, 0) << one.err;
+    const Json details = Json::parse(one.out)["systems"];
+    EXPECT_EQ(details["name"], known[k].name);
+    EXPECT_FALSE(details["commands"].empty()) << known[k].name;
+  }
+}
+
+TEST_F(SystemsProgram, TakesParameters) {
+  const Outcome outcome = run({"systems", "standard", "--param", "K=2.5"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("2.5"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run({"systems", "standard", "--param", "Q=1"}).status, 2);
+  EXPECT_EQ(run({"systems", "--param", "K=1"}).status, 2);
+  const Outcome unknown = run({"systems", "nosuch"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("duffing"), std::string::npos) << unknown.err;
+}
+
+}  // namespace
+}  // namespace lober::cli
