@@ -71,11 +71,11 @@ void check_manifest(const Arguments& arguments) {
     text += fmt::format("{} by computation, whose points are a guess\n",
                         counted(sum.computed, "curve or family", "curves or families"));
   std::vector<std::size_t> jobs(plan.groups.size());
-  for (const PlannedJob& job : plan.jobs) ++jobs[job.group];
+  for (const Job& job : plan.jobs) ++jobs[job.group];
   for (std::size_t k = 0; k < plan.groups.size(); ++k) {
-    const PlannedGroup& group = plan.groups[k];
-    text += fmt::format("  {:>9}  {}{}  {}\n", jobs[k], group.name.empty() ? "" : group.name + ": ", group.operation,
-                        group.to_string());
+    const JobGroup& group = plan.groups[k];
+    text += fmt::format("  {:>9}  {}{}  {}\n", jobs[k], group.name.empty() ? "" : group.name + ": ",
+                        group.operation->name, group.options.to_string());
   }
   text += fmt::format("about {:.3g} points, {:.3g} over all jobs\n", static_cast<double>(sum.points),
                       static_cast<double>(sum.points_in_jobs));

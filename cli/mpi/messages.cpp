@@ -4,12 +4,31 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "cli/program/log.hpp"
-#include "engine/batch/bytes.hpp"
+#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {
+
+using Json = nlohmann::json;
+
+std::string cbor(const Json& made) {
+  std::string bytes;
+  Json::to_cbor(made, bytes);
+  return bytes;
+}
+
+template <typename T, typename Read>
+T read(const std::string& bytes, const Read& from_json) {
+  try {
+    return from_json(Json::from_cbor(bytes));
+  } catch (const Json::exception& error) {
+    throw DataError(std::string("a message of another rank cannot be read: ") + error.what());
+  }
+}
 
 // Receives what was probed and appends it.
 void append(MPI_Status& status, std::string& bytes) {
@@ -25,7 +44,9 @@ Message take(MPI_Status& status) {
   Message message{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG), {}};
   std::string first;
   append(status, first);
-  const auto size = ByteReader(first).get<std::uint64_t>();
+  std::uint64_t size = 0;
+  if (first.size() < sizeof(size)) throw DataError("a message of another rank is cut off");
+  std::memcpy(&size, first.data(), sizeof(size));
   message.bytes.reserve(size);
   message.bytes = first.substr(sizeof(size));
   while (message.bytes.size() < size) {
@@ -42,11 +63,11 @@ void send_piece(int rank, Tag tag, std::string_view bytes) {
 }  // namespace
 
 void send(int rank, Tag tag, const std::string& bytes, std::size_t piece) {
-  ByteWriter first;  // how much there is in all, and the first piece
-  first.put(std::uint64_t{bytes.size()});
+  const std::uint64_t size = bytes.size();
+  std::string first(reinterpret_cast<const char*>(&size), sizeof(size));  // how much there is in all
   const std::string_view all = bytes;
   const std::size_t begin = std::min(all.size(), piece);
-  send_piece(rank, tag, first.take() + std::string(all.substr(0, begin)));
+  send_piece(rank, tag, first.append(all.substr(0, begin)));
   for (std::size_t at = begin; at < all.size(); at += piece) send_piece(rank, Tag::more, all.substr(at, piece));
 }
 
@@ -83,44 +104,55 @@ void broadcast(std::string& bytes) {
   }
 }
 
-std::string encoded(const std::vector<PlanResult>& results) {
-  ByteWriter writer;
-  writer.put(std::uint64_t{results.size()});
-  for (const PlanResult& result : results) {
-    writer.put(result.job);
-    writer.put(result.key);
-    writer.put_flag(result.failed);
-    writer.put(result.seconds);
-    writer.put_text(result.value);
-    writer.put_text(result.digest1);
-    writer.put_text(result.digest2);
-  }
-  return writer.take();
-}
-
-std::vector<PlanResult> decoded_results(const std::string& bytes) {
-  ByteReader reader(bytes);
-  std::vector<PlanResult> results(reader.get_count());
-  for (PlanResult& result : results) {
-    result.job = reader.get<std::uint32_t>();
-    result.key = reader.get<JobKey>();
-    result.failed = reader.get_flag();
-    result.seconds = reader.get<double>();
-    result.value = reader.get_text();
-    result.digest1 = reader.get_text();
-    result.digest2 = reader.get_text();
-  }
-  return results;
-}
-
 std::string encoded(const std::vector<std::uint32_t>& jobs) {
-  ByteWriter writer;
-  writer.put_all(jobs);
-  return writer.take();
+  return cbor(Json(jobs));
 }
 
 std::vector<std::uint32_t> decoded_jobs(const std::string& bytes) {
-  return ByteReader(bytes).get_all<std::uint32_t>();
+  return read<std::vector<std::uint32_t>>(bytes,
+                                          [](const Json& from) { return from.get<std::vector<std::uint32_t>>(); });
+}
+
+std::string encoded(const QueueReport& report) {
+  const CacheCounts& cache = report.cache;
+  return cbor({{"jobs", report.jobs},
+               {"failed", report.failed},
+               {"stopped", report.stopped},
+               {"points", report.points},
+               {"wall_seconds", report.wall_seconds},
+               {"operation_seconds", report.operation_seconds},
+               {"callback_seconds", report.callback_seconds},
+               {"threads", report.threads},
+               {"units_read", cache.units_read},
+               {"curves_indexed", cache.curves_indexed},
+               {"max_reads", cache.max_reads},
+               {"evictions", cache.evictions},
+               {"peak_bytes", cache.peak_bytes},
+               {"read_seconds", cache.read_seconds},
+               {"prepare_seconds", cache.prepare_seconds}});
+}
+
+QueueReport decoded_report(const std::string& bytes) {
+  return read<QueueReport>(bytes, [](const Json& from) {
+    QueueReport report;
+    CacheCounts& cache = report.cache;
+    from.at("jobs").get_to(report.jobs);
+    from.at("failed").get_to(report.failed);
+    from.at("stopped").get_to(report.stopped);
+    from.at("points").get_to(report.points);
+    from.at("wall_seconds").get_to(report.wall_seconds);
+    from.at("operation_seconds").get_to(report.operation_seconds);
+    from.at("callback_seconds").get_to(report.callback_seconds);
+    from.at("threads").get_to(report.threads);
+    from.at("units_read").get_to(cache.units_read);
+    from.at("curves_indexed").get_to(cache.curves_indexed);
+    from.at("max_reads").get_to(cache.max_reads);
+    from.at("evictions").get_to(cache.evictions);
+    from.at("peak_bytes").get_to(cache.peak_bytes);
+    from.at("read_seconds").get_to(cache.read_seconds);
+    from.at("prepare_seconds").get_to(cache.prepare_seconds);
+    return report;
+  });
 }
 
 }  // namespace lober::cli

@@ -3,11 +3,12 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/batch/plan_runner.hpp"
+#include "lober/batch.hpp"
 
 namespace lober::cli {
 
@@ -39,9 +40,10 @@ void send(int rank, Tag tag, const std::string& bytes, std::size_t piece = longe
 /// From rank 0 to all.
 void broadcast(std::string& bytes);
 
-[[nodiscard]] std::string encoded(const std::vector<PlanResult>& results);
-[[nodiscard]] std::vector<PlanResult> decoded_results(const std::string& bytes);
+/// As CBOR; `decoded_...` throw DataError for other bytes. Results: see result.hpp.
 [[nodiscard]] std::string encoded(const std::vector<std::uint32_t>& jobs);
 [[nodiscard]] std::vector<std::uint32_t> decoded_jobs(const std::string& bytes);
+[[nodiscard]] std::string encoded(const QueueReport& report);
+[[nodiscard]] QueueReport decoded_report(const std::string& bytes);
 
 }  // namespace lober::cli

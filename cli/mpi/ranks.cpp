@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <exception>
 #include <numeric>
 #include <utility>
 
 #include "cli/mpi/messages.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/batch/result.hpp"
 #include "engine/batch/work_queue.hpp"
 #include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {
-
-static_assert(std::is_trivially_copyable_v<QueueReport>, "a report is sent as it lies in memory");
 
 constexpr std::size_t max_bytes = std::size_t{32} << 20;  // of results that wait to be sent
 
@@ -23,6 +21,12 @@ std::vector<std::uint32_t> all_jobs(const Plan& plan) {
   std::vector<std::uint32_t> jobs(plan.jobs.size());
   std::iota(jobs.begin(), jobs.end(), 0U);
   return jobs;
+}
+
+std::size_t size_of(const Result& result) {
+  std::size_t numbers = result.values.size();
+  for (const std::vector<double>& list : result.lists) numbers += list.size();
+  return sizeof(double) * numbers + result.error.size();
 }
 
 class Coordinator {
@@ -76,11 +80,10 @@ class Coordinator {
         give_jobs(message.rank);
         break;
       case Tag::results:
-        for (PlanResult& result : decoded_results(message.bytes)) take(std::move(result));
+        for (Result& result : decoded_results(message.bytes)) take(std::move(result));
         break;
       case Tag::report: {
-        QueueReport report;
-        std::memcpy(&report, message.bytes.data(), sizeof(report));
+        const QueueReport report = decoded_report(message.bytes);
         const std::lock_guard lock(mutex_);
         add(report_.queue, report);
         --workers_;
@@ -125,7 +128,7 @@ class Coordinator {
     try {
       QueueReport sum;
       for (std::vector<std::uint32_t> jobs = next(); !jobs.empty(); jobs = next()) {
-        add(sum, runner_.run(jobs, [&](PlanResult result) { take(std::move(result)); }));
+        add(sum, runner_.run(jobs, [&](Result result) { take(std::move(result)); }));
       }
       const std::lock_guard lock(mutex_);
       add(report_.queue, sum);
@@ -140,10 +143,10 @@ class Coordinator {
     return stopped_ ? std::vector<std::uint32_t>() : queue_.next_portion();
   }
 
-  void take(PlanResult result) {
+  void take(Result result) {
     const std::lock_guard lock(mutex_);
     ++jobs_;
-    const bool failed = result.failed;
+    const bool failed = result.failed();
     if (!session_.add(std::move(result)) || failed) ++failed_;
   }
 
@@ -185,18 +188,18 @@ void work_until_done(const SharedWork& work) {
     const std::vector<std::uint32_t> jobs = decoded_jobs(answer.bytes);
     if (jobs.empty()) break;
     // Results are sent from whatever thread has them, one call at a time, while this one waits in `run`.
-    std::vector<PlanResult> results;
+    std::vector<Result> results;
     std::size_t bytes = 0;
     Stopwatch since_sent;
     const auto flush = [&] {
-      if (!results.empty()) send(0, Tag::results, encoded(results));
+      if (!results.empty()) send(0, Tag::results, lober::encoded(results));
       results.clear();
       bytes = 0;
       since_sent = Stopwatch();
     };
-    add(sum, runner.run(jobs, [&](PlanResult result) {
+    add(sum, runner.run(jobs, [&](Result result) {
       try {
-        bytes += result.value.size();
+        bytes += size_of(result);
         results.push_back(std::move(result));
         if (results.size() >= 1000 || bytes >= max_bytes || since_sent.seconds() > 0.05) flush();
         if (const std::optional<Message> message = receive_if_any(); message && message->tag == Tag::stop)
@@ -208,9 +211,7 @@ void work_until_done(const SharedWork& work) {
     }));
     flush();
   }
-  std::string bytes(sizeof(sum), '\0');
-  std::memcpy(bytes.data(), &sum, sizeof(sum));
-  send(0, Tag::report, bytes);
+  send(0, Tag::report, encoded(sum));
 }
 
 }  // namespace

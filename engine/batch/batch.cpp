@@ -6,9 +6,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/batch/curve_set.hpp"
 #include "engine/batch/export.hpp"
-#include "engine/batch/file_unit.hpp"
 #include "lober/cancellation.hpp"
 
 namespace lober {
@@ -18,11 +16,11 @@ namespace {
 std::vector<std::string> hash_inputs(const Plan& plan, std::span<const std::uint32_t> jobs,
                                      const std::string& manifest_path) {
   std::vector<std::string> digests(plan.curves.size());
-  const std::vector<PlannedUnit> units = units_of(plan, jobs);
+  const std::vector<std::vector<CurveId>> units = units_of(plan, jobs);
   for_each_block(units.size(), 1, [&](std::size_t k, std::size_t) {
     try {
-      const std::vector<std::string> all = digests_of(plan, units[k], manifest_path);
-      for (std::size_t i = 0; i < all.size(); ++i) digests[units[k].curves[i]] = all[i];
+      const std::vector<std::string> all = digests_of(sources_of(plan, units[k]), manifest_path);
+      for (std::size_t i = 0; i < all.size(); ++i) digests[units[k][i]] = all[i];
     } catch (const DataError&) {  // the jobs will say so
     }
   });
@@ -40,11 +38,16 @@ StoreSession::StoreSession(const std::string& store_path, const Plan& plan, cons
     : plan_(plan), store_(Store::create(store_path)), digests_(plan.curves.size()), seen_(plan.curves.size(), 0) {
   store_->begin_run(provenance(), threads, manifest.text, to_string(shard), plan);
   pending_ = jobs_of(plan, shard);
-  if (!store_->stored().empty()) skip_finished(hash_inputs(plan, pending_, manifest.path));
-  writer_ = std::make_unique<ResultWriter>(*store_, std::move(broken));
-  for (CurveId id = 0; id < seen_.size(); ++id) {
-    if (seen_[id] != 0) writer_->add(input_name(plan.curves[id]), digests_[id]);
+  InputDigests inputs;
+  if (!store_->stored().empty()) {
+    skip_finished(hash_inputs(plan, pending_, manifest.path));
+    for (CurveId id = 0; id < seen_.size(); ++id) {
+      if (seen_[id] != 0) inputs.emplace(plan.curves[id].input_name(), digests_[id]);
+    }
+    store_->show(inputs);
   }
+  writer_ = std::make_unique<ResultWriter>(*store_, std::move(broken));
+  for (const auto& [name, digest] : inputs) writer_->add(name, digest);
 }
 
 StoreSession::~StoreSession() = default;
@@ -54,7 +57,7 @@ void StoreSession::skip_finished(std::vector<std::string> inputs) {
   std::vector<std::uint32_t> left;
   digests_ = std::move(inputs);
   for (const std::uint32_t number : pending_) {
-    const PlannedJob& job = plan_.jobs[number];
+    const Job& job = plan_.jobs[number];
     std::array<std::string_view, 2> digests;
     for (std::size_t k = 0; k < job.curves().size(); ++k) {
       seen_[job.curves()[k]] = 1;
@@ -79,18 +82,19 @@ void StoreSession::note(CurveId curve, const std::string& digest, bool& usable) 
   if (seen_[curve] == 0) {
     seen_[curve] = 1;
     digests_[curve] = digest;
-    writer_->add(input_name(plan_.curves[curve]), digest);
+    writer_->add(plan_.curves[curve].input_name(), digest);
   } else if (digests_[curve] != digest) {
     usable = false;
   }
 }
 
-bool StoreSession::add(PlanResult result) {
-  const PlannedJob& job = plan_.jobs[result.job];
+bool StoreSession::add(Result result) {
+  const Job& job = plan_.jobs[result.job];
   bool usable = true;
   const CurvePair curves = job.curves();
-  for (std::size_t k = 0; k < curves.size(); ++k) note(curves[k], k == 0 ? result.digest1 : result.digest2, usable);
-  if (usable) writer_->add({result.key, result.failed, result.seconds, std::move(result.value)});
+  for (std::size_t k = 0; k < curves.size(); ++k) note(curves[k], result.digests[k], usable);
+  result.digests = {};  // freed here, by many threads, and not by the one that writes
+  if (usable) writer_->add(std::move(result));
   return usable;
 }
 
@@ -129,8 +133,8 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
     });
     // Jobs that run when the caller is cancelled have their chance too.
     const CancellationScope shield(CancellationScope::Shield{});
-    report.queue = queue.run(session.pending(), [&](PlanResult result) {
-      const bool failed = result.failed;
+    report.queue = queue.run(session.pending(), [&](Result result) {
+      const bool failed = result.failed();
       if (!session.add(std::move(result)) && !failed) ++unusable;
     });
     timer.finish();

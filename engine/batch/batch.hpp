@@ -1,4 +1,11 @@
 // A manifest, a store, and what is between them: resume, run, note what came out.
+//
+//   manifest -> plan     read_manifest reads groups of patterns, pairs and options; make_plan writes them out as curves
+//                        (CurveSource), groups of jobs with typed options (JobGroup) and jobs (Job)
+//   plan -> result       PlanRunner gives the jobs to a JobQueue, which reads each CurveSource as part of a CurveUnit,
+//                        prepares it for all jobs (PreparedCurve), and makes a Result of each job
+//   result -> store      StoreSession leaves out what the store has already and hands the rest to the ResultWriter; a
+//                        Result is a row of the Store, and what exports read is a Result again
 #pragma once
 
 #include <functional>
@@ -32,7 +39,7 @@ class StoreSession {
   [[nodiscard]] const std::vector<std::string>& damaged() const { return damaged_; }
 
   /// One call at a time. Returns false when the result cannot be used because an input is not what it was.
-  bool add(PlanResult result);
+  bool add(Result result);
   /// Commits and closes the store; throws DataError when it cannot be written. Returns the processor time that the
   /// writing thread took. Nothing may be added afterwards.
   double finish(const std::string& how);

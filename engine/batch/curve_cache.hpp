@@ -1,7 +1,6 @@
 // The curves of a queue, in memory as long as the budget allows.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,31 +9,11 @@
 #include <vector>
 
 #include "engine/batch/allowance.hpp"
+#include "engine/batch/job.hpp"
 #include "engine/batch/prepared_curve.hpp"
 #include "lober/batch.hpp"
 
 namespace lober {
-
-using CurveId = std::uint32_t;
-inline constexpr CurveId no_curve = 0xffffffff;
-
-/// The curves of a job: none, one or two.
-class CurvePair {
- public:
-  CurvePair(CurveId first, CurveId second)
-      : ids_{first, second},
-        count_(first == no_curve    ? 0U
-               : second == no_curve ? 1U
-                                    : 2U) {}
-  [[nodiscard]] std::size_t size() const { return count_; }
-  [[nodiscard]] CurveId operator[](std::size_t k) const { return ids_[k]; }
-  [[nodiscard]] const CurveId* begin() const { return ids_.data(); }
-  [[nodiscard]] const CurveId* end() const { return ids_.data() + count_; }
-
- private:
-  std::array<CurveId, 2> ids_;
-  std::size_t count_;
-};
 
 struct LoadedCurve {
   std::shared_ptr<const Curve> curve;
@@ -64,7 +43,6 @@ struct CurveUnit {
 class CurveCache {
  public:
   using UnitId = std::uint32_t;
-  static constexpr UnitId no_unit = 0xffffffff;
   enum class State : std::uint8_t { absent, loading, resident };
 
   explicit CurveCache(std::size_t budget) : budget_(budget) {}

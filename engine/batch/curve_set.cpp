@@ -42,18 +42,18 @@ std::vector<std::string> matches(const std::string& manifest_path, const std::st
   return files;
 }
 
-std::vector<CurvePlace> zones_of(const Manifest& manifest, const Placed& pattern, const std::string& file,
-                                 const std::string& choice) {
+std::vector<CurveSource> zones_of(const Manifest& manifest, const Placed& pattern, const std::string& file,
+                                  const std::string& choice) {
   std::size_t number = 0;
   const char* const end = choice.data() + choice.size();
   if (const auto [stop, error] = std::from_chars(choice.data(), end, number); stop == end && error == std::errc{}) {
-    return {{file, number}};
+    return {CurveSource{file, number}};
   }
   require_regular(located(manifest.path, file));
   const CurveFile content = read_curve_file(located(manifest.path, file), {.hash = false});
-  std::vector<CurvePlace> places;
+  std::vector<CurveSource> places;
   for (std::size_t k = 0; k < content.zones.size(); ++k) {
-    if (choice == "*" || content.zones[k].title == choice) places.push_back({file, k});
+    if (choice == "*" || content.zones[k].title == choice) places.push_back(CurveSource{file, k});
   }
   if (places.empty() || (choice != "*" && places.size() > 1)) {
     manifest.fail(pattern.line, pattern.key,
@@ -64,26 +64,19 @@ std::vector<CurvePlace> zones_of(const Manifest& manifest, const Placed& pattern
 
 }  // namespace
 
-std::string located(const std::string& manifest_path, const std::string& file) {
-  const fs::path path(file);
-  if (path.is_absolute()) return file;
-  const std::string folder = fs::path(manifest_path).parent_path();
-  return folder.empty() ? file : folder + "/" + file;
-}
-
 bool natural_less(const std::string& a, const std::string& b) {
   return strverscmp(a.c_str(), b.c_str()) < 0;
 }
 
-std::vector<CurvePlace> resolve(const Manifest& manifest, const std::vector<Placed>& patterns) {
-  std::vector<CurvePlace> all;
+std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<Placed>& patterns) {
+  std::vector<CurveSource> all;
   std::set<std::string> known;
-  const auto take = [&](const CurvePlace& place) {
-    if (known.insert(place.name()).second) all.push_back(place);
+  const auto take = [&](CurveSource source) {
+    if (known.insert(source.name()).second) all.push_back(std::move(source));
   };
   for (const Placed& pattern : patterns) {
     if (pattern.text.empty()) {
-      for (const CurveRecipe& recipe : pattern.recipes) take({"", std::nullopt, &recipe});
+      for (const CurveRecipe& recipe : pattern.recipes) take(CurveSource{"", std::nullopt, recipe});
       continue;
     }
     std::string files = pattern.text, choice;
@@ -96,12 +89,12 @@ std::vector<CurvePlace> resolve(const Manifest& manifest, const std::vector<Plac
     const std::vector<std::string> found = matches(manifest.path, files);
     if (found.empty()) manifest.fail(pattern.line, pattern.key, "there is no file " + files);
     for (const std::string& file : found) {
-      const std::vector<CurvePlace> places =
-          choice.empty() ? std::vector<CurvePlace>{{file, std::nullopt}} : zones_of(manifest, pattern, file, choice);
-      for (const CurvePlace& place : places) {
+      const std::vector<CurveSource> places =
+          choice.empty() ? std::vector{CurveSource{file}} : zones_of(manifest, pattern, file, choice);
+      for (const CurveSource& place : places) {
         if (pattern.recipes.empty()) take(place);
         for (const CurveRecipe& recipe : pattern.recipes) {
-          take(recipe.iterates == 0 ? place : CurvePlace{place.file, place.zone, &recipe});
+          take(recipe.iterates == 0 ? place : CurveSource{place.file, place.zone, recipe});
         }
       }
     }

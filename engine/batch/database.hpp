@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -54,9 +55,15 @@ class Statement {
   /// Runs to the end and is ready for the next parameters.
   void run();
   void reset() { sqlite3_reset(handle_.get()); }
+  /// All parameters are NULL again.
+  void clear() { sqlite3_clear_bindings(handle_.get()); }
 
   [[nodiscard]] std::int64_t whole(int column) const { return sqlite3_column_int64(handle_.get(), column); }
-  [[nodiscard]] double real(int column) const { return sqlite3_column_double(handle_.get(), column); }
+  [[nodiscard]] bool is_null(int column) const { return sqlite3_column_type(handle_.get(), column) == SQLITE_NULL; }
+  /// NULL is NaN, and the other way round.
+  [[nodiscard]] double number(int column) const {
+    return is_null(column) ? std::numeric_limits<double>::quiet_NaN() : sqlite3_column_double(handle_.get(), column);
+  }
   [[nodiscard]] std::string_view bytes(int column) const;
 
  private:

@@ -22,14 +22,14 @@ struct Postponed {
 
 class Dispatcher {
  public:
-  Dispatcher(std::span<const DispatchedJob> jobs, CurveCache& cache, bool digests, const std::atomic<bool>& stop,
+  Dispatcher(std::vector<ScheduledJob> jobs, CurveCache& cache, bool digests, const std::atomic<bool>& stop,
              JobRunner& runner)
-      : jobs_(jobs.begin(), jobs.end()),
+      : jobs_(std::move(jobs)),
         cache_(cache),
         digests_(digests),
         stop_(stop),
         runner_(runner),
-        taken_(jobs.size(), 0) {}
+        taken_(jobs_.size(), 0) {}
 
   void run(int threads) {
     try {
@@ -48,8 +48,8 @@ class Dispatcher {
     [[nodiscard]] auto begin() const { return ids.begin(); }
     [[nodiscard]] auto end() const { return ids.begin() + static_cast<std::ptrdiff_t>(count); }
   };
-  static Units units_of(const DispatchedJob& job) {
-    if (job.unit1 == CurveCache::no_unit) return {{}, 0};
+  static Units units_of(const ScheduledJob& job) {
+    if (job.unit1 == ScheduledJob::nothing) return {{}, 0};
     return {{job.unit1, job.unit2}, job.unit1 == job.unit2 ? std::size_t{1} : std::size_t{2}};
   }
 
@@ -109,7 +109,7 @@ class Dispatcher {
         if (head_ < jobs_.size()) ++idle_;
         return;
       }
-      DispatchedJob& job = jobs_[*chosen];
+      ScheduledJob& job = jobs_[*chosen];
       to_read.clear();
       for (const CurveCache::UnitId unit : units_of(job)) {
         if (cache_.state(unit) != CurveCache::State::absent) continue;
@@ -130,7 +130,7 @@ class Dispatcher {
   }
 
   // Reads what is to be read, each of which is then taken off the list, and runs the job. Returns what was thrown.
-  std::exception_ptr attempt(const DispatchedJob& job, std::vector<CurveCache::UnitId>& to_read) {
+  std::exception_ptr attempt(const ScheduledJob& job, std::vector<CurveCache::UnitId>& to_read) {
     try {
       for (; !to_read.empty(); to_read.erase(to_read.begin())) load(to_read.front());
       isolated([&] { runner_.run_job(job.number, Booking(*this, job.working_bytes)); });
@@ -197,7 +197,7 @@ class Dispatcher {
   }
 
   // Memory that the job takes on top of what is taken.
-  [[nodiscard]] std::size_t bytes_for(const DispatchedJob& job) const {
+  [[nodiscard]] std::size_t bytes_for(const ScheduledJob& job) const {
     std::size_t bytes = job.working_bytes;
     for (const CurveCache::UnitId unit : units_of(job)) {
       if (cache_.state(unit) == CurveCache::State::absent) bytes += cache_.bytes(unit) + cache_.reading_memory(unit);
@@ -205,7 +205,7 @@ class Dispatcher {
     return bytes;
   }
 
-  bool ready(const DispatchedJob& job, std::size_t& refused) {
+  bool ready(const ScheduledJob& job, std::size_t& refused) {
     for (const CurveCache::UnitId unit : units_of(job)) {
       if (cache_.state(unit) == CurveCache::State::loading) return false;
     }
@@ -218,7 +218,7 @@ class Dispatcher {
     return false;
   }
 
-  std::vector<DispatchedJob> jobs_;
+  std::vector<ScheduledJob> jobs_;
   CurveCache& cache_;
   bool digests_;
   const std::atomic<bool>& stop_;
@@ -233,9 +233,9 @@ class Dispatcher {
 
 }  // namespace
 
-void dispatch(std::span<const DispatchedJob> jobs, CurveCache& cache, bool digests, int threads,
+void dispatch(std::vector<ScheduledJob> jobs, CurveCache& cache, bool digests, int threads,
               const std::atomic<bool>& stop, JobRunner& runner) {
-  Dispatcher(jobs, cache, digests, stop, runner).run(threads);
+  Dispatcher(std::move(jobs), cache, digests, stop, runner).run(threads);
 }
 
 }  // namespace lober

@@ -9,17 +9,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "engine/batch/curve_cache.hpp"
+#include "engine/batch/schedule.hpp"
 
 namespace lober {
-
-struct DispatchedJob {
-  std::uint32_t number;
-  CurveCache::UnitId unit1, unit2;  ///< equal if there is only one; CurveCache::no_unit if there is none
-  std::size_t working_bytes;
-};
 
 class JobRunner {
  public:
@@ -37,7 +32,7 @@ class JobRunner {
 /// if it is there or if the job is the only one; else it is put back and begun anew when there is more. Returns when
 /// all are done, or after `stop` when those that run are. Throws what ended the run, after all other jobs that ran have
 /// come to their end undisturbed: the books of the cache are right in any case.
-void dispatch(std::span<const DispatchedJob> jobs, CurveCache& cache, bool digests, int threads,
+void dispatch(std::vector<ScheduledJob> jobs, CurveCache& cache, bool digests, int threads,
               const std::atomic<bool>& stop, JobRunner& runner);
 
 }  // namespace lober

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/batch/export_row.hpp"
+#include "engine/batch/export_formats.hpp"
 
 namespace lober {
 namespace {
@@ -25,16 +25,19 @@ void put_value(std::string& bytes, T value) {
 
 }  // namespace
 
-void write_npy_table(OutputFile& file, const Operation& operation, const EachRow& rows) {
+void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results) {
   // The width of a text column is that of its longest text, so that all rows are looked at twice.
   std::size_t count = 0;
   std::size_t widths[5] = {1, 1, 1, 1, 1};
-  const auto texts = [](const ExportRow& row) {
-    return std::array<std::string, 5>{row.group->name, row.group->to_string(), row.first, row.second, row.message};
+  const auto texts = [&](const Result& result) {
+    const Job& job = plan.jobs[result.job];
+    const JobGroup& group = plan.group_of(job);
+    return std::array<std::string, 5>{group.name, group.options.to_string(), plan.name(job.first),
+                                      plan.name(job.second), result.error};
   };
-  rows([&](const ExportRow& row) {
+  results([&](const Result& result) {
     ++count;
-    const auto all = texts(row);
+    const auto all = texts(result);
     for (std::size_t k = 0; k < all.size(); ++k) widths[k] = std::max(widths[k], all[k].size());
   });
   constexpr const char* names[] = {"group", "options", "first", "second", "message"};
@@ -52,13 +55,13 @@ void write_npy_table(OutputFile& file, const Operation& operation, const EachRow
   std::string bytes("\x93NUMPY\x02\x00", 8);
   put_value(bytes, static_cast<std::uint32_t>(header.size()));
   bytes += header;
-  rows([&](const ExportRow& row) {
-    put_value(bytes, static_cast<std::int64_t>(row.job));
-    put_value(bytes, row.failed);
-    const auto all = texts(row);
+  results([&](const Result& result) {
+    put_value(bytes, static_cast<std::int64_t>(result.job));
+    put_value(bytes, result.failed());
+    const auto all = texts(result);
     for (std::size_t k = 0; k < all.size(); ++k) put(bytes, all[k], widths[k]);
     for (std::size_t k = 0; k < operation.columns.size(); ++k) {
-      const double value = row.failed ? std::numeric_limits<double>::quiet_NaN() : row.record.values.at(k);
+      const double value = result.failed() ? std::numeric_limits<double>::quiet_NaN() : result.values.at(k);
       if (operation.columns[k].kind == Column::Kind::count) {
         put_value(bytes, std::isfinite(value) ? static_cast<std::int64_t>(value) : std::int64_t{-1});
       } else {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/batch/export_row.hpp"
+#include "engine/batch/export_formats.hpp"
 #include "engine/batch/text.hpp"
 
 namespace lober {
@@ -34,26 +34,29 @@ std::string json_option(const OptionValue& value) {
 
 }  // namespace
 
-void write_csv(OutputFile& file, const Operation& operation, const EachRow& rows) {
+void write_csv(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results) {
   std::string text = "job,group,operation,options,first,second,status,message";
   for (const Column& column : operation.columns) text += "," + column.name;
   for (const std::string& list : operation.lists) text += "," + list;
   text += "\n";
-  rows([&](const ExportRow& row) {
-    text += std::to_string(row.job);
-    for (const std::string& field : {row.group->name, row.group->operation, row.group->to_string(), row.first,
-                                     row.second, std::string(row.failed ? "failed" : "done"), row.message}) {
+  results([&](const Result& result) {
+    const Job& job = plan.jobs[result.job];
+    const JobGroup& group = plan.group_of(job);
+    text += std::to_string(result.job);
+    for (const std::string& field :
+         {group.name, group.operation->name, group.options.to_string(), plan.name(job.first), plan.name(job.second),
+          std::string(result.failed() ? "failed" : "done"), result.error}) {
       text += "," + csv_field(field);
     }
     for (std::size_t k = 0; k < operation.columns.size(); ++k) {
       text += ",";
-      if (row.failed || std::isnan(row.record.values.at(k))) continue;
-      text += number(operation.columns[k], row.record.values[k]);
+      if (result.failed() || std::isnan(result.values.at(k))) continue;
+      text += number(operation.columns[k], result.values[k]);
     }
     for (std::size_t k = 0; k < operation.lists.size(); ++k) {
       text += ",";
-      if (row.failed) continue;
-      const std::vector<double>& list = row.record.lists.at(k);
+      if (result.failed()) continue;
+      const std::vector<double>& list = result.lists.at(k);
       for (std::size_t m = 0; m < list.size(); ++m) text += (m == 0 ? "" : " ") + format_number(list[m]);
     }
     text += "\n";
@@ -64,31 +67,33 @@ void write_csv(OutputFile& file, const Operation& operation, const EachRow& rows
   file.write(text);
 }
 
-void write_json_lines(OutputFile& file, const EachRow& rows) {
+void write_json_lines(OutputFile& file, const Plan& plan, const EachResult& results) {
   std::string text;
-  rows([&](const ExportRow& row) {
-    text += "{\"job\":" + std::to_string(row.job) + ",\"group\":" + json_string(row.group->name) +
-            ",\"operation\":" + json_string(row.group->operation) + ",\"options\":{";
+  results([&](const Result& result) {
+    const Job& job = plan.jobs[result.job];
+    const JobGroup& group = plan.group_of(job);
+    text += "{\"job\":" + std::to_string(result.job) + ",\"group\":" + json_string(group.name) +
+            ",\"operation\":" + json_string(group.operation->name) + ",\"options\":{";
     const char* comma = "";
-    for (const auto& [key, value] : row.group->options) {
+    for (const auto& [key, value] : group.options.settings()) {
       text += comma + json_string(key) + ":" + json_option(value);
       comma = ",";
     }
     text += "}";
-    if (!row.first.empty()) text += ",\"first\":" + json_string(row.first);
-    if (!row.second.empty()) text += ",\"second\":" + json_string(row.second);
-    if (row.failed) {
-      text += ",\"status\":\"failed\",\"message\":" + json_string(row.message);
+    if (job.first != no_curve) text += ",\"first\":" + json_string(plan.name(job.first));
+    if (job.second != no_curve) text += ",\"second\":" + json_string(plan.name(job.second));
+    if (result.failed()) {
+      text += ",\"status\":\"failed\",\"message\":" + json_string(result.error);
     } else {
-      const Operation& operation = operation_of(*row.group);
+      const Operation& operation = *group.operation;
       text += ",\"status\":\"done\"";
       for (std::size_t k = 0; k < operation.columns.size(); ++k) {
-        text += "," + json_string(operation.columns[k].name) + ":" +
-                json_number(operation.columns[k], row.record.values.at(k));
+        text +=
+            "," + json_string(operation.columns[k].name) + ":" + json_number(operation.columns[k], result.values.at(k));
       }
       for (std::size_t k = 0; k < operation.lists.size(); ++k) {
         text += "," + json_string(operation.lists[k]) + ":[";
-        const std::vector<double>& list = row.record.lists.at(k);
+        const std::vector<double>& list = result.lists.at(k);
         for (std::size_t m = 0; m < list.size(); ++m) text += (m == 0 ? "" : ",") + json_number({}, list[m]);
         text += "]";
       }

@@ -12,7 +12,7 @@
 namespace lober {
 namespace {
 
-LoadedCurve take_zone(CurveFile& file, const FileZone& wanted, bool last_use) {
+LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use) {
   LoadedCurve loaded;
   if (!file.sha256.empty()) loaded.digest = zone_digest(file.sha256, wanted);
   const std::size_t zones = file.zones.size();
@@ -23,11 +23,11 @@ LoadedCurve take_zone(CurveFile& file, const FileZone& wanted, bool last_use) {
   }
   const std::size_t number = wanted.zone.value_or(0);
   if (number >= zones) {
-    loaded.error = wanted.name + ": there is no such zone, the file has " + std::to_string(zones);
+    loaded.error = wanted.place() + ": there is no such zone, the file has " + std::to_string(zones);
     return loaded;
   }
   Zone& zone = file.zones[number];
-  Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.name};
+  Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.place()};
   if (wanted.closed) drop_closing_vertex(curve.points);
   loaded.curve = std::make_shared<const Curve>(std::move(curve));
   return loaded;
@@ -35,7 +35,7 @@ LoadedCurve take_zone(CurveFile& file, const FileZone& wanted, bool last_use) {
 
 }  // namespace
 
-CurveUnit file_unit(std::string path, std::vector<FileZone> zones) {
+CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
   CurveUnit unit;
   unit.curves = zones.size();
   unit.points = estimate_points(path);
@@ -48,7 +48,7 @@ CurveUnit file_unit(std::string path, std::vector<FileZone> zones) {
     std::vector<LoadedCurve> loaded;
     for (std::size_t k = 0; k < zones.size(); ++k) {
       const bool last_use = std::none_of(zones.begin() + static_cast<std::ptrdiff_t>(k) + 1, zones.end(),
-                                         [&](const FileZone& later) { return later.zone == zones[k].zone; });
+                                         [&](const CurveSource& later) { return later.zone == zones[k].zone; });
       loaded.push_back(take_zone(file, zones[k], last_use));
     }
     return loaded;
@@ -70,7 +70,7 @@ std::size_t estimate_points(const std::string& path) {
                                   static_cast<double>(std::max<std::size_t>(lines, 1)));
 }
 
-std::string zone_digest(const std::string& sha256, const FileZone& zone) {
+std::string zone_digest(const std::string& sha256, const CurveSource& zone) {
   return sha256 + (zone.zone ? "#" + std::to_string(*zone.zone) : "") + (zone.closed ? "" : " open");
 }
 

@@ -22,11 +22,11 @@ class SmallAllowance final : public Allowance {
   [[nodiscard]] std::size_t most() const override { return few_points * computed_bytes_per_point; }
 };
 
-// The first curve of a unit; null if it cannot be had.
-std::shared_ptr<const Curve> first_curve(const Plan& plan, const PlannedUnit& unit, const std::string& manifest_path,
-                                         const Allowance& allowance) {
+// The curve of a source; null if it cannot be had.
+std::shared_ptr<const Curve> curve_of(const CurveSource& source, const std::string& manifest_path,
+                                      const Allowance& allowance) {
   try {
-    const LoadedCurve loaded = make_unit(plan, unit, manifest_path).load({false, allowance}).at(0);
+    const LoadedCurve loaded = unit_of({source}, manifest_path).load({false, allowance}).at(0);
     return loaded.error.empty() ? loaded.curve : nullptr;
   } catch (const std::exception&) {
     return nullptr;
@@ -34,19 +34,14 @@ std::shared_ptr<const Curve> first_curve(const Plan& plan, const PlannedUnit& un
 }
 
 // Points after all iterates; 0 if nothing can be said.
-double forecast_points(const Plan& plan, PlannedUnit unit, const std::string& manifest_path) {
+double forecast_points(CurveSource source, const std::string& manifest_path) {
   const SmallAllowance small;
-  Plan part;
-  part.sources.push_back(plan.sources[unit.source]);
-  part.curves.push_back(plan.curves[unit.curves.front()]);
-  part.curves[0].source = 0;
-  unit = {0, {0}};
-  CurveRecipe& recipe = *part.sources[0].recipe;
+  CurveRecipe& recipe = *source.recipe;
   const int all = recipe.iterates, direction = all < 0 ? -1 : 1;
   double before = 0, last = 0;
   for (int k = 1; k <= std::abs(all); ++k) {
     recipe.iterates = k * direction;
-    const std::shared_ptr<const Curve> curve = first_curve(part, unit, manifest_path, small);
+    const std::shared_ptr<const Curve> curve = curve_of(source, manifest_path, small);
     if (!curve) {
       if (k == 1) return std::numeric_limits<double>::infinity();  // more than can be tried, or no image at all
       const double factor = std::max(before > 0 ? last / before : 2, 1.0);
@@ -58,17 +53,17 @@ double forecast_points(const Plan& plan, PlannedUnit unit, const std::string& ma
   return last;
 }
 
-// The sources that go furthest of their kind: a family "a:b" is judged by its end.
-std::vector<std::uint32_t> furthest(const Plan& plan) {
-  std::map<std::string, std::uint32_t> chosen;
-  for (std::uint32_t k = 0; k < plan.sources.size(); ++k) {
-    if (!plan.sources[k].recipe || plan.sources[k].recipe->iterates == -1) continue;
-    CurveRecipe kind = *plan.sources[k].recipe;
+// The curves that go furthest of their kind: a family "a:b" is judged by its end, a file by the first of its zones.
+std::vector<const CurveSource*> furthest(const Plan& plan) {
+  std::map<std::string, const CurveSource*> chosen;
+  for (const CurveSource& source : plan.curves) {
+    if (!source.recipe || source.recipe->iterates == -1) continue;
+    CurveRecipe kind = *source.recipe;
     const int iterates = std::exchange(kind.iterates, kind.iterates < 0 ? -1 : 1);
-    const auto [at, is_new] = chosen.try_emplace(kind.name(plan.sources[k].file), k);
-    if (!is_new && std::abs(iterates) > std::abs(plan.sources[at->second].recipe->iterates)) at->second = k;
+    const auto [at, is_new] = chosen.try_emplace(kind.name(source.file), &source);
+    if (!is_new && std::abs(iterates) > std::abs(at->second->recipe->iterates)) at->second = &source;
   }
-  std::vector<std::uint32_t> sources;
+  std::vector<const CurveSource*> sources;
   for (const auto& [kind, source] : chosen) sources.push_back(source);
   return sources;
 }
@@ -80,37 +75,29 @@ std::vector<std::string> forecast_shortage(const Plan& plan, const std::string& 
   const auto room = static_cast<double>(memory);
   const std::string too_much = ", for which there is no room in " + std::to_string(memory >> 20) + " MiB of memory";
   std::vector<std::string> lines;
-  std::vector<CurveId> first_of_source(plan.sources.size(), no_curve);
-  for (CurveId id = static_cast<CurveId>(plan.curves.size()); id-- > 0;) first_of_source[plan.curves[id].source] = id;
-  for (const std::uint32_t source : furthest(plan)) {
-    const CurveId curve = first_of_source[source];
-    if (curve == no_curve || watch.seconds() > max_seconds) continue;
-    const PlannedUnit unit{source, {curve}};
-    if (make_unit(plan, unit, manifest_path).points /
-            (1 + static_cast<std::size_t>(std::abs(plan.sources[source].recipe->iterates))) >
-        max_read) {
-      continue;
-    }
-    const double points = forecast_points(plan, unit, manifest_path);
+  for (const CurveSource* const source : furthest(plan)) {
+    if (watch.seconds() > max_seconds) continue;
+    const std::size_t images = 1 + static_cast<std::size_t>(std::abs(source->recipe->iterates));
+    if (unit_of({*source}, manifest_path).points / images > max_read) continue;
+    const double points = forecast_points(*source, manifest_path);
     if (!(points * static_cast<double>(computed_bytes_per_point) > room)) continue;
-    lines.push_back(plan.name(curve) + " may come to " +
+    lines.push_back(source->name() + " may come to " +
                     (std::isfinite(points) ? "about " + format_number(std::round(points)) : "far too many") +
                     " points" + too_much);
   }
   std::set<std::uint32_t> judged;
-  for (const PlannedJob& job : plan.jobs) {
-    const PlannedGroup& group = plan.groups[job.group];
-    const Operation& operation = operation_of(group);
-    if (!operation.result_bytes || job.first == no_curve || watch.seconds() > max_seconds) continue;
-    const PlannedUnit unit{plan.curves[job.first].source, {job.first}};
-    if (plan.sources[unit.source].recipe || judged.contains(job.group)) continue;
-    if (make_unit(plan, unit, manifest_path).points > max_read) continue;
+  for (const Job& job : plan.jobs) {
+    const JobGroup& group = plan.group_of(job);
+    if (!group.operation->result_bytes || job.first == no_curve || watch.seconds() > max_seconds) continue;
+    const CurveSource& source = plan.curves[job.first];
+    if (source.recipe || judged.contains(job.group)) continue;
+    if (unit_of({source}, manifest_path).points > max_read) continue;
     judged.insert(job.group);
-    const std::shared_ptr<const Curve> curve = first_curve(plan, unit, manifest_path, Allowance());
+    const std::shared_ptr<const Curve> curve = curve_of(source, manifest_path, Allowance());
     if (!curve) continue;
-    if (operation.result_bytes(*curve, options_of(group)) > room) {
-      lines.push_back(group.operation + " with " + group.to_string() + " asks for too many points of " +
-                      plan.name(job.first) + too_much);
+    if (group.operation->result_bytes(*curve, group.options) > room) {
+      lines.push_back(group.operation->name + " with " + group.options.to_string() + " asks for too many points of " +
+                      source.name() + too_much);
     }
   }
   return lines;

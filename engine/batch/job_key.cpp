@@ -14,20 +14,18 @@ std::byte nibble(char digit) {
 }  // namespace
 
 JobKeys::JobKeys(const Plan& plan) : plan_(plan) {
-  for (const PlannedGroup& group : plan.groups) {
-    const Operation* const operation = find_operation(group.operation);
-    const int revision = operation != nullptr ? operation->revision : 0;
-    const std::string text = "lober " + std::string(engine_version()) + '\n' + group.operation + ' ' +
-                             std::to_string(revision) + '\n' + group.to_string() + '\n';
+  for (const JobGroup& group : plan.groups) {
+    const std::string text = "lober " + std::string(engine_version()) + '\n' + group.operation->name + ' ' +
+                             std::to_string(group.operation->revision) + '\n' + group.options.to_string() + '\n';
     beginnings_.push_back(sha256(std::as_bytes(std::span(text))));  // short, as it is hashed again for each job
   }
 }
 
-JobKey JobKeys::operator()(const PlannedJob& job, std::string_view digest1, std::string_view digest2) const {
+JobKey JobKeys::operator()(const Job& job, std::string_view digest1, std::string_view digest2) const {
   std::string text = beginnings_[job.group];
   const auto add = [&](CurveId curve, std::string_view digest) {
     if (curve == no_curve) return;
-    text += digest.empty() ? "unreadable " + plan_.curves[curve].name : std::string(digest);
+    text += digest.empty() ? "unreadable " + plan_.curves[curve].name() : std::string(digest);
     text += '\n';
   };
   add(job.first, digest1);
@@ -38,6 +36,16 @@ JobKey JobKeys::operator()(const PlannedJob& job, std::string_view digest1, std:
     key[k] = nibble(hexadecimal[2 * k]) << 4 | nibble(hexadecimal[2 * k + 1]);
   }
   return key;
+}
+
+std::optional<JobKey> JobKeys::find(const Job& job, std::span<const std::string* const> digests) const {
+  std::array<std::string_view, 2> of_job;
+  for (std::size_t k = 0; k < job.curves().size(); ++k) {
+    const std::string* const digest = digests[job.curves()[k]];
+    if (digest == nullptr) return std::nullopt;
+    of_job[k] = *digest;
+  }
+  return (*this)(job, of_job[0], of_job[1]);
 }
 
 }  // namespace lober

@@ -1,9 +1,9 @@
 // What a result is a result of.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -11,10 +11,6 @@
 #include "engine/batch/plan.hpp"
 
 namespace lober {
-
-/// SHA-256 of the contents of the inputs, the operation with its revision, the options and the version of the engine.
-/// Two jobs with the same key have the same result, so one of them is enough.
-using JobKey = std::array<std::byte, 32>;
 
 struct HashOfKey {
   std::size_t operator()(const JobKey& key) const {
@@ -24,12 +20,15 @@ struct HashOfKey {
   }
 };
 
-/// Of the jobs of a plan, `digest(curve)` being the digest of a curve's contents, or empty if it cannot be read: then
-/// the key is that of the failure, which goes by the name.
+/// SHA-256 of the contents of the inputs, the operation with its revision, the options and the version of the engine.
+/// Two jobs with the same key have the same result, so one of them is enough. Digests are those of the contents, or
+/// empty for what cannot be read: then the key is that of the failure, which goes by the name.
 class JobKeys {
  public:
   explicit JobKeys(const Plan& plan);
-  [[nodiscard]] JobKey operator()(const PlannedJob& job, std::string_view digest1, std::string_view digest2) const;
+  [[nodiscard]] JobKey operator()(const Job& job, std::string_view digest1, std::string_view digest2) const;
+  /// With the digests of all curves of the plan; none if those of the job are not known (null).
+  [[nodiscard]] std::optional<JobKey> find(const Job& job, std::span<const std::string* const> digests) const;
 
  private:
   const Plan& plan_;

@@ -26,8 +26,8 @@ std::string digest_of(const Curve& curve) {
 }
 
 // Bytes that a job takes besides its curves, unless they cross very often.
-std::size_t working_memory(const Job& job, std::size_t points) {
-  return (std::size_t{1} << 16) + 8 * points + job.operation->memory;
+std::size_t working_memory(const Operation& operation, std::size_t points) {
+  return (std::size_t{1} << 16) + 8 * points + operation.memory;
 }
 
 }  // namespace
@@ -64,15 +64,22 @@ std::vector<CurveId> JobQueue::add(CurveUnit unit) {
   return cache_->add(std::move(unit));
 }
 
+std::uint32_t JobQueue::add(JobGroup group) {
+  refuse_if_running("add");
+  groups_.push_back(std::move(group));
+  return static_cast<std::uint32_t>(groups_.size() - 1);
+}
+
 std::size_t JobQueue::submit(Job job) {
   refuse_if_running("submit");
+  const auto& [name, operation, options] = groups_.at(job.group);
   const std::size_t count = job.curves().size();
-  if (!takes(job.operation->arity, count)) {
-    throw UsageError(job.operation->name + " does not take " + std::to_string(count) + " curves");
+  if (!takes(operation->arity, count)) {
+    throw UsageError(operation->name + " does not take " + std::to_string(count) + " curves");
   }
-  const Requirements requirements = job.operation->requirements(*job.options);
+  const Requirements requirements = operation->requirements(options);
   for (const CurveId curve : job.curves()) cache_->require(curve, requirements);
-  jobs_.push_back(std::move(job));
+  jobs_.push_back(job);
   return jobs_.size() - 1;
 }
 
@@ -92,37 +99,38 @@ QueueProgress JobQueue::progress() const {
 // One call of `run`: what the dispatcher asks of the jobs.
 class JobQueue::Run final : public JobRunner {
  public:
-  Run(JobQueue& queue, const std::function<void(JobResult)>& done) : queue_(queue), done_(done) {}
+  Run(JobQueue& queue, const std::function<void(Result)>& done) : queue_(queue), done_(done) {}
 
   void run_job(std::uint32_t number, const Allowance& allowance) override {
     const Job& job = queue_.jobs_[number];
+    const JobGroup& group = queue_.groups_[job.group];
     const CurveCache& cache = *queue_.cache_;
-    JobResult result;
-    result.job = number;
+    Result result;
     std::array<const PreparedCurve*, 2> curves{};
     const CurvePair ids = job.curves();
     std::size_t points = 0;
     for (std::size_t k = 0; k < ids.size(); ++k) {
       curves[k] = &cache.curve(ids[k]);
-      (k == 0 ? result.digest1 : result.digest2) = cache.digest(ids[k]);
       points += curves[k]->curve().points.size();
-      if (result.error.empty()) result.error = curves[k]->error();
+      if (!result.failed()) result.error = curves[k]->error();
     }
     const Stopwatch watch;
-    if (result.error.empty()) {
+    if (!result.failed()) {
       try {
-        result.record = job.operation->run({std::span(curves).first(ids.size()), allowance}, *job.options);
+        result = group.operation->run({std::span(curves).first(ids.size()), allowance}, group.options);
       } catch (const Cancelled&) {
         throw;
       } catch (const std::bad_alloc&) {
         result.error = "out of memory";
       } catch (const std::exception& error) {
-        result.error = error.what();
+        result.error = *error.what() != '\0' ? error.what() : "failed without a message";
       }
     }
     result.seconds = watch.seconds();
+    result.job = number;
+    for (std::size_t k = 0; k < ids.size(); ++k) result.digests[k] = cache.digest(ids[k]);
     const double seconds = result.seconds;
-    const bool failed = !result.error.empty();
+    const bool failed = result.failed();
     const Stopwatch callback_watch;
     if (!hand_over(std::move(result))) return;
     count(points, failed, costs[number - queue_.first_waiting_], seconds, callback_watch.seconds());
@@ -133,7 +141,7 @@ class JobQueue::Run final : public JobRunner {
 
  private:
   // False after a call that threw.
-  bool hand_over(JobResult result) {
+  bool hand_over(Result result) {
     std::unique_lock lock(callback_, std::defer_lock);
     if (!queue_.options_.concurrent) lock.lock();
     if (thrown_) return false;
@@ -161,7 +169,7 @@ class JobQueue::Run final : public JobRunner {
   }
 
   JobQueue& queue_;
-  const std::function<void(JobResult)>& done_;
+  const std::function<void(Result)>& done_;
   std::mutex callback_, counting_;
   std::atomic<bool> thrown_{false};
 };
@@ -184,51 +192,50 @@ class JobQueue::Running {
   JobQueue& queue_;
 };
 
-QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
+QueueReport JobQueue::run(const std::function<void(Result)>& done) {
   const Stopwatch watch;
   if (cancelled_) throw UsageError("the queue was cancelled: it runs nothing more");
   const Running running(*this);
   Run run(*this, done);
   const std::span<const Job> waiting = std::span(jobs_).subspan(first_waiting_);
   std::vector<ScheduledJob> scheduled;
-  std::vector<DispatchedJob> dispatched;
-  std::vector<std::size_t> unit_bytes, points;
+  std::vector<std::size_t> unit_bytes;
   double total_cost = 0;
+  std::size_t working = 0, reading = 0;  // what a thread takes at most, for a job and to read
   for (const Job& job : waiting) {
+    const Operation& operation = *groups_[job.group].operation;
     const CurvePair ids = job.curves();
-    std::size_t sum = 0;
+    ScheduledJob next;
+    next.number = static_cast<std::uint32_t>(first_waiting_ + scheduled.size());
+    std::size_t points = 0;
     for (const CurveId id : ids) {
       const CurveCache::UnitId unit = cache_->unit_of(id);
       if (unit_bytes.size() <= unit) unit_bytes.resize(unit + std::size_t{1});
       unit_bytes[unit] = cache_->bytes(unit);
-      sum += cache_->points(id);
-    }
-    points.push_back(sum);
-    const auto unit = [&](std::size_t k) { return ids.size() == 0 ? CurveCache::no_unit : cache_->unit_of(ids[k]); };
-    const double cost = job.operation->cost(points.back());
-    total_cost += cost;
-    run.costs.push_back(cost);
-    scheduled.push_back({unit(0), unit(ids.size() < 2 ? 0 : 1), cost});
-  }
-  const int threads = options_.threads > 0 ? options_.threads : concurrency();
-  // What the threads take at most, besides curves that stay: for their jobs, and to read.
-  std::size_t working = 0, reading = 0;
-  for (std::size_t k = 0; k < waiting.size(); ++k) {
-    working = std::max(working, working_memory(waiting[k], points[k]));
-    for (const CurveCache::UnitId unit : {scheduled[k].unit1, scheduled[k].unit2}) {
-      if (unit == CurveCache::no_unit) continue;
+      points += cache_->points(id);
       reading = std::max(reading, cache_->reading_memory(unit) + cache_->bytes(unit));
     }
+    if (ids.size() > 0) {
+      next.unit1 = cache_->unit_of(ids[0]);
+      next.unit2 = cache_->unit_of(ids[ids.size() - 1]);
+    }
+    next.cost = operation.cost(points);
+    next.working_bytes = working_memory(operation, points);
+    working = std::max(working, next.working_bytes);
+    total_cost += next.cost;
+    run.costs.push_back(next.cost);
+    scheduled.push_back(next);
   }
+  const int threads = options_.threads > 0 ? options_.threads : concurrency();
+  // Besides curves that stay.
   const auto less = [&](std::size_t bytes) {
     const std::size_t taken = static_cast<std::size_t>(threads) * bytes;
     return std::max(options_.memory / 4, options_.memory - std::min(options_.memory, taken));
   };
-  const Room room{less(working), less(working + reading)};
-  for (const std::uint32_t k : schedule(scheduled, unit_bytes, room)) {
-    dispatched.push_back({static_cast<std::uint32_t>(first_waiting_ + k), scheduled[k].unit1, scheduled[k].unit2,
-                          working_memory(waiting[k], points[k])});
-  }
+  const std::vector<std::uint32_t> order = schedule(scheduled, unit_bytes, {less(working), less(working + reading)});
+  std::vector<ScheduledJob> ordered;
+  ordered.reserve(order.size());
+  for (const std::uint32_t k : order) ordered.push_back(scheduled[k]);
   counters_.jobs = jobs_.size();
   add_to(counters_.cost, total_cost);
 
@@ -236,7 +243,7 @@ QueueReport JobQueue::run(const std::function<void(JobResult)>& done) {
   run.report.threads = threads;
   try {
     const CancellationScope scope(cancelled_);
-    with_threads(threads, [&] { dispatch(dispatched, *cache_, options_.digests, threads, stop_, run); });
+    with_threads(threads, [&] { dispatch(std::move(ordered), *cache_, options_.digests, threads, stop_, run); });
   } catch (const Cancelled&) {
     if (!cancelled_) throw;
   }

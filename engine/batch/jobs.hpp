@@ -5,12 +5,12 @@
 //   std::vector<lober::CurveId> curves;
 //   for (lober::Curve& curve : mine) curves.push_back(queue.add(std::move(curve)));
 //   const auto operation = lober::find_operation("overlay");
-//   const auto options = std::make_shared<const lober::Options>(operation->options, lober::no_settings);
+//   const std::uint32_t group = queue.add({"", operation, {operation->options, lober::no_settings}});
 //   for (lober::CurveId i : curves)
 //     for (lober::CurveId j : curves)
-//       if (i < j) queue.submit({operation, options, i, j});
-//   queue.run([&](const lober::JobResult& result) {
-//     if (result.error.empty()) use(result.job, result.record.values[0]);   // operation->columns says what they are
+//       if (i < j) queue.submit({group, i, j});
+//   queue.run([&](const lober::Result& result) {
+//     if (!result.failed()) use(result.job, result.values[0]);   // operation->columns says what they are
 //   });
 //
 // An operation may be the caller's own (operation.hpp). What a manifest describes is run with a store behind it by
@@ -35,22 +35,6 @@ namespace lober {
 
 inline constexpr std::span<const OptionSetting> no_settings{};
 
-struct Job {
-  const Operation* operation = nullptr;  ///< has to outlive the queue
-  std::shared_ptr<const Options> options;
-  CurveId first = no_curve, second = no_curve;  ///< no_curve where the job has none
-  [[nodiscard]] CurvePair curves() const { return {first, second}; }
-};
-
-struct JobResult {
-  std::size_t job = 0;  ///< as `submit` numbered it
-  Record record;        ///< empty if the job failed
-  std::string error;    ///< why it failed; empty if it did not
-  double seconds = 0;   ///< the operation alone
-  /// Of the contents of the curves, hexadecimal; only if QueueOptions::digests. Empty for a curve that was not read.
-  std::string digest1, digest2;
-};
-
 class JobQueue {
  public:
   explicit JobQueue(const QueueOptions& options = {});
@@ -65,6 +49,9 @@ class JobQueue {
   /// Curves that come from elsewhere, all at once; returns their numbers in order. See CurveUnit.
   std::vector<CurveId> add(CurveUnit unit);
 
+  /// Returns the number by which jobs name the group.
+  std::uint32_t add(JobGroup group);
+
   /// Returns the number of the job, counted from 0. Throws UsageError when the operation takes another number of
   /// curves.
   std::size_t submit(Job job);
@@ -76,7 +63,7 @@ class JobQueue {
   /// those that wait are dropped. Results have the same bits for any number of threads, any memory and any order. May
   /// be called again after more was submitted, whatever became of the jobs before: none runs twice, curves stay in
   /// memory.
-  QueueReport run(const std::function<void(JobResult)>& done);
+  QueueReport run(const std::function<void(Result)>& done);
 
   /// Starts no further job; those that run are finished, but for work that can be broken off (Allowance::check), those
   /// that wait are dropped. Between two runs: the next one does nothing. For any thread and for signal handlers.
@@ -94,6 +81,7 @@ class JobQueue {
   void refuse_if_running(const char* what) const;
   QueueOptions options_;
   std::unique_ptr<CurveCache> cache_;
+  std::vector<JobGroup> groups_;
   std::vector<Job> jobs_;
   std::size_t first_waiting_ = 0;
   std::atomic<bool> stop_{false}, cancelled_{false}, running_{false};

@@ -12,7 +12,7 @@
 #include "engine/batch/allowance.hpp"
 #include "engine/batch/options.hpp"
 #include "engine/batch/prepared_curve.hpp"
-#include "engine/batch/record.hpp"
+#include "engine/batch/result.hpp"
 
 namespace lober {
 
@@ -37,17 +37,19 @@ class JobCurves {
 /// A program that feeds the queue may bring its own.
 struct Operation {
   std::string name;
-  int revision = 1;  ///< goes into the key of results: raise it when the numbers change
+  std::string view = {};  ///< of its results in a store, for SQL; only for those in the table
+  int revision = 1;       ///< goes into the key of results: raise it when the numbers change
   Arity arity = Arity::two;
   bool open = false;  ///< curves of a manifest are open unless it says otherwise
   std::vector<OptionSpec> options = {};
-  std::vector<Column> columns = {};
+  std::vector<Column> columns = {};  ///< names that SQL takes in quotes; of those in the table, see store_format
   std::vector<std::string> lists = {};
   /// Throws UsageError "key: message" for options that cannot go together; may be empty.
   std::function<void(const Options&)> check = {};
   std::function<Requirements(const Options&)> requirements;
-  /// Called from several threads at the same time. May throw what is a std::exception: the job has failed then.
-  std::function<Record(JobCurves curves, const Options& options)> run;
+  /// Makes the values and the lists. Called from several threads at the same time. May throw what is a std::exception:
+  /// the job has failed then.
+  std::function<Result(JobCurves curves, const Options& options)> run;
   /// Microseconds on one core for a number of points, roughly: what comes first is what costs most.
   std::function<double(std::size_t points)> cost;
   /// Bytes of what it makes of its first curve, roughly, where its options decide that; may be empty.

@@ -125,42 +125,6 @@ std::string CurveRecipe::name(std::string_view of) const {
   return text + ")";
 }
 
-void CurveRecipe::put(ByteWriter& writer) const {
-  writer.put(static_cast<std::uint8_t>(kind));
-  writer.put_text(system);
-  writer.put(std::uint64_t{parameters.size()});
-  for (const auto& [key, value] : parameters) {
-    writer.put_text(key);
-    writer.put(value);
-  }
-  writer.put(iterates);
-  writer.put(tolerance);
-  writer.put(integration_tolerance);
-  writer.put(length);
-  writer.put_flag(saddle.has_value());
-  writer.put(saddle.value_or(Point{}));
-  writer.put(branch);
-}
-
-CurveRecipe CurveRecipe::get(ByteReader& reader) {
-  CurveRecipe recipe;
-  recipe.kind = static_cast<Kind>(reader.get_below<std::uint8_t>(3));
-  recipe.system = reader.get_text();
-  for (std::size_t left = reader.get_count(); left != 0; --left) {
-    std::string key = reader.get_text();
-    recipe.parameters.emplace_back(std::move(key), reader.get<double>());
-  }
-  recipe.iterates = reader.get<int>();
-  recipe.tolerance = reader.get<double>();
-  recipe.integration_tolerance = reader.get<double>();
-  recipe.length = reader.get<double>();
-  const bool has_saddle = reader.get_flag();
-  const auto saddle = reader.get<Point>();
-  if (has_saddle) recipe.saddle = saddle;
-  recipe.branch = reader.get<int>();
-  return recipe;
-}
-
 void check(const CurveRecipe& recipe) {
   const System system = made_system(recipe);
   if (!(recipe.tolerance > 0)) throw UsageError("tolerance has to be given and positive");

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "engine/batch/bytes.hpp"
 #include "engine/batch/curve_cache.hpp"
 #include "lober/systems.hpp"
 
@@ -30,8 +29,6 @@ struct CurveRecipe {
   /// "unstable(henon, a=1.4, iterates=6, tolerance=1e-05)"; an image begins with the name of its curve. Everything that
   /// counts is in it.
   [[nodiscard]] std::string name(std::string_view of = {}) const;
-  void put(ByteWriter& writer) const;
-  [[nodiscard]] static CurveRecipe get(ByteReader& reader);
 };
 
 /// What a point of a curve takes while it is computed, with all that is around it.

@@ -29,7 +29,7 @@ ResultWriter::~ResultWriter() {
   }
 }
 
-void ResultWriter::add(StoredResult result) {
+void ResultWriter::add(Result result) {
   const std::lock_guard lock(mutex_);
   results_.push_back(std::move(result));
   if (results_.size() == many) wake_.notify_one();
@@ -53,7 +53,7 @@ void ResultWriter::finish() {
 void ResultWriter::work() {
   const double start = processor_seconds();
   for (bool last = false; !last;) {
-    std::vector<StoredResult> results;  // freed, like the digests, when nobody waits for the lock
+    std::vector<Result> results;  // freed, like the digests, when nobody waits for the lock
     InputDigests digests;
     try {
       results.reserve(many);           // what `add` fills next

@@ -21,7 +21,7 @@ class ResultWriter {
   ResultWriter(const ResultWriter&) = delete;
   ResultWriter& operator=(const ResultWriter&) = delete;
 
-  void add(StoredResult result);
+  void add(Result result);
   void add(const std::string& input, const std::string& digest);
   /// Returns when all is committed; throws what went wrong. Nothing may be added afterwards.
   void finish();
@@ -34,7 +34,7 @@ class ResultWriter {
   std::function<void()> failed_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::vector<StoredResult> results_;
+  std::vector<Result> results_;
   InputDigests digests_;
   bool finish_ = false;
   std::exception_ptr error_;

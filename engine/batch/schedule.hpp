@@ -8,10 +8,13 @@
 
 namespace lober {
 
+/// A job of a queue as scheduling sees it.
 struct ScheduledJob {
   static constexpr std::uint32_t nothing = 0xffffffff;
   std::uint32_t unit1 = nothing, unit2 = nothing;  ///< what it reads; equal if it reads only one or nothing
   double cost = 0;
+  std::uint32_t number = 0;       ///< in the queue
+  std::size_t working_bytes = 0;  ///< that it takes besides its curves
 };
 
 /// Bytes for units.

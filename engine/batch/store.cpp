@@ -1,65 +1,21 @@
 #include "engine/batch/store.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
+#include <unordered_set>
 
-#include "engine/batch/bytes.hpp"
+#include "engine/batch/checksum.hpp"
+#include "engine/batch/store_schema.hpp"
 
 namespace lober {
 namespace {
 
 constexpr int application = 0x6c6f6265;  // "lobe"
-constexpr int format = 3;
 
-constexpr const char* tables = R"(
-  CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY, started TEXT, ended TEXT, how TEXT, version TEXT,
-    "commit" TEXT, compiler TEXT, flags TEXT, host TEXT, threads INTEGER, shard TEXT, manifest TEXT);
-  CREATE TABLE IF NOT EXISTS plan (id INTEGER PRIMARY KEY CHECK (id = 1), body BLOB, sum INTEGER);
-  CREATE TABLE IF NOT EXISTS curves (name TEXT PRIMARY KEY, digest TEXT, sum INTEGER) WITHOUT ROWID;
-  CREATE TABLE IF NOT EXISTS results (id INTEGER PRIMARY KEY, key BLOB, run INTEGER, status INTEGER, seconds REAL,
-    value BLOB, sum INTEGER);
-)";
-
-std::string_view bytes_of(const JobKey& key) {
-  return {reinterpret_cast<const char*>(key.data()), key.size()};
-}
-
-std::optional<JobKey> key_of(std::string_view bytes) {
-  JobKey key{};
-  if (bytes.size() != key.size()) return std::nullopt;
-  std::memcpy(key.data(), bytes.data(), key.size());
-  return key;
-}
-
-// Against damage, not against forgery. Every step is a one-to-one function of the state and of the word, so that no
-// change within one word goes unseen.
 std::int64_t checksum(std::string_view bytes) {
-  std::uint64_t sum = 0x9e3779b97f4a7c15 ^ bytes.size();
-  while (!bytes.empty()) {
-    std::uint64_t word = 0;
-    const std::size_t size = std::min(bytes.size(), sizeof(word));
-    std::memcpy(&word, bytes.data(), size);
-    bytes.remove_prefix(size);
-    sum = (sum ^ word) * 0xd6e8feb86659fd93;
-    sum ^= sum >> 32;
-  }
-  return std::bit_cast<std::int64_t>(sum);
+  return Checksum().add(bytes).sum();
 }
 std::int64_t checksum(std::string_view name, std::string_view digest) {
-  ByteWriter writer;
-  writer.put_text(name);
-  writer.put_text(digest);
-  return checksum(writer.take());
-}
-std::int64_t checksum(const StoredResult& result) {
-  ByteWriter writer;
-  writer.put(result.key);
-  writer.put_flag(result.failed);
-  writer.put(result.seconds);
-  writer.put(result.run);
-  writer.put_text(result.value);
-  return checksum(writer.take());
+  return Checksum().add(name).add(digest).sum();
 }
 
 std::int64_t pragma(const Database& database, const char* sql) {
@@ -69,14 +25,13 @@ std::int64_t pragma(const Database& database, const char* sql) {
 
 }  // namespace
 
-std::string input_name(const PlannedCurve& curve) {
-  return curve.name + (curve.closed ? "" : " (open)");
-}
-
 Store::Store(const std::string& path, bool create)
     : path_(path), file_(std::make_unique<StoreFile>(path)), database_(std::make_unique<Database>(path, create)) {
   check_format(create);
   file_->opened();
+  for (const Operation& operation : all_operations()) tables_.emplace_back(*database_, operation);
+  last_rows_.resize(tables_.size(), 0);
+  damaged_ = !has_store_schema(*database_);
   refresh();
 }
 
@@ -88,10 +43,10 @@ void Store::check_format(bool create) {
   const bool fresh = pragma(*database_, "SELECT count(*) FROM sqlite_master") == 0;
   database_->execute("COMMIT");
   if (id != application && !(fresh && create)) throw DataError(path_ + ": is no store of results");
-  if (found != format && !fresh) {
+  if (found != store_format && !fresh) {
     throw DataError(path_ + ": is a store of format " + std::to_string(found) + ", as " +
-                    (found < format ? "older" : "newer") + " versions of lober have it; this one has format " +
-                    std::to_string(format) + ": run the manifest with another --store");
+                    (found < store_format ? "older" : "newer") + " versions of lober have it; this one has format " +
+                    std::to_string(store_format) + ": run the manifest with another --store");
   }
   // An empty store need not survive a power cut; all that is in it is synchronised with the first results. Pages are
   // large because each that is written is a system call or two; the log comes into the file after 4 MiB, as by default.
@@ -99,9 +54,10 @@ void Store::check_format(bool create) {
   database_->use_write_ahead_log();
   if (fresh) {
     Transaction transaction(*database_);  // a process killed in here leaves nothing or all
-    database_->execute(tables);
+    const bool still = pragma(*database_, "SELECT count(*) FROM sqlite_master") == 0;  // no other process was faster
+    if (still) database_->execute(store_schema().c_str());
     database_->execute(("PRAGMA application_id = " + std::to_string(application)).c_str());
-    database_->execute(("PRAGMA user_version = " + std::to_string(format)).c_str());
+    database_->execute(("PRAGMA user_version = " + std::to_string(store_format)).c_str());
     transaction.commit();
   }
   database_->execute("PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 256");
@@ -119,22 +75,38 @@ void Store::require_whole() {
 }
 
 void Store::begin_run(const Provenance& who, int threads, const std::string& manifest, const std::string& shard,
-                      const Plan& plan) {
+                      Plan plan) {
   require_whole();
   Transaction transaction(*database_);
   Run run{0, "", "", "", who.version, who.commit, who.compiler, who.flags, who.host, shard, manifest, threads};
   put_run(run);
   run_ = sqlite3_last_insert_rowid(database_->handle());
   Statement(*database_, "UPDATE runs SET started = strftime('%Y-%m-%dT%H:%M:%fZ') WHERE id = ?1").bind(1, run_).run();
-  put_plan(plan.encoded());
+  plan_ = std::move(plan);
+  put_plan(*plan_);
   transaction.commit();
 }
 
-void Store::put_plan(const std::string& body) {
-  Statement(*database_, "INSERT OR REPLACE INTO plan VALUES (1, ?1, ?2)")
-      .bind_blob(1, body)
-      .bind(2, checksum(body))
-      .run();
+void Store::put_plan(const Plan& plan) {
+  const std::string body = plan.encoded();
+  plan_sum_ = checksum(body);
+  plan_is_new_ = !shows_plan();
+  Statement(*database_, "INSERT OR REPLACE INTO plan VALUES (1, ?1, ?2)").bind_blob(1, body).bind(2, plan_sum_).run();
+  if (!plan_is_new_) return;
+  database_->execute("DELETE FROM groups");
+  Statement insert(*database_, "INSERT INTO groups VALUES (?1, ?2, ?3, ?4)");
+  for (std::size_t k = 0; k < plan.groups.size(); ++k) {
+    const JobGroup& group = plan.groups[k];
+    const std::string options = group.options.to_string();
+    insert.bind(1, static_cast<std::int64_t>(k)).bind(2, std::string_view(group.name));
+    insert.bind(3, std::string_view(group.operation->name)).bind(4, std::string_view(options)).run();
+  }
+}
+
+// Another process may have made another plan the newest one meanwhile.
+bool Store::shows_plan() const {
+  Statement statement(*database_, "SELECT sum FROM plan WHERE id = 1");
+  return statement.step() && statement.whole(0) == plan_sum_;
 }
 
 void Store::put_digests(const InputDigests& digests) {
@@ -170,7 +142,7 @@ void Store::end_run(const std::string& how) {
 
 std::optional<Plan> Store::plan() const {
   try {
-    Statement statement(*database_, "SELECT body, sum FROM plan");
+    Statement statement(*database_, "SELECT body, sum FROM plan WHERE id = 1");
     if (!statement.step()) return std::nullopt;
     const std::string body(statement.bytes(0));
     if (statement.whole(1) == checksum(body)) return Plan::decoded(body);
@@ -193,95 +165,122 @@ InputDigests Store::digests() const {
 }
 
 void Store::refresh() {
-  try {
-    Statement statement(*database_, "SELECT id, key, status FROM results WHERE id > ?1 ORDER BY id");
-    statement.bind(1, last_row_);
-    read_known(statement);
-  } catch (const DamagedError&) {
-    damaged_ = true;
-    try {  // up to the damage from the other end
-      Statement statement(*database_, "SELECT id, key, status FROM results ORDER BY id DESC");
-      read_known(statement);
+  for (std::uint32_t table = 0; table < tables_.size(); ++table) {
+    try {
+      read_known(table, false);
     } catch (const DamagedError&) {
+      damaged_ = true;
+      try {  // up to the damage from the other end
+        read_known(table, true);
+      } catch (const DamagedError&) {
+      }
     }
   }
 }
 
 // Where a key occurs twice, because the first of the two was damaged, the last row counts.
-void Store::read_known(Statement& statement) {
-  while (statement.step()) {
-    const std::int64_t row = statement.whole(0);
-    last_row_ = std::max(last_row_, row);
-    const std::optional<JobKey> key = key_of(statement.bytes(1));
-    if (!key) continue;
-    const auto [at, is_new] = known_.try_emplace(*key, Known{row, statement.whole(2) != 0});
-    if (!is_new && at->second.row < row) at->second = {row, statement.whole(2) != 0};
-  }
+void Store::read_known(std::uint32_t table, bool backwards) {
+  tables_[table].each_row(backwards ? 0 : last_rows_[table], backwards, [&](const ResultTable::Row& row) {
+    last_rows_[table] = std::max(last_rows_[table], row.id);
+    const Known known{row.id, row.job, table, row.failed};
+    const auto [at, is_new] = known_.try_emplace(row.key, known);
+    if (!is_new && at->second.row < row.id) at->second = known;
+  });
 }
 
-std::optional<StoredResult> Store::result(const Known& known) const {
+std::optional<Result> Store::result(const Known& known) const {
   if (known.damaged) return std::nullopt;
-  try {
-    Statement statement(*database_, "SELECT key, status, seconds, value, run, sum FROM results WHERE id = ?1");
-    if (!statement.bind(1, known.row).step()) return std::nullopt;
-    const std::optional<JobKey> key = key_of(statement.bytes(0));
-    if (!key) return std::nullopt;
-    StoredResult result{*key, statement.whole(1) != 0, statement.real(2), std::string(statement.bytes(3)),
-                        statement.whole(4)};
-    const bool sound = statement.whole(5) == checksum(result);
-    return sound ? std::optional(std::move(result)) : std::nullopt;
-  } catch (const DamagedError&) {
-    return std::nullopt;
-  }
+  return tables_[known.table].get(known.row);
 }
 
 void Store::discard(const JobKey& key) {
   if (const auto at = known_.find(key); at != known_.end()) at->second.damaged = true;
 }
 
-void Store::append(std::span<const StoredResult> results, const InputDigests& digests) {
+void Store::append(std::span<const Result> results, const InputDigests& digests) {
   {
     Transaction transaction(*database_);
     refresh();  // what others have committed meanwhile
     put_digests(digests);
-    put_results(results);
+    const bool shown = shows_plan();
+    for (const Result& result : results) put(table_of(*plan_, result.job), result, shown);
     transaction.commit();
   }
   file_->require_in_place(*database_);
 }
 
-void Store::put_results(std::span<const StoredResult> results) {
-  Statement insert(*database_,
-                   "INSERT INTO results (key, run, status, seconds, value, sum) VALUES (?1, ?2, ?3, ?4, ?5, ?6)");
-  Statement replace(*database_,
-                    "UPDATE results SET run = ?2, status = ?3, seconds = ?4, value = ?5, sum = ?6 "
-                    "WHERE id = ?1 AND status <> 0");
-  for (const StoredResult& given : results) {
-    const auto [at, absent] = known_.try_emplace(given.key, Known{0, true});
-    Known& known = at->second;
-    if (known.damaged) Statement(*database_, "DELETE FROM results WHERE id = ?1").bind(1, known.row).run();
-    const bool is_new = absent || known.damaged;
-    if (!known.failed && !is_new) continue;
-    StoredResult result = given;
-    if (result.run == 0) result.run = run_;
-    Statement& statement = is_new ? insert : replace;
-    if (is_new) {
-      statement.bind_blob(1, bytes_of(result.key));
-    } else {
-      statement.bind(1, known.row);
-    }
-    statement.bind(2, result.run)
-        .bind(3, std::int64_t{result.failed ? 1 : 0})
-        .bind(4, result.seconds)
-        .bind_blob(5, result.value)
-        .bind(6, checksum(result))
-        .run();
-    if (is_new) known = {sqlite3_last_insert_rowid(database_->handle()), true};
-    if (is_new) last_row_ = known.row;
-    // Nothing changes where another process has put a result in place of the failure.
-    const bool changed = is_new || sqlite3_changes(database_->handle()) > 0;
-    known.failed = changed && result.failed;
+std::uint32_t Store::table_of(const Plan& plan, std::uint32_t job) const {
+  return static_cast<std::uint32_t>(plan.group_of(plan.jobs[job]).operation - all_operations().data());
+}
+
+void Store::put(std::uint32_t table, const Result& result, bool shown) {
+  const auto [at, absent] = known_.try_emplace(result.key, Known{0, no_job, table, true});
+  Known& known = at->second;
+  const Plan* const plan = shown && result.job != no_job ? &*plan_ : nullptr;
+  if (known.damaged) tables_[known.table].remove(known.row);
+  const bool is_new = absent || known.damaged;
+  // A failure gives way, unless another process has put a result into its place.
+  if (is_new || (known.failed && tables_[known.table].remove_failure(known.row))) {
+    const std::int64_t run = result.run != 0 ? result.run : run_;
+    const std::optional<std::int64_t> row = is_new ? std::nullopt : std::optional(known.row);
+    const std::uint32_t before = known.job;
+    known = {tables_[table].put(row, result, run, plan), plan != nullptr ? result.job : no_job, table, result.failed()};
+    last_rows_[table] = std::max(last_rows_[table], known.row);
+    if (plan != nullptr && before != no_job && before != result.job) put_repeat(before, known);
+  } else {
+    known.failed = false;
+    if (plan != nullptr && known.job != result.job) put_repeat(result.job, known);
   }
+}
+
+void Store::put_repeat(std::uint32_t job, const Known& known) {
+  const std::string name = plan_->name(plan_->jobs[job].first), other = plan_->name(plan_->jobs[job].second);
+  const ResultTable& table = tables_[known.table];
+  Statement statement(*database_,
+                      ("INSERT OR REPLACE INTO repeats SELECT ?1, ?2, nullif(?3, ''), nullif(?4, ''), ?5, ?6 WHERE NOT "
+                       "EXISTS (SELECT 1 FROM " +
+                       lober::table_of(table.operation()) + " WHERE id = ?6 AND job = ?1)")
+                          .c_str());
+  statement.bind(1, std::int64_t{job}).bind(2, std::int64_t{plan_->jobs[job].group}).bind(3, std::string_view(name));
+  statement.bind(4, std::string_view(other)).bind(5, std::string_view(table.operation().name)).bind(6, known.row).run();
+}
+
+void Store::show(const InputDigests& inputs) {
+  Transaction transaction(*database_);
+  refresh();
+  InputDigests all = inputs;
+  all.merge(digests());
+  label_rows(all);
+  transaction.commit();
+}
+
+void Store::label_rows(const InputDigests& inputs) {
+  std::vector<const std::string*> digests;
+  for (const CurveSource& curve : plan_->curves) {
+    const auto at = inputs.find(curve.input_name());
+    digests.push_back(at == inputs.end() ? nullptr : &at->second);
+  }
+  database_->execute("DELETE FROM repeats");
+  const JobKeys keys(*plan_);
+  std::unordered_set<const Known*> labelled;
+  for (std::uint32_t job = 0; job < plan_->jobs.size(); ++job) {
+    const std::optional<JobKey> key = keys.find(plan_->jobs[job], digests);
+    const auto at = key ? known_.find(*key) : known_.end();
+    if (at == known_.end() || at->second.damaged) continue;
+    Known& known = at->second;
+    if (!labelled.insert(&known).second) {
+      put_repeat(job, known);
+    } else if (plan_is_new_ || known.job != job) {
+      tables_[known.table].label(known.row, &*plan_, job);
+      known.job = job;
+    }
+  }
+  for (auto& [key, known] : known_) {
+    if (known.job == no_job || labelled.contains(&known)) continue;
+    tables_[known.table].label(known.row, nullptr, no_job);
+    known.job = no_job;
+  }
+  plan_is_new_ = false;
 }
 
 std::vector<Store::Run> Store::runs() const {
@@ -302,7 +301,8 @@ std::vector<Store::Run> Store::runs() const {
 }
 
 void Store::merge(const Store& other) {
-  const std::optional<Plan> planned = plan(), theirs = other.plan();
+  const std::optional<Plan> planned = plan();
+  std::optional<Plan> theirs = other.plan();
   if (!theirs) throw DataError(other.path_ + ": holds no plan yet");
   if (planned && planned->encoded() != theirs->encoded()) {
     throw DataError(other.path_ + ": is for another manifest than " + path_ + ", or its files were others");
@@ -310,7 +310,7 @@ void Store::merge(const Store& other) {
   require_whole();
   Transaction transaction(*database_);
   refresh();
-  const InputDigests inputs = digests(), others = other.digests();
+  InputDigests inputs = digests(), others = other.digests();
   for (const auto& [name, digest] : others) {
     const auto known = inputs.find(name);
     if (known != inputs.end() && known->second != digest) {
@@ -319,22 +319,25 @@ void Store::merge(const Store& other) {
     }
   }
   put_digests(others);
-  if (!planned) put_plan(theirs->encoded());
+  inputs.merge(others);
+  plan_ = std::move(theirs);
+  put_plan(*plan_);
+  plan_is_new_ = false;  // rows bear its names if there are any
   std::map<std::int64_t, std::int64_t> renumbered;
   for (const Run& run : other.runs()) {
     put_run(run);
     renumbered[run.id] = sqlite3_last_insert_rowid(database_->handle());
   }
-  std::vector<StoredResult> results;
   for (const auto& [key, known] : other.stored()) {
-    std::optional<StoredResult> result = other.result(known);
+    std::optional<Result> result = other.result(known);
     if (!result) continue;
     if (const auto mine = known_.find(key); mine != known_.end() && !this->result(mine->second)) discard(key);
     const auto run = renumbered.find(result->run);
     result->run = run != renumbered.end() ? run->second : 0;
-    results.push_back(std::move(*result));
+    result->job = known.job < plan_->jobs.size() ? known.job : no_job;
+    put(known.table, *result, true);
   }
-  put_results(results);
+  label_rows(inputs);
   transaction.commit();
 }
 

@@ -10,10 +10,10 @@ WorkQueue::WorkQueue(const Plan& plan, const std::string& manifest_path, std::sp
     : processes_(processes) {
   const std::vector<std::size_t> points = estimated_points(plan, manifest_path);
   const auto cost = [&](std::uint32_t number) {
-    const PlannedJob& job = plan.jobs[number];
+    const Job& job = plan.jobs[number];
     std::size_t together = 0;
     for (const CurveId id : job.curves()) together += points[id];
-    return operation_of(plan.groups[job.group]).cost(together);
+    return plan.group_of(job).operation->cost(together);
   };
   std::vector<std::pair<double, std::uint32_t>> order;
   for (const std::uint32_t job : jobs) order.emplace_back(-cost(job), job);

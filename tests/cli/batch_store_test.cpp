@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -82,8 +83,14 @@ TEST_F(BatchStore, ADamagedValueIsNamed) {
   write_curves(3, 200);
   ASSERT_EQ(run({"batch", "run", "job.toml", "--store", "s"}).status, 0);
   const std::string rows = run({"batch", "export", "s"}).out;
-  std::string bytes = read("s");
-  bytes[bytes.size() - 100] ^= 1;  // the first value stands at the end of the last page
+  const nlohmann::json first = nlohmann::json::parse(
+      [lines = run({"batch", "export", "s", "--format", "jsonl"}).out] { return lines.substr(0, lines.find('\n')); }());
+  const auto value = first["union"].get<double>();
+  std::string bytes = read("s"), stored(reinterpret_cast<const char*>(&value), sizeof(value));
+  std::reverse(stored.begin(), stored.end());  // as SQLite has it
+  const std::size_t at = bytes.find(stored);
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 7] ^= 1;
   write("s", bytes);
   const Outcome status = run({"batch", "status", "s"}), table = run({"batch", "export", "s"});
   EXPECT_EQ(status.status, 0);

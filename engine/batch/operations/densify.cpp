@@ -71,7 +71,7 @@ double result_bytes(const Curve& curve, const Options& options) {
   return criteria ? static_cast<double>(bytes_per_point) * expected_points(curve, *criteria) : 0;
 }
 
-Record run(JobCurves curves, const Options& options) {
+Result run(JobCurves curves, const Options& options) {
   const PreparedCurve& first = *curves[0];
   const PreparedCurve* const second = curves.size() > 1 ? curves[1] : nullptr;
   const bool near = options.whole("passes") > 0 || options.flag("crossings");
@@ -121,6 +121,7 @@ Record run(JobCurves curves, const Options& options) {
 Operation densify_operation() {
   Operation operation;
   operation.name = "densify";
+  operation.view = "densified";
   operation.arity = Arity::one_or_two;
   operation.options = {{"simplify", 0.0, {}, 0},
                        {"max_length", 0.0, {}, 0},

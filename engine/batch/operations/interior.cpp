@@ -6,7 +6,7 @@
 namespace lober {
 namespace {
 
-Record run(JobCurves curves, const Options& options) {
+Result run(JobCurves curves, const Options& options) {
   const PreparedCurve &first = *curves[0], &second = *curves[1];
   InteriorOptions how;
   how.method = options.text("method") == "ends" ? InteriorMethod::ends : InteriorMethod::split;
@@ -16,7 +16,7 @@ Record run(JobCurves curves, const Options& options) {
   how.check_simple = false;  // done when the curve was read
   const InteriorAreas result = interior_areas(first.index(), second.index(), how);
 
-  Record record;
+  Result record;
   add_areas(record.values, result.areas);
   add_areas(record.values, result.rounding);
   record.values.insert(record.values.end(), {result.q1, result.q2, result.q3, result.delta});
@@ -34,6 +34,7 @@ Record run(JobCurves curves, const Options& options) {
 Operation interior_operation() {
   Operation operation;
   operation.name = "interior";
+  operation.view = "interiors";
   operation.options = {{"method", "split", {"split", "ends"}},
                        {"passes", std::int64_t{0}, {}, 0, 1'000'000},
                        {"points", std::int64_t{0}, {}, 0, 1'000'000},

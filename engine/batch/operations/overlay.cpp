@@ -8,7 +8,7 @@
 namespace lober {
 namespace {
 
-Record run(JobCurves curves, const Options& options) {
+Result run(JobCurves curves, const Options& options) {
   const PreparedCurve &first = *curves[0], &second = *curves[1];
   OverlayOptions how;
   how.index = index_kind(options);
@@ -16,7 +16,7 @@ Record run(JobCurves curves, const Options& options) {
   how.check_simple = false;  // done when the curve was read
   const Overlay result = overlay(first.index(), second.index(), how);
 
-  Record record;
+  Result record;
   add_areas(record.values, result.areas);
   add_areas(record.values, result.rounding);
   const Areas unknown{NAN, NAN, NAN, NAN, NAN, NAN, NAN};
@@ -30,7 +30,6 @@ Record run(JobCurves curves, const Options& options) {
   for (const Pairing pairing : all_pairings) count(result.pieces(pairing).size());
   record.values.push_back(static_cast<double>(result.orientation1));
   record.values.push_back(static_cast<double>(result.orientation2));
-  record.lists.resize(2);
   if (options.flag("lobes")) {
     const auto areas = [&](Pairing pairing) {
       const std::span<const double> all = result.pieces(pairing).areas();
@@ -46,6 +45,7 @@ Record run(JobCurves curves, const Options& options) {
 Operation overlay_operation() {
   Operation operation;
   operation.name = "overlay";
+  operation.view = "overlaps";
   operation.options = {{"areas_only", false}, {"discretisation", true}, {"lobes", false}, index_option()};
   for (const char* const kind : {"", "rounding_", "discretisation_"}) add_area_columns(operation.columns, kind);
   for (const char* const count :

@@ -18,9 +18,9 @@ TangleOptions tangle_options(const Options& options) {
   return how;
 }
 
-Record run(JobCurves curves, const Options& options) {
+Result run(JobCurves curves, const Options& options) {
   const Tangle found = tangle(curves[0]->index(), curves[1]->index(), tangle_options(options));
-  Record record;
+  Result record;
   const auto real = [&](double value) { record.values.push_back(value); };
   const auto count = [&](std::size_t number) { real(static_cast<double>(number)); };
   const bool bounded = found.boundary.has_value(), paired = found.images.period != 0;
@@ -57,6 +57,7 @@ Record run(JobCurves curves, const Options& options) {
 Operation tangle_operation() {
   Operation operation;
   operation.name = "tangle";
+  operation.view = "tangles";
   operation.open = true;
   operation.options = {{"bip", std::int64_t{-1}, {}, -1},  // the one in the middle
                        {"period", std::int64_t{0}, {}, 0, 1'000'000},

@@ -11,7 +11,7 @@
 namespace lober {
 namespace {
 
-Record run(JobCurves curves, const Options& options) {
+Result run(JobCurves curves, const Options& options) {
   const System system =
       system_of(options.text("system"), options.reals_of("parameters"), options.real("integration_tolerance"));
   TransportOptions how;
@@ -33,7 +33,7 @@ Record run(JobCurves curves, const Options& options) {
                     apart.front().second_by + " differ by " + format_number(apart.front().difference()) +
                     ", more than their error bars " + format_number(apart.front().bar));
   }
-  Record record;
+  Result record;
   record.values = {found.regions.front().area.value,
                    first.area12.value,
                    first.area21.value,
@@ -66,6 +66,7 @@ void check_options(const Options& options) {
 Operation transport_operation() {
   Operation operation;
   operation.name = "transport";
+  operation.view = "transports";
   operation.arity = Arity::none;
   operation.options = {{"system", ""},
                        {"parameters.*", 0.0},

@@ -41,7 +41,7 @@ Operation summing() {
       if (part == 0) throw std::logic_error("work was left out");
       all += part;
     }
-    return Record{{all}, {}};
+    return Result{{all}};
   };
   sum.cost = [](std::size_t points) { return static_cast<double>(points); };
   return sum;
@@ -49,7 +49,7 @@ Operation summing() {
 
 class Queue {
  public:
-  explicit Queue(QueueOptions how) : queue(how) {
+  explicit Queue(QueueOptions how) : queue(how), group(queue.add({"", &operation, {}})) {
     for (int k = 0; k < 8; ++k) {
       CurveUnit unit;
       unit.points = 200;
@@ -63,13 +63,13 @@ class Queue {
   void submit_all() {
     for (const CurveId i : curves) {
       for (const CurveId k : curves) {
-        if (i < k) queue.submit({&operation, options, i, k});
+        if (i < k) queue.submit({group, i, k});
       }
     }
   }
   Operation operation = summing();
-  std::shared_ptr<const Options> options = std::make_shared<const Options>(operation.options, no_settings);
   JobQueue queue;
+  std::uint32_t group;
   std::vector<CurveId> curves;
 };
 
@@ -85,7 +85,7 @@ TEST(Callbacks, ThatThrowAtRandomInstants) {
       const std::size_t until = random() % 28;
       std::atomic<std::size_t> calls{0};
       try {
-        const QueueReport report = mine.queue.run([&](const JobResult& result) {
+        const QueueReport report = mine.queue.run([&](const Result& result) {
           {
             const std::lock_guard lock(mutex);
             ++times[result.job];
@@ -110,7 +110,7 @@ TEST(Callbacks, AreNotCalledAgainAfterTheyThrew) {
     Queue mine({.threads = 4});
     mine.submit_all();
     int calls = 0;
-    EXPECT_THROW(mine.queue.run([&](const JobResult&) {
+    EXPECT_THROW(mine.queue.run([&](const Result&) {
       ++calls;
       throw Thrown("enough");
     }),
@@ -129,7 +129,7 @@ TEST(Callbacks, StoppedAtRandomInstants) {
       std::this_thread::sleep_for(std::chrono::microseconds(after));
       mine.queue.stop();
     });
-    const QueueReport report = mine.queue.run([&](const JobResult& result) {
+    const QueueReport report = mine.queue.run([&](const Result& result) {
       EXPECT_TRUE(seen.insert(result.job).second);
       EXPECT_EQ(result.error, "");
     });
@@ -143,10 +143,10 @@ TEST(Callbacks, AStopBeforeTheRunIsNotLost) {
   Queue mine({});
   mine.submit_all();
   mine.queue.stop();
-  const QueueReport report = mine.queue.run([](const JobResult&) { ADD_FAILURE(); });
+  const QueueReport report = mine.queue.run([](const Result&) { ADD_FAILURE(); });
   EXPECT_TRUE(report.stopped);
   mine.submit_all();
-  EXPECT_EQ(mine.queue.run([](const JobResult&) {}).jobs, 28U);
+  EXPECT_EQ(mine.queue.run([](const Result&) {}).jobs, 28U);
 }
 
 TEST(Callbacks, MayNotSubmit) {
@@ -154,7 +154,7 @@ TEST(Callbacks, MayNotSubmit) {
   mine.submit_all();
   const auto expect_refused = [&](const auto& call) {
     try {
-      mine.queue.run([&](const JobResult&) { call(); });
+      mine.queue.run([&](const Result&) { call(); });
       ADD_FAILURE() << "was not refused";
     } catch (const UsageError& error) {
       EXPECT_NE(std::string(error.what()).find("the queue is running"), std::string::npos) << error.what();
@@ -163,8 +163,8 @@ TEST(Callbacks, MayNotSubmit) {
   };
   expect_refused([&] { mine.submit_all(); });
   expect_refused([&] { mine.queue.add(Curve{wavy(10, 0), true, "late"}); });
-  expect_refused([&] { mine.queue.run([](const JobResult&) {}); });
-  EXPECT_EQ(mine.queue.run([](const JobResult&) {}).jobs, 28U);
+  expect_refused([&] { mine.queue.run([](const Result&) {}); });
+  EXPECT_EQ(mine.queue.run([](const Result&) {}).jobs, 28U);
 }
 
 // A reading or an index that runs out of memory, or a loader that throws whatever it likes, is an error of that curve.
@@ -185,7 +185,7 @@ TEST(Callbacks, UnitsThatThrowFailTheirJobsOnly) {
   }
   mine.submit_all();
   std::map<std::string, int> errors;
-  const QueueReport report = mine.queue.run([&](const JobResult& result) { ++errors[result.error]; });
+  const QueueReport report = mine.queue.run([&](const Result& result) { ++errors[result.error]; });
   EXPECT_EQ(report.jobs, 55U);
   EXPECT_EQ(errors[""], 28);
   EXPECT_EQ(report.failed, 27U);
@@ -228,13 +228,13 @@ TEST(Callbacks, WorkThatGrowsIsPutBackUntilThereIsRoom) {
     count.arity = Arity::one;
     count.requirements = [](const Options&) { return Requirements{}; };
     count.run = [](JobCurves jobs, const Options&) {
-      return Record{{static_cast<double>(jobs[0]->curve().points.size())}, {}};
+      return Result{{static_cast<double>(jobs[0]->curve().points.size())}};
     };
     count.cost = [](std::size_t) { return 1.0; };
-    const auto options = std::make_shared<const Options>(count.options, no_settings);
-    for (const CurveId curve : curves) queue.submit({&count, options, curve});
+    const std::uint32_t group = queue.add({"", &count, {}});
+    for (const CurveId curve : curves) queue.submit({group, curve});
     std::map<std::size_t, std::string> errors;
-    const QueueReport report = queue.run([&](const JobResult& result) { errors[result.job] = result.error; });
+    const QueueReport report = queue.run([&](const Result& result) { errors[result.job] = result.error; });
     EXPECT_EQ(report.jobs, 6U);
     EXPECT_EQ(report.failed, 1U);
     EXPECT_NE(errors[5].find("8 MiB of memory"), std::string::npos) << errors[5];

@@ -10,6 +10,7 @@
 #include "engine/batch/export.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
+#include "tests/engine/batch/stored_plan.hpp"
 
 namespace lober {
 namespace {
@@ -100,7 +101,7 @@ TEST_F(DamagedStore, RandomBytesChanged) {
 }
 
 TEST_F(DamagedStore, AChangedValueIsNamedAndComputedAgain) {
-  execute("whole", "UPDATE results SET value = zeroblob(length(value)) WHERE id = 3");
+  execute("whole", "UPDATE results_overlay SET crossings = crossings + 2 WHERE id = 3");
   const StoreSurvey found = survey(Store::open(path("whole")));
   ASSERT_EQ(found.counts.damaged.size(), 1U);
   const std::string& line = found.counts.damaged[0];
@@ -115,8 +116,19 @@ TEST_F(DamagedStore, AChangedValueIsNamedAndComputedAgain) {
   EXPECT_EQ(survey(Store::open(path("whole"))).counts.damaged.size(), 0U);
 }
 
+TEST_F(DamagedStore, EveryColumnIsVerified) {
+  for (const std::string column : {"key", "run", "seconds", "lists", "sum", "c1", "orientation2"}) {
+    write("s", bytes_);
+    execute("s", "UPDATE results_overlay SET \"" + column + "\" = CASE typeof(\"" + column +
+                     "\") WHEN 'blob' THEN zeroblob(32) ELSE coalesce(\"" + column + "\", 0) + 1 END WHERE id = 2");
+    EXPECT_EQ(survey(Store::open(path("s"))).counts.missing, 1U) << column;
+    ran("s");
+    EXPECT_EQ(exported("s"), rows_) << column;
+  }
+}
+
 TEST_F(DamagedStore, AFailureIsNotTurnedIntoAResultNorTheOtherWayRound) {
-  execute("whole", "UPDATE results SET status = 1 - status");
+  execute("whole", "UPDATE results_overlay SET message = CASE WHEN message IS NULL THEN 'failed' END");
   EXPECT_EQ(survey(Store::open(path("whole"))).counts.damaged.size(), rows_.size());
   EXPECT_TRUE(exported("whole").empty());
   ran("whole");
@@ -136,12 +148,12 @@ TEST_F(DamagedStore, ADamagedPlanIsSaidAndWrittenAgain) {
 }
 
 TEST_F(DamagedStore, StoresOfOtherVersionsAreNamed) {
-  execute("whole", "PRAGMA user_version = 2");
+  execute("whole", "PRAGMA user_version = 3");
   try {
     (void)Store::open(path("whole"));
     ADD_FAILURE() << "another format was read";
   } catch (const DataError& error) {
-    EXPECT_NE(std::string(error.what()).find("is a store of format 2, as older versions of lober have it"),
+    EXPECT_NE(std::string(error.what()).find("is a store of format 3, as older versions of lober have it"),
               std::string::npos)
         << error.what();
   }
@@ -153,7 +165,7 @@ TEST_F(DamagedStore, PlansThatNameWhatTheyDoNotHaveAreRefused) {
   Plan groups = plan, curves = plan, sources = plan;
   groups.jobs[3].group = 1;
   curves.jobs[3].second = static_cast<CurveId>(plan.curves.size());
-  sources.curves[2].source = static_cast<std::uint32_t>(plan.sources.size());
+  sources.curves[2].file.clear();
   for (const Plan& bad : {groups, curves, sources}) EXPECT_THROW((void)Plan::decoded(bad.encoded()), DataError);
   const std::string bytes = plan.encoded();
   for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -163,20 +175,15 @@ TEST_F(DamagedStore, PlansThatNameWhatTheyDoNotHaveAreRefused) {
 
 class StoreInPlace : public ScratchFolder {
  protected:
-  static JobKey key(int number) {
-    JobKey made{};
-    made[0] = static_cast<std::byte>(number);
-    return made;
-  }
   // What `append` says when the second of two results is committed after `between`.
   template <typename Between>
   std::string message_after(const Between& between) const {
     Store store = Store::create(path("s"));
-    store.begin_run(provenance(), 1, "", "1/1", {});
-    store.append(std::vector{StoredResult{key(1), false, 0.5, "one"}}, {});
+    store.begin_run(provenance(), 1, "", "1/1", plan_of_pairs(3));
+    store.append(std::vector{done(1, 1)}, {});
     between();
     try {
-      store.append(std::vector{StoredResult{key(2), false, 0.5, "two"}}, {});
+      store.append(std::vector{done(2, 2)}, {});
     } catch (const DataError& error) {
       return error.what();
     }

@@ -36,8 +36,7 @@ class Generated : public ScratchFolder {
         runner.stop();
       });
     }
-    report_ =
-        runner.run(jobs, [&](const PlanResult& result) { found[result.job] = result.failed ? result.value : ""; });
+    report_ = runner.run(jobs, [&](const Result& result) { found[result.job] = result.error; });
     if (stop) stopper.join();
     return found;
   }

@@ -58,11 +58,12 @@ TEST_F(UnderALocale, OptionsKeepTheirBits) {
   const Plan stored = Plan::decoded(plan.encoded());
   ASSERT_EQ(stored.groups.size(), 3U);
   for (const Plan& any : {plan, stored}) {
-    EXPECT_EQ(options_of(any.groups[0]).real("max_length"), 0.5);
-    EXPECT_EQ(options_of(any.groups[2]).real("max_length"), 1e-3);
-    EXPECT_EQ(options_of(any.groups[0]).real("min_length"), 1e-310);
+    EXPECT_EQ(any.groups[0].options.real("max_length"), 0.5);
+    EXPECT_EQ(any.groups[2].options.real("max_length"), 1e-3);
+    EXPECT_EQ(any.groups[0].options.real("min_length"), 1e-310);
   }
-  EXPECT_NE(stored.groups[0].to_string().find("max_length=0.5 "), std::string::npos) << stored.groups[0].to_string();
+  EXPECT_NE(stored.groups[0].options.to_string().find("max_length=0.5 "), std::string::npos)
+      << stored.groups[0].options.to_string();
   ASSERT_EQ(run_batch(read_manifest(path("job.toml")), {path("s"), {}, {}, {}}).queue.failed, 0U);
   export_results(Store::open(path("s")), path("out.csv"), ExportFormat::csv);
   std::ifstream lines(path("out.csv"));

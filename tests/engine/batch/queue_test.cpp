@@ -15,8 +15,8 @@
 namespace lober {
 namespace {
 
-std::shared_ptr<const Options> usual(const Operation& operation) {
-  return std::make_shared<const Options>(operation.options, no_settings);
+JobGroup usual(const Operation& operation) {
+  return {"", &operation, {operation.options, no_settings}};
 }
 
 class QueueOfCurves {
@@ -26,9 +26,9 @@ class QueueOfCurves {
       curves.push_back(queue.add(Curve{wavy(points, k), true, "wavy" + std::to_string(k)}));
   }
   void submit_all_pairs(const Operation& operation) {
-    const auto options = usual(operation);
+    const std::uint32_t group = queue.add(usual(operation));
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      for (std::size_t k = i + 1; k < curves.size(); ++k) queue.submit({&operation, options, curves[i], curves[k]});
+      for (std::size_t k = i + 1; k < curves.size(); ++k) queue.submit({group, curves[i], curves[k]});
     }
   }
   JobQueue queue;
@@ -38,10 +38,10 @@ class QueueOfCurves {
 TEST(JobQueue, GivesWhatTheOverlayGives) {
   QueueOfCurves mine({.threads = 3}, 12, 400);
   mine.submit_all_pairs(*find_operation("overlay"));
-  std::map<std::size_t, Record> records;
-  const QueueReport report = mine.queue.run([&](JobResult result) {
+  std::map<std::size_t, Result> results;
+  const QueueReport report = mine.queue.run([&](Result result) {
     EXPECT_EQ(result.error, "");
-    EXPECT_TRUE(records.emplace(result.job, std::move(result.record)).second);
+    EXPECT_TRUE(results.emplace(result.job, std::move(result)).second);
   });
   EXPECT_EQ(report.jobs, 66U);
   EXPECT_EQ(report.failed, 0U);
@@ -55,7 +55,7 @@ TEST(JobQueue, GivesWhatTheOverlayGives) {
     for (int k = i + 1; k < 12; ++k, ++job) {
       const std::vector<Point> first = wavy(400, i), second = wavy(400, k);
       const Overlay single = overlay(CurveView{first}, CurveView{second});
-      const std::vector<double>& values = records.at(job).values;
+      const std::vector<double>& values = results.at(job).values;
       EXPECT_EQ(values[2], single.areas.intersection);
       EXPECT_EQ(values[4], single.areas.c1_minus_c2);
       EXPECT_EQ(values[11], single.rounding.c1_minus_c2);
@@ -66,14 +66,14 @@ TEST(JobQueue, GivesWhatTheOverlayGives) {
 }
 
 TEST(JobQueue, SameBitsForAnyThreadsAndMemory) {
-  std::vector<std::map<std::size_t, Record>> all;
+  std::vector<std::map<std::size_t, std::pair<std::vector<double>, std::vector<std::vector<double>>>>> all;
   for (const QueueOptions options : {QueueOptions{.threads = 1}, QueueOptions{.threads = 4},
                                      QueueOptions{.threads = 3, .memory = std::size_t{200} << 10}}) {
     QueueOfCurves mine(options, 10, 1500);
     mine.submit_all_pairs(*find_operation("overlay"));
     mine.submit_all_pairs(*find_operation("interior"));
     all.emplace_back();
-    mine.queue.run([&](JobResult result) { all.back()[result.job] = std::move(result.record); });
+    mine.queue.run([&](const Result& result) { all.back()[result.job] = {result.values, result.lists}; });
     EXPECT_EQ(all.back().size(), 90U);
   }
   EXPECT_EQ(all[0], all[1]);
@@ -83,25 +83,25 @@ TEST(JobQueue, SameBitsForAnyThreadsAndMemory) {
 TEST(JobQueue, MoreJobsMayFollowAndCurvesStay) {
   QueueOfCurves mine({}, 4, 200);
   mine.submit_all_pairs(*find_operation("overlay"));
-  mine.queue.run([](const JobResult&) {});
+  mine.queue.run([](const Result&) {});
   mine.submit_all_pairs(*find_operation("interior"));
   std::set<std::size_t> jobs;
-  const QueueReport report = mine.queue.run([&](const JobResult& result) { jobs.insert(result.job); });
+  const QueueReport report = mine.queue.run([&](const Result& result) { jobs.insert(result.job); });
   EXPECT_EQ(jobs, (std::set<std::size_t>{6, 7, 8, 9, 10, 11}));
   EXPECT_EQ(report.cache.units_read, 0U);
 }
 
 TEST(JobQueue, FailuresAreResults) {
   JobQueue queue;
-  const Operation& operation = *find_operation("overlay");
+  const std::uint32_t group = queue.add(usual(*find_operation("overlay")));
   const CurveId good = queue.add(Curve{wavy(100, 0), true, "good"});
   const CurveId eight = queue.add(Curve{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, true, "eight"});
   const CurveId infinite = queue.add(Curve{{{0, 0}, {1, INFINITY}, {1, 0}}, true, "infinite"});
-  const CurveId missing = queue.add(file_unit("/nowhere/at/all", {{{}, true, "missing"}}))[0];
-  for (const CurveId bad : {eight, infinite, missing}) queue.submit({&operation, usual(operation), good, bad});
-  queue.submit({&operation, usual(operation), good, good});
+  const CurveId missing = queue.add(file_unit("/nowhere/at/all", {CurveSource{"missing"}}))[0];
+  for (const CurveId bad : {eight, infinite, missing}) queue.submit({group, good, bad});
+  queue.submit({group, good, good});
   std::map<std::size_t, std::string> errors;
-  const QueueReport report = queue.run([&](const JobResult& result) { errors[result.job] = result.error; });
+  const QueueReport report = queue.run([&](const Result& result) { errors[result.job] = result.error; });
   EXPECT_EQ(report.failed, 3U);
   EXPECT_EQ(errors[0].substr(0, 21), "eight: is not simple:");
   EXPECT_EQ(errors[1].substr(0, 9), "infinite:");
@@ -113,7 +113,7 @@ TEST(JobQueue, StopFinishesWhatRuns) {
   QueueOfCurves mine({.threads = 2}, 20, 200);
   mine.submit_all_pairs(*find_operation("overlay"));
   std::size_t done = 0;
-  const QueueReport report = mine.queue.run([&](const JobResult&) {
+  const QueueReport report = mine.queue.run([&](const Result&) {
     if (++done == 5) mine.queue.stop();
   });
   EXPECT_TRUE(report.stopped);
@@ -125,7 +125,7 @@ TEST(JobQueue, StopFinishesWhatRuns) {
 TEST(JobQueue, WhatTheCallbackThrowsComesOut) {
   QueueOfCurves mine({.threads = 2}, 6, 200);
   mine.submit_all_pairs(*find_operation("overlay"));
-  EXPECT_THROW(mine.queue.run([](const JobResult&) { throw DataError("enough"); }), DataError);
+  EXPECT_THROW(mine.queue.run([](const Result&) { throw DataError("enough"); }), DataError);
 }
 
 TEST(JobQueue, RunsOperationsOfTheCaller) {
@@ -135,15 +135,16 @@ TEST(JobQueue, RunsOperationsOfTheCaller) {
   count.columns = {{"points", Column::Kind::count}};
   count.requirements = [](const Options&) { return Requirements{}; };
   count.run = [](JobCurves curves, const Options&) {
-    return Record{{static_cast<double>(curves[0]->curve().points.size())}, {}};
+    return Result{{static_cast<double>(curves[0]->curve().points.size())}};
   };
   count.cost = [](std::size_t points) { return static_cast<double>(points); };
   JobQueue queue;
   const CurveId curve = queue.add(Curve{wavy(77, 0), true, "one"});
-  queue.submit({&count, usual(count), curve});
-  EXPECT_THROW(queue.submit({&count, usual(count), curve, curve}), UsageError);
+  const std::uint32_t group = queue.add(usual(count));
+  queue.submit({group, curve});
+  EXPECT_THROW(queue.submit({group, curve, curve}), UsageError);
   double found = 0;
-  queue.run([&](const JobResult& result) { found = result.record.values.at(0); });
+  queue.run([&](const Result& result) { found = result.values.at(0); });
   EXPECT_EQ(found, 77);
 }
 
@@ -164,15 +165,15 @@ TEST(JobQueue, InputsThatChangeWhileInUseAreRefused) {
   const CurveId moving = queue.add(unit(0, true))[0];
   std::vector<CurveId> others;
   for (int k = 1; k < 8; ++k) others.push_back(queue.add(unit(10 * k, false))[0]);
-  const Operation& operation = *find_operation("overlay");
-  queue.submit({&operation, usual(operation), moving, others[0]});
+  const std::uint32_t group = queue.add(usual(*find_operation("overlay")));
+  queue.submit({group, moving, others[0]});
   for (std::size_t k = 0; k + 1 < others.size(); ++k) {
-    queue.submit({&operation, usual(operation), others[k], others[k + 1]});
+    queue.submit({group, others[k], others[k + 1]});
   }
-  queue.run([](const JobResult& result) { EXPECT_EQ(result.error, ""); });
-  queue.submit({&operation, usual(operation), moving, others[6]});
+  queue.run([](const Result& result) { EXPECT_EQ(result.error, ""); });
+  queue.submit({group, moving, others[6]});
   std::string error;
-  queue.run([&](const JobResult& result) { error = result.error; });
+  queue.run([&](const Result& result) { error = result.error; });
   EXPECT_EQ(error, "the input changed while it was in use");
 }
 
@@ -185,15 +186,15 @@ TEST_F(QueueOnFiles, MemoryIsKeptAndFilesAreReadFewTimes) {
   for (std::size_t k = 0; k < files; ++k) {
     const std::string name = path("c" + std::to_string(k));
     write_npy(name, wavy(points, static_cast<int>(k)));
-    curves.push_back(queue.add(file_unit(name, {{{}, true, name}}))[0]);
+    curves.push_back(queue.add(file_unit(name, {CurveSource{name}}))[0]);
   }
-  const Operation& operation = *find_operation("overlay");
+  const std::uint32_t group = queue.add(usual(*find_operation("overlay")));
   for (std::size_t i = 0; i < files; ++i) {
-    for (std::size_t k = i + 1; k < files; ++k) queue.submit({&operation, usual(operation), curves[i], curves[k]});
+    for (std::size_t k = i + 1; k < files; ++k) queue.submit({group, curves[i], curves[k]});
   }
   std::map<std::string, std::set<std::string>> partners;
   const QueueReport report =
-      queue.run([&](const JobResult& result) { partners[result.digest1].insert(result.digest2); });
+      queue.run([&](const Result& result) { partners[result.digests[0]].insert(result.digests[1]); });
   EXPECT_EQ(report.jobs, files * (files - 1) / 2);
   EXPECT_EQ(report.failed, 0U);
   EXPECT_EQ(partners.size(), files - 1);
@@ -208,15 +209,15 @@ TEST_F(QueueOnFiles, ZonesOfAFileAreReadTogether) {
   for (int k = 0; k < 5; ++k) zones.push_back({"zone" + std::to_string(k), wavy(100, k), 1});
   write_tecplot(path("many.dat"), zones);
   JobQueue queue;
-  std::vector<FileZone> wanted;
-  for (std::size_t k = 0; k < 5; ++k) wanted.push_back({k, true, "many.dat#" + std::to_string(k)});
-  wanted.push_back({9, true, "many.dat#9"});
-  wanted.push_back({std::nullopt, true, "many.dat"});
+  std::vector<CurveSource> wanted;
+  for (std::size_t k = 0; k < 5; ++k) wanted.push_back(CurveSource{"many.dat", k});
+  wanted.push_back(CurveSource{"many.dat", 9});
+  wanted.push_back(CurveSource{"many.dat"});
   const std::vector<CurveId> ids = queue.add(file_unit(path("many.dat"), wanted));
-  const Operation& operation = *find_operation("overlay");
-  for (std::size_t k = 1; k < ids.size(); ++k) queue.submit({&operation, usual(operation), ids[0], ids[k]});
+  const std::uint32_t group = queue.add(usual(*find_operation("overlay")));
+  for (std::size_t k = 1; k < ids.size(); ++k) queue.submit({group, ids[0], ids[k]});
   std::map<std::size_t, std::string> errors;
-  const QueueReport report = queue.run([&](const JobResult& result) { errors[result.job] = result.error; });
+  const QueueReport report = queue.run([&](const Result& result) { errors[result.job] = result.error; });
   EXPECT_EQ(report.cache.units_read, 1U);
   EXPECT_EQ(report.cache.curves_indexed, 5U);
   EXPECT_EQ(errors[3], "");

@@ -1,0 +1,52 @@
+// What became of a job.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lober {
+
+/// One number of a result. Counts are kept as doubles too: they are exact below 2^53.
+struct Column {
+  enum class Kind : std::uint8_t { real, count };
+  std::string name;
+  Kind kind = Kind::real;
+};
+
+/// SHA-256 of what a result depends on; see JobKeys.
+using JobKey = std::array<std::byte, 32>;
+
+/// In place of a number: no job of the present plan.
+inline constexpr std::uint32_t no_job = 0xffffffff;
+
+/// An operation fills in the values and the lists, the queue and the store the rest.
+struct Result {
+  std::vector<double> values = {};              ///< in the order of the operation's columns; none if the job failed
+  std::vector<std::vector<double>> lists = {};  ///< in the order of the operation's lists; none for all of them empty
+  std::string error = {};                       ///< why the job failed; empty if it did not
+  double seconds = 0;                           ///< the operation alone
+  std::uint32_t job = 0;                        ///< as `submit` numbered it, or its number in the plan
+  /// Of the contents of the curves, hexadecimal; only if QueueOptions::digests. Empty for a curve that was not read.
+  std::array<std::string, 2> digests = {};
+  JobKey key = {};       ///< of a job of a plan
+  std::int64_t run = 0;  ///< of the store in which it was computed; 0: the present one
+
+  [[nodiscard]] bool failed() const { return !error.empty(); }
+};
+
+/// Results as CBOR, to be sent, and back, bit for bit. `decoded_results` throws DataError for bytes that are none.
+[[nodiscard]] std::string encoded(std::span<const Result> results);
+[[nodiscard]] std::vector<Result> decoded_results(std::string_view bytes);
+
+/// The lists of a result as CBOR, to be stored: a map from their names to typed arrays of little-endian doubles (RFC
+/// 8746, tag 86); no bytes for lists that are all empty. `decoded_lists` throws DataError for other bytes.
+[[nodiscard]] std::string encoded_lists(std::span<const std::vector<double>> lists, std::span<const std::string> names);
+[[nodiscard]] std::vector<std::vector<double>> decoded_lists(std::string_view bytes,
+                                                             std::span<const std::string> names);
+
+}  // namespace lober
