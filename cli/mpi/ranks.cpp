@@ -128,7 +128,7 @@ class Coordinator {
     try {
       QueueReport sum;
       for (std::vector<std::uint32_t> jobs = next(); !jobs.empty(); jobs = next()) {
-        add(sum, runner_.run(jobs, [&](Result result) { take(std::move(result)); }));
+        add(sum, runner_.run(jobs, [&](Result&& result) { take(std::move(result)); }));
       }
       const std::lock_guard lock(mutex_);
       add(report_.queue, sum);
@@ -143,7 +143,7 @@ class Coordinator {
     return stopped_ ? std::vector<std::uint32_t>() : queue_.next_portion();
   }
 
-  void take(Result result) {
+  void take(Result&& result) {
     const std::lock_guard lock(mutex_);
     ++jobs_;
     const bool failed = result.failed();
@@ -197,7 +197,7 @@ void work_until_done(const SharedWork& work) {
       bytes = 0;
       since_sent = Stopwatch();
     };
-    add(sum, runner.run(jobs, [&](Result result) {
+    add(sum, runner.run(jobs, [&](Result&& result) {
       try {
         bytes += size_of(result);
         results.push_back(std::move(result));

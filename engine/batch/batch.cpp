@@ -64,12 +64,11 @@ void StoreSession::skip_finished(std::vector<std::string> inputs) {
       digests[k] = digests_[job.curves()[k]];
     }
     const JobKey key = keys(job, digests[0], digests[1]);
-    const auto known = store_->stored().find(key);
-    const bool there = known != store_->stored().end();
-    if (there && !store_->result(known->second)) {
+    const Store::Known* const known = store_->stored().find(key);
+    if (known != nullptr && !store_->result(*known)) {
       store_->discard(key);
       damaged_.push_back(damage_line(*store_, plan_, number));
-    } else if (there && !known->second.failed) {
+    } else if (known != nullptr && !known->failed) {
       continue;
     }
     left.push_back(number);
@@ -88,7 +87,7 @@ void StoreSession::note(CurveId curve, const std::string& digest, bool& usable) 
   }
 }
 
-bool StoreSession::add(Result result) {
+bool StoreSession::add(Result&& result) {
   const Job& job = plan_.jobs[result.job];
   bool usable = true;
   const CurvePair curves = job.curves();
@@ -133,7 +132,7 @@ BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
     });
     // Jobs that run when the caller is cancelled have their chance too.
     const CancellationScope shield(CancellationScope::Shield{});
-    report.queue = queue.run(session.pending(), [&](Result result) {
+    report.queue = queue.run(session.pending(), [&](Result&& result) {
       const bool failed = result.failed();
       if (!session.add(std::move(result)) && !failed) ++unusable;
     });

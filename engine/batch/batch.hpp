@@ -39,7 +39,7 @@ class StoreSession {
   [[nodiscard]] const std::vector<std::string>& damaged() const { return damaged_; }
 
   /// One call at a time. Returns false when the result cannot be used because an input is not what it was.
-  bool add(Result result);
+  bool add(Result&& result);
   /// Commits and closes the store; throws DataError when it cannot be written. Returns the processor time that the
   /// writing thread took. Nothing may be added afterwards.
   double finish(const std::string& how);

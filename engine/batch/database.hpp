@@ -50,13 +50,15 @@ class Statement {
   Statement& bind(int parameter, double value);
   Statement& bind(int parameter, std::string_view text);
   Statement& bind_blob(int parameter, std::string_view bytes);
+  Statement& bind_null(int parameter) {
+    sqlite3_bind_null(handle_.get(), parameter);
+    return *this;
+  }
   /// True when there is a row.
   bool step();
   /// Runs to the end and is ready for the next parameters.
   void run();
   void reset() { sqlite3_reset(handle_.get()); }
-  /// All parameters are NULL again.
-  void clear() { sqlite3_clear_bindings(handle_.get()); }
 
   [[nodiscard]] std::int64_t whole(int column) const { return sqlite3_column_int64(handle_.get(), column); }
   [[nodiscard]] bool is_null(int column) const { return sqlite3_column_type(handle_.get(), column) == SQLITE_NULL; }

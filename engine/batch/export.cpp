@@ -20,12 +20,12 @@ ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted&
     const Job& job = plan.jobs[number];
     if (!wanted(plan.group_of(job))) continue;
     const std::optional<JobKey> key = keys.find(job, digests);
-    const auto at = key ? store.stored().find(*key) : store.stored().end();
-    if (at == store.stored().end()) {
+    const Store::Known* const known = key ? store.stored().find(*key) : nullptr;
+    if (known == nullptr) {
       ++counts.missing;
       continue;
     }
-    std::optional<Result> result = store.result(at->second);
+    std::optional<Result> result = store.result(*known);
     if (!result) {
       ++counts.missing;
       counts.damaged.push_back(damage_line(store, plan, number));

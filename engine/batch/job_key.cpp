@@ -22,10 +22,13 @@ JobKeys::JobKeys(const Plan& plan) : plan_(plan) {
 }
 
 JobKey JobKeys::operator()(const Job& job, std::string_view digest1, std::string_view digest2) const {
-  std::string text = beginnings_[job.group];
+  std::string text;
+  text.reserve(256);
+  text += beginnings_[job.group];
   const auto add = [&](CurveId curve, std::string_view digest) {
     if (curve == no_curve) return;
-    text += digest.empty() ? "unreadable " + plan_.curves[curve].name() : std::string(digest);
+    if (digest.empty()) text += "unreadable " + plan_.curves[curve].name();
+    text += digest;
     text += '\n';
   };
   add(job.first, digest1);

@@ -12,14 +12,6 @@
 
 namespace lober {
 
-struct HashOfKey {
-  std::size_t operator()(const JobKey& key) const {
-    std::size_t word = 0;
-    for (std::size_t k = 0; k < sizeof(word); ++k) word = word << 8 | std::to_integer<std::size_t>(key[k]);
-    return word;
-  }
-};
-
 /// SHA-256 of the contents of the inputs, the operation with its revision, the options and the version of the engine.
 /// Two jobs with the same key have the same result, so one of them is enough. Digests are those of the contents, or
 /// empty for what cannot be read: then the key is that of the failure, which goes by the name.

@@ -99,7 +99,7 @@ QueueProgress JobQueue::progress() const {
 // One call of `run`: what the dispatcher asks of the jobs.
 class JobQueue::Run final : public JobRunner {
  public:
-  Run(JobQueue& queue, const std::function<void(Result)>& done) : queue_(queue), done_(done) {}
+  Run(JobQueue& queue, const std::function<void(Result&&)>& done) : queue_(queue), done_(done) {}
 
   void run_job(std::uint32_t number, const Allowance& allowance) override {
     const Job& job = queue_.jobs_[number];
@@ -141,7 +141,7 @@ class JobQueue::Run final : public JobRunner {
 
  private:
   // False after a call that threw.
-  bool hand_over(Result result) {
+  bool hand_over(Result&& result) {
     std::unique_lock lock(callback_, std::defer_lock);
     if (!queue_.options_.concurrent) lock.lock();
     if (thrown_) return false;
@@ -169,7 +169,7 @@ class JobQueue::Run final : public JobRunner {
   }
 
   JobQueue& queue_;
-  const std::function<void(Result)>& done_;
+  const std::function<void(Result&&)>& done_;
   std::mutex callback_, counting_;
   std::atomic<bool> thrown_{false};
 };
@@ -192,7 +192,7 @@ class JobQueue::Running {
   JobQueue& queue_;
 };
 
-QueueReport JobQueue::run(const std::function<void(Result)>& done) {
+QueueReport JobQueue::run(const std::function<void(Result&&)>& done) {
   const Stopwatch watch;
   if (cancelled_) throw UsageError("the queue was cancelled: it runs nothing more");
   const Running running(*this);

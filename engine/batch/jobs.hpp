@@ -63,7 +63,7 @@ class JobQueue {
   /// those that wait are dropped. Results have the same bits for any number of threads, any memory and any order. May
   /// be called again after more was submitted, whatever became of the jobs before: none runs twice, curves stay in
   /// memory.
-  QueueReport run(const std::function<void(Result)>& done);
+  QueueReport run(const std::function<void(Result&&)>& done);
 
   /// Starts no further job; those that run are finished, but for work that can be broken off (Allowance::check), those
   /// that wait are dropped. Between two runs: the next one does nothing. For any thread and for signal handlers.

@@ -27,7 +27,7 @@ PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::
   for (const JobGroup& group : plan.groups) queue_.add(group);  // numbered as in the plan
 }
 
-QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::function<void(Result)>& done) {
+QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::function<void(Result&&)>& done) {
   const auto in_queue = [&](CurveId id) { return id == no_curve ? no_curve : ids_[id]; };
   for (const std::uint32_t number : jobs) {
     const Job& job = plan_.jobs[number];
@@ -35,7 +35,7 @@ QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::func
     submitted_.push_back(number);
   }
   bool thrown = false;
-  return queue_.run([&](Result result) {
+  return queue_.run([&](Result&& result) {
     result.job = submitted_[result.job];
     result.key = keys_(plan_.jobs[result.job], result.digests[0], result.digests[1]);
     const std::lock_guard lock(done_);

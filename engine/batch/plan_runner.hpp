@@ -21,7 +21,7 @@ class PlanRunner {
 
   /// As JobQueue::run, with the numbers of the plan and with keys, `done` being called one at a time, and never again
   /// after it has thrown. May be called several times; curves stay in memory.
-  QueueReport run(std::span<const std::uint32_t> jobs, const std::function<void(Result)>& done);
+  QueueReport run(std::span<const std::uint32_t> jobs, const std::function<void(Result&&)>& done);
   void stop() { queue_.stop(); }
   void cancel() { queue_.cancel(); }
   [[nodiscard]] QueueProgress progress() const { return queue_.progress(); }

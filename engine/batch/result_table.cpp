@@ -34,13 +34,41 @@ class Reading {
   Statement& statement_;
 };
 
+// What a row says of the job that it is the result of.
+class Labels {
+ public:
+  /// `plan` may be null: of none.
+  Labels(const Plan* plan, std::uint32_t job) : job_(job) {
+    if (plan == nullptr) return;
+    planned_ = &plan->jobs[job];
+    first_ = plan->name(planned_->first);
+    second_ = plan->name(planned_->second);
+  }
+  /// To four parameters. The statement has to run before this goes.
+  void bind(Statement& statement, int place) const {
+    for (int k = 0; k < 4; ++k) statement.bind_null(place + k);
+    if (planned_ == nullptr) return;
+    statement.bind(place, std::int64_t{job_}).bind(place + 1, std::int64_t{planned_->group});
+    if (planned_->first != no_curve) statement.bind(place + 2, std::string_view(first_));
+    if (planned_->second != no_curve) statement.bind(place + 3, std::string_view(second_));
+  }
+
+ private:
+  std::uint32_t job_;
+  const Job* planned_ = nullptr;
+  std::string first_, second_;
+};
+
 void bind_number(Statement& statement, int place, const Column& column, double value) {
   constexpr double exact = 9007199254740992;  // 2^53
-  if (column.kind == Column::Kind::count && std::fabs(value) < exact && std::trunc(value) == value) {
-    statement.bind(place, static_cast<std::int64_t>(value));
-  } else {
-    statement.bind(place, value);  // NaN becomes NULL
+  if (column.kind == Column::Kind::count && std::fabs(value) < exact) {
+    const auto whole = static_cast<std::int64_t>(value);
+    if (static_cast<double>(whole) == value && !(whole == 0 && std::signbit(value))) {
+      statement.bind(place, whole);
+      return;
+    }
   }
+  statement.bind(place, value);  // NaN becomes NULL
 }
 
 }  // namespace
@@ -67,9 +95,7 @@ std::int64_t ResultTable::checksum(const Result& result, std::int64_t run, std::
   Checksum sum;
   sum.add(bytes_of(result.key)).add(std::uint64_t{result.failed()}).add(result.seconds);
   sum.add(static_cast<std::uint64_t>(run)).add(result.error).add(lists);
-  if (result.failed()) return sum.sum();
-  for (const double value : result.values) sum.add(value);
-  return sum.sum();
+  return sum.add(std::span<const double>(result.values)).sum();
 }
 
 void ResultTable::each_row(std::int64_t last, bool backwards, const std::function<void(const Row&)>& take) const {
@@ -111,29 +137,25 @@ std::optional<Result> ResultTable::get(std::int64_t row) const {
 
 std::int64_t ResultTable::put(std::optional<std::int64_t> row, const Result& result, std::int64_t run,
                               const Plan* plan) const {
-  Statement& row_of = insert();
+  Statement& whole = insert();  // all parameters are bound anew, those that are NULL too
   const std::string lists = encoded_lists(result.lists, operation_.lists);
-  row_of.clear();
-  if (row) row_of.bind(1, *row);
-  row_of.bind_blob(2, bytes_of(result.key)).bind(3, run).bind(8, result.seconds);
-  std::string first, second;
-  if (plan != nullptr) {
-    const Job& job = plan->jobs[result.job];
-    row_of.bind(4, std::int64_t{result.job}).bind(5, std::int64_t{job.group});
-    first = plan->name(job.first);
-    second = plan->name(job.second);
-    if (job.first != no_curve) row_of.bind(6, std::string_view(first));
-    if (job.second != no_curve) row_of.bind(7, std::string_view(second));
-  }
-  if (result.failed()) row_of.bind(9, std::string_view(result.error));
-  if (!lists.empty()) row_of.bind_blob(10, lists);
-  row_of.bind(11, checksum(result, run, lists));
-  if (!result.failed()) {
-    for (std::size_t k = 0; k < operation_.columns.size(); ++k) {
-      bind_number(row_of, static_cast<int>(first_value + k), operation_.columns[k], result.values[k]);
+  row ? whole.bind(1, *row) : whole.bind_null(1);
+  whole.bind_blob(2, bytes_of(result.key)).bind(3, run);
+  const Labels labels(plan, result.job);
+  labels.bind(whole, 4);
+  whole.bind(8, result.seconds);
+  result.failed() ? whole.bind(9, std::string_view(result.error)) : whole.bind_null(9);
+  lists.empty() ? whole.bind_null(10) : whole.bind_blob(10, lists);
+  whole.bind(11, checksum(result, run, lists));
+  for (std::size_t k = 0; k < operation_.columns.size(); ++k) {
+    const int place = static_cast<int>(first_value + k);
+    if (result.failed()) {
+      whole.bind_null(place);
+    } else {
+      bind_number(whole, place, operation_.columns[k], result.values[k]);
     }
   }
-  row_of.run();
+  whole.run();
   return sqlite3_last_insert_rowid(database_.handle());
 }
 
@@ -148,16 +170,8 @@ bool ResultTable::remove_failure(std::int64_t row) const {
 
 void ResultTable::label(std::int64_t row, const Plan* plan, std::uint32_t job) const {
   Statement change = statement("UPDATE ", " SET job = ?2, \"group\" = ?3, curve1 = ?4, curve2 = ?5 WHERE id = ?1");
-  change.bind(1, row);
-  std::string first, second;
-  if (plan != nullptr) {
-    const Job& planned = plan->jobs[job];
-    change.bind(2, std::int64_t{job}).bind(3, std::int64_t{planned.group});
-    first = plan->name(planned.first);
-    second = plan->name(planned.second);
-    if (planned.first != no_curve) change.bind(4, std::string_view(first));
-    if (planned.second != no_curve) change.bind(5, std::string_view(second));
-  }
+  const Labels labels(plan, job);
+  labels.bind(change.bind(1, row), 2);
   change.run();
 }
 

@@ -29,7 +29,7 @@ ResultWriter::~ResultWriter() {
   }
 }
 
-void ResultWriter::add(Result result) {
+void ResultWriter::add(Result&& result) {
   const std::lock_guard lock(mutex_);
   results_.push_back(std::move(result));
   if (results_.size() == many) wake_.notify_one();
@@ -52,11 +52,12 @@ void ResultWriter::finish() {
 
 void ResultWriter::work() {
   const double start = processor_seconds();
+  std::vector<Result> results;  // `add` fills one, while the other is written
   for (bool last = false; !last;) {
-    std::vector<Result> results;  // freed, like the digests, when nobody waits for the lock
+    results.clear();  // when nobody waits for the lock
     InputDigests digests;
     try {
-      results.reserve(many);           // what `add` fills next
+      results.reserve(many);
     } catch (const std::bad_alloc&) {  // it grows as far as there is memory
     }
     {

@@ -21,7 +21,7 @@ class ResultWriter {
   ResultWriter(const ResultWriter&) = delete;
   ResultWriter& operator=(const ResultWriter&) = delete;
 
-  void add(Result result);
+  void add(Result&& result);
   void add(const std::string& input, const std::string& digest);
   /// Returns when all is committed; throws what went wrong. Nothing may be added afterwards.
   void finish();

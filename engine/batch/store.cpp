@@ -183,8 +183,8 @@ void Store::read_known(std::uint32_t table, bool backwards) {
   tables_[table].each_row(backwards ? 0 : last_rows_[table], backwards, [&](const ResultTable::Row& row) {
     last_rows_[table] = std::max(last_rows_[table], row.id);
     const Known known{row.id, row.job, table, row.failed};
-    const auto [at, is_new] = known_.try_emplace(row.key, known);
-    if (!is_new && at->second.row < row.id) at->second = known;
+    const auto [present, is_new] = known_.try_emplace(row.key, known);
+    if (!is_new && present.row < row.id) present = known;
   });
 }
 
@@ -194,7 +194,7 @@ std::optional<Result> Store::result(const Known& known) const {
 }
 
 void Store::discard(const JobKey& key) {
-  if (const auto at = known_.find(key); at != known_.end()) at->second.damaged = true;
+  if (Known* const known = known_.find(key)) known->damaged = true;
 }
 
 void Store::append(std::span<const Result> results, const InputDigests& digests) {
@@ -214,8 +214,7 @@ std::uint32_t Store::table_of(const Plan& plan, std::uint32_t job) const {
 }
 
 void Store::put(std::uint32_t table, const Result& result, bool shown) {
-  const auto [at, absent] = known_.try_emplace(result.key, Known{0, no_job, table, true});
-  Known& known = at->second;
+  const auto [known, absent] = known_.try_emplace(result.key, Known{0, no_job, table, true});
   const Plan* const plan = shown && result.job != no_job ? &*plan_ : nullptr;
   if (known.damaged) tables_[known.table].remove(known.row);
   const bool is_new = absent || known.damaged;
@@ -265,14 +264,13 @@ void Store::label_rows(const InputDigests& inputs) {
   std::unordered_set<const Known*> labelled;
   for (std::uint32_t job = 0; job < plan_->jobs.size(); ++job) {
     const std::optional<JobKey> key = keys.find(plan_->jobs[job], digests);
-    const auto at = key ? known_.find(*key) : known_.end();
-    if (at == known_.end() || at->second.damaged) continue;
-    Known& known = at->second;
-    if (!labelled.insert(&known).second) {
-      put_repeat(job, known);
-    } else if (plan_is_new_ || known.job != job) {
-      tables_[known.table].label(known.row, &*plan_, job);
-      known.job = job;
+    Known* const known = key ? known_.find(*key) : nullptr;
+    if (known == nullptr || known->damaged) continue;
+    if (!labelled.insert(known).second) {
+      put_repeat(job, *known);
+    } else if (plan_is_new_ || known->job != job) {
+      tables_[known->table].label(known->row, &*plan_, job);
+      known->job = job;
     }
   }
   for (auto& [key, known] : known_) {
@@ -331,7 +329,7 @@ void Store::merge(const Store& other) {
   for (const auto& [key, known] : other.stored()) {
     std::optional<Result> result = other.result(known);
     if (!result) continue;
-    if (const auto mine = known_.find(key); mine != known_.end() && !this->result(mine->second)) discard(key);
+    if (const Known* const mine = known_.find(key); mine != nullptr && !this->result(*mine)) discard(key);
     const auto run = renumbered.find(result->run);
     result->run = run != renumbered.end() ? run->second : 0;
     result->job = known.job < plan_->jobs.size() ? known.job : no_job;

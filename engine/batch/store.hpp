@@ -33,11 +33,11 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "engine/batch/database.hpp"
 #include "engine/batch/job_key.hpp"
+#include "engine/batch/key_map.hpp"
 #include "engine/batch/provenance.hpp"
 #include "engine/batch/result_table.hpp"
 #include "engine/batch/store_file.hpp"
@@ -76,7 +76,7 @@ class Store {
     bool failed;
     bool damaged = false;  ///< to be replaced by anything
   };
-  using StoredResults = std::unordered_map<JobKey, Known, HashOfKey>;
+  using StoredResults = KeyMap<Known>;
   /// All results that are committed, as of the last `refresh` or `append`. Their values were not looked at.
   [[nodiscard]] const StoredResults& stored() const { return known_; }
   void refresh();

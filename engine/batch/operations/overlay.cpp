@@ -17,6 +17,7 @@ Result run(JobCurves curves, const Options& options) {
   const Overlay result = overlay(first.index(), second.index(), how);
 
   Result record;
+  record.values.reserve(31);  // the number of columns
   add_areas(record.values, result.areas);
   add_areas(record.values, result.rounding);
   const Areas unknown{NAN, NAN, NAN, NAN, NAN, NAN, NAN};

@@ -20,7 +20,7 @@ class StoreTest : public ScratchFolder {
     return store;
   }
   static double first_value(const Store& store, int key) {
-    return store.result(store.stored().at(key_of(key)))->values[0];
+    return store.result(*store.stored().find(key_of(key)))->values[0];
   }
   Plan plan_ = plan_of_pairs(20);
 };
@@ -34,9 +34,9 @@ TEST_F(StoreTest, WhatIsAppendedIsThereAfterwards) {
   const Store store = Store::open(path("s"));
   ASSERT_EQ(store.stored().size(), 2U);
   EXPECT_EQ(first_value(store, 1), 1.5);
-  EXPECT_EQ(store.result(store.stored().at(key_of(1)))->seconds, 0.5);
-  EXPECT_TRUE(store.stored().at(key_of(2)).failed);
-  EXPECT_EQ(store.result(store.stored().at(key_of(2)))->error, "two");
+  EXPECT_EQ(store.result(*store.stored().find(key_of(1)))->seconds, 0.5);
+  EXPECT_TRUE(store.stored().find(key_of(2))->failed);
+  EXPECT_EQ(store.result(*store.stored().find(key_of(2)))->error, "two");
   EXPECT_EQ(store.digests().at("curve"), "digest");
   ASSERT_EQ(store.runs().size(), 1U);
   EXPECT_EQ(store.runs()[0].manifest, "text");
@@ -55,7 +55,7 @@ TEST_F(StoreTest, NumbersComeBackBitForBit) {
   given.values[21] = 123456789012;  // a count
   given.lists = {{}, {-0.0, std::nan(""), 1e300, 2}};
   store.append(std::vector{given}, {});
-  const std::optional<Result> found = Store::open(path("s")).result(store.stored().at(given.key));
+  const std::optional<Result> found = Store::open(path("s")).result(*store.stored().find(given.key));
   ASSERT_TRUE(found);
   const auto same = [](double a, double b) {
     return std::isnan(a) ? std::isnan(b) : std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
