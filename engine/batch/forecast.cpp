@@ -64,6 +64,7 @@ std::vector<const CurveSource*> furthest(const Plan& plan) {
     if (!is_new && std::abs(iterates) > std::abs(at->second->recipe->iterates)) at->second = &source;
   }
   std::vector<const CurveSource*> sources;
+  sources.reserve(chosen.size());
   for (const auto& [kind, source] : chosen) sources.push_back(source);
   return sources;
 }
