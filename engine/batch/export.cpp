@@ -10,11 +10,7 @@ template <typename Wanted, typename Found>
 ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted& wanted, const Found& found) {
   ExportCounts counts;
   const InputDigests inputs = store.digests();
-  std::vector<const std::string*> digests;
-  for (const CurveSource& curve : plan.curves) {
-    const auto at = inputs.find(curve.input_name());
-    digests.push_back(at == inputs.end() ? nullptr : &at->second);
-  }
+  const std::vector<const std::string*> digests = digests_by_curve(plan, inputs);
   const JobKeys keys(plan);
   for (std::uint32_t number = 0; number < plan.jobs.size(); ++number) {
     const Job& job = plan.jobs[number];

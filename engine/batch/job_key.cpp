@@ -13,6 +13,15 @@ std::byte nibble(char digit) {
 
 }  // namespace
 
+std::vector<const std::string*> digests_by_curve(const Plan& plan, const InputDigests& inputs) {
+  std::vector<const std::string*> digests;
+  for (const CurveSource& curve : plan.curves) {
+    const auto at = inputs.find(curve.input_name());
+    digests.push_back(at == inputs.end() ? nullptr : &at->second);
+  }
+  return digests;
+}
+
 JobKeys::JobKeys(const Plan& plan) : plan_(plan) {
   for (const JobGroup& group : plan.groups) {
     const std::string text = "lober " + std::string(engine_version()) + '\n' + group.operation->name + ' ' +

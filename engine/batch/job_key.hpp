@@ -2,15 +2,22 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/batch/operation.hpp"
 #include "engine/batch/plan.hpp"
 
 namespace lober {
+
+/// SHA-256 of the content of each input, by CurveSource::input_name.
+using InputDigests = std::map<std::string, std::string>;
+/// Those of the curves of the plan, null where none is known. They point into `inputs`.
+[[nodiscard]] std::vector<const std::string*> digests_by_curve(const Plan& plan, const InputDigests& inputs);
 
 /// SHA-256 of the contents of the inputs, the operation with its revision, the options and the version of the engine.
 /// Two jobs with the same key have the same result, so one of them is enough. Digests are those of the contents, or

@@ -254,11 +254,7 @@ void Store::show(const InputDigests& inputs) {
 }
 
 void Store::label_rows(const InputDigests& inputs) {
-  std::vector<const std::string*> digests;
-  for (const CurveSource& curve : plan_->curves) {
-    const auto at = inputs.find(curve.input_name());
-    digests.push_back(at == inputs.end() ? nullptr : &at->second);
-  }
+  const std::vector<const std::string*> digests = digests_by_curve(*plan_, inputs);
   database_->execute("DELETE FROM repeats");
   const JobKeys keys(*plan_);
   std::unordered_set<const Known*> labelled;

@@ -28,7 +28,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -43,9 +42,6 @@
 #include "engine/batch/store_file.hpp"
 
 namespace lober {
-
-/// Digests by CurveSource::input_name.
-using InputDigests = std::map<std::string, std::string>;
 
 class Store {
  public:

@@ -204,8 +204,8 @@ std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Ori
 
 namespace {
 
-// Where all nodes are points, what the walks of a membership collect at one depends on its rotation only: so many
-// times the gap.
+// Where all nodes are points, what the walks of a membership collect at one depends on its rotation only: a multiple
+// of the gap. Returns the factor.
 int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
   int times = 0;
   for (unsigned bits = arrivals_wanted; bits != 0; bits &= bits - 1) {
