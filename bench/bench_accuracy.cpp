@@ -13,6 +13,7 @@
 #include "engine/base/parallel/parallel.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 constexpr std::array<std::size_t, 10> sizes{125, 250, 500, 1000, 2000, 4000, 8000, 16000, 32000, 64000};

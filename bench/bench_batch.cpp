@@ -32,6 +32,7 @@
 #include "lober/overlay.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 namespace fs = std::filesystem;

@@ -11,7 +11,7 @@
 #include "engine/base/stopwatch.hpp"
 #include "lober/densify.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t given_points = 1'000'000;
@@ -134,6 +134,6 @@ BENCHMARK(passes_near_crossings)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail
 
 BENCHMARK_MAIN();

@@ -11,7 +11,7 @@
 #include "lober/manifolds.hpp"
 #include "lober/systems.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct Scene {
@@ -82,6 +82,6 @@ LOBER_GROWTH(vortex_pair, "ovp", {{"gamma", 0.5}}, {1.45, 0}, Branch::minus, 4, 
 LOBER_GROWTH(vortex_pair_slow, "ovp", {{"gamma", 1.81}}, {1.567, 0}, Branch::minus, 2, 1e-4);
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail
 
 BENCHMARK_MAIN();

@@ -13,7 +13,7 @@
 #include "kernels/box.hpp"
 #include "lober/interior.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t many_points = 1'000'000;
@@ -112,6 +112,6 @@ LOBER_ON_SCENES(labels_by_queries);
 LOBER_ON_SCENES(areas);
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail
 
 BENCHMARK_MAIN();

@@ -13,7 +13,7 @@
 #include "kernels/segment_boxes.hpp"
 #include "kernels/shoelace.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t many_points = 1'000'000;  // 16 MB, beyond the inner caches
@@ -214,6 +214,6 @@ BENCHMARK(shoelace_prefixes_of_leaf);
 BENCHMARK(compare_along_exact);
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail
 
 BENCHMARK_MAIN();

@@ -14,7 +14,7 @@
 #include "engine/geometry/views.hpp"
 #include "lober/tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct ManifoldPair {
@@ -98,6 +98,6 @@ BENCHMARK(two_hundred_lobes)->Unit(benchmark::kMillisecond)->Iterations(15);
 BENCHMARK(thousands_of_lobes)->Unit(benchmark::kMillisecond)->Iterations(15);
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail
 
 BENCHMARK_MAIN();

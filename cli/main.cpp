@@ -72,7 +72,7 @@ understood; 3 two independent routes to one quantity disagree beyond their error
 // A misspelt name would quietly run the best copies.
 void check_instruction_set() {
   const char* const asked = std::getenv("LOBER_ISA");
-  const auto names = instruction_set_names();
+  const auto names = detail::instruction_set_names();
   if (asked == nullptr || std::find(names.begin(), names.end(), asked) != names.end()) return;
   throw UsageError(std::string("LOBER_ISA is ") + asked +
                    ", which is not an instruction set; set it to baseline, avx2 or avx512");
@@ -99,7 +99,7 @@ std::size_t letters_between(std::string_view a, std::string_view b) {
 // file to write.
 std::string command_meant(const std::string& word) {
   std::error_code ignored;
-  if (word.empty() || word.front() == '-' || std::filesystem::exists(file_of_curve(word), ignored)) return {};
+  if (word.empty() || word.front() == '-' || std::filesystem::exists(detail::file_of_curve(word), ignored)) return {};
   constexpr std::array<std::string_view, 9> commands{"overlay",   "interior", "densify", "tangle", "grow",
                                                      "transport", "batch",    "escape",  "systems"};
   for (const std::string_view command : commands) {
@@ -113,7 +113,7 @@ std::string command_meant(const std::string& word) {
 void run(const std::vector<std::string>& arguments) {
   check_instruction_set();
   if (arguments.empty()) throw UsageError("no command is given (see lober --help)");
-  const InputGuard guard;
+  const detail::InputGuard guard;
   const std::string& first = arguments[0];
   if (first == "--help" || first == "-h") {
     print(usage);

@@ -12,7 +12,7 @@
 #include "kernels/inline.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Closed box, stored as (min x, min y, -max x, -max y): uniting boxes is a minimum in all four lanes, and two boxes
 /// a, b meet iff a.lane[k] <= -b.lane[k ^ 2] for every k. Negation is exact, so are all decisions.
@@ -72,4 +72,4 @@ inline bool meet(const BoxQuery& query, const Box& box) {
 #endif
 }
 
-}  // namespace lober
+}  // namespace lober::detail

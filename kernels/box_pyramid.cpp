@@ -5,7 +5,7 @@
 
 #include "kernels/box_pyramid.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                      TreeNode* const* met, std::size_t* met_count);
@@ -27,4 +27,4 @@ SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const Tre
                     : refine_nodes(box, largest, pyramid, list, count, kept, split);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,7 +10,7 @@
 
 #include "kernels/box.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A node: level 0 are the leaves; node k of level l covers leaves [k << l, (k + 1) << l).
 struct TreeNode {
@@ -48,4 +48,4 @@ struct SplitCounts {
 SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                    TreeNode* kept, TreeNode* split);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,9 +3,8 @@
 #include "kernels/box_pyramid.hpp"
 #include "kernels/simd.hpp"
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 inline const Box& box_of(BoxPyramid pyramid, TreeNode node) {
   return pyramid.boxes[pyramid.begin[node.level] + node.index];
@@ -57,3 +56,4 @@ inline SplitCounts refine_nodes(const Box& box, double largest, BoxPyramid pyram
 }
 
 }  // namespace
+}  // namespace lober::detail

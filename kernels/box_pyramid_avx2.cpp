@@ -3,7 +3,7 @@
 
 #include "kernels/box_pyramid.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                      TreeNode* const* met, std::size_t* met_count) {
@@ -15,4 +15,4 @@ SplitCounts refine_avx2(const Box& box, double largest, BoxPyramid pyramid, cons
   return refine_nodes(box, largest, pyramid, list, count, kept, split);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 
 #include "kernels/chebyshev.inl"
 
-namespace lober {
+namespace lober::detail {
 void chebyshev_points_avx2(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                            const double* parameters, std::size_t size, Point* points);
 
@@ -39,4 +39,4 @@ double chebyshev_node(std::size_t k, std::size_t count) {
   return std::cos(std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(count));
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// points[k] = sum over j of coefficients[j] T_j(x_k), x_k = (parameters[k] - centre) / half_width, by Clenshaw's
 /// recurrence. A parameter gives the same bits wherever it stands in the span. Backward stable for |x| <= 1.
@@ -19,4 +19,4 @@ void chebyshev_coefficients(std::span<const Point> points, std::span<Point> coef
 /// cos(pi (k + 1/2) / count): descending from near 1 to near -1.
 [[nodiscard]] double chebyshev_node(std::size_t k, std::size_t count);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -1,8 +1,7 @@
 // Body of chebyshev_points, compiled once for plain x86-64 and once for AVX2 (kernels/inline.hpp).
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 // So many parameters at a time that the chains of additions hide behind each other.
 constexpr std::size_t group = 8;
@@ -33,3 +32,4 @@ inline void evaluate(const Point* coefficients, std::size_t degrees, double cent
 }
 
 }  // namespace
+}  // namespace lober::detail

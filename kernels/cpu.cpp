@@ -4,14 +4,14 @@
 #include <cstddef>
 #include <cstdlib>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::string_view names[] = {"baseline", "avx2", "avx512"};
 
 }  // namespace
 
-std::atomic<signed char> detail::chosen_instruction_set{detail::not_chosen};
+std::atomic<signed char> chosen_instruction_set{not_chosen};
 
 InstructionSet processor_instruction_set() noexcept {
 #if defined(__x86_64__)
@@ -27,7 +27,7 @@ InstructionSet processor_instruction_set() noexcept {
 
 void limit_instruction_set(InstructionSet most) noexcept {
   const InstructionSet chosen = std::min(most, processor_instruction_set());
-  detail::chosen_instruction_set.store(static_cast<signed char>(chosen), std::memory_order_relaxed);
+  chosen_instruction_set.store(static_cast<signed char>(chosen), std::memory_order_relaxed);
 }
 
 std::span<const std::string_view> instruction_set_names() noexcept {
@@ -35,11 +35,11 @@ std::span<const std::string_view> instruction_set_names() noexcept {
 }
 
 // Several threads may choose at once; all choose the same.
-signed char detail::choose_instruction_set() noexcept {
+signed char choose_instruction_set() noexcept {
   const char* const asked = std::getenv("LOBER_ISA");
   const auto* const found = std::find(std::begin(names), std::end(names), asked != nullptr ? asked : "");
   limit_instruction_set(found != std::end(names) ? static_cast<InstructionSet>(found - names) : InstructionSet::avx512);
   return chosen_instruction_set.load(std::memory_order_relaxed);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

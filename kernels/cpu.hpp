@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace lober {
+namespace lober::detail {
 
 /// Each holds the ones before it.
 enum class InstructionSet : signed char {
@@ -18,16 +18,14 @@ enum class InstructionSet : signed char {
   avx512,    ///< and AVX-512 with 256-bit vectors too, whose compares into mask registers save instructions
 };
 
-namespace detail {
 inline constexpr signed char not_chosen = -1;
 extern std::atomic<signed char> chosen_instruction_set;
 signed char choose_instruction_set() noexcept;
-}  // namespace detail
 
 /// What the kernels run with. The first call reads LOBER_ISA; a name that is unknown counts as none. O(1).
 [[nodiscard]] inline InstructionSet instruction_set() noexcept {
-  const signed char chosen = detail::chosen_instruction_set.load(std::memory_order_relaxed);
-  return static_cast<InstructionSet>(chosen != detail::not_chosen ? chosen : detail::choose_instruction_set());
+  const signed char chosen = chosen_instruction_set.load(std::memory_order_relaxed);
+  return static_cast<InstructionSet>(chosen != not_chosen ? chosen : choose_instruction_set());
 }
 
 /// Runs the kernels with no more than `most` from now on, and never with more than the processor has, whatever
@@ -49,4 +47,4 @@ void limit_instruction_set(InstructionSet most) noexcept;
   return instruction_set() >= InstructionSet::avx512;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

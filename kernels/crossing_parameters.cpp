@@ -8,7 +8,7 @@
 
 #include "kernels/crossing_parameters.inl"
 
-namespace lober {
+namespace lober::detail {
 
 unsigned four_parameters_avx2(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
 
@@ -39,4 +39,4 @@ std::size_t crossing_parameters(const SegmentCrossing* crossings, std::size_t co
   return exact;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

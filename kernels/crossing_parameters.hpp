@@ -6,7 +6,7 @@
 #include "kernels/double_double.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Segments a -> b and c -> d that cross properly.
 struct SegmentCrossing {
@@ -27,4 +27,4 @@ std::size_t crossing_parameters(const SegmentCrossing* crossings, std::size_t co
 /// Two parameters on one segment that differ by less may be in either order: ask compare_along.
 inline constexpr double parameter_uncertainty = 0x1p-60;
 
-}  // namespace lober
+}  // namespace lober::detail

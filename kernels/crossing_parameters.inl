@@ -1,8 +1,7 @@
 // Body of crossing_parameters, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 // Four crossings; bit k of the result is set when lane k is too shallow for double-double.
 //
@@ -46,3 +45,4 @@ inline unsigned four_parameters(const SegmentCrossing* crossings, double scale, 
 }
 
 }  // namespace
+}  // namespace lober::detail

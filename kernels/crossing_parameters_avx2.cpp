@@ -3,10 +3,10 @@
 
 #include "kernels/crossing_parameters.inl"
 
-namespace lober {
+namespace lober::detail {
 
 unsigned four_parameters_avx2(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters) {
   return four_parameters(crossings, scale, parameters);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,7 +12,7 @@
 
 #include "kernels/simd.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// hi + lo with |lo| <= ulp(hi) / 2 after every operation below.
 template <typename T>
@@ -100,4 +100,4 @@ LOBER_INLINE BasicDD<T> cross(BasicDD<T> ux, BasicDD<T> uy, BasicDD<T> vx, Basic
   return ux * vy - uy * vx;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

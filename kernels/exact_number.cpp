@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 
 __extension__ typedef unsigned __int128 Wide;
 
@@ -132,4 +132,4 @@ DD exact_ratio(const ExactNumber& a, const ExactNumber& b) {
   return {std::ldexp(quotient.hi, exponent), std::ldexp(quotient.lo, exponent)};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,7 +10,7 @@
 
 #include "kernels/double_double.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Value = sign * sum digit[k] 2^(64 (k + exponent)). Holds any polynomial of degree 4 in differences of doubles: a
 /// difference spans at most 2099 bits, a product of four 8396, hence 132 words, and a few for carries and alignment.
@@ -57,4 +57,4 @@ inline ExactNumber exact_difference(double a, double b) {
 /// a / b in double-double, relative error at most 2^-98. b must not be zero; the quotient must be in double range.
 [[nodiscard]] DD exact_ratio(const ExactNumber& a, const ExactNumber& b);
 
-}  // namespace lober
+}  // namespace lober::detail

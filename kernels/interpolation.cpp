@@ -8,7 +8,7 @@
 
 #include "kernels/interpolation.inl"
 
-namespace lober {
+namespace lober::detail {
 double curvature(Point a, Point b, Point c) {
   const Point e = b - a, f = c - b, g = c - a;
   const double denominator = std::sqrt(dot(e, e) * dot(f, f)) * std::sqrt(dot(g, g));
@@ -38,4 +38,4 @@ double turning_angle_bound(Point a, Point b, Point c) {
   return cosine > 0 ? sine / cosine : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct CubicPiece {
   Point a;      ///< x(0)
@@ -86,4 +86,4 @@ struct PieceBounds {
 /// An upper bound of it that costs a division only: its tangent up to a right angle, infinity beyond.
 [[nodiscard]] double turning_angle_bound(Point a, Point b, Point c);
 
-}  // namespace lober
+}  // namespace lober::detail

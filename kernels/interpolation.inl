@@ -1,6 +1,6 @@
 // Points of a cubic piece, two at a time: (x, y, x, y). See kernels/simd.hpp for the copies.
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 LOBER_INLINE void subdivide_with(const CubicPiece& piece, std::uint32_t parts, std::uint32_t first, std::uint32_t last,
@@ -18,4 +18,4 @@ LOBER_INLINE void subdivide_with(const CubicPiece& piece, std::uint32_t parts, s
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

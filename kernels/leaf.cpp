@@ -5,7 +5,7 @@
 
 #include "kernels/leaf.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void summarise_leaves_avx2(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
                            std::uint8_t* flags);
@@ -23,4 +23,4 @@ void summarise_leaves(const Point* points, std::size_t first, std::size_t count,
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

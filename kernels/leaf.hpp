@@ -8,7 +8,7 @@
 #include "kernels/double_double.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Segments per leaf of the box tree.
 inline constexpr std::size_t leaf_size = 32;
@@ -33,4 +33,4 @@ enum MonotoneFlags : std::uint8_t {
 void summarise_leaves(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
                       std::uint8_t* flags);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,9 +3,8 @@
 #include "kernels/shoelace.hpp"
 #include "kernels/shoelace.inl"
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 // All differences of two numbers in [low, high] are exact when they have one sign and high <= 2 low (Sterbenz 1974).
 inline bool differences_exact(double low, double high) {
@@ -84,3 +83,4 @@ inline void summarise(const Point* points, std::size_t first, std::size_t count,
 }
 
 }  // namespace
+}  // namespace lober::detail

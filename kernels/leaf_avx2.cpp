@@ -3,11 +3,11 @@
 
 #include "kernels/leaf.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void summarise_leaves_avx2(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
                            std::uint8_t* flags) {
   summarise(points, first, count, boxes, sums, flags);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

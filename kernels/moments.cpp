@@ -5,7 +5,7 @@
 
 #include "kernels/moments.inl"
 
-namespace lober {
+namespace lober::detail {
 
 Moments moments_of_quarters_avx2(const Point* points, std::size_t quarter, Point origin, double factor);
 
@@ -29,4 +29,4 @@ Moments moments_along(const Point* points, std::size_t count, Point origin, doub
   return sum;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

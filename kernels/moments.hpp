@@ -6,7 +6,7 @@
 #include "kernels/double_double.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Sums over segments a -> b of c = cross(a - o, b - o), and of c (a - o + b - o). For a closed polygon `area` is twice
 /// its signed area, and o + x / (3 area), o + y / (3 area) is its centroid.
@@ -28,4 +28,4 @@ struct Moments {
 /// that it is made of, each sum to 2^-104 of its largest partial sum. About 5 ns a segment with AVX2.
 [[nodiscard]] Moments moments_along(const Point* points, std::size_t count, Point origin, double factor);
 
-}  // namespace lober
+}  // namespace lober::detail

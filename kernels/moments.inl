@@ -1,8 +1,7 @@
 // Body of moments_along, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 struct LaneSum {
   Lanes high = splat(0), low = splat(0);
@@ -49,3 +48,4 @@ inline Moments moments_of_quarters(const Point* points, std::size_t quarter, Poi
 }
 
 }  // namespace
+}  // namespace lober::detail

@@ -3,10 +3,10 @@
 
 #include "kernels/moments.inl"
 
-namespace lober {
+namespace lober::detail {
 
 Moments moments_of_quarters_avx2(const Point* points, std::size_t quarter, Point origin, double factor) {
   return moments_of_quarters(points, quarter, origin, factor);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "kernels/pair_filter.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void filter_pairs_avx2(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
                        PairVerdict* verdicts);
@@ -20,4 +20,4 @@ void filter_pairs(SegmentSource first, SegmentSource second, const SegmentPair* 
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

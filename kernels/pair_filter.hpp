@@ -7,7 +7,7 @@
 #include "kernels/point.hpp"
 #include "kernels/segment_boxes.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 enum class PairVerdict : std::uint8_t {
   apart,            ///< the segments have no common point
@@ -28,4 +28,4 @@ struct SegmentSource {
 void filter_pairs(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
                   PairVerdict* verdicts);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -2,9 +2,8 @@
 
 #include "kernels/predicates.hpp"
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 // Lanes of orient2d: which are certainly positive and which certainly negative.
 struct Signs {
@@ -64,3 +63,4 @@ inline void filter(SegmentSource first, SegmentSource second, const SegmentPair*
 }
 
 }  // namespace
+}  // namespace lober::detail

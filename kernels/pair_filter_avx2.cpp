@@ -4,11 +4,11 @@
 
 #include "kernels/pair_filter.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void filter_pairs_avx2(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
                        PairVerdict* verdicts) {
   filter(first, second, pairs, count, verdicts);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include "kernels/inline.hpp"
 #include "lober/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 [[nodiscard]] LOBER_INLINE constexpr Point operator+(Point a, Point b) {
   return {a.x + b.x, a.y + b.y};
@@ -32,4 +32,4 @@ namespace lober {
   return std::sqrt(x * x + y * y);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

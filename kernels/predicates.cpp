@@ -2,7 +2,7 @@
 
 #include "kernels/exact_number.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // |u v| for u = b - a, v = d - c.
@@ -77,4 +77,4 @@ DD exact_parameter(Point a, Point b, const ImplicitPoint& p) {
   return exact_ratio(ratio.above, ratio.below);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

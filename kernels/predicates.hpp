@@ -10,7 +10,7 @@
 #include "kernels/point.hpp"
 #include "lober/counts.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Forward error of the filter of orient2d, relative to |left| + |right|. With u = 2^-53: each difference has relative
 /// error u, each product one more, the final subtraction one more, so |error| <= (3 u + O(u^2)) (|left| + |right|); the
@@ -64,4 +64,4 @@ int compare_along(Point a, Point b, const ImplicitPoint& p, const ImplicitPoint&
 /// Parameter t of an implicit point on a -> b (point = a + t (b - a)), relative error at most 2^-96.
 [[nodiscard]] DD exact_parameter(Point a, Point b, const ImplicitPoint& p);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Tangent at the vertex between two segments, per unit of a parameter in which segment `mine` has length 1.
@@ -72,4 +72,4 @@ void twice_chord_areas(const Point* points, std::size_t count, double* areas) {
   for (std::size_t k = 0; k < count; k += at_once) areas_of_few(points + k, std::min(at_once, count - k), areas + k);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

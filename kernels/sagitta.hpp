@@ -5,7 +5,7 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Twice the signed area between the segment p1 -> p2 and a cubic through both with the tangents of the parabolas
 /// (chordal parameter) through p0 p1 p2 and p1 p2 p3; positive when the curve bends to the right of the segment, i.e.
@@ -24,4 +24,4 @@ void twice_chord_areas(const Point* points, std::size_t count, double* areas);
   return t * t * (3 - 2 * t);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

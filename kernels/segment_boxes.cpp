@@ -8,7 +8,7 @@
 
 #include "kernels/segment_boxes.inl"
 
-namespace lober {
+namespace lober::detail {
 
 static_assert(leaf_size == 32, "a leaf's segments are the bits of a 32-bit word");
 
@@ -32,4 +32,4 @@ std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const
                     : find_meeting(a, a_begin, b, b_box, b_begin, pairs);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "kernels/leaf.hpp"
 #include "lober/segment_pair.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once, the same of each
 /// group of four segments, and a slab that holds the leaf.
@@ -39,4 +39,4 @@ void segment_boxes(const Point* points, SegmentBoxes& boxes);
 std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
                              std::uint32_t b_begin, SegmentPair* pairs);
 
-}  // namespace lober
+}  // namespace lober::detail

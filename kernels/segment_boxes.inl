@@ -1,8 +1,7 @@
 // Body of segment_boxes and meeting_segments, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 inline void boxes_of(const Point* points, SegmentBoxes& boxes) {
   const double* coordinates = &points[0].x;
@@ -146,3 +145,4 @@ inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, co
 }
 
 }  // namespace
+}  // namespace lober::detail

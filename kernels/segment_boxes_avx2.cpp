@@ -6,7 +6,7 @@
 
 #include "kernels/segment_boxes.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) {
   boxes_of(points, boxes);
@@ -19,4 +19,4 @@ std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, 
   return find_meeting(a, a_begin, b, b_box, b_begin, pairs);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

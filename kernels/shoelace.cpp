@@ -5,7 +5,7 @@
 
 #include "kernels/shoelace.inl"
 
-namespace lober {
+namespace lober::detail {
 
 DD shoelace_prefixes_avx2(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
 
@@ -21,4 +21,4 @@ void sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const 
   has_avx2() ? sums_at_avx2(prefixes, segments, t, count, sums) : all_sums_at(prefixes, segments, t, count, sums);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "kernels/leaf.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// cross(a - origin, b - origin), twice the signed area of the triangle, error below 2^-102 times |a - origin| |b -
 /// origin|.
@@ -59,4 +59,4 @@ class RunningSum {
   double low_ = 0;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

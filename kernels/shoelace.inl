@@ -1,8 +1,7 @@
 // Bodies of shoelace_prefixes and sums_at, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 // cross(a - o, b - o) = cross(a - o, b - a), where b - a is short and, mostly, exact in double.
 inline BasicDD<Lanes> terms_of(Lanes ax, Lanes ay, Lanes bx, Lanes by, Lanes x, Lanes y) {
@@ -94,3 +93,4 @@ inline void all_sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segme
 }
 
 }  // namespace
+}  // namespace lober::detail

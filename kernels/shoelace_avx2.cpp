@@ -3,7 +3,7 @@
 
 #include "kernels/shoelace.inl"
 
-namespace lober {
+namespace lober::detail {
 
 DD shoelace_prefixes_avx2(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes) {
   return prefixes_of(points, origin, start, extra, prefixes);
@@ -14,4 +14,4 @@ void sums_at_avx2(const LeafPrefixes& prefixes, const std::uint32_t* segments, c
   all_sums_at(prefixes, segments, t, count, sums);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -15,7 +15,7 @@
 
 #include "kernels/inline.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 using Lanes = double __attribute__((vector_size(32)));
 using LaneMask = std::int64_t __attribute__((vector_size(32)));
@@ -83,7 +83,6 @@ LOBER_INLINE unsigned mask_bits(LaneMask mask) {
 #endif
 }
 
-namespace detail {
 // Dekker 1971 / Veltkamp: the error of a product without FMA. Exact unless |a| or |b| > 2^996 or the error underflows.
 template <typename T>
 LOBER_INLINE T dekker_product_error(T a, T b, T product) {
@@ -95,22 +94,21 @@ LOBER_INLINE T dekker_product_error(T a, T b, T product) {
   const T b_low = b - b_high;
   return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
-}  // namespace detail
 
 /// a * b - product, exactly, where product = fl(a * b).
 LOBER_INLINE double product_error(double a, double b, double product) {
 #ifdef __FMA__
   return __builtin_fma(a, b, -product);
 #else
-  return detail::dekker_product_error(a, b, product);
+  return dekker_product_error(a, b, product);
 #endif
 }
 LOBER_INLINE Lanes product_error(Lanes a, Lanes b, Lanes product) {
 #ifdef __FMA__
   return _mm256_fmsub_pd(a, b, product);
 #else
-  return detail::dekker_product_error(a, b, product);
+  return dekker_product_error(a, b, product);
 #endif
 }
 
-}  // namespace lober
+}  // namespace lober::detail

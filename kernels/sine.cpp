@@ -6,7 +6,7 @@
 
 #include "kernels/sine.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void add_sines_avx2(double* y, const double* x, double factor, std::size_t count);
 
@@ -15,4 +15,4 @@ void add_sines(double* y, const double* x, double factor, std::size_t count) {
   add(y, x, factor, count);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr double cosine_of_corner = 0.70710678118654757, cosine_of_stray = 0.34202014332566873;
@@ -147,4 +147,4 @@ SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p) {
   return segment;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A piece of smooth curve from vertex a to the next one: a + u e + f(u) e', 0 <= u <= 1, where e is the segment, e' is
 /// e turned by +90 degrees, and f is a polynomial with f(0) = f(1) = 0. Zero for a segment that stays straight.
@@ -44,4 +44,4 @@ struct SmoothSegment {
 /// none at corners. Plain double; 200 operations.
 [[nodiscard]] SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace lober {
+namespace lober::detail {
 
 /// The finaliser of splitmix64 (Steele, Lea & Flood 2014).
 [[nodiscard]] inline std::uint64_t mixed(std::uint64_t x) {
@@ -18,4 +18,4 @@ namespace lober {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 
 #include "kernels/turning.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void turns_along_avx2(const Point* points, std::size_t segments, double* lengths, double* curvatures);
 void parts_needed_avx2(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked,
@@ -27,4 +27,4 @@ void parts_needed(const double* lengths, const double* curvatures, std::size_t c
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The lengths of `segments` segments in a row, which have segments + 1 points, and the curvatures at the vertices
 /// between them, curvatures[k] at points[k + 1]: of the smooth curve through three points, the turning over the mean
@@ -25,4 +25,4 @@ struct PartsAsked {
 /// is no number.
 void parts_needed(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -1,8 +1,7 @@
 // Body of turns_along and parts_needed, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
 
+namespace lober::detail {
 namespace {
-
-using namespace lober;
 
 constexpr std::size_t turns_at_once = 256;
 
@@ -43,3 +42,4 @@ inline void parts(const double* lengths, const double* curvatures, std::size_t c
 }
 
 }  // namespace
+}  // namespace lober::detail

@@ -2,7 +2,7 @@
 
 #include "kernels/turning.inl"
 
-namespace lober {
+namespace lober::detail {
 
 void turns_along_avx2(const Point* points, std::size_t segments, double* lengths, double* curvatures) {
   turns(points, segments, lengths, curvatures);
@@ -13,4 +13,4 @@ void parts_needed_avx2(const double* lengths, const double* curvatures, std::siz
   parts(lengths, curvatures, count, asked, needed);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

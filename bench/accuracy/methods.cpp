@@ -11,6 +11,7 @@
 #include "lober/smooth.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 double by_overlay(const Scene& scene) {

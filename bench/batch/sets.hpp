@@ -9,6 +9,7 @@
 #include "kernels/point.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 
 struct CurveSet {
   std::string name;

@@ -19,6 +19,7 @@
 #include "engine/base/stopwatch.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 struct ChildOutcome {

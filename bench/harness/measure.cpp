@@ -6,6 +6,7 @@
 #include "engine/geometry/views.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 // Runs `job` once to warm caches and threads, then at least `repeat` times; short jobs until a second has

@@ -10,6 +10,7 @@
 #include "lober/overlay.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 
 /// Medians are over at least `repeat` runs; short jobs run until a second has passed, at most 100 times. A
 /// first run, which warms caches and threads, does not count.

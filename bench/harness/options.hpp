@@ -10,6 +10,7 @@
 #include "engine/geometry/index/index.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 
 enum class RivalChoice { none, fast, all };
 

@@ -9,6 +9,7 @@
 #include "engine/base/stopwatch.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 namespace bg = boost::geometry;

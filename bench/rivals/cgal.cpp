@@ -13,6 +13,7 @@
 #include "engine/base/stopwatch.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;

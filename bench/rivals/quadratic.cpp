@@ -15,6 +15,7 @@
 #include "engine/base/stopwatch.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 struct Meeting {

@@ -14,6 +14,7 @@
 #include "kernels/point.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 
 struct RivalResult {
   bool ran = false;

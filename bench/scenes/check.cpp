@@ -14,6 +14,7 @@
 #include "kernels/predicates.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 struct Edge {

@@ -16,6 +16,7 @@
 #include "kernels/point.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 
 using Polygon = std::vector<Point>;
 

@@ -11,6 +11,7 @@
 #include "kernels/box.hpp"
 
 namespace lober::bench {
+using namespace lober::detail;
 namespace {
 
 class ShearChain {

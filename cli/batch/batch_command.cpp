@@ -30,7 +30,7 @@ void run_manifest(const Arguments& arguments) {
     const std::vector<Output> outputs{{"--json", request->json}};
     check_outputs(outputs, std::vector{request->manifest, request->store});
   }
-  const Manifest manifest = read_manifest(request->manifest);
+  const detail::Manifest manifest = detail::read_manifest(request->manifest);
   BatchReport report;
   run_with_threads(request->threads, [&] {
     BatchProgress line;
@@ -62,18 +62,18 @@ void check_manifest(const Arguments& arguments) {
   parser.add("MANIFEST", path, "The manifest, a TOML file that names the operation and the curves.").required();
   const Option memory_given = add_memory_budget(parser, memory);
   if (!parser.parse(arguments)) return;
-  const std::size_t room = memory_given.given() ? memory : machine_memory() / 2;
-  const Plan plan = make_plan(read_manifest(path));
-  const Estimate sum = estimate(plan, path);
+  const std::size_t room = memory_given.given() ? memory : detail::machine_memory() / 2;
+  const detail::Plan plan = detail::make_plan(detail::read_manifest(path));
+  const detail::Estimate sum = estimate(plan, path);
   std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
                                  counted(sum.curves, "curve", "curves"), counted(sum.files, "file", "files"));
   if (sum.computed > 0)
     text += fmt::format("{} by computation, whose points are a guess\n",
                         counted(sum.computed, "curve or family", "curves or families"));
   std::vector<std::size_t> jobs(plan.groups.size());
-  for (const Job& job : plan.jobs) ++jobs[job.group];
+  for (const detail::Job& job : plan.jobs) ++jobs[job.group];
   for (std::size_t k = 0; k < plan.groups.size(); ++k) {
-    const JobGroup& group = plan.groups[k];
+    const detail::JobGroup& group = plan.groups[k];
     text += fmt::format("  {:>9}  {}{}  {}\n", jobs[k], group.name.empty() ? "" : group.name + ": ",
                         group.operation->name, group.options.to_string());
   }
@@ -83,7 +83,7 @@ void check_manifest(const Arguments& arguments) {
   text += fmt::format("about {:.2g} s on one core if curves cross a few times; dense tangles take longer\n",
                       sum.core_seconds);
   print(text);
-  warn_of(forecast_shortage(plan, path, room));
+  warn_of(detail::forecast_shortage(plan, path, room));
 }
 
 void show_status(const Arguments& arguments) {
@@ -93,10 +93,10 @@ void show_status(const Arguments& arguments) {
       "lober batch status");
   parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
   if (!parser.parse(arguments)) return;
-  const Store store = Store::open(path);
-  const StoreSurvey found = survey(store);
+  const detail::Store store = detail::Store::open(path);
+  const detail::StoreSurvey found = survey(store);
   std::string text = how_far(found.counts);
-  for (const Store::Run& run : store.runs()) {
+  for (const detail::Store::Run& run : store.runs()) {
     text += fmt::format("run {}: {} to {} {}, lober {} ({}), {}, {} ({}), shard {}\n", run.id, run.started,
                         run.ended.empty() ? "?" : run.ended, run.how.empty() ? "broken off" : run.how, run.version,
                         run.commit, run.host, run.compiler, run.flags, run.shard);
@@ -126,7 +126,7 @@ void export_store(const Arguments& arguments) {
   const std::string by_name = !format.empty() ? "." + format : output == "-" ? ".csv" : output;
   const std::optional<std::string> only = operation.empty() ? std::nullopt : std::optional(operation);
   const ExportFormat kind = export_format(by_name);
-  const Store store = Store::open(path);
+  const detail::Store store = detail::Store::open(path);
   const ExportCounts counts = export_results(store, output, kind, only);
   if (output != "-") {
     print(fmt::format("{} done, {} failed, {} not there yet\n", counts.done, counts.failed, counts.missing));
@@ -141,9 +141,9 @@ void merge_stores(const Arguments& arguments) {
   parser.add("TARGET", target, "The store that takes the results, which is created if it does not exist.").required();
   parser.add("STORES", sources, "The stores whose results are copied.").required();
   if (!parser.parse(arguments)) return;
-  Store store = Store::create(target);
+  detail::Store store = detail::Store::create(target);
   for (const std::string& source : sources) {
-    const Store other = Store::open(source);
+    const detail::Store other = detail::Store::open(source);
     store.merge(other);
     warn_of(survey(other).counts.damaged);
   }

@@ -191,7 +191,7 @@ void compute(const Request& request, DensifyReport& report, Progress& progress) 
 }
 
 void run(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   std::vector<Output> outputs{{"-o", request.output}};
   if (!request.against_output.empty()) outputs.push_back({"--against-output", request.against_output});
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
@@ -201,15 +201,15 @@ void run(const Request& request) {
   {
     Progress progress;
     progress.phase("reading", 0, 0.3);
-    const Stopwatch read_watch;
+    const detail::Stopwatch read_watch;
     report.inputs.push_back(read_curve(request.curves[0], !request.open));
     if (request.curves.size() == 2) report.inputs.push_back(read_curve(request.curves[1], !request.open_against));
     report.timing.read = read_watch.seconds();
-    const Stopwatch densify_watch;
+    const detail::Stopwatch densify_watch;
     compute(request, report, progress);
     report.timing.densify = densify_watch.seconds();
     progress.phase("writing", 0.8, 1);
-    const Stopwatch write_watch;
+    const detail::Stopwatch write_watch;
     write_points(request.output, report.result.points);
     if (!request.against_output.empty()) write_points(request.against_output, report.against->points);
     report.timing.write = write_watch.seconds();

@@ -42,7 +42,7 @@ Json diagnostic_counts_json(const DensifyReport& report) {
   return counts;
 }
 
-void write_diagnostics(OutputFile& file, const DensifyReport& report) {
+void write_diagnostics(detail::OutputFile& file, const DensifyReport& report) {
   std::string text;
   append_all(text, "\"diagnostics\": {\"counts\":", dumped(diagnostic_counts_json(report)), ",\"list\":[");
   for (std::size_t k = 0; k < report.diagnostics.size(); ++k) {

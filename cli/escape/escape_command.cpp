@@ -253,7 +253,7 @@ void compute(const Request& request, bool print_at_once, EscapeReport& report, P
       });
     };
   }
-  const Stopwatch escape_watch;
+  const detail::Stopwatch escape_watch;
   if (options.crossings > 0) {
     report.result = escape(*system.flow, section, energy, saddles, options);
   } else {
@@ -266,7 +266,7 @@ void compute(const Request& request, bool print_at_once, EscapeReport& report, P
   if (request.trajectories == 0 || report.result.stop == EscapeStop::cancelled) return;
 
   progress.phase("Monte Carlo", 0.5, 0.95);
-  const Stopwatch check_watch;
+  const detail::Stopwatch check_watch;
   report.check_options.trajectories = request.trajectories;
   report.check_options.seed = request.seed;
   MonteCarloOptions check = report.check_options;
@@ -281,7 +281,7 @@ void compute(const Request& request, bool print_at_once, EscapeReport& report, P
 }
 
 void run(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});

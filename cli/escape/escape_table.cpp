@@ -96,9 +96,9 @@ std::string escape_summary(const EscapeReport& report) {
 
 std::string stop_text(const EscapeReport& report) {
   const Escape& result = report.result;
-  const std::string how_far = result.crossings == 0
-                                  ? fmt::format("no n of {}", report.options.crossings)
-                                  : fmt::format("n = 1..{} of {}", result.crossings, report.options.crossings);
+  std::string how_far = result.crossings == 0
+                            ? fmt::format("no n of {}", report.options.crossings)
+                            : fmt::format("n = 1..{} of {}", result.crossings, report.options.crossings);
   switch (result.stop) {
     case EscapeStop::done:
       return how_far;

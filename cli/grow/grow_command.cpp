@@ -129,8 +129,8 @@ class GrowthFraction {
 
  private:
   const GrowthOptions& options_;
-  GrowthForecast cost_;  // images of points, iterate by iterate
-  double begin_ = 0;     // of the present iterate
+  detail::GrowthForecast cost_;  // images of points, iterate by iterate
+  double begin_ = 0;             // of the present iterate
   int iterates_ = 0;
 };
 
@@ -172,7 +172,7 @@ Branch branch_of(const Request& request, const System& system, const LocalManifo
 }
 
 void run(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   std::vector<Output> outputs;
   if (!request.output.empty()) outputs.push_back({"-o", request.output});
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
@@ -187,14 +187,14 @@ void run(const Request& request) {
   {
     Progress progress;
     progress.phase("local manifold", 0, 0.1);
-    const Stopwatch local_watch;
+    const detail::Stopwatch local_watch;
     LocalManifoldOptions local;
     local.period = request.period;
     report.local = local_manifold(*report.system.map, saddle_of(request, report.system), manifold_side(request), local);
     report.branch = branch_of(request, report.system, report.local);
     report.timing.local = local_watch.seconds();
     progress.phase("growing", 0.1, 0.9);
-    const Stopwatch growth_watch;
+    const detail::Stopwatch growth_watch;
     GrowthFraction fraction(request.growth);
     report.options.progress = [&](const GrowthProgress& at) {
       progress.count(static_cast<double>(at.points), "points");
@@ -208,7 +208,7 @@ void run(const Request& request) {
     } else {
       progress.phase("writing", 0.9, 1);
     }
-    const Stopwatch write_watch;
+    const detail::Stopwatch write_watch;
     if (!request.output.empty()) write_points(request.output, report.manifold.points);
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) write_grow_json(request.json, report, [&] { return watch.seconds(); });

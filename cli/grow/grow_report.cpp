@@ -67,7 +67,7 @@ Json result_json(const GrownManifold& manifold) {
           {"images", manifold.images}};
 }
 
-void write_diagnostics(OutputFile& file, const GrownManifold& manifold) {
+void write_diagnostics(detail::OutputFile& file, const GrownManifold& manifold) {
   Json counts = Json::object();
   for (const GrowthDiagnosticCause cause : causes) {
     if (const std::size_t count = with_diagnostic(manifold, cause)) counts[std::string(name(cause))] = count;

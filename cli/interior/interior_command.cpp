@@ -62,7 +62,7 @@ InteriorReport compute(const Request& request, Progress& progress) {
   InteriorReport report;
   report.options = request.options;
   progress.phase("reading", 0, 0.25);
-  const Stopwatch read_watch;
+  const detail::Stopwatch read_watch;
   for (std::size_t k = 0; k < 2; ++k) {
     report.inputs[k] = read_curve(request.curves[k], true);
     progress.advance(0.5 * static_cast<double>(k + 1));
@@ -72,7 +72,7 @@ InteriorReport compute(const Request& request, Progress& progress) {
   progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
               "points");
   progress.phase("interior", 0.25, 0.95);
-  const Stopwatch index_watch;
+  const detail::Stopwatch index_watch;
   const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
   report.index_seconds = index_watch.seconds();
   InteriorOptions options = request.options;
@@ -85,7 +85,7 @@ InteriorReport compute(const Request& request, Progress& progress) {
     throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
   }
   if (request.verify) {
-    const Stopwatch verify_watch;
+    const detail::Stopwatch verify_watch;
     OverlayOptions areas_only;
     areas_only.pieces = areas_only.check_simple = false;
     const Overlay other = overlay(c1, c2, areas_only);
@@ -103,7 +103,7 @@ InteriorReport compute(const Request& request, Progress& progress) {
 }
 
 void run(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   check_outputs(outputs, request.curves);

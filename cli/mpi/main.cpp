@@ -36,19 +36,19 @@ int fair_threads() {
 }
 
 void run_coordinator(const BatchRequest& request, SharedWork& work, int ranks) {
-  const Stopwatch watch;
-  Manifest manifest;
+  const detail::Stopwatch watch;
+  detail::Manifest manifest;
   std::string plan;
   try {
-    manifest = read_manifest(request.manifest);
-    work.plan = make_plan(manifest);
+    manifest = detail::read_manifest(request.manifest);
+    work.plan = detail::make_plan(manifest);
     plan = work.plan.encoded();
   } catch (...) {
     broadcast(plan);  // nothing: the others leave
     throw;
   }
   std::atomic<bool> broken = false;
-  std::optional<StoreSession> opened;
+  std::optional<detail::StoreSession> opened;
   try {
     opened.emplace(request.store, work.plan, manifest, request.shard, work.queue.threads * ranks,
                    [&] { broken = true; });
@@ -56,7 +56,7 @@ void run_coordinator(const BatchRequest& request, SharedWork& work, int ranks) {
     broadcast(plan = "");
     throw;
   }
-  StoreSession& session = *opened;
+  detail::StoreSession& session = *opened;
   broadcast(plan);
   watch_for_interrupt();
   BatchReport report;

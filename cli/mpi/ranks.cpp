@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::size_t max_bytes = std::size_t{32} << 20;  // of results that wait to be sent
 
-std::vector<std::uint32_t> all_jobs(const Plan& plan) {
+std::vector<std::uint32_t> all_jobs(const detail::Plan& plan) {
   std::vector<std::uint32_t> jobs(plan.jobs.size());
   std::iota(jobs.begin(), jobs.end(), 0U);
   return jobs;
 }
 
-std::size_t size_of(const Result& result) {
+std::size_t size_of(const detail::Result& result) {
   std::size_t numbers = result.values.size();
   for (const std::vector<double>& list : result.lists) numbers += list.size();
   return sizeof(double) * numbers + result.error.size();
@@ -31,7 +31,7 @@ std::size_t size_of(const Result& result) {
 
 class Coordinator {
  public:
-  Coordinator(const SharedWork& work, StoreSession& session, int ranks, const std::atomic<bool>& broken)
+  Coordinator(const SharedWork& work, detail::StoreSession& session, int ranks, const std::atomic<bool>& broken)
       : session_(session),
         broken_(broken),
         queue_(work.plan, work.manifest_path, session.pending(), static_cast<std::size_t>(ranks)),
@@ -40,9 +40,9 @@ class Coordinator {
         runner_(work.plan, work.manifest_path, session.pending(), work.queue) {}
 
   BatchReport run(const std::function<bool(const QueueProgress&)>& progress) {
-    const Stopwatch watch;
+    const detail::Stopwatch watch;
     own_ = std::thread([this] { compute(); });
-    ProgressTimer timer([&] {
+    detail::ProgressTimer timer([&] {
       try {
         if (progress && !progress(progress_so_far())) stop();
       } catch (...) {
@@ -80,7 +80,7 @@ class Coordinator {
         give_jobs(message.rank);
         break;
       case Tag::results:
-        for (Result& result : decoded_results(message.bytes)) take(std::move(result));
+        for (detail::Result& result : detail::decoded_results(message.bytes)) take(std::move(result));
         break;
       case Tag::report: {
         const QueueReport report = decoded_report(message.bytes);
@@ -128,7 +128,7 @@ class Coordinator {
     try {
       QueueReport sum;
       for (std::vector<std::uint32_t> jobs = next(); !jobs.empty(); jobs = next()) {
-        add(sum, runner_.run(jobs, [&](Result&& result) { take(std::move(result)); }));
+        add(sum, runner_.run(jobs, [&](detail::Result&& result) { take(std::move(result)); }));
       }
       const std::lock_guard lock(mutex_);
       add(report_.queue, sum);
@@ -143,7 +143,7 @@ class Coordinator {
     return stopped_ ? std::vector<std::uint32_t>() : queue_.next_portion();
   }
 
-  void take(Result&& result) {
+  void take(detail::Result&& result) {
     const std::lock_guard lock(mutex_);
     ++jobs_;
     const bool failed = result.failed();
@@ -162,12 +162,12 @@ class Coordinator {
     return {session_.pending().size(), jobs_, failed_, all, static_cast<double>(jobs_), report_.queue.points};
   }
 
-  StoreSession& session_;
+  detail::StoreSession& session_;
   const std::atomic<bool>& broken_;
-  WorkQueue queue_;
+  detail::WorkQueue queue_;
   std::vector<bool> at_work_;  ///< by rank: may have jobs, or ask for some
   int workers_;                ///< that have not reported yet
-  PlanRunner runner_;
+  detail::PlanRunner runner_;
   std::mutex mutex_;  ///< for all that follows, the work queue and the session
   bool stopped_ = false, told_ = false;
   std::size_t jobs_ = 0, failed_ = 0;
@@ -179,7 +179,7 @@ class Coordinator {
 
 // All that a worker does.
 void work_until_done(const SharedWork& work) {
-  PlanRunner runner(work.plan, work.manifest_path, all_jobs(work.plan), work.queue);
+  detail::PlanRunner runner(work.plan, work.manifest_path, all_jobs(work.plan), work.queue);
   QueueReport sum;
   for (;;) {
     send(0, Tag::ready, {});
@@ -188,16 +188,16 @@ void work_until_done(const SharedWork& work) {
     const std::vector<std::uint32_t> jobs = decoded_jobs(answer.bytes);
     if (jobs.empty()) break;
     // Results are sent from whatever thread has them, one call at a time, while this one waits in `run`.
-    std::vector<Result> results;
+    std::vector<detail::Result> results;
     std::size_t bytes = 0;
-    Stopwatch since_sent;
+    detail::Stopwatch since_sent;
     const auto flush = [&] {
-      if (!results.empty()) send(0, Tag::results, lober::encoded(results));
+      if (!results.empty()) send(0, Tag::results, detail::encoded(results));
       results.clear();
       bytes = 0;
-      since_sent = Stopwatch();
+      since_sent = detail::Stopwatch();
     };
-    add(sum, runner.run(jobs, [&](Result&& result) {
+    add(sum, runner.run(jobs, [&](detail::Result&& result) {
       try {
         bytes += size_of(result);
         results.push_back(std::move(result));
@@ -216,7 +216,7 @@ void work_until_done(const SharedWork& work) {
 
 }  // namespace
 
-BatchReport coordinate(const SharedWork& work, StoreSession& session, int ranks,
+BatchReport coordinate(const SharedWork& work, detail::StoreSession& session, int ranks,
                        const std::function<bool(const QueueProgress&)>& progress, const std::atomic<bool>& broken) {
   std::optional<Coordinator> coordinator;
   try {
@@ -237,7 +237,7 @@ BatchReport coordinate(const SharedWork& work, StoreSession& session, int ranks,
 
 void work_for_coordinator(SharedWork& work, const std::string& plan) {
   try {
-    work.plan = Plan::decoded(plan);
+    work.plan = detail::Plan::decoded(plan);
     work_until_done(work);
   } catch (...) {
     const Failure failure = failure_of(std::current_exception());

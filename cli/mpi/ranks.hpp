@@ -10,7 +10,7 @@ namespace lober::cli {
 
 /// What all ranks know.
 struct SharedWork {
-  Plan plan;
+  detail::Plan plan;
   std::string manifest_path;
   QueueOptions queue;  ///< of one rank
 };
@@ -18,7 +18,7 @@ struct SharedWork {
 /// Runs until everything is done; the report sums up all ranks. When `progress` returns false, all ranks finish what
 /// they are at. When this rank fails, or `broken` says that the store can no longer be written, what has come in is
 /// committed as far as that goes and all ranks are ended (`abandon`).
-[[nodiscard]] BatchReport coordinate(const SharedWork& work, StoreSession& session, int ranks,
+[[nodiscard]] BatchReport coordinate(const SharedWork& work, detail::StoreSession& session, int ranks,
                                      const std::function<bool(const QueueProgress&)>& progress,
                                      const std::atomic<bool>& broken);
 

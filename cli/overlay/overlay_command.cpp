@@ -125,14 +125,14 @@ OverlayReport compute(const Request& request, Progress& progress) {
   OverlayReport report;
   report.options = request.options;
   ReportTiming& timing = report.timing;
-  const Stopwatch read_watch;
+  const detail::Stopwatch read_watch;
   report.inputs = read_inputs(request, progress);
   timing.read = read_watch.seconds();
 
   progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
               "points");
   progress.phase("overlay", 0.25, 0.8);
-  const Stopwatch index_watch;
+  const detail::Stopwatch index_watch;
   const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
   timing.index = index_watch.seconds();
   OverlayOptions options = request.options;
@@ -150,7 +150,7 @@ OverlayReport compute(const Request& request, Progress& progress) {
   timing.areas = engine.areas;
 
   progress.phase("measuring pieces", 0.8, 0.9);
-  const Stopwatch measure_watch;
+  const detail::Stopwatch measure_watch;
   report.discretisation = discretisation_error(report.result);
   if (request.options.pieces) {
     for (const Pairing pairing : all_pairings) {
@@ -167,7 +167,7 @@ OverlayReport compute(const Request& request, Progress& progress) {
   timing.measures = measure_watch.seconds();
   if (request.verify) {
     progress.phase("verifying", 0.85, 0.9);
-    const Stopwatch verify_watch;
+    const detail::Stopwatch verify_watch;
     const InteriorAreas other = interior_areas(c1, c2, {.index = request.options.index, .check_simple = false});
     report.consistency = distance(report.result.areas, other.areas);
     for (const NamedArea& area : named_areas) {
@@ -179,7 +179,7 @@ OverlayReport compute(const Request& request, Progress& progress) {
     timing.verify = verify_watch.seconds();
   }
   if (request.smooth) {
-    const Stopwatch smooth_watch;
+    const detail::Stopwatch smooth_watch;
     report.smooth = smooth_areas(report.result);
     compare_with_smooth(report);
   }
@@ -187,7 +187,7 @@ OverlayReport compute(const Request& request, Progress& progress) {
 }
 
 void run(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   check_outputs(outputs, request.curves);
   OverlayReport report;
@@ -195,7 +195,7 @@ void run(const Request& request) {
     Progress progress;
     report = compute(request, progress);
     progress.phase("writing", 0.9, 1);
-    const Stopwatch write_watch;
+    const detail::Stopwatch write_watch;
     if (!request.lobes.empty()) write_lobes(request.lobes, report);
     if (!request.crossings.empty()) write_crossings(request.crossings, report);
     if (!request.svg.empty()) write_picture(request.svg, report);
@@ -217,7 +217,7 @@ RegionsReport compute_by_rule(const Request& request, Progress& progress) {
   report.rule = *request.rule;
   report.index = request.options.index;
   report.areas_only = !request.options.pieces;
-  const Stopwatch read_watch;
+  const detail::Stopwatch read_watch;
   report.inputs = read_inputs(request, progress);
   report.read_seconds = read_watch.seconds();
   progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
@@ -229,7 +229,7 @@ RegionsReport compute_by_rule(const Request& request, Progress& progress) {
   report.result = regions(ClosedCurve::borrow(report.inputs[0].curve.points),
                           ClosedCurve::borrow(report.inputs[1].curve.points), options);
   progress.phase("pieces", 0.8, 0.9);
-  const Stopwatch pieces_watch;
+  const detail::Stopwatch pieces_watch;
   if (!report.areas_only) {
     for (const Pairing pairing : all_pairings) {
       report.pieces[static_cast<std::size_t>(pairing)] = report.result.pieces(report.rule, pairing);
@@ -240,7 +240,7 @@ RegionsReport compute_by_rule(const Request& request, Progress& progress) {
 }
 
 void run_by_rule(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   check_outputs(outputs, request.curves);
   RegionsReport report;
@@ -248,7 +248,7 @@ void run_by_rule(const Request& request) {
     Progress progress;
     report = compute_by_rule(request, progress);
     progress.phase("writing", 0.9, 1);
-    const Stopwatch write_watch;
+    const detail::Stopwatch write_watch;
     if (!request.lobes.empty()) write_region_lobes(request.lobes, report);
     report.write_seconds = write_watch.seconds();
     if (!request.json.empty()) write_regions_json(request.json, report, [&] { return watch.seconds(); });

@@ -61,7 +61,7 @@ void write_pieces(const std::string& path, const Count& count, const Zones& zone
   std::vector<Zone> all;
   for (const Pairing pairing : {Pairing::c1_minus_c2, Pairing::c2_minus_c1}) {
     std::vector<std::vector<Zone>> by_piece(count(pairing));
-    for_each_block(by_piece.size(), 16, [&](std::size_t begin, std::size_t end) {
+    detail::for_each_block(by_piece.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) by_piece[k] = zones(pairing, k);
     });
     for (std::vector<Zone>& piece : by_piece) std::move(piece.begin(), piece.end(), std::back_inserter(all));
@@ -89,7 +89,7 @@ void write_region_lobes(const std::string& path, const RegionsReport& report) {
 }
 
 void write_crossings(const std::string& path, const OverlayReport& report) {
-  OutputFile file(path);
+  detail::OutputFile file(path);
   file.write(crossings_header);
   std::string text;
   for (std::size_t k = 0; k < report.result.nodes.size(); ++k) {

@@ -40,7 +40,7 @@ void format_node(std::string& text, const Node& node, std::size_t index, std::ui
   put(text, ",\"order2\":", rank2, "}");
 }
 
-void write_crossings_member(OutputFile& file, const OverlayReport& report) {
+void write_crossings_member(detail::OutputFile& file, const OverlayReport& report) {
   const Overlay& result = report.result;
   Json head = meetings_json(result.nodes);
   if (report.options.pieces) head["classes"] = result.class_count;
@@ -56,7 +56,7 @@ void write_crossings_member(OutputFile& file, const OverlayReport& report) {
   file.write("},\n");
 }
 
-void write_pieces_member(OutputFile& file, const OverlayReport& report) {
+void write_pieces_member(detail::OutputFile& file, const OverlayReport& report) {
   file.write("\"pieces\": {");
   for (const Pairing pairing : all_pairings) {
     const Pieces& pieces = report.result.pieces(pairing);
@@ -105,7 +105,7 @@ Json error_json(const OverlayReport& report) {
 }  // namespace
 
 void write_overlay_json(const std::string& path, OverlayReport& report, const std::function<double()>& seconds_so_far) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   const Overlay& result = report.result;
   JsonFile json(path, "overlay");
   json.member("inputs", Json::array({input_json(report.inputs[0], result.areas.c1, result.orientation1),

@@ -25,7 +25,7 @@ Json statistics_json(const RegionCounts& counts) {
           {"skipped", {{"blocks", counts.search.blocks_skipped}}}};
 }
 
-void write_pieces(OutputFile& file, const RegionsReport& report) {
+void write_pieces(detail::OutputFile& file, const RegionsReport& report) {
   file.write("\"pieces\": {");
   for (const Pairing pairing : all_pairings) {
     const RegionPieces& pieces = report.pieces_of(pairing);
@@ -42,7 +42,7 @@ void write_pieces(OutputFile& file, const RegionsReport& report) {
 }  // namespace
 
 void write_regions_json(const std::string& path, RegionsReport& report, const std::function<double()>& seconds_so_far) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   const Regions& result = report.result;
   JsonFile json(path, "overlay");
   Json inputs = Json::array();

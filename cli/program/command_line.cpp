@@ -24,7 +24,7 @@ bool same_file(const std::string& first, const std::string& second) {
 
 // "-" is what standard input was redirected from.
 std::string input_path(const std::string& spec) {
-  return spec == "-" ? "/dev/stdin" : file_of_curve(spec);
+  return spec == "-" ? "/dev/stdin" : detail::file_of_curve(spec);
 }
 
 // Pipes and devices can take several outputs, and opening them has effects.
@@ -62,7 +62,7 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
   }
   for (const Output& output : outputs) {
     // Opens a temporary file beside it, and removes that again.
-    if (!is_special(output.path)) OutputFile probe(output.path);
+    if (!is_special(output.path)) detail::OutputFile probe(output.path);
   }
 }
 

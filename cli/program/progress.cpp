@@ -93,9 +93,9 @@ class Progress::Line {
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  Stopwatch watch_;
+  detail::Stopwatch watch_;
   ProgressState state_;
-  GrowthForecast forecast_;  // seconds that steps take
+  detail::GrowthForecast forecast_;  // seconds that steps take
   bool steps_begun_ = false;
   double step_begin_ = 0;
   bool stop_ = false;

@@ -58,7 +58,7 @@ void add_system_options(OptionParser& parser, SystemRequest& request, bool posit
 }
 
 std::vector<std::string> files_of_system(const std::string& name) {
-  return names_library(name) ? std::vector{name} : std::vector<std::string>{};
+  return detail::names_library(name) ? std::vector{name} : std::vector<std::string>{};
 }
 
 ParameterValues parameter_values(const std::vector<std::string>& texts) {

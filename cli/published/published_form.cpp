@@ -158,7 +158,7 @@ void require_earlier_result(const std::string& path) {
       content.size() == static_cast<std::size_t>(longest) || std::count(content.begin(), content.end(), '\n') > 1;
   for (std::string word; line >> word; ++numbers) {
     double value = 0;
-    other = other || parse_number(word, value) == NumberKind::not_a_number;
+    other = other || detail::parse_number(word, value) == detail::NumberKind::not_a_number;
   }
   if (!other && numbers == 4) return;
   throw UsageError("<rslt> would overwrite " + path +

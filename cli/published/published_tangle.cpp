@@ -20,7 +20,8 @@ namespace {
 
 // As a Tecplot zone of 100 x 100 points in I, J order: x, y and the number.
 void append_raster_zone(std::string& text, const LobeRaster& raster, const std::string& title) {
-  append_all(text, "ZONE T=", tecplot_title(title), " I=", LobeRaster::side, " J=", LobeRaster::side, " F=POINT\n");
+  append_all(text, "ZONE T=", detail::tecplot_title(title), " I=", LobeRaster::side, " J=", LobeRaster::side,
+             " F=POINT\n");
   for (std::size_t row = 0; row < LobeRaster::side; ++row) {
     for (std::size_t column = 0; column < LobeRaster::side; ++column) {
       const Point at = raster.centre(column, row);

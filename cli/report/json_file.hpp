@@ -27,12 +27,12 @@ class JsonFile {
   void finish(const Json& timing);
 
   /// For members that are written in another way, each up to and with ",\n".
-  [[nodiscard]] OutputFile& file() { return file_; }
+  [[nodiscard]] detail::OutputFile& file() { return file_; }
 
  private:
   void begin_member(std::string_view key);
 
-  OutputFile file_;
+  detail::OutputFile file_;
 };
 
 }  // namespace lober::cli

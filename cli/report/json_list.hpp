@@ -39,7 +39,7 @@ void put(std::string& text, const Values&... values) {
 
 /// Writes "[" element, element ... "]", each element by `format(text, index)`.
 template <typename Format>
-void write_list(OutputFile& file, std::size_t size, const Format& format) {
+void write_list(detail::OutputFile& file, std::size_t size, const Format& format) {
   constexpr std::size_t block = 2048;
   struct Slot {
     std::size_t begin = 0, end = 0;
@@ -47,7 +47,7 @@ void write_list(OutputFile& file, std::size_t size, const Format& format) {
   };
   file.write("[");
   std::size_t next = 0;
-  ordered_pipeline<Slot>(
+  detail::ordered_pipeline<Slot>(
       [&](Slot& slot) {
         slot.begin = next;
         slot.end = next = std::min(size, next + block);

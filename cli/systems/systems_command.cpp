@@ -131,7 +131,7 @@ void run_systems(const std::vector<std::string>& arguments) {
     json = details_json(system);
   }
   if (!json_path.empty()) {
-    OutputFile file(json_path);
+    detail::OutputFile file(json_path);
     file.write(Json{{"program", program_json()}, {"command", "systems"}, {"systems", std::move(json)}}.dump(1) + "\n");
     file.commit();
   }

@@ -33,7 +33,7 @@ TangleReport compute(const Request& request, Progress& progress) {
   ManifoldTangleOptions options = request.options;
   if (!request.system.bip.empty()) options.bip_near = connection.bip;
   options.progress = [&](const std::string& line) { return progress.step(line); };
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   origin.manifolds = grow_tangle(*origin.system.map, connection, options);
   report.timing.read = watch.seconds() - origin.manifolds->tangle.timing.total;
   report.result = origin.manifolds->tangle;
@@ -53,7 +53,7 @@ TangleReport compute(const Request& request, Progress& progress) {
 }
 
 void run(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   check_outputs(request.outputs.files(), files_of_system(request.system.name));
   TangleReport report;
   {

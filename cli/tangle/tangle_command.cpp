@@ -111,7 +111,7 @@ void read_inputs(const Request& request, Progress& progress, TangleReport& repor
 TangleReport compute(const Request& request, Progress& progress) {
   TangleReport report;
   report.options = request.options;
-  const Stopwatch read_watch;
+  const detail::Stopwatch read_watch;
   read_inputs(request, progress, report);
   report.timing.read = read_watch.seconds();
 
@@ -128,7 +128,7 @@ TangleReport compute(const Request& request, Progress& progress) {
 }
 
 void run(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   std::vector<std::string> inputs{request.curves[0]};
   if (!request.curves[1].empty()) inputs.push_back(request.curves[1]);
   check_outputs(request.outputs.files(), inputs);

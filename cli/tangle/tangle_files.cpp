@@ -9,7 +9,7 @@ namespace lober::cli {
 void write_tangle_lobes(const std::string& path, const TangleReport& report) {
   const Tangle& result = report.result;
   std::vector<Zone> zones(result.lobes.size());
-  for_each_block(zones.size(), 1, [&](std::size_t k, std::size_t) {
+  detail::for_each_block(zones.size(), 1, [&](std::size_t k, std::size_t) {
     append_all(zones[k].title, "lobe ", k);
     const std::string label = text(result.images.labels[k]);
     if (!label.empty()) append_all(zones[k].title, " ", label);

@@ -27,7 +27,7 @@ const char* kind_of(int rho, bool pip) {
   return pip ? "pip" : "sip";
 }
 
-void write_nodes(OutputFile& file, const Tangle& result) {
+void write_nodes(detail::OutputFile& file, const Tangle& result) {
   const std::vector<ArcsAt> arcs = arcs_at_nodes(result);
   std::vector<bool> is_pip(result.nodes.size());
   for (const Pip& pip : result.pips) is_pip[pip.node] = true;

@@ -149,7 +149,7 @@ Json statistics_json(const TangleReport& report) {
 }  // namespace
 
 void write_tangle_json(const std::string& path, TangleReport& report, const std::function<double()>& seconds_so_far) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   const Tangle& result = report.result;
   JsonFile json(path, "tangle");
   json.member("inputs", Json::array({manifold_json(report, 0), manifold_json(report, 1)}));

@@ -37,17 +37,17 @@ std::vector<Output> TangleOutputs::files() const {
 }
 
 void measure_lobes(const TangleOutputs& outputs, TangleReport& report) {
-  const Stopwatch measure_watch;
+  const detail::Stopwatch measure_watch;
   report.shapes = lobe_shapes(report.result);
   report.timing.measures = measure_watch.seconds();
   if (!outputs.overlaps) return;
-  const Stopwatch overlap_watch;
+  const detail::Stopwatch overlap_watch;
   report.overlaps = overlaps(report.result);
   report.timing.overlaps = overlap_watch.seconds();
 }
 
 void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std::function<double()>& seconds_so_far) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   if (!outputs.lobes.empty()) write_tangle_lobes(outputs.lobes, report);
   if (!outputs.boundary.empty()) write_tangle_boundary(outputs.boundary, report);
   if (!outputs.pips.empty()) write_tangle_pips(outputs.pips, report);

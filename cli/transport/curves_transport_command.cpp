@@ -27,7 +27,7 @@ struct Request {
 };
 
 void run(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   check_outputs(outputs, request.files);

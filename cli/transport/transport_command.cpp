@@ -73,7 +73,7 @@ class Rows {
 };
 
 void run_one(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   TransportReport report;
   report.system = system_of(request.system, parameter_values(request.system.parameters));
@@ -90,7 +90,7 @@ void run_one(const Request& request) {
     options.progress = [&](const std::string& line) { return progress.step(line); };
     Rows rows(request, progress);
     options.on_step = [&](const TransportStep& step, const Agreement& agreement) { rows.add(step, agreement); };
-    const Stopwatch transport_watch;
+    const detail::Stopwatch transport_watch;
     try {
       report.result = transport(*report.system.map, report.connection, options);
     } catch (const Cancelled&) {
@@ -100,7 +100,7 @@ void run_one(const Request& request) {
     report.timing.transport = transport_watch.seconds();
     for (const std::string& remark : report.result.remarks) log_info(remark);
     progress.phase("writing", 0.9, 1);
-    const Stopwatch write_watch;
+    const detail::Stopwatch write_watch;
     if (!request.svg.empty()) write_transport_curve(request.svg, report);
     if (!request.picture.empty()) write_transport_picture(request.picture, report);
     report.timing.write = write_watch.seconds();
@@ -111,7 +111,7 @@ void run_one(const Request& request) {
 }
 
 void run_sweep(const Request& request) {
-  const Stopwatch watch;
+  const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   SweepReport report;
   report.range = sweep_range(request.sweep);

@@ -5,6 +5,7 @@
 #include "engine/base/text.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 std::string describe(int curve, std::uint32_t first, std::uint32_t second, Point place) {

@@ -6,10 +6,10 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Index of the first point with an infinite coordinate or one that is not a number; the size when there is
 /// none. O(N), parallel.
 [[nodiscard]] std::size_t first_not_finite(std::span<const Point> points);
 
-}  // namespace lober
+}  // namespace lober::detail

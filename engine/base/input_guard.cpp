@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using Identity = std::pair<::dev_t, ::ino_t>;
@@ -65,4 +65,4 @@ bool is_noted_input(const std::string& path, const struct ::stat& status) {
   return noted().files.contains({status.st_dev, status.st_ino}) || noted().paths.contains(canonical(path));
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace lober {
+namespace lober::detail {
 
 /// While one lives, every file that the process reads (curves, manifests, plug-ins, stores) is remembered, and an
 /// OutputFile refuses to replace it: the same path, another spelling of it, a symbolic or a hard link. Without one,
@@ -28,4 +28,4 @@ void note_input(const std::string& path);
 /// Whether `status`, or `path`, is one of the files remembered.
 [[nodiscard]] bool is_noted_input(const std::string& path, const struct ::stat& status);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace lober {
+namespace lober::detail {
 
 class Stopwatch {
  public:
@@ -25,4 +25,4 @@ class ProcessorWatch {
   std::clock_t start_ = std::clock();
 };
 
-}  // namespace lober
+}  // namespace lober::detail

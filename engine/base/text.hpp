@@ -7,7 +7,7 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The shortest form that reads back to the same bits.
 [[nodiscard]] inline std::string format_number(double value) {
@@ -27,4 +27,4 @@ namespace lober {
   return "(" + format_number(point.x) + ", " + format_number(point.y) + ")";
 }
 
-}  // namespace lober
+}  // namespace lober::detail

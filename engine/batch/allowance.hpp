@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace lober {
+namespace lober::detail {
 
 /// Handed to CurveUnit::load and, with the curves, to Operation::run. Work whose size is not known before asks it as it
 /// goes; all of it may be called from several threads at the same time.
@@ -25,4 +25,4 @@ class Allowance {
   virtual void check() const {}
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,6 +10,7 @@
 #include "lober/cancellation.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // The digests of the inputs of these jobs as they are now; empty for what cannot be read.
@@ -27,7 +28,7 @@ std::vector<std::string> hash_inputs(const Plan& plan, std::span<const std::uint
   return digests;
 }
 
-std::string to_string(Shard shard) {
+std::string text_of(Shard shard) {
   return std::to_string(shard.number + 1) + "/" + std::to_string(shard.of);
 }
 
@@ -36,7 +37,7 @@ std::string to_string(Shard shard) {
 StoreSession::StoreSession(const std::string& store_path, const Plan& plan, const Manifest& manifest, Shard shard,
                            int threads, std::function<void()> broken)
     : plan_(plan), store_(Store::create(store_path)), digests_(plan.curves.size()), seen_(plan.curves.size(), 0) {
-  store_->begin_run(provenance(), threads, manifest.text, to_string(shard), plan);
+  store_->begin_run(provenance(), threads, manifest.text, text_of(shard), plan);
   pending_ = jobs_of(plan, shard);
   InputDigests inputs;
   if (!store_->stored().empty()) {
@@ -104,7 +105,7 @@ double StoreSession::finish(const std::string& how) {
   return writer_->seconds();
 }
 
-BatchReport run_batch(const Manifest& manifest, const BatchOptions& options) {
+BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& options) {
   const Stopwatch watch;
   BatchReport report;
   const Plan plan = make_plan(manifest);

@@ -19,7 +19,7 @@
 #include "engine/batch/store.hpp"
 #include "lober/batch.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// One run on a store: knows what is left to do and takes what comes out.
 class StoreSession {
@@ -79,4 +79,4 @@ class ProgressTimer {
   std::thread thread_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 template <typename T>
 std::vector<std::uint8_t> bytes_of(const std::vector<T>& values) {
@@ -27,4 +27,4 @@ std::vector<T> values_of(const std::vector<std::uint8_t>& bytes) {
   return values;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-namespace lober {
+namespace lober::detail {
 
 /// Every step is a one-to-one function of the state and of the word, so that no change within one word goes unseen.
 class Checksum {
@@ -53,4 +53,4 @@ class Checksum {
   std::uint64_t sum_ = 0x9e3779b97f4a7c15;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include "engine/base/stopwatch.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 constexpr std::size_t bytes_per_point = sizeof(Point) + 5;  // with the index and the sums, measured: 20.4
 }
@@ -166,4 +166,4 @@ void CurveCache::end_loading(UnitId number, const Loaded& loaded) {
   counts_.prepare_seconds += loaded.prepare_seconds;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

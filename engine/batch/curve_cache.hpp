@@ -13,7 +13,7 @@
 #include "engine/batch/prepared_curve.hpp"
 #include "lober/batch.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct LoadedCurve {
   std::shared_ptr<const Curve> curve;
@@ -118,4 +118,4 @@ struct CurveCache::Loaded {
   double read_seconds = 0, prepare_seconds = 0;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,7 +12,7 @@
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<Pla
   return all;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

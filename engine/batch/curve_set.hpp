@@ -7,7 +7,7 @@
 #include "engine/batch/curve_source.hpp"
 #include "engine/batch/manifest.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The curves that a list of patterns names, each once: pattern by pattern, within each in natural order. Reads the
 /// files of which all zones, or one by its title, are wanted. The sources are closed. Throws UsageError when a pattern
@@ -19,4 +19,4 @@ namespace lober {
 /// the width no longer holds them ("08", "99", "100").
 [[nodiscard]] bool natural_less(const std::string& a, const std::string& b);
 
-}  // namespace lober
+}  // namespace lober::detail

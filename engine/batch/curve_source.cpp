@@ -4,7 +4,7 @@
 
 #include "engine/batch/file_unit.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path) {
   const CurveSource& any = sources.front();
@@ -32,4 +32,4 @@ std::string located(const std::string& manifest_path, const std::string& file) {
   return folder.empty() ? file : folder + "/" + file;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 
 #include "engine/batch/recipe.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A curve in a file, a manifold of a system, or the image of a curve in a file.
 struct CurveSource {
@@ -38,4 +38,4 @@ struct CurveSource {
 /// The path of a file that a manifest names.
 [[nodiscard]] std::string located(const std::string& manifest_path, const std::string& file);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 
 #include "engine/base/input_guard.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 Database::Database(const std::string& path, bool create) : path_(path) {
   sqlite3* handle = nullptr;
@@ -89,4 +89,4 @@ std::string_view Statement::bytes(int column) const {
   return {static_cast<const char*>(data), static_cast<std::size_t>(sqlite3_column_bytes(handle_.get(), column))};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

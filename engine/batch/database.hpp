@@ -11,7 +11,7 @@
 
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The bytes of the file are not what SQLite has written.
 class DamagedError : public DataError {
@@ -98,4 +98,4 @@ class Transaction {
   bool committed_ = false;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

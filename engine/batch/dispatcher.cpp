@@ -10,7 +10,7 @@
 #include "engine/batch/lanes.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t window = 256;  // how far ahead a job may overtake
@@ -238,4 +238,4 @@ void dispatch(std::vector<ScheduledJob> jobs, CurveCache& cache, bool digests, i
   Dispatcher(std::move(jobs), cache, digests, stop, runner).run(threads);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

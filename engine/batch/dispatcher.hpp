@@ -14,7 +14,7 @@
 #include "engine/batch/curve_cache.hpp"
 #include "engine/batch/schedule.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class JobRunner {
  public:
@@ -35,4 +35,4 @@ class JobRunner {
 void dispatch(std::vector<ScheduledJob> jobs, CurveCache& cache, bool digests, int threads,
               const std::atomic<bool>& stop, JobRunner& runner);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,6 +3,7 @@
 #include "engine/batch/export_formats.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // Goes through the jobs of the plan that are wanted and calls found(result) for each that has one.
@@ -71,8 +72,8 @@ ExportFormat export_format(const std::string& path) {
   throw UsageError(path + ": the name has to end in .csv, .jsonl or .npy");
 }
 
-ExportCounts export_results(const Store& store, const std::string& path, ExportFormat format,
-                            const std::optional<std::string>& operation) {
+ExportCounts detail::export_results(const Store& store, const std::string& path, ExportFormat format,
+                                    const std::optional<std::string>& operation) {
   const Plan plan = plan_of(store);
   ExportCounts counts;
   const auto wanted = [&](const JobGroup& group) { return !operation || group.operation->name == *operation; };
@@ -91,7 +92,7 @@ ExportCounts export_results(const Store& store, const std::string& path, ExportF
   return counts;
 }
 
-StoreSurvey survey(const Store& store) {
+StoreSurvey detail::survey(const Store& store) {
   const Plan plan = plan_of(store);
   StoreSurvey all;
   const auto any = [](const JobGroup&) { return true; };
@@ -101,7 +102,7 @@ StoreSurvey survey(const Store& store) {
   return all;
 }
 
-std::string damage_line(const Store& store, const Plan& plan, std::size_t job) {
+std::string detail::damage_line(const Store& store, const Plan& plan, std::size_t job) {
   return store.path() + ": the result of job " + std::to_string(job) + " (" + inputs_of(plan, plan.jobs[job]) +
          ") is damaged and counts as missing";
 }

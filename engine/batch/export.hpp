@@ -9,7 +9,7 @@
 #include "engine/batch/store.hpp"
 #include "lober/batch.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Writes the jobs of the store's plan that have a result or have failed, in the order of the plan, numbers in the
 /// shortest form that reads back to the same bits. A damaged result is left out, as one that is not there. CSV and NPY
@@ -28,4 +28,4 @@ struct StoreSurvey {
 /// "STORE: the result of job N (FIRST SECOND) is damaged and counts as missing".
 [[nodiscard]] std::string damage_line(const Store& store, const Plan& plan, std::size_t job);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 #include "engine/batch/result.hpp"
 #include "engine/files/output_file.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Goes through the results of jobs of a plan, in its order.
 using EachResult = std::function<void(const std::function<void(const Result&)>&)>;
@@ -16,4 +16,4 @@ void write_csv(OutputFile& file, const Plan& plan, const Operation& operation, c
 void write_json_lines(OutputFile& file, const Plan& plan, const EachResult& results);
 void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results);
 
-}  // namespace lober
+}  // namespace lober::detail

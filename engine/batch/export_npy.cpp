@@ -8,7 +8,7 @@
 
 #include "engine/batch/export_formats.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header below says so");
@@ -75,4 +75,4 @@ void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operat
   file.write(bytes);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 #include "engine/batch/export_formats.hpp"
 #include "engine/batch/text.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t enough = std::size_t{1} << 20;  // to be written at once
@@ -106,4 +106,4 @@ void write_json_lines(OutputFile& file, const Plan& plan, const EachResult& resu
   file.write(text);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use) {
@@ -86,4 +86,4 @@ std::string file_sha256(const std::string& path) {
   return sha256(FileBytes(path).bytes());
 }
 
-}  // namespace lober
+}  // namespace lober::detail

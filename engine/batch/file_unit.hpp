@@ -7,7 +7,7 @@
 
 #include "engine/batch/curve_source.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The zones of a file that jobs use as a unit, before anything is made of them. Only `load` reads more of the file
 /// than its beginning; what is wrong with one zone is an error of that one.
@@ -26,4 +26,4 @@ void require_regular(const std::string& path);
 /// SHA-256 of a file as it is now. Throws DataError.
 [[nodiscard]] std::string file_sha256(const std::string& path);
 
-}  // namespace lober
+}  // namespace lober::detail

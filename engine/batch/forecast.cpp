@@ -9,7 +9,7 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t few_points = 20'000;
@@ -104,4 +104,4 @@ std::vector<std::string> forecast_shortage(const Plan& plan, const std::string& 
   return lines;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

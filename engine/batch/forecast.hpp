@@ -7,7 +7,7 @@
 
 #include "engine/batch/plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A line for each curve that would be computed and each group of jobs whose results would take more than so many
 /// bytes. Curves are computed for the first few iterates, with few points, and taken to go on growing as they did in
@@ -16,4 +16,4 @@ namespace lober {
 [[nodiscard]] std::vector<std::string> forecast_shortage(const Plan& plan, const std::string& manifest_path,
                                                          std::size_t memory);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 
 #include "engine/batch/options.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct Operation;
 
@@ -48,4 +48,4 @@ struct Job {
   [[nodiscard]] CurvePair curves() const { return {first, second}; }
 };
 
-}  // namespace lober
+}  // namespace lober::detail

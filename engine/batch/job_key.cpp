@@ -4,7 +4,7 @@
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 std::byte nibble(char digit) {
@@ -60,4 +60,4 @@ std::optional<JobKey> JobKeys::find(const Job& job, std::span<const std::string*
   return (*this)(job, of_job[0], of_job[1]);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,7 +12,7 @@
 #include "engine/batch/operation.hpp"
 #include "engine/batch/plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// SHA-256 of the content of each input, by CurveSource::input_name.
 using InputDigests = std::map<std::string, std::string>;
@@ -34,4 +34,4 @@ class JobKeys {
   std::vector<std::string> beginnings_;  ///< by group: what is the same for all its jobs, as a digest
 };
 
-}  // namespace lober
+}  // namespace lober::detail

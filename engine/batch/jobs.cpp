@@ -13,7 +13,7 @@
 #include "lober/error.hpp"
 #include "lober/files.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 void add_to(std::atomic<double>& sum, double value) {
@@ -258,4 +258,4 @@ QueueReport JobQueue::run(const std::function<void(Result&&)>& done) {
   return run.report;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -31,7 +31,7 @@
 #include "lober/batch.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 inline constexpr std::span<const OptionSetting> no_settings{};
 
@@ -95,4 +95,4 @@ class JobQueue {
 /// Bytes of memory of this machine.
 [[nodiscard]] std::size_t machine_memory();
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 
 #include "engine/batch/result.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Entries stay in the order in which they came; a slot has the place of one and as much of its key as makes looking at
 /// the entry itself needless nearly always: with millions of keys, each look is a miss of the cache. Keys are digests,
@@ -79,4 +79,4 @@ class KeyMap {
   std::vector<Slot> slots_;  ///< a power of two
 };
 
-}  // namespace lober
+}  // namespace lober::detail

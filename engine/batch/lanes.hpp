@@ -10,7 +10,7 @@
 #include "engine/base/parallel/handover.hpp"
 #include "engine/base/parallel/inherited_cancellation.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class LaneTasks {
  public:
@@ -20,7 +20,7 @@ class LaneTasks {
     group_.run([this, task = std::move(task), scope = CancellationScope::current()]() LOBER_UNSEEN {
       started_.acquire();
       const Ended ended{ended_};
-      const detail::InheritedCancellation inherited(scope);
+      const InheritedCancellation inherited(scope);
       task();
     });
   }
@@ -49,4 +49,4 @@ void isolated(const Function& function) {
   tbb::this_task_arena::isolate(function);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

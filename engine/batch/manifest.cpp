@@ -7,7 +7,7 @@
 #include "engine/batch/recipe_reader.hpp"
 #include "engine/files/file_bytes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 std::size_t line_of(const toml::node& node) {
@@ -291,4 +291,4 @@ Manifest read_manifest(const std::string& path) {
   return manifest;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -47,7 +47,7 @@
 #include "engine/batch/operation.hpp"
 #include "engine/batch/recipe.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 enum class PairKind : std::uint8_t { none, all, lag, product, single, list };
 
@@ -83,4 +83,4 @@ struct Manifest {
 /// is not understood.
 [[nodiscard]] Manifest read_manifest(const std::string& path);
 
-}  // namespace lober
+}  // namespace lober::detail

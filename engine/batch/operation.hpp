@@ -14,7 +14,7 @@
 #include "engine/batch/prepared_curve.hpp"
 #include "engine/batch/result.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// How many curves a job of an operation has.
 enum class Arity : std::uint8_t { none, one, two, one_or_two };
@@ -61,4 +61,4 @@ struct Operation {
 [[nodiscard]] std::span<const Operation> all_operations();
 [[nodiscard]] const Operation* find_operation(std::string_view name);  ///< null if there is none
 
-}  // namespace lober
+}  // namespace lober::detail

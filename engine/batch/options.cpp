@@ -7,7 +7,7 @@
 #include "engine/batch/text.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 [[noreturn]] void refuse(const OptionSpec& spec, const std::string& message) {
@@ -101,7 +101,7 @@ std::string to_string(std::span<const OptionSetting> settings) {
 }
 
 std::string Options::to_string() const {
-  return lober::to_string(settings_);
+  return detail::to_string(settings_);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace lober {
+namespace lober::detail {
 
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 
@@ -64,4 +64,4 @@ class Options {
 /// A value as `spelled` has it: numbers in the shortest form that reads back to the same bits.
 [[nodiscard]] std::string to_string(const OptionValue& value);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 
 #include "engine/batch/curve_set.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class Planner {
@@ -112,4 +112,4 @@ std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard) {
   return chosen;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -13,7 +13,7 @@
 #include "engine/batch/manifest.hpp"
 #include "lober/batch.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A pure function of the manifest and of the names of the files that its patterns match: every process that reads them
 /// has the same plan. Jobs are numbered as they stand here.
@@ -60,4 +60,4 @@ struct Estimate {
 };
 [[nodiscard]] Estimate estimate(const Plan& plan, const std::string& manifest_path);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 #include "engine/batch/bytes.hpp"
 #include "engine/batch/plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using Json = nlohmann::json;
@@ -116,4 +116,4 @@ Plan Plan::decoded(std::string_view bytes) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

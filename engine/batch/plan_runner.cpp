@@ -2,7 +2,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // So that keys are made by all threads.
@@ -46,4 +46,4 @@ QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::func
   });
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include "engine/batch/jobs.hpp"
 #include "engine/batch/plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class PlanRunner {
  public:
@@ -35,4 +35,4 @@ class PlanRunner {
   std::vector<std::uint32_t> submitted_;  ///< numbers in the plan, by number in the queue
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 
 #include "engine/batch/plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -71,4 +71,4 @@ Estimate estimate(const Plan& plan, const std::string& manifest_path) {
   return sum;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

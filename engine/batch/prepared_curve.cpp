@@ -4,7 +4,7 @@
 
 #include "lober/crossings.hpp"
 
-namespace lober {
+namespace lober::detail {
 PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements)
     : curve_(std::move(curve)) {
   const Curve& given = *curve_;
@@ -38,4 +38,4 @@ std::size_t PreparedCurve::memory() const {
          (sums_ ? sums_->memory() : 0);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

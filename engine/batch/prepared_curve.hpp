@@ -10,7 +10,7 @@
 #include "lober/index.hpp"
 #include "lober/overlay.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// What an operation asks of its curves.
 struct Requirements {
@@ -51,4 +51,4 @@ class PreparedCurve {
   std::string error_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

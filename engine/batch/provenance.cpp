@@ -6,7 +6,7 @@
 
 #include "lober_build.hpp"  // written by engine/batch/build_info.cmake at every build
 
-namespace lober {
+namespace lober::detail {
 
 std::string_view engine_version() {
   return LOBER_BUILD_VERSION;
@@ -18,4 +18,4 @@ Provenance provenance() {
   return {LOBER_BUILD_VERSION, LOBER_BUILD_COMMIT, LOBER_BUILD_COMPILER, LOBER_BUILD_FLAGS, host.data()};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

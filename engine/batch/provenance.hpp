@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace lober {
+namespace lober::detail {
 
 struct Provenance {
   std::string version, commit, compiler, flags, host;
@@ -14,4 +14,4 @@ struct Provenance {
 /// What goes into the keys of results: the version, not the commit.
 [[nodiscard]] std::string_view engine_version();
 
-}  // namespace lober
+}  // namespace lober::detail

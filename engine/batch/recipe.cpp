@@ -10,7 +10,7 @@
 #include "lober/files.hpp"
 #include "lober/manifolds.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t guessed_points = 100'000;  // of a manifold that was never grown
@@ -194,4 +194,4 @@ CurveUnit image_unit(const CurveRecipe& recipe, CurveUnit of) {
   return unit;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,7 +10,7 @@
 #include "engine/batch/curve_cache.hpp"
 #include "lober/systems.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// How to make a curve. Equal recipes make the same curve, bit for bit, with the same version.
 struct CurveRecipe {
@@ -50,4 +50,4 @@ void check(const CurveRecipe& recipe);
 /// The images of the curves of a unit.
 [[nodiscard]] CurveUnit image_unit(const CurveRecipe& recipe, CurveUnit of);
 
-}  // namespace lober
+}  // namespace lober::detail

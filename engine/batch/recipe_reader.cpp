@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class RecipeReader {
@@ -125,4 +125,4 @@ Placed read_recipes(const Manifest& manifest, const toml::table& table, const st
   return RecipeReader(manifest, table, key).read();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

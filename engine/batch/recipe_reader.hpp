@@ -8,10 +8,10 @@
 
 #include "engine/batch/manifest.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// `{ system = ..., manifold = ... }` or `{ system = ..., image_of = ... }`, see manifest.hpp. `key` is where it
 /// stands. Throws UsageError with the line.
 [[nodiscard]] Placed read_recipes(const Manifest& manifest, const toml::table& table, const std::string& key);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lober {
+namespace lober::detail {
 
 /// One number of a result. Counts are kept as doubles too: they are exact below 2^53.
 struct Column {
@@ -49,4 +49,4 @@ struct Result {
 [[nodiscard]] std::vector<std::vector<double>> decoded_lists(std::string_view bytes,
                                                              std::span<const std::string> names);
 
-}  // namespace lober
+}  // namespace lober::detail

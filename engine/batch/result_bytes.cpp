@@ -7,7 +7,7 @@
 #include "engine/batch/bytes.hpp"
 #include "engine/batch/result.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using Json = nlohmann::json;
@@ -105,4 +105,4 @@ std::vector<std::vector<double>> decoded_lists(std::string_view bytes, std::span
   return lists;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include "engine/batch/checksum.hpp"
 #include "engine/batch/store_schema.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 std::string_view bytes_of(const JobKey& key) {
@@ -175,4 +175,4 @@ void ResultTable::label(std::int64_t row, const Plan* plan, std::uint32_t job) c
   change.run();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

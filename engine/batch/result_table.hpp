@@ -11,7 +11,7 @@
 #include "engine/batch/plan.hpp"
 #include "engine/batch/result.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class ResultTable {
  public:
@@ -52,4 +52,4 @@ class ResultTable {
   mutable std::optional<Statement> select_, insert_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <new>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // A kill loses what was computed since the last commit: at most this long, or this number of results.
@@ -82,4 +82,4 @@ void ResultWriter::work() {
   seconds_ = processor_seconds() - start;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

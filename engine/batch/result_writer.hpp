@@ -10,7 +10,7 @@
 
 #include "engine/batch/store.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class ResultWriter {
  public:
@@ -42,4 +42,4 @@ class ResultWriter {
   std::thread thread_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

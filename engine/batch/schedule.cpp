@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct Grouping {
@@ -68,4 +68,4 @@ std::vector<std::uint32_t> schedule(std::span<const ScheduledJob> jobs, std::spa
   return order;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

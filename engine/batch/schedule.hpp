@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace lober {
+namespace lober::detail {
 
 /// A job of a queue as scheduling sees it.
 struct ScheduledJob {
@@ -30,4 +30,4 @@ struct Room {
 [[nodiscard]] std::vector<std::uint32_t> schedule(std::span<const ScheduledJob> jobs,
                                                   std::span<const std::size_t> unit_bytes, const Room& room);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include "engine/batch/checksum.hpp"
 #include "engine/batch/store_schema.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr int application = 0x6c6f6265;  // "lobe"
@@ -238,7 +238,7 @@ void Store::put_repeat(std::uint32_t job, const Known& known) {
   Statement statement(*database_,
                       ("INSERT OR REPLACE INTO repeats SELECT ?1, ?2, nullif(?3, ''), nullif(?4, ''), ?5, ?6 WHERE NOT "
                        "EXISTS (SELECT 1 FROM " +
-                       lober::table_of(table.operation()) + " WHERE id = ?6 AND job = ?1)")
+                       detail::table_of(table.operation()) + " WHERE id = ?6 AND job = ?1)")
                           .c_str());
   statement.bind(1, std::int64_t{job}).bind(2, std::int64_t{plan_->jobs[job].group}).bind(3, std::string_view(name));
   statement.bind(4, std::string_view(other)).bind(5, std::string_view(table.operation().name)).bind(6, known.row).run();
@@ -335,4 +335,4 @@ void Store::merge(const Store& other) {
   transaction.commit();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

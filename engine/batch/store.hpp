@@ -41,7 +41,7 @@
 #include "engine/batch/result_table.hpp"
 #include "engine/batch/store_file.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class Store {
  public:
@@ -127,4 +127,4 @@ class Store {
   bool damaged_ = false;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

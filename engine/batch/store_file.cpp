@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr ::off_t shortest_database = 512;  // one page
@@ -83,4 +83,4 @@ void StoreFile::require_in_place(Database& database) const {
   throw DataError(path_ + ": the store is not there any more: it " + where);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

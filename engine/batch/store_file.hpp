@@ -7,7 +7,7 @@
 
 #include "engine/batch/database.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Knows a file by device and inode, so that it is noticed when it is deleted, moved or replaced while it is open.
 class StoreFile {
@@ -37,4 +37,4 @@ class StoreFile {
   int handle_ = -1;  ///< refers to the file without opening it: closing it gives up no lock of this process
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr const char* common_tables = R"(
@@ -85,4 +85,4 @@ bool has_store_schema(const Database& database) {
   return true;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

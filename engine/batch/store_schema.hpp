@@ -9,7 +9,7 @@
 #include "engine/batch/database.hpp"
 #include "engine/batch/operation.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Raise it when the tables change, among them the columns and the lists of operations.
 inline constexpr int store_format = 4;
@@ -23,4 +23,4 @@ inline constexpr int store_format = 4;
 /// Whether they are there, to the letter: a column of another name would be filled and not be found again.
 [[nodiscard]] bool has_store_schema(const Database& database);
 
-}  // namespace lober
+}  // namespace lober::detail

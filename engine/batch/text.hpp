@@ -6,7 +6,7 @@
 
 #include "engine/base/text.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A quoted JSON string; bytes that are not printable ASCII or UTF-8 come through as they are.
 inline std::string json_string(std::string_view text) {
@@ -25,4 +25,4 @@ inline std::string json_string(std::string_view text) {
   return quoted + "\"";
 }
 
-}  // namespace lober
+}  // namespace lober::detail

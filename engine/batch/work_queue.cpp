@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace lober {
+namespace lober::detail {
 
 WorkQueue::WorkQueue(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
                      std::size_t processes)
@@ -37,4 +37,4 @@ std::vector<std::uint32_t> WorkQueue::next_portion() {
   return portion;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

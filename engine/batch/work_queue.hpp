@@ -9,7 +9,7 @@
 
 #include "engine/batch/plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class WorkQueue {
  public:
@@ -27,4 +27,4 @@ class WorkQueue {
   std::size_t next_ = 0, processes_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "lober/files.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Reads `bytes`, which begin with the magic string of NPY, into one zone of `file`. Versions 1.0 to 3.0.
 void read_npy(std::span<const std::byte> bytes, CurveFile& file);
@@ -18,4 +18,4 @@ void read_raw(std::span<const std::byte> bytes, CurveFile& file);
 /// none.
 void add_only_zone(std::vector<Point> points, CurveFile& file);
 
-}  // namespace lober
+}  // namespace lober::detail

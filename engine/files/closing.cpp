@@ -6,7 +6,7 @@
 
 #include "engine/base/text.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 double length(Point a, Point b) {
@@ -33,4 +33,4 @@ std::string closing_remark(std::span<const Point> points) {
          format_number(std::round(closing / *middle)) + " times as long as the median segment. Is it an open curve?";
 }
 
-}  // namespace lober
+}  // namespace lober::detail

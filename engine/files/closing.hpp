@@ -6,7 +6,7 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// What there is to say about a curve that is read as closed although its file does not repeat the first vertex: when
 /// the segment that closes it is longer than ten times the median segment, the curve may well be open, and the remark
@@ -14,4 +14,4 @@ namespace lober {
 /// O(1) in the number of points.
 [[nodiscard]] std::string closing_remark(std::span<const Point> points);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-namespace lober {
+namespace lober::detail {
 
 /// The file and the zone that `spec` names, split at the last '#' that leaves an existing file before it; the zone is
 /// empty when there is none.
@@ -15,4 +15,4 @@ namespace lober {
   return split_spec(spec).first;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -14,7 +14,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t piece = std::size_t{4} << 20;  // of one call, and of one thread
@@ -124,4 +124,4 @@ FileBytes::FileBytes(const std::string& path) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The content of a file in memory. A regular file is read in parallel, and is refused when it changes meanwhile: a
 /// file that is mapped instead would kill the process if another one truncated it. What has no size (a pipe, a
@@ -25,4 +25,4 @@ class FileBytes {
   Buffer<std::byte> buffer_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

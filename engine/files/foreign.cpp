@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::string_view as_npy = "save its points as NPY, an N x 2 array";
@@ -182,4 +182,4 @@ std::string foreign_format(std::span<const std::byte> all) {
   return {};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

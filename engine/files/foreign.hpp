@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace lober {
+namespace lober::detail {
 
 /// What the file is and how to convert it, as the end of a message ("a PNG picture, ..."); empty when the bytes are of
 /// no format known here. Looks at the first bytes, and at the last one. O(1).
@@ -15,4 +15,4 @@ namespace lober {
 /// The same for what is text: JSON, XML.
 [[nodiscard]] std::string foreign_text(std::string_view text);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,7 +12,7 @@
 #include "engine/files/binary_file.hpp"
 #include "engine/files/text_points.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct Header {
@@ -214,4 +214,4 @@ void read_npy(std::span<const std::byte> bytes, CurveFile& file) {
   add_only_zone(std::move(points), file);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

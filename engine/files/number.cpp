@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 /// Of a literal that is out of the range of double: is it too small rather than too large? True when its
@@ -50,4 +50,4 @@ NumberKind parse_number(std::string_view token, double& value) {
   return std::isfinite(value) ? NumberKind::finite : NumberKind::not_finite;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

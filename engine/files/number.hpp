@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace lober {
+namespace lober::detail {
 
 enum class NumberKind : std::uint8_t {
   finite,
@@ -17,4 +17,4 @@ enum class NumberKind : std::uint8_t {
 /// C locale; too small a literal becomes a zero of its sign.
 [[nodiscard]] NumberKind parse_number(std::string_view token, double& value);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -16,7 +16,7 @@
 #include "engine/base/input_guard.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 /// The descriptor of this process that a path stands for. Opening /dev/stdout anew would truncate a file that
@@ -115,4 +115,4 @@ void OutputFile::fail() const {
   throw DataError(path_ + ": cannot be written: " + std::generic_category().message(code));
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace lober {
+namespace lober::detail {
 
 /// Writes beside the file and renames in `commit`; what is not committed is removed and leaves an existing
 /// file as it was. A symbolic link keeps pointing where it does: its target is replaced. What is no regular
@@ -34,4 +34,4 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

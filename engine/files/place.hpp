@@ -6,7 +6,7 @@
 
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A line of a text file, counted from 1.
 struct Place {
@@ -18,4 +18,4 @@ struct Place {
   }
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::string_view insisting = ".f64";
@@ -126,4 +126,4 @@ std::string implausible_raw(const std::string& path, std::span<const std::byte> 
          ", so they are something else; write them as NPY or text" + or_insist;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

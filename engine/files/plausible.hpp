@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace lober {
+namespace lober::detail {
 
 /// Why the bytes do not look like native float64 pairs, with the remedy, as the end of a message; empty when they do.
 /// They do not when, as float32 pairs, they make a smooth curve (the low halves of float64 are noise or zero); when
@@ -16,4 +16,4 @@ namespace lober {
 /// Whether the name ends in .f64, which says that the file is raw float64 pairs whatever it looks like.
 [[nodiscard]] bool insists_on_raw(const std::string& path);
 
-}  // namespace lober
+}  // namespace lober::detail

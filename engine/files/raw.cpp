@@ -3,7 +3,7 @@
 #include "engine/base/finite.hpp"
 #include "engine/files/binary_file.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 void add_only_zone(std::vector<Point> points, CurveFile& file) {
   if (points.empty()) throw DataError(file.path + ": no points");
@@ -24,4 +24,4 @@ void read_raw(std::span<const std::byte> bytes, CurveFile& file) {
   add_only_zone(std::move(points), file);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

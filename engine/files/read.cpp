@@ -16,6 +16,7 @@
 #include "lober/files.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 /// "FILE#0 to FILE#5"
@@ -50,7 +51,7 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
 
 }  // namespace
 
-std::pair<std::string, std::string> split_spec(const std::string& spec) {
+std::pair<std::string, std::string> detail::split_spec(const std::string& spec) {
   if (exists(spec)) return {spec, {}};
   const std::size_t last = spec.rfind('#');
   if (last == std::string::npos || last == 0) return {spec, {}};
@@ -74,7 +75,7 @@ std::string_view name(Format format) {
   return "unknown";
 }
 
-CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes, std::size_t chunk_size) {
+CurveFile detail::read_curve_bytes(std::string name, std::span<const std::byte> bytes, std::size_t chunk_size) {
   CurveFile file;
   file.path = std::move(name);
   if (bytes.empty()) throw DataError(file.path + ": the file is empty");
@@ -135,7 +136,7 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   }
   if (chosen) result.zone = choose_zone(file, choice);
   Zone& zone = file.zones[result.zone];
-  result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : std::move(zone.title)};
+  result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : zone.title};
   result.file = path;
   result.sha256 = std::move(file.sha256);
   if (closed) {

@@ -8,7 +8,7 @@
 
 #include "lober/files.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Small enough that a chunk and its points stay in the cache of a core, large enough that handing it over
 /// costs nothing.
@@ -19,4 +19,4 @@ inline constexpr std::size_t default_chunk_size = std::size_t{1} << 18;
 [[nodiscard]] CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes,
                                          std::size_t chunk_size = default_chunk_size);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,6 +7,7 @@
 #include "lober/files.hpp"
 
 namespace lober {
+using namespace detail;
 
 std::string sha256(std::span<const std::byte> bytes) {
   sha256_ctx context;

@@ -5,7 +5,7 @@
 
 #include "engine/files/tecplot.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t sniffed = 4096;
@@ -59,4 +59,4 @@ Content sniff(std::span<const std::byte> bytes) {
   return is_text(as_text(head.subspan(byte_order_mark(head)))) ? Content::text : Content::raw;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

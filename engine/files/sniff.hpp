@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace lober {
+namespace lober::detail {
 
 enum class Content : std::uint8_t { text, npy, raw };
 
@@ -18,4 +18,4 @@ enum class Content : std::uint8_t { text, npy, raw };
 /// Length of the UTF-8 byte order mark at the beginning: 3 or 0.
 [[nodiscard]] std::size_t byte_order_mark(std::span<const std::byte> bytes);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "engine/files/text_points.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Independent of the locale, which <cctype> is not.
@@ -195,4 +195,4 @@ std::string tecplot_title(std::string_view title) {
   return text + '"';
 }
 
-}  // namespace lober
+}  // namespace lober::detail

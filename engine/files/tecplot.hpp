@@ -16,7 +16,7 @@
 
 #include "engine/files/place.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 enum class TecplotRecord : std::uint8_t { none, title, variables, zone, ignored };
 
@@ -43,4 +43,4 @@ void read_zone_attributes(std::string_view line, const Place& place, TecplotZone
 /// The title as a quoted string that the functions above read back.
 [[nodiscard]] std::string tecplot_title(std::string_view title);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 #include "engine/files/tecplot.hpp"
 #include "engine/files/text_points.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 /// Takes the chunks in their order and builds the zones.
@@ -155,4 +155,4 @@ void read_text(std::string_view text, std::size_t chunk_size, CurveFile& file) {
   assembler.finish();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

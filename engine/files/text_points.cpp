@@ -6,7 +6,7 @@
 
 #include "engine/files/number.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // '\r' is a blank: with the line break of DOS it stands at the end of the line.
@@ -136,4 +136,4 @@ void parse_chunk(TextChunk& chunk) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

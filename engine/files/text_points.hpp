@@ -9,7 +9,7 @@
 
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A line that does not begin like a number and is neither blank nor a comment.
 struct OtherLine {
@@ -44,4 +44,4 @@ void parse_chunk(TextChunk& chunk);
 /// Text of a file for a message: quoted, shortened, without control characters.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-}  // namespace lober
+}  // namespace lober::detail

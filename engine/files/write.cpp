@@ -9,6 +9,7 @@
 #include "lober/files.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 /// What cannot be read back is not written.

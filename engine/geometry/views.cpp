@@ -2,7 +2,7 @@
 
 #include "engine/geometry/curve/require.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options) {
   require_region(c1, "curve 1", "overlay");
@@ -41,4 +41,4 @@ CommonArea common_area(CurveView first, CurveView second) {
   return common_area(ClosedCurve::borrow(first.points), ClosedCurve::borrow(second.points));
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include "lober/smooth.hpp"
 #include "lober/tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 [[nodiscard]] Overlay overlay(CurveView c1, CurveView c2, const OverlayOptions& options = {});
 [[nodiscard]] InteriorAreas interior_areas(CurveView c1, CurveView c2, const InteriorOptions& options = {});
@@ -20,4 +20,4 @@ namespace lober {
 [[nodiscard]] SmoothArea smooth_area(CurveView curve);
 [[nodiscard]] CommonArea common_area(CurveView first, CurveView second);
 
-}  // namespace lober
+}  // namespace lober::detail

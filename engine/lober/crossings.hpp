@@ -39,13 +39,15 @@ struct Node {
                           ///< (both curves taken counter-clockwise)
 };
 
+namespace detail {
 struct CrossingsData;  // private: engine/geometry/crossings/crossings_data.hpp
+}  // namespace detail
 
 /// The nodes of two curves in order along C1, from its first vertex on. Cheap to copy; keeps alive what the curves own.
 class Crossings {
  public:
   LOBER_API Crossings();  ///< none
-  explicit Crossings(std::shared_ptr<const CrossingsData> data) : data_(std::move(data)) {}
+  explicit Crossings(std::shared_ptr<const detail::CrossingsData> data) : data_(std::move(data)) {}
 
   [[nodiscard]] LOBER_API std::size_t size() const;
   [[nodiscard]] LOBER_API Node operator[](std::size_t node) const;
@@ -64,10 +66,10 @@ class Crossings {
   [[nodiscard]] LOBER_API bool clockwise1() const;
   [[nodiscard]] LOBER_API bool clockwise2() const;
 
-  [[nodiscard]] const CrossingsData& data() const { return *data_; }
+  [[nodiscard]] const detail::CrossingsData& data() const { return *data_; }
 
  private:
-  std::shared_ptr<const CrossingsData> data_;
+  std::shared_ptr<const detail::CrossingsData> data_;
 };
 
 /// Throws NotSimpleError unless the closed curve is simple: no two segments meet except neighbours in their common

@@ -17,7 +17,9 @@ enum class IndexKind : std::uint8_t { automatic, tree, grid, kd };
 /// The kind of that name; `automatic` if there is none.
 [[nodiscard]] LOBER_API IndexKind index_kind(std::string_view name);
 
+namespace detail {
 class BoxTree;  // private: engine/geometry/index/box_tree.hpp
+}  // namespace detail
 
 /// A curve with its box tree: what every search starts from. Build it once for a curve that occurs in many pairs.
 /// Cheap to copy; keeps alive what the curve owns. O(N), parallel; about 2 bytes a point.
@@ -34,12 +36,12 @@ class IndexedCurve {
   [[nodiscard]] LOBER_API bool finite() const;
   [[nodiscard]] LOBER_API std::size_t memory() const;  ///< bytes of the index
   [[nodiscard]] const std::shared_ptr<const void>& owner() const { return owner_; }
-  [[nodiscard]] const BoxTree& tree() const { return *tree_; }
+  [[nodiscard]] const detail::BoxTree& tree() const { return *tree_; }
 
  private:
   CurveView view_;
   std::shared_ptr<const void> owner_;
-  std::shared_ptr<const BoxTree> tree_;
+  std::shared_ptr<const detail::BoxTree> tree_;
 };
 
 /// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. About log N:

@@ -105,14 +105,16 @@ struct Piece {
   PieceCrossings crossings;
 };
 
+namespace detail {
 struct PiecesData;  // private: engine/geometry/overlay/pieces_data.hpp
+}  // namespace detail
 
 /// The pieces of one pairing: an array of Piece, stored compactly (12 to 20 bytes a piece, 4 a crossing). Nothing is
 /// allocated to look at them. Cheap to copy.
 class Pieces {
  public:
   LOBER_API Pieces();  ///< none
-  explicit Pieces(std::shared_ptr<const PiecesData> data) : data_(std::move(data)) {}
+  explicit Pieces(std::shared_ptr<const detail::PiecesData> data) : data_(std::move(data)) {}
 
   [[nodiscard]] std::size_t size() const { return areas().size(); }
   [[nodiscard]] LOBER_API Piece operator[](std::size_t piece) const;
@@ -134,10 +136,10 @@ class Pieces {
   [[nodiscard]] Iterator begin() const { return {this, 0}; }
   [[nodiscard]] Iterator end() const { return {this, size()}; }
 
-  [[nodiscard]] const PiecesData& data() const { return *data_; }
+  [[nodiscard]] const detail::PiecesData& data() const { return *data_; }
 
  private:
-  std::shared_ptr<const PiecesData> data_;
+  std::shared_ptr<const detail::PiecesData> data_;
 };
 
 struct OverlayStatistics {
@@ -216,7 +218,9 @@ struct Slivers {
 };
 [[nodiscard]] LOBER_API Slivers find_slivers(const Overlay& result, Pairing pairing);
 
+namespace detail {
 struct DiscretisationData;  // private: engine/geometry/overlay/discretisation.cpp
+}  // namespace detail
 
 /// What one curve brings to `discretisation_error`: running sums of the areas between its segments and the smooth curve
 /// through its vertices. The points must stay alive. O(N), parallel; 2 bytes a point.
@@ -224,10 +228,10 @@ class DiscretisationSums {
  public:
   LOBER_API explicit DiscretisationSums(CurveView curve);
   [[nodiscard]] LOBER_API std::size_t memory() const;  ///< bytes
-  [[nodiscard]] const DiscretisationData& data() const { return *data_; }
+  [[nodiscard]] const detail::DiscretisationData& data() const { return *data_; }
 
  private:
-  std::shared_ptr<const DiscretisationData> data_;
+  std::shared_ptr<const detail::DiscretisationData> data_;
 };
 
 /// Estimate, for each area, of |polygon - smooth curve through the same points|: the area between each segment and the

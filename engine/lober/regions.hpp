@@ -68,14 +68,16 @@ struct RegionOptions {
   std::function<bool(double)> progress;
 };
 
+namespace detail {
 struct Arrangement;  // private: engine/geometry/regions/arrangement.hpp
 struct RegionPiecesData;
+}  // namespace detail
 
 /// The pieces of one region, in the order in which their faces come along C1, then C2. Cheap to copy.
 class RegionPieces {
  public:
   LOBER_API RegionPieces();  ///< none
-  explicit RegionPieces(std::shared_ptr<const RegionPiecesData> data) : data_(std::move(data)) {}
+  explicit RegionPieces(std::shared_ptr<const detail::RegionPiecesData> data) : data_(std::move(data)) {}
 
   [[nodiscard]] std::size_t size() const { return areas().size(); }
   [[nodiscard]] LOBER_API std::span<const double> areas() const;
@@ -85,14 +87,14 @@ class RegionPieces {
   [[nodiscard]] LOBER_API std::vector<std::vector<Point>> outline(std::size_t piece) const;
 
  private:
-  std::shared_ptr<const RegionPiecesData> data_;
+  std::shared_ptr<const detail::RegionPiecesData> data_;
 };
 
 /// Cheap to copy; keeps alive what the curves own.
 class Regions {
  public:
   LOBER_API Regions();  ///< of nothing
-  explicit Regions(std::shared_ptr<const Arrangement> arrangement) : arrangement_(std::move(arrangement)) {}
+  explicit Regions(std::shared_ptr<const detail::Arrangement> arrangement) : arrangement_(std::move(arrangement)) {}
 
   /// All pairs of winding numbers that occur, ascending, without (0, 0).
   [[nodiscard]] LOBER_API std::span<const WindingArea> table() const;
@@ -111,7 +113,7 @@ class Regions {
   [[nodiscard]] LOBER_API const RegionTiming& timing() const;
 
  private:
-  std::shared_ptr<const Arrangement> arrangement_;
+  std::shared_ptr<const detail::Arrangement> arrangement_;
 };
 
 /// The regions of one or two closed curves of any shape; the orientation of the input is kept. Result and

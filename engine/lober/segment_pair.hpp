@@ -9,7 +9,7 @@ namespace lober {
 struct SegmentPair {
   std::uint32_t first;
   std::uint32_t second;
-  friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
+  friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 }  // namespace lober

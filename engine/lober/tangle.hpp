@@ -116,7 +116,9 @@ struct TangleTiming {
   double index = 0, check = 0, crossings = 0, order = 0, pips = 0, areas = 0, total = 0;
 };
 
+namespace detail {
 struct TangleCurves;  // private: engine/geometry/tangle/curves.hpp
+}  // namespace detail
 
 struct Tangle {
   Crossings nodes;  ///< where U (curve 1) and S (curve 2) meet, in order along U; order2() is the order along S
@@ -130,7 +132,7 @@ struct Tangle {
   std::uint64_t fallback_segments = 0, fallback_pips = 0;  ///< with `smooth`: that stay as the polygons have them
   TangleTiming timing;
 
-  std::shared_ptr<const TangleCurves> curves;
+  std::shared_ptr<const detail::TangleCurves> curves;
   [[nodiscard]] const CurveView& u() const { return nodes.curve1(); }
   [[nodiscard]] const CurveView& s() const { return nodes.curve2(); }
   /// Bound on |computed - exact value| of an area of the polygons.

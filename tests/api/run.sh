@@ -33,6 +33,14 @@ for compiler in "$@"; do
   done
 done
 
+# What is public is in namespace lober, all else of the engine and the kernels in lober::detail.
+bad=$(grep -rnE '^namespace lober( |$|::[a-ce-z])' "$root/kernels" "$root/engine" --include=*.hpp --include=*.inl | grep -v "^$headers/")
+[ -z "$bad" ] || fail "private headers that are not in lober::detail:
+$bad"
+bad=$(awk '/^namespace detail/ {inside = 1; next} /^}  \/\/ namespace detail/ {inside = 0} FILENAME !~ /curve\.hpp$/ && inside && !/^(class|struct) [A-Za-z]+;/ {print FILENAME ": " $0}' "$headers"/*.hpp)
+[ -z "$bad" ] || fail "public headers with more of lober::detail than names:
+$bad"
+
 # Who may include what. Public headers stand on themselves.
 bad=$(grep -nE '#include "' "$headers"/*.hpp | grep -v '#include "lober/')
 [ -z "$bad" ] || fail "public headers that include private ones:

@@ -6,6 +6,7 @@
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {
+using namespace lober::detail;
 namespace {
 
 class InstructionSets : public ProgramTest {

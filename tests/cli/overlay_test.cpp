@@ -8,6 +8,7 @@
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {
+using namespace lober::detail;
 namespace {
 
 using Json = nlohmann::json;

@@ -13,6 +13,7 @@
 #include "kernels/point.hpp"
 
 namespace lober::cli {
+using namespace lober::detail;
 
 struct Outcome {
   int status;  ///< exit status; -1 if a signal ended the program

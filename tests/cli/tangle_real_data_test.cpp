@@ -11,6 +11,7 @@
 #include "tests/shared_data.hpp"
 
 namespace lober::cli {
+using namespace lober::detail;
 namespace {
 
 using Json = nlohmann::json;

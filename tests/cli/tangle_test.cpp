@@ -11,6 +11,7 @@
 #include "tests/paths.hpp"
 
 namespace lober::cli {
+using namespace lober::detail;
 namespace {
 
 using Numbers = std::vector<double>;

@@ -8,7 +8,7 @@
 #include "tests/determinism/variations.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 TEST(DynamicsDeterminism, TangleOfAHundredThousandPips) {
@@ -54,4 +54,4 @@ TEST(DynamicsDeterminism, ManifoldOfAFlow) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,7 +10,7 @@
 #include "kernels/double_double.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Numbers one after the other, by bits: -0 is not 0. Not cryptographic: one changed bit changes the value, two changes
 /// hide each other once in 2^64.
@@ -43,4 +43,4 @@ class Hash {
   std::uint64_t state_ = 1;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include "lober/tangle.hpp"
 #include "tests/determinism/hash.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 void add(Hash& hash, const Areas& areas) {
@@ -209,4 +209,4 @@ std::uint64_t densify_hash(CurveView c1, CurveView c2) {
   return hash.value();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

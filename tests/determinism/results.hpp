@@ -6,7 +6,7 @@
 #include "engine/geometry/index/index.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Areas, bounds, nodes, classes, pieces, centroids, slivers and discretisation of the overlay.
 [[nodiscard]] std::uint64_t overlay_hash(CurveView c1, CurveView c2, IndexKind index);
@@ -19,4 +19,4 @@ namespace lober {
 /// The first curve made finer everywhere and near the second one, both with their crossings, and made coarser.
 [[nodiscard]] std::uint64_t densify_hash(CurveView c1, CurveView c2);
 
-}  // namespace lober
+}  // namespace lober::detail

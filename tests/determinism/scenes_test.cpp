@@ -9,7 +9,7 @@
 #include "tests/determinism/variations.hpp"
 #include "tests/environment.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class Scenes : public testing::TestWithParam<bench::SceneKind> {
@@ -61,4 +61,4 @@ INSTANTIATE_TEST_SUITE_P(Determinism, Scenes, testing::ValuesIn(bench::scenes().
                          });
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr IndexKind all_indexes[] = {IndexKind::tree, IndexKind::grid, IndexKind::kd};
@@ -73,4 +73,4 @@ void expect_same(bool indexes, const std::function<std::uint64_t(IndexKind)>& ha
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

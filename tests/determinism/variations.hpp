@@ -9,7 +9,7 @@
 #include "engine/geometry/index/index.hpp"
 #include "kernels/cpu.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct Variation {
   InstructionSet isa;
@@ -27,4 +27,4 @@ struct Variation {
 /// index is handed to it.
 void expect_same(bool indexes, const std::function<std::uint64_t(IndexKind)>& hash);
 
-}  // namespace lober
+}  // namespace lober::detail

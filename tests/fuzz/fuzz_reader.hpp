@@ -16,6 +16,7 @@
 #include "engine/files/read_memory.hpp"
 
 namespace lober::fuzz {
+using namespace lober::detail;
 
 /// Ends the run as a finding.
 inline void require(bool condition, const char* what) {

@@ -12,13 +12,15 @@
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober {
+namespace lober::detail {
 void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                      TreeNode* const* met, std::size_t* met_count);
 SplitCounts refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                         TreeNode* kept, TreeNode* split);
+}  // namespace lober::detail
 
-namespace testing {
+namespace lober::testing {
+using namespace detail;
 namespace {
 
 // A pyramid over random boxes, some of which only touch.
@@ -127,5 +129,4 @@ TEST(BoxPyramid, TheOtherCopyToo) {
 }
 
 }  // namespace
-}  // namespace testing
-}  // namespace lober
+}  // namespace lober::testing

@@ -8,7 +8,7 @@
 
 #include "kernels/sagitta.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 TEST(SagittaAreas, ManyAtOnceHaveTheBitsOfOneByOne) {
@@ -37,4 +37,4 @@ TEST(SagittaAreas, ManyAtOnceHaveTheBitsOfOneByOne) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -13,7 +13,7 @@
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober {
+namespace lober::detail {
 unsigned four_parameters_avx2(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
 }
 

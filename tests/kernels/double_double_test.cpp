@@ -6,6 +6,7 @@
 #include "tests/kernels/random_doubles.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 // Multiples of u^2, u = 2^-53.

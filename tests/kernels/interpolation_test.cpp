@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 CubicPiece random_piece(std::mt19937_64& random) {
@@ -107,4 +107,4 @@ TEST(Interpolation, TurningAngles) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,11 +12,11 @@
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober {
+namespace lober::detail {
 using Summarise = void(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
                        std::uint8_t* flags);
 Summarise summarise_leaves_avx2, summarise_leaves_avx512;
-}  // namespace lober
+}  // namespace lober::detail
 
 namespace lober::testing {
 namespace {

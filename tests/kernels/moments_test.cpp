@@ -6,7 +6,7 @@
 #include "kernels/moments.hpp"
 #include "tests/oracle/random.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 void expect_near(DD found, DD expected, double scale) {
@@ -45,4 +45,4 @@ TEST(Moments, AreThoseOfATriangle) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

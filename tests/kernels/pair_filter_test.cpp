@@ -11,7 +11,7 @@
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober {
+namespace lober::detail {
 void filter_pairs_avx2(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
                        PairVerdict* verdicts);
 }

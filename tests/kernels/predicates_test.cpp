@@ -8,6 +8,7 @@
 #include "tests/kernels/random_doubles.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 struct Triple {

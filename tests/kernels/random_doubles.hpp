@@ -17,6 +17,7 @@
 #include "tests/oracle/random.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 
 using oracle::Random;
 

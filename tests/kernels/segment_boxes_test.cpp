@@ -16,11 +16,11 @@
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober {
+namespace lober::detail {
 void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes);
 std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
                                   std::uint32_t b_begin, SegmentPair* pairs);
-}  // namespace lober
+}  // namespace lober::detail
 
 namespace lober::testing {
 namespace {

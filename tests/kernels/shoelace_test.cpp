@@ -12,11 +12,11 @@
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober {
+namespace lober::detail {
 DD shoelace_prefixes_avx2(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
 void sums_at_avx2(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count,
                   DD* sums);
-}  // namespace lober
+}  // namespace lober::detail
 
 namespace lober::testing {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "tests/oracle/random.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 double sine(double x) {
@@ -72,4 +72,4 @@ TEST(Sine, SameBitsOneByOneAndTogether) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using Window = std::array<Point, 8>;
@@ -103,4 +103,4 @@ TEST(SmoothSegment, HasNoneWithoutLength) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

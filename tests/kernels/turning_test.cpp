@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // The definition, one vertex at a time.
@@ -71,4 +71,4 @@ TEST(Turning, PartsOfACircle) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

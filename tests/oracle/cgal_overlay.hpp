@@ -14,6 +14,7 @@
 #include "tests/oracle/exact_number.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 
 struct CgalPiece {
   Rational area;

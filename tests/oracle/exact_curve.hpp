@@ -9,6 +9,7 @@
 #include "tests/oracle/exact_number.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 
 /// The polygon without repeated vertices, counter-clockwise, vertex 0 the caller's vertex 0.
 /// Coordinates are x * 2^exponent; segment i starts at vertex i and runs along (dx, dy).

@@ -14,6 +14,7 @@
 #include "tests/oracle/exact_number.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 
 /// The pairings by number, in the order of every array of four below.
 enum : std::size_t { c1_minus_c2 = 0, c2_minus_c1 = 1, intersection = 2, union_ = 3 };

@@ -13,6 +13,7 @@
 #include "engine/geometry/views.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 namespace {
 
 class Judge {

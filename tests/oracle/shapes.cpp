@@ -10,6 +10,7 @@
 #include "kernels/box.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 namespace {
 
 using Cell = std::pair<int, int>;

@@ -8,6 +8,7 @@
 #include "tests/oracle/random.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 
 using Polygon = std::vector<Point>;
 using PolygonPair = std::pair<Polygon, Polygon>;

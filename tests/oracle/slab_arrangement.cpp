@@ -7,6 +7,7 @@
 #include "kernels/box.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 
 // A segment from left to right; `winding` is what crossing it upwards adds.
 struct SlabArrangement::Line {

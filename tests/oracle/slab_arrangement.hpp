@@ -16,6 +16,7 @@
 #include "tests/oracle/exact_number.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 
 struct SlabPiece {
   Rational area;

@@ -11,6 +11,7 @@
 #include "tests/oracle/exact_number.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 
 /// Exact area of A1 n A2 of two closed polygons of either orientation. O(n m).
 [[nodiscard]] Rational trapezoid_intersection(std::span<const Point> first, std::span<const Point> second);

@@ -22,6 +22,7 @@
 #include "tests/stress/coverage.hpp"
 
 namespace lober::stress {
+using namespace lober::detail;
 namespace {
 
 using oracle::Random;

@@ -29,6 +29,7 @@
 #include "tests/stress/transformations.hpp"
 
 namespace lober::stress {
+using namespace lober::detail;
 namespace {
 
 using oracle::CurvePair;

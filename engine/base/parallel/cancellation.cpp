@@ -5,6 +5,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 thread_local const CancellationScope* innermost = nullptr;
@@ -34,12 +35,10 @@ bool is_cancelled() noexcept {
 }
 
 void throw_if_cancelled() {
-  if (is_cancelled()) detail::throw_cancelled();
+  if (is_cancelled()) throw_cancelled();
 }
 
-namespace detail {
-
-void throw_cancelled() {
+void detail::throw_cancelled() {
   throw Cancelled();
 }
 
@@ -49,5 +48,4 @@ InheritedCancellation::~InheritedCancellation() {
   innermost = before_;
 }
 
-}  // namespace detail
 }  // namespace lober

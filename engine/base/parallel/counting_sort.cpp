@@ -4,10 +4,9 @@
 #include <array>
 #include <vector>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
-using detail::sort_grain;
 constexpr std::uint32_t digit_bits = 11;
 constexpr std::size_t digits = std::size_t{1} << digit_bits;
 
@@ -60,14 +59,14 @@ bool join_blocks(Buffer<KeyedNumber>& items) {
 
 }  // namespace
 
-bool detail::insertion_pass(KeyedNumber* items, std::size_t count) {
+bool insertion_pass(KeyedNumber* items, std::size_t count) {
   for (std::size_t k = 1; k < count; ++k) {
     if (!settle_one(items, k)) return false;
   }
   return true;
 }
 
-void detail::radix_sort(Buffer<KeyedNumber>& items, std::uint32_t largest, bool blocks_are_sorted) {
+void radix_sort(Buffer<KeyedNumber>& items, std::uint32_t largest, bool blocks_are_sorted) {
   if (blocks_are_sorted && join_blocks(items)) return;
   const auto less = [](const KeyedNumber& x, const KeyedNumber& y) { return x.key < y.key; };
   if (items.size() < digits) {
@@ -81,4 +80,4 @@ void detail::radix_sort(Buffer<KeyedNumber>& items, std::uint32_t largest, bool 
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

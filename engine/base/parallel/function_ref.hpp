@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace lober {
+namespace lober::detail {
 
 template <typename Signature>
 class FunctionRef;
@@ -29,4 +29,4 @@ class FunctionRef<Result(Arguments...)> {
   Result (*call_)(void*, Arguments...);
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -16,7 +16,7 @@
 #define LOBER_UNSEEN
 #endif
 
-namespace lober {
+namespace lober::detail {
 
 /// Whatever happened before a `release` happens before what follows an `acquire` that comes later in time.
 class HandOver {
@@ -60,4 +60,4 @@ class HandedOver {
   HandOver begins_, ends_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

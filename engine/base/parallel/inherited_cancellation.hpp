@@ -3,9 +3,7 @@
 
 #include "lober/cancellation.hpp"
 
-namespace lober {
-
-namespace detail {
+namespace lober::detail {
 
 [[noreturn]] void throw_cancelled();
 
@@ -21,5 +19,4 @@ class InheritedCancellation {
   const CancellationScope* before_;
 };
 
-}  // namespace detail
-}  // namespace lober
+}  // namespace lober::detail

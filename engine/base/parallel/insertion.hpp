@@ -7,7 +7,7 @@
 
 #include "engine/base/parallel/running_sums.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Puts each of `inserted` (ascending by `segment`) behind element `segment` of `given`: element k goes to place k +
 /// (number of insertions before it). `value(insertion)` is what is put there. O(given + inserted), parallel.
@@ -28,4 +28,4 @@ Buffer<T> with_inserted(std::span<const T> given, const Buffer<Insertion>& inser
   return result;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,15 +6,13 @@
 
 #include "engine/base/parallel/function_ref.hpp"
 
-namespace lober {
+namespace lober::detail {
 
-namespace detail {
 /// Slots that a pipeline has: enough to keep every thread busy while one block is late.
 [[nodiscard]] std::size_t pipeline_slots();
 /// The functions take the number of a slot.
 void run_pipeline(std::size_t slots, FunctionRef<bool(std::size_t)> next, FunctionRef<void(std::size_t)> work,
                   FunctionRef<void(std::size_t)> deliver);
-}  // namespace detail
 
 /// Until `next(slot)` returns false: `next(slot)` takes the next block (one call at a time), `work(slot)`
 /// handles it (in parallel), `deliver(slot)` uses the result (one call at a time, in the order of `next`). A
@@ -23,10 +21,10 @@ void run_pipeline(std::size_t slots, FunctionRef<bool(std::size_t)> next, Functi
 /// blocks wins on every machine. Throws Cancelled between blocks.
 template <typename Slot, typename Next, typename Work, typename Deliver>
 void ordered_pipeline(const Next& next, const Work& work, const Deliver& deliver) {
-  std::vector<Slot> slots(detail::pipeline_slots());
-  detail::run_pipeline(
+  std::vector<Slot> slots(pipeline_slots());
+  run_pipeline(
       slots.size(), [&](std::size_t k) -> bool { return next(slots[k]); }, [&](std::size_t k) { work(slots[k]); },
       [&](std::size_t k) { deliver(slots[k]); });
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "engine/base/parallel/complete.hpp"
 #include "engine/base/parallel/handover.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 void for_each_block(std::size_t size, std::size_t grain, FunctionRef<void(std::size_t, std::size_t)> body) {
   const std::size_t blocks = (size + grain - 1) / grain;
@@ -24,16 +24,16 @@ void for_each_block(std::size_t size, std::size_t grain, FunctionRef<void(std::s
       std::size_t{0}, blocks,
       [&](std::size_t block) LOBER_UNSEEN {
         const HandedOver::Part part(work);
-        const detail::InheritedCancellation inherited(scope);
+        const InheritedCancellation inherited(scope);
         throw_if_cancelled();
         const std::size_t begin = block * grain;
         body(begin, begin + grain < size ? begin + grain : size);
       },
       context);
-  detail::require_complete(context);
+  require_complete(context);
 }
 
-void detail::run_side_by_side(std::span<const FunctionRef<void()>> functions) {
+void run_side_by_side(std::span<const FunctionRef<void()>> functions) {
   const CancellationScope* const scope = CancellationScope::current();
   tbb::task_group_context context;
   HandedOver work;
@@ -41,7 +41,7 @@ void detail::run_side_by_side(std::span<const FunctionRef<void()>> functions) {
       tbb::blocked_range<std::size_t>(0, functions.size(), 1),
       [&](const tbb::blocked_range<std::size_t>& range) LOBER_UNSEEN {
         const HandedOver::Part part(work);
-        const detail::InheritedCancellation inherited(scope);
+        const InheritedCancellation inherited(scope);
         for (std::size_t k = range.begin(); k < range.end(); ++k) functions[k]();
       },
       tbb::simple_partitioner(), context);
@@ -52,7 +52,7 @@ int concurrency() {
   return tbb::this_task_arena::max_concurrency();
 }
 
-void detail::run_in_arena(int threads, FunctionRef<void()> function) {
+void run_in_arena(int threads, FunctionRef<void()> function) {
   // An arena has as many places as it is asked for, but oneTBB makes no more workers than there are cores until a limit
   // that is higher allows it. Of several limits the lowest holds, so none is set that would hold others back.
   std::optional<tbb::global_control> limit;
@@ -64,9 +64,9 @@ void detail::run_in_arena(int threads, FunctionRef<void()> function) {
   HandedOver work;
   arena.execute([&]() LOBER_UNSEEN {
     const HandedOver::Part part(work);
-    const detail::InheritedCancellation inherited(scope);
+    const InheritedCancellation inherited(scope);
     function();
   });
 }
 
-}  // namespace lober
+}  // namespace lober::detail

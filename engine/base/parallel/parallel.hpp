@@ -14,16 +14,14 @@
 #include "engine/base/parallel/function_ref.hpp"
 #include "lober/cancellation.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Calls body(begin, end) for [0, size) cut into pieces of exactly `grain` (the last one may be shorter), in
 /// parallel when there is more than one. Throws Cancelled between pieces (cancellation.hpp), and what a piece throws.
 void for_each_block(std::size_t size, std::size_t grain, FunctionRef<void(std::size_t, std::size_t)> body);
 
-namespace detail {
 void run_side_by_side(std::span<const FunctionRef<void()>> functions);
 void run_in_arena(int threads, FunctionRef<void()> function);
-}  // namespace detail
 
 /// Runs the functions side by side when `parallel`, one after the other when not. They ask what the caller asks
 /// whether they are cancelled.
@@ -31,7 +29,7 @@ template <typename... Functions>
 void parallel_if(bool parallel, Functions&&... functions) {
   if (parallel) {
     const std::array<FunctionRef<void()>, sizeof...(Functions)> all{FunctionRef<void()>(functions)...};
-    detail::run_side_by_side(all);
+    run_side_by_side(all);
   } else {
     (functions(), ...);
   }
@@ -46,12 +44,12 @@ template <typename Function>
 auto with_threads(int threads, Function&& function) {
   if (threads <= 0) return function();
   if constexpr (std::is_void_v<decltype(function())>) {
-    detail::run_in_arena(threads, function);
+    run_in_arena(threads, function);
   } else {
     std::optional<decltype(function())> result;
-    detail::run_in_arena(threads, [&] { result.emplace(function()); });
+    run_in_arena(threads, [&] { result.emplace(function()); });
     return std::move(*result);
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

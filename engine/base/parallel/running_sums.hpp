@@ -9,7 +9,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Elements that one task handles; fixed, so that results do not depend on threads.
 inline constexpr std::size_t pass_grain = std::size_t{1} << 14;
@@ -71,4 +71,4 @@ Buffer<T> gathered(std::size_t size, const Keep& keep, const Make& make) {
   return result;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

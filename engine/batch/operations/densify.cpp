@@ -9,7 +9,7 @@
 
 #include "engine/batch/operations/table.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // 0 stands for "not given" where the command line has no option.
@@ -146,4 +146,4 @@ Operation densify_operation() {
   return operation;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,7 +3,7 @@
 
 #include "engine/batch/operations/table.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 Result run(JobCurves curves, const Options& options) {
@@ -51,4 +51,4 @@ Operation interior_operation() {
   return operation;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 #include "engine/batch/operations/table.hpp"
 #include "lober/overlay.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 Result run(JobCurves curves, const Options& options) {
@@ -65,4 +65,4 @@ Operation overlay_operation() {
   return operation;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

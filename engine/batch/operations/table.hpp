@@ -4,7 +4,7 @@
 #include "engine/batch/operation.hpp"
 #include "lober/areas.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 [[nodiscard]] Operation overlay_operation();
 [[nodiscard]] Operation interior_operation();
@@ -20,4 +20,4 @@ void add_areas(std::vector<double>& values, const Areas& areas);
 [[nodiscard]] OptionSpec index_option();
 [[nodiscard]] IndexKind index_kind(const Options& options);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 
 #include "engine/batch/operations/table.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 TangleOptions tangle_options(const Options& options) {
@@ -82,4 +82,4 @@ Operation tangle_operation() {
   return operation;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "engine/batch/recipe.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 Result run(JobCurves curves, const Options& options) {
@@ -89,4 +89,4 @@ Operation transport_operation() {
   return operation;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -20,7 +20,7 @@
 #include "lober/escape.hpp"
 #include "lober/smooth.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 // Cut images are measured as polygons and end where a strip is cut off: they need not be as fine as whole ones.
 inline constexpr double cut_coarseness = 10;
@@ -285,4 +285,4 @@ class Bottlenecks {
   double least_area_ = std::numeric_limits<double>::infinity();
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -14,7 +14,7 @@
 #include "lober/error.hpp"
 #include "lober/index.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct Exit {
@@ -351,4 +351,4 @@ bool CutImages::out_of_points() const {
   return cutting_->out_of_points();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

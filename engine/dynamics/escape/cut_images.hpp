@@ -18,7 +18,7 @@
 #include "engine/dynamics/escape/regularising_curve.hpp"
 #include "lober/tubes.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct CutImageOptions {
   TubeCurveOptions tracing;
@@ -51,4 +51,4 @@ class CutImages {
   std::unique_ptr<Cutting> cutting_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

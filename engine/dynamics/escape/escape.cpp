@@ -14,6 +14,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 class Builder {

@@ -12,6 +12,7 @@
 #include "lober/index.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::size_t grain = 2048;  // trajectories a block

@@ -5,7 +5,7 @@
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // s w = I of the strip: its area is I log(multiplier) in units of both tangents, on the local section.
@@ -62,4 +62,4 @@ FlowState RegularisingCurve::state(double u) const {
   return flow_.on_section(orbit.local, orbit.energy, point(part));
 }
 
-}  // namespace lober
+}  // namespace lober::detail

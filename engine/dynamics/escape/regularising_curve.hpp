@@ -4,7 +4,7 @@
 
 #include "lober/tubes.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Both tubes of a bottleneck, towards the section.
 struct BottleneckTubes {
@@ -36,4 +36,4 @@ class RegularisingCurve {
   double turn_ = 1, growth_ = 0;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

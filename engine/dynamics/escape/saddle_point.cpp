@@ -9,6 +9,7 @@
 #include "lober/periodic_orbit.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 Matrix matrix_of(const FlowMatrix& matrix) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t dimension = 4;
@@ -96,4 +96,4 @@ std::vector<EscapeSymmetry> symmetries(const Flow& flow, const Section& section,
   return found;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

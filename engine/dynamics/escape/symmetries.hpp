@@ -15,7 +15,7 @@
 
 #include "lober/escape.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct EscapeSymmetry {
   bool backwards = false;            ///< exchanges past and future
@@ -27,4 +27,4 @@ struct EscapeSymmetry {
 [[nodiscard]] std::vector<EscapeSymmetry> symmetries(const Flow& flow, const Section& section,
                                                      std::span<const Bottleneck> bottlenecks);
 
-}  // namespace lober
+}  // namespace lober::detail

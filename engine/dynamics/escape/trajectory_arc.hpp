@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace lober {
+namespace lober::detail {
 
 /// From 0 to 1, slow at both ends: there cut curves wind about a tube, each turn in a fraction 1 / multiplier of what
 /// is left.
@@ -37,4 +37,4 @@ struct TrajectoryArc {
   }
 };
 
-}  // namespace lober
+}  // namespace lober::detail

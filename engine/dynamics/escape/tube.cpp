@@ -11,6 +11,7 @@
 #include "lober/smooth.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 std::size_t at(int coordinate) {

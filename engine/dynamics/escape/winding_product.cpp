@@ -4,7 +4,7 @@
 
 #include "lober/regions.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 double winding_product(const ClosedCurve& first, const ClosedCurve& second) {
@@ -29,4 +29,4 @@ CommonArea common_area_by_winding(const ClosedCurve& first, const ClosedCurve& s
   return {std::fabs(fine + (fine - coarse) / 3), std::fabs(fine - coarse)};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 
 #include "engine/dynamics/maps/plane.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 Point direction(const Matrix2& a, double eigenvalue) {
@@ -52,4 +52,4 @@ void classify(FixedPoint& point) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

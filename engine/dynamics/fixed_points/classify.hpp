@@ -3,9 +3,9 @@
 
 #include "lober/fixed_points.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Fills in eigenvalues, directions and kind from the derivative.
 void classify(FixedPoint& point);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,6 +10,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // The points of an orbit on one manifold from `place` towards the saddle, until they are the saddle: one step of the

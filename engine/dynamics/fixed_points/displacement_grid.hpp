@@ -13,7 +13,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/fixed_points.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class DisplacementGrid {
  public:
@@ -57,9 +57,10 @@ class DisplacementGrid {
 
  private:
   [[nodiscard]] Point place(std::size_t k) const {
+    const std::size_t column = k % side_, row = k / side_;
     const double steps = static_cast<double>(side_ - 1);
-    return {box_.min_x + box_.width() * (static_cast<double>(k % side_) / steps),
-            box_.min_y + box_.height() * (static_cast<double>(k / side_) / steps)};
+    return {box_.min_x + box_.width() * (static_cast<double>(column) / steps),
+            box_.min_y + box_.height() * (static_cast<double>(row) / steps)};
   }
   [[nodiscard]] bool both_change_sign(std::size_t i, std::size_t j) const {
     const std::array<Point, 4> corner{gaps_[j * side_ + i], gaps_[j * side_ + i + 1], gaps_[(j + 1) * side_ + i],
@@ -87,4 +88,4 @@ class DisplacementGrid {
   std::vector<Point> gaps_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -16,6 +16,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 
 namespace {
 

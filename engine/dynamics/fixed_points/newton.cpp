@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -66,4 +66,4 @@ NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& opt
   return best;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/fixed_points.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// f^period(z) - z - shift, and the derivative of f^period.
 struct Displacement {
@@ -30,4 +30,4 @@ struct NewtonEnd {
 /// stands for iterates of the inverse.
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,6 +8,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 void require_sensible(const LocalManifold& local, const GrowthOptions& options) {

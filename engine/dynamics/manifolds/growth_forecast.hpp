@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 
 class GrowthForecast {
  public:
@@ -34,4 +34,4 @@ class GrowthForecast {
   int count_ = 0;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,6 +11,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::size_t batch = 64;

@@ -18,6 +18,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 struct Image {

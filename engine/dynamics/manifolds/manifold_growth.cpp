@@ -10,7 +10,7 @@
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // What one point costs at the peak: two copies with their parameters, flags, counts and the next guide.
@@ -329,4 +329,4 @@ bool ManifoldGrowth::alive(const Samples& samples) const {
   });
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -14,7 +14,7 @@
 #include "engine/dynamics/manifolds/trace.hpp"
 #include "lober/manifolds.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class ManifoldGrowth {
  public:
@@ -80,4 +80,4 @@ class ManifoldGrowth {
   GrownManifold result_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

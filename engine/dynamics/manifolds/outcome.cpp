@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 
 void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points, Buffer<double>& parameters,
                    std::vector<GrowthDiagnostic>& diagnostics) {
@@ -45,4 +45,4 @@ void cut_diagnostics(std::vector<GrowthDiagnostic>& diagnostics, std::size_t seg
     diagnostics.back().count = std::min(diagnostics.back().count, segments - diagnostics.back().first);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

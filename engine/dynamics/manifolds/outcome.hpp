@@ -6,7 +6,7 @@
 
 #include "engine/dynamics/manifolds/trace.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Appends the samples from number `first` on to a curve, without those whose image is not finite; diagnostics are
 /// numbered by the segments of the curve, and neighbouring ones of the same cause joined.
@@ -16,4 +16,4 @@ void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points,
 /// Drops diagnostics of segments from number `segments` on.
 void cut_diagnostics(std::vector<GrowthDiagnostic>& diagnostics, std::size_t segments);
 
-}  // namespace lober
+}  // namespace lober::detail

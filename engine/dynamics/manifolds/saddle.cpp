@@ -11,7 +11,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
@@ -66,4 +66,4 @@ void require_derivative_fits(const PlanarMap& map, int steps, Point at) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,7 +3,7 @@
 
 #include "lober/planar_map.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// `multiplier` and `tangent` are those of the unstable direction of F^steps.
 struct Saddle {
@@ -19,4 +19,4 @@ struct Saddle {
 /// it is wrong where it is. Throws DataError.
 void require_derivative_fits(const PlanarMap& map, int steps, Point at);
 
-}  // namespace lober
+}  // namespace lober::detail

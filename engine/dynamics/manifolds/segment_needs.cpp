@@ -5,7 +5,7 @@
 
 #include "kernels/turning.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Neighbouring segments differ in length per parameter by no more than this factor.
@@ -51,4 +51,4 @@ void SegmentNeeds::measure(const Samples& samples, std::span<const std::uint32_t
   parts_needed(&length_[1], curvature_.data(), count, {options.tolerance, options.max_length, max_parts}, need_.data());
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 
 #include "engine/dynamics/manifolds/trace.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// No segment is cut into more parts at once: estimates that ask for more know too little.
 inline constexpr double max_parts = 16;
@@ -41,4 +41,4 @@ class SegmentNeeds {
   std::array<std::uint8_t, most> unknown_, uneven_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

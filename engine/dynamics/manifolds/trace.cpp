@@ -11,7 +11,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Points are placed this much denser than the estimate asks for, so that few segments turn out too coarse.
@@ -401,4 +401,4 @@ Trace traced(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction
   return Tracer(std::move(guide), std::move(kept), function, options).run();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -18,7 +18,7 @@
 #include "lober/buffer.hpp"
 #include "lober/manifolds.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Points at ascending parameters. A point that is not finite is one where the function fails.
 struct Samples {
@@ -52,4 +52,4 @@ struct Trace {
 [[nodiscard]] Trace traced(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function,
                            const TraceOptions& options);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include "engine/dynamics/maps/integrator.hpp"
 #include "lober/flow.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The cubic on [0, h] with given values and slopes at the ends.
 struct HermiteCubic {
@@ -130,4 +130,4 @@ class CrossingFinder {
   double max_time_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

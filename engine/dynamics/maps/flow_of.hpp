@@ -13,7 +13,7 @@
 #include "lober/error.hpp"
 #include "lober/flow.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 template <typename Field>
 class FlowOf final : public Flow {
@@ -162,4 +162,4 @@ class FlowOf final : public Flow {
   Field field_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

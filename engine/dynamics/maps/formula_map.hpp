@@ -11,7 +11,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/planar_map.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 template <typename F>
 concept HasAction = requires(const F& formula, Point point) {
@@ -80,4 +80,4 @@ class FormulaMap final : public PlanarMap {
   Formula formula_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -15,7 +15,7 @@
 #include "lober/cancellation.hpp"
 #include "lober/flow.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A right-hand side whose last component is an integral along the trajectory, on which nothing else depends. The
 /// error estimate of Fehlberg's pair, h 41/840 (k_1 + k_11 - k_12 - k_13), is exactly zero for a function of time
@@ -152,4 +152,4 @@ class Integrator {
   std::uint64_t steps_tried_ = 0;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

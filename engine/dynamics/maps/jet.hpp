@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace lober {
+namespace lober::detail {
 
 template <int M>
 struct Jet {
@@ -70,4 +70,4 @@ struct Jet {
   friend Jet cos(const Jet& a) { return a.through(std::cos(a.value), -std::sin(a.value)); }
 };
 
-}  // namespace lober
+}  // namespace lober::detail

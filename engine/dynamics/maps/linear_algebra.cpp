@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -31,4 +31,4 @@ std::vector<EigenPair> eigen_pairs(const Matrix& matrix) {
   return pairs;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

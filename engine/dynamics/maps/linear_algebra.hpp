@@ -7,7 +7,7 @@
 
 #include "lober/flow.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A matrix, row by row.
 class Matrix {
@@ -33,4 +33,4 @@ struct EigenPair {
 /// Of a square matrix, in no particular order.
 [[nodiscard]] std::vector<EigenPair> eigen_pairs(const Matrix& matrix);
 
-}  // namespace lober
+}  // namespace lober::detail

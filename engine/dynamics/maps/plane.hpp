@@ -7,7 +7,7 @@
 #include "kernels/point.hpp"
 #include "lober/planar_map.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// What a point becomes whose orbit cannot be followed.
 inline constexpr Point lost_point{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
@@ -29,4 +29,4 @@ inline Matrix2 inverse(const Matrix2& a) {
   return {a.yy / d, -a.xy / d, -a.yx / d, a.xx / d};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

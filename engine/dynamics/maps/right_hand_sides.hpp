@@ -14,7 +14,7 @@
 #include "engine/dynamics/maps/jet.hpp"
 #include "lober/flow.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// State: x.
 template <typename Field>
@@ -64,4 +64,4 @@ struct WithAction {
   }
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -13,7 +13,7 @@
 #include "engine/dynamics/maps/right_hand_sides.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// From the chart of a section to phase space and back.
 template <typename Field>
@@ -223,4 +223,4 @@ class SectionMap final : public PlanarMap {
   IntegrationOptions options_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/maps/right_hand_sides.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 template <typename Field>
 class StroboscopicMap final : public PlanarMap {
@@ -78,4 +78,4 @@ class StroboscopicMap final : public PlanarMap {
   IntegrationOptions options_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -58,4 +58,4 @@ SystemEntry capsize_entry() {
           }};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -59,4 +59,4 @@ SystemEntry double_gyre_entry() {
           }};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/forced_oscillator.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -45,4 +45,4 @@ SystemEntry duffing_entry() {
           }};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "lober/systems.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A system and how it is made from values in the order of info.parameters. `make` fills all but System::info.
 struct SystemEntry {
@@ -35,4 +35,4 @@ inline Rectangle window(double min_x, double min_y, double max_x, double max_y) 
   return Rectangle::of({min_x, min_y}, {max_x, max_y});
 }
 
-}  // namespace lober
+}  // namespace lober::detail

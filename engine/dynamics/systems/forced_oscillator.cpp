@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using Complex = std::complex<double>;
@@ -63,4 +63,4 @@ Point ForcedOscillator::saddle_on_section(double phase, const std::function<doub
   return {at(phase, false), at(phase, true)};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 
 #include "lober/flow.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Position and velocity under the force eps cos(omega t), with damping delta; Hamiltonian when delta is 0.
 struct ForcedOscillator {
@@ -27,4 +27,4 @@ struct ForcedOscillator {
   [[nodiscard]] Point saddle_on_section(double phase, const std::function<double(double)>& rest) const;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

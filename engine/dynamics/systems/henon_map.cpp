@@ -4,7 +4,7 @@
 #include "engine/dynamics/maps/formula_map.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -44,4 +44,4 @@ SystemEntry henon_map_entry() {
           }};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/forced_oscillator.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -51,4 +51,4 @@ SystemEntry pendulum_entry() {
           }};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,6 +9,7 @@
 #include "lober/systems.hpp"
 
 namespace lober {
+using namespace detail;
 
 namespace {
 
@@ -28,11 +29,11 @@ std::string joined(const Things& things, const Name& name) {
 
 }  // namespace
 
-void require_positive(const SystemInfo& info, std::string_view name, double value) {
+void detail::require_positive(const SystemInfo& info, std::string_view name, double value) {
   if (!(value > 0)) throw UsageError("system " + info.name + ": parameter " + std::string(name) + " must be positive");
 }
 
-System make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options) {
+System detail::make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options) {
   SystemInfo info = entry.info;
   std::vector<bool> given(info.parameters.size(), false);
   for (const auto& setting : values) {

@@ -13,7 +13,7 @@
 #include "lober/error.hpp"
 #include "lober/lober_system.h"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -278,4 +278,4 @@ SystemEntry load_system(const std::string& path) {
   return entry;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "engine/dynamics/systems/entries.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Loads the library and checks what it describes; it stays loaded as long as the entry or a system made of it lives.
 /// Throws DataError with the path and the reason.
@@ -17,4 +17,4 @@ SystemEntry load_system(const std::string& path);
   return name.find('/') != std::string_view::npos || name.ends_with(".so");
 }
 
-}  // namespace lober
+}  // namespace lober::detail

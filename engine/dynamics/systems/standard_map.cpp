@@ -8,7 +8,7 @@
 #include "engine/dynamics/systems/entries.hpp"
 #include "kernels/sine.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -82,4 +82,4 @@ SystemEntry standard_map_entry() {
           }};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

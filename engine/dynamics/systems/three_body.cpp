@@ -5,7 +5,7 @@
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -71,4 +71,4 @@ SystemEntry three_body_entry() {
           }};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -166,4 +166,4 @@ SystemEntry first_order_vortex_pair_entry() {
   return entry<FirstOrderVortexPair>("ovp1", "Oscillating vortex pair to first order in eps; period map");
 }
 
-}  // namespace lober
+}  // namespace lober::detail

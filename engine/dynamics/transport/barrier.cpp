@@ -11,7 +11,7 @@
 #include "lober/regions.hpp"
 #include "lober/smooth.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // The path that closes the boundary, from p+ to p-.
@@ -140,4 +140,4 @@ Measured area_in_common(const std::vector<Point>& first, const std::vector<Point
   return common;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "lober/tangle.hpp"
 #include "lober/transport.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// B(q) = U[p-, q] u S[q, p+], closed by a path from p+ back to p- that the map keeps: walls, an axis, nothing when
 /// homoclinic. The curve f^k(B(q)) consists of the same manifolds and the same path, with the pip f^k(q) for q. The
@@ -48,4 +48,4 @@ struct Barrier {
 [[nodiscard]] Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second,
                                       double curve_error);
 
-}  // namespace lober
+}  // namespace lober::detail

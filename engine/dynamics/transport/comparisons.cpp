@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 std::string pair_text(const char* name, std::size_t i, std::size_t j, int n) {
@@ -48,4 +48,4 @@ void compare_particles(Agreement& agreement, const TransportStep& step) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

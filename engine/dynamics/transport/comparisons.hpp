@@ -5,11 +5,11 @@
 #include "lober/agreement.hpp"
 #include "lober/transport.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// T by lobes and by boundaries, the area of each species, and what leaves and enters a closed region.
 void compare_routes(Agreement& agreement, const Partition& partition, const TransportStep& step);
 /// T by lobes and by particles.
 void compare_particles(Agreement& agreement, const TransportStep& step);
 
-}  // namespace lober
+}  // namespace lober::detail

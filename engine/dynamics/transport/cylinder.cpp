@@ -7,7 +7,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "lober/connecting_orbit.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 Cylinder::Cylinder(Point period, double depth) : length_(std::hypot(period.x, period.y)), depth_(depth) {
   along_ = {period.x / length_, period.y / length_};
@@ -75,4 +75,4 @@ std::vector<Point> wrapped(const Cylinder& cylinder, const PlanarMap& map, const
   return points;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

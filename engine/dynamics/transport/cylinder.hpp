@@ -15,7 +15,7 @@
 #include "lober/manifolds.hpp"
 #include "lober/planar_map.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class Cylinder {
  public:
@@ -39,4 +39,4 @@ class Cylinder {
 [[nodiscard]] std::vector<Point> wrapped(const Cylinder& cylinder, const PlanarMap& map, const LocalManifold& local,
                                          const GrownManifold& grown, double tolerance);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,6 +8,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 
 std::unique_ptr<ManifoldTangle> grow_tangle(const PlanarMap& map, const Connection& connection,
                                             const ManifoldTangleOptions& options) {

@@ -10,7 +10,7 @@
 #include "lober/error.hpp"
 #include "lober/interior.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = 1024;
@@ -164,4 +164,4 @@ std::vector<RegionMatrix> count_particles(const PlanarMap& map, const Cylinder* 
   return Counter(map, cylinder, barriers, partition, options).count(iterates);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

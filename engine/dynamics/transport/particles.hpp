@@ -10,7 +10,7 @@
 #include "engine/dynamics/transport/partition.hpp"
 #include "lober/planar_map.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct ParticleOptions {
   std::uint64_t count = 0;  ///< in each bounded region
@@ -28,4 +28,4 @@ struct ParticleOptions {
                                                         std::span<const Barrier> barriers, const Partition& partition,
                                                         int iterates, const ParticleOptions& options);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "lober/error.hpp"
 #include "lober/interior.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Boundaries that enclose others.
@@ -92,4 +92,4 @@ Measured Partition::combine(std::size_t i, std::size_t j,
   return sum;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

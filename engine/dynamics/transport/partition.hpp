@@ -15,7 +15,7 @@
 
 #include "engine/dynamics/transport/barrier.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class Partition {
  public:
@@ -36,4 +36,4 @@ class Partition {
   std::vector<Region> regions_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

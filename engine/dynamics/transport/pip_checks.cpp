@@ -9,7 +9,7 @@
 #include "engine/dynamics/transport/tangle_box.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Polygons are finer than lobes are wide on average by this factor.
@@ -114,4 +114,4 @@ std::string TangleGrowth::by_action() const {
   return text;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

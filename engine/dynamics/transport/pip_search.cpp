@@ -8,7 +8,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangle_box.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // A pip is taken for the one that is asked for when it lies so near, relative to the scene.
@@ -146,4 +146,4 @@ std::optional<std::size_t> TangleGrowth::image_of_bip(int steps, double close) c
   return image;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t samples = 64;
@@ -112,4 +112,4 @@ void add_errors_far_outside(ManifoldTangle& manifolds) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

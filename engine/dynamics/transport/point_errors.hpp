@@ -4,7 +4,7 @@
 #include "kernels/box.hpp"
 #include "lober/manifold_tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// How far points of a grown manifold that lie in the box are beside the manifold: the largest distance across the
 /// curve of a sample of them from the same images computed more finely (PlanarMap::finer), twice, and a few roundings
@@ -19,4 +19,4 @@ void add_point_errors(ManifoldTangle& manifolds);
 /// an error of the whole area, and an infinite one where not even distances are true (ManifoldTangle::true_size).
 void add_errors_far_outside(ManifoldTangle& manifolds);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 #include "engine/dynamics/transport/series.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr Measured unknown{std::numeric_limits<double>::quiet_NaN(), 0};
@@ -112,4 +112,4 @@ TransportStep TransportSeries::next() {
   return step;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "engine/dynamics/transport/turnstile.hpp"
 #include "lober/transport.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Rows of the table, n = 1, 2, ..., from what there is of the tangles: as far as their pips reach.
 class TransportSeries {
@@ -40,4 +40,4 @@ class TransportSeries {
   RegionMatrix total_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

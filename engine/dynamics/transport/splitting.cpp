@@ -7,7 +7,7 @@
 
 #include "engine/dynamics/maps/plane.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Places on U within one iterate.
@@ -126,4 +126,4 @@ std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& un
   return result;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,7 +12,7 @@
 
 #include "lober/connecting_orbit.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct Splitting {
   /// The smallest over the lobes of one iterate of the largest |d| on that lobe; without a zero the largest |d| of all.
@@ -40,4 +40,4 @@ struct Splitting {
 /// The place at a time, in the outermost fundamental segment unless the time is negative.
 [[nodiscard]] ManifoldPlace place_at(const LocalManifold& local, double time, double side);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -13,6 +13,7 @@
 #include "lober/error.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

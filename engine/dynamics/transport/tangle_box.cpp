@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Of its size: where distances are no longer true.
@@ -49,4 +49,4 @@ void compress_radially(std::span<Point> points, const Box& box) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 #include "lober/local_manifold.hpp"
 #include "lober/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The box in which manifolds are followed exactly is larger than that of the saddles and the local manifolds by this.
 inline constexpr double times_scene = 17;
@@ -26,4 +26,4 @@ void compress_radially(std::span<Point> points, const Box& box);
 [[nodiscard]] Box square_about(Point middle, double reach);
 [[nodiscard]] bool within(const Box& inner, const Box& outer);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include "engine/dynamics/transport/tangle_box.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // How often both are grown anew to a tenth of the tolerance: because of thin lobes, and because of trouble.
@@ -271,4 +271,4 @@ void TangleGrowth::finish() {
   result_ = std::move(result);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

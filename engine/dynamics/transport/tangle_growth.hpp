@@ -19,7 +19,7 @@
 #include "kernels/box.hpp"
 #include "lober/manifold_tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class TangleGrowth {
  public:
@@ -104,4 +104,4 @@ class TangleGrowth {
   Stopwatch watch_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include "engine/dynamics/transport/tangle_box.hpp"
 #include "lober/tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 // Puts points into segments and their neighbours that lie where distances are true. Whether there are more points now.
 bool TangleGrowth::refine(Side& side, std::vector<std::uint32_t> segments, const Box& box) {
   constexpr int parts = 4;
@@ -109,4 +109,4 @@ void TangleGrowth::refine_until_simple(Side& side) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,6 +10,7 @@
 #include "lober/transport.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // How far points of two curves alone are off, by what an area-preserving map would leave unchanged: the area of a lobe

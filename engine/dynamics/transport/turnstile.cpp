@@ -7,7 +7,7 @@
 #include "lober/error.hpp"
 #include "lober/regions.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 namespace {
 
@@ -148,4 +148,4 @@ Measured first_gain(const Turnstile& c, const Turnstile& d) {
   return sum;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

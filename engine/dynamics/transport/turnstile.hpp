@@ -15,7 +15,7 @@
 
 #include "engine/dynamics/transport/barrier.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// int g o f^-m g.
 [[nodiscard]] inline Measured balance(const TurnstileOverlaps& common) {
@@ -64,4 +64,4 @@ class Turnstile {
 /// int (c o f^-1 - c) d: what of the lobes of c, once they have passed its boundary, lies inside that of d.
 [[nodiscard]] Measured first_gain(const Turnstile& c, const Turnstile& d);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,7 +12,7 @@
 #include "engine/geometry/curve/point_along.hpp"
 #include "kernels/pair_filter.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // A run of common vertices: vertices first .. last of C1 are vertices of C2 one by one.
@@ -269,4 +269,4 @@ Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind
   return contacts;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -17,7 +17,7 @@
 #include "lober/buffer.hpp"
 #include "lober/counts.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct ContactKind {
   std::int8_t rho;  ///< proper crossing: +1 if C2 passes from right to left of C1 as the input runs; else 0
@@ -78,4 +78,4 @@ struct Contacts {
 [[nodiscard]] Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const CurveView& c1,
                                                       const CurveView& c2, ContactCounts& counts);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,9 +3,10 @@
 #include "engine/geometry/crossings/crossings_data.hpp"
 
 namespace lober {
+using namespace detail;
 
-Crossings make_crossings(NodeGraph graph, const IndexedCurve& c1, const IndexedCurve& c2, Orientation orientation1,
-                         Orientation orientation2) {
+Crossings detail::make_crossings(NodeGraph graph, const IndexedCurve& c1, const IndexedCurve& c2,
+                                 Orientation orientation1, Orientation orientation2) {
   auto data = std::make_shared<CrossingsData>();
   data->graph = std::move(graph);
   data->c1 = c1.view();
@@ -25,7 +26,7 @@ Crossings make_crossings(NodeGraph graph, const IndexedCurve& c1, const IndexedC
   return Crossings(std::move(data));
 }
 
-Crossings moved_to(Crossings nodes, const IndexedCurve& c1, const IndexedCurve& c2) {
+Crossings detail::moved_to(Crossings nodes, const IndexedCurve& c1, const IndexedCurve& c2) {
   auto data = std::make_shared<CrossingsData>(nodes.data());
   data->c1 = c1.view();
   data->c2 = c2.view();

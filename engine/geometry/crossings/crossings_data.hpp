@@ -7,7 +7,7 @@
 #include "engine/geometry/crossings/node_graph.hpp"
 #include "lober/crossings.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct CrossingsData {
   NodeGraph graph;
@@ -30,4 +30,4 @@ struct CrossingsData {
   return place_of(contact, nodes.data().c1, nodes.data().c2);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/crossings/rotation.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 14;
@@ -157,4 +157,4 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
   return graph;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

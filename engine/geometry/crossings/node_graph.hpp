@@ -11,7 +11,7 @@
 
 #include "engine/geometry/crossings/contacts.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 enum HalfEdge : std::uint8_t { forward1 = 0, forward2 = 1, backward1 = 2, backward2 = 3 };
 
@@ -56,4 +56,4 @@ struct NodeGraph {
 /// Finds all contacts and joins them to nodes. O(n + m + candidates), parallel where it is long.
 [[nodiscard]] NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind);
 
-}  // namespace lober
+}  // namespace lober::detail

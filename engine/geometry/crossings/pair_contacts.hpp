@@ -9,7 +9,7 @@
 #include "kernels/predicates.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The points that two half-open segments a -> b and c -> d share, each with its first end and without its second: one
 /// proper crossing, or the first end of both, or the first end of either on the other.
@@ -86,4 +86,4 @@ class ParameterBatch {
   std::uint64_t exact_ = 0;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

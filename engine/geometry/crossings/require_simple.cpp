@@ -13,6 +13,7 @@
 #include "lober/crossings.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 class SelfChecker final : public PairConsumer {
@@ -133,7 +134,7 @@ std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t mo
   return checker.meetings();
 }
 
-SimpleCheck require_simple_scaled(const IndexedCurve& curve, int number, int exponent) {
+SimpleCheck detail::require_simple_scaled(const IndexedCurve& curve, int number, int exponent) {
   SelfChecker checker(curve.view());
   SimpleCheck result;
   result.search = find_self_pairs(curve, checker);

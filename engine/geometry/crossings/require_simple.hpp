@@ -3,9 +3,9 @@
 
 #include "lober/crossings.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// As require_simple, of a curve whose coordinates are the caller's times 2^exponent; he is told the place in his own.
 SimpleCheck require_simple_scaled(const IndexedCurve& curve, int number, int exponent);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Points further along a curve, onwards and back, from a contact on segment `number`.
@@ -93,4 +93,4 @@ std::uint8_t rotation_at_arc(const Contact& first, const Contact& last, int dire
   return first_left == (direction > 0) ? leftward_to_right : rightward_to_left;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

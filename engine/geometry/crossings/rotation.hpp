@@ -4,7 +4,7 @@
 #include "engine/geometry/crossings/contacts.hpp"
 #include "engine/geometry/crossings/node_graph.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Where the half-edges of a contact lead: `at` is the contact, the others are points further along the half-edges. All
 /// are vertices of the input, except `at` of a proper crossing, which has no need of them. A half-edge that an open
@@ -33,4 +33,4 @@ struct NodeHalfEdges {
 /// none.
 [[nodiscard]] std::uint32_t next_distinct(const CurveView& curve, std::uint32_t vertex, int direction);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/crossings/contacts.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 15;
@@ -62,4 +62,4 @@ Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const Curve
   return order;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

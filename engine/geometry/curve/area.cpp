@@ -9,6 +9,7 @@
 #include "lober/curve.hpp"
 
 namespace lober {
+using namespace detail;
 
 namespace {
 

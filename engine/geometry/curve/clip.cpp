@@ -1,6 +1,7 @@
 #include "lober/curve.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // The half-plane sign * coordinate <= bound.

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <string_view>
 
-namespace lober {
+namespace lober::detail {
 
 inline constexpr std::size_t max_count = (std::size_t{1} << 31) - 1;
 
 /// Throws DataError "COUNT WHAT, the limit is 2147483647" when there are more.
 void require_countable(std::size_t count, std::string_view what);
 
-}  // namespace lober
+}  // namespace lober::detail

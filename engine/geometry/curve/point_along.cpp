@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 double along(double from, double to, DD t) {
@@ -22,4 +22,4 @@ Point point_along(const Segment& segment, DD t) {
   return {along(segment.a.x, segment.b.x, t), along(segment.a.y, segment.b.y, t)};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace lober {
+namespace lober::detail {
 
 void require_closed(CurveView curve, std::string_view name, std::string_view operation) {
   if (!curve.closed)
@@ -19,4 +19,4 @@ void require_region(CurveView curve, std::string_view name, std::string_view ope
   require_enough_vertices(curve, name);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

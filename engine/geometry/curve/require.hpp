@@ -5,7 +5,7 @@
 
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Throw UsageError "NAME is open; OPERATION needs closed curves", or the other way round. O(1).
 void require_closed(CurveView curve, std::string_view name, std::string_view operation);
@@ -14,4 +14,4 @@ void require_open(CurveView curve, std::string_view name, std::string_view opera
 /// What every operation on regions asks of its curves: require_closed and require_enough_vertices.
 void require_region(CurveView curve, std::string_view name, std::string_view operation);
 
-}  // namespace lober
+}  // namespace lober::detail

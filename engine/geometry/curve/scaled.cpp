@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::union_,
@@ -58,4 +58,4 @@ void scale_bounds(Areas& bounds, int exponent) {
   for (double Areas::*const member : members) bounds.*member = scaled_bound(bounds.*member, exponent);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "lober/areas.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The power of two by which the coordinates of a scene with this box have to be multiplied; 0 nearly always.
 [[nodiscard]] int scaling_exponent(const Box& box);
@@ -28,4 +28,4 @@ void scale(Areas& areas, int exponent);
 void scale_bounds(Areas& bounds, int exponent);
 [[nodiscard]] double scaled_bound(double bound, int exponent);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,6 +6,7 @@
 #include "lober/curve.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::size_t max_vertices = std::size_t{1} << 31;
@@ -28,7 +29,7 @@ int distinct_vertices(std::span<const Point> points) {
 
 }  // namespace
 
-std::size_t first_not_finite(std::span<const Point> points) {
+std::size_t detail::first_not_finite(std::span<const Point> points) {
   constexpr std::size_t grain = std::size_t{1} << 16;
   std::atomic<std::size_t> first = points.size();
   for_each_block(points.size(), grain, [&](std::size_t begin, std::size_t end) {

@@ -6,6 +6,7 @@
 #include "engine/geometry/index/box_tree.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr double many_parts = 0x1p31;  // beyond, no result could be stored
@@ -31,7 +32,7 @@ Criteria hobson_criteria(CurveView curve) {
   return {.max_length = Criteria::off, .angle = 0.3, .distance_angle = 1e-3 * extent, .min_length = 1e-6 * extent};
 }
 
-void require_sensible(const Criteria& criteria) {
+void detail::require_sensible(const Criteria& criteria) {
   if (!(criteria.max_length > 0) || !(criteria.angle > 0) || !(criteria.distance_angle > 0)) {
     throw UsageError("densify: distance, angle and distance times angle have to be positive");
   }
@@ -43,13 +44,13 @@ void require_sensible(const Criteria& criteria) {
   }
 }
 
-bool angle_surely_holds(const Criteria& criteria, Point a, Point b, Point c, double mine) {
+bool detail::angle_surely_holds(const Criteria& criteria, Point a, Point b, Point c, double mine) {
   if (!counts_angles(criteria)) return true;
   const double bound = turning_angle_bound(a, b, c);
   return bound <= criteria.angle && mine * bound <= criteria.distance_angle;
 }
 
-VertexNeed need_at_vertex(const Criteria& criteria, double angle, double corner, double mine, double other) {
+VertexNeed detail::need_at_vertex(const Criteria& criteria, double angle, double corner, double mine, double other) {
   VertexNeed need;
   corner = std::min(corner, angle);
   if (angle > criteria.angle && 2 * mine >= other) {

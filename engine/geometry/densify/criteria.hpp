@@ -8,7 +8,7 @@
 #include "engine/geometry/densify/interpolant.hpp"
 #include "lober/densify.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Throws UsageError for a value that is not positive (`min_length`: negative), not a number, or for an angle criterion
 /// without `min_length`.
@@ -79,4 +79,4 @@ class Judge {
   bool angles_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,6 +9,7 @@
 #include "engine/geometry/densify/subdivision.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::uint64_t max_vertices = (std::uint64_t{1} << 31) - 1;
@@ -98,7 +99,7 @@ class Rounds {
       }
     });
     trim();
-    const bool changed = sum_of(parts_.size(), [&](std::size_t k) { return next_[k] != parts_[k] ? 1 : 0; }) != 0;
+    const bool changed = sum_of(parts_.size(), [&](std::size_t k) { return next_[k] != parts_[k] ? 1U : 0U; }) != 0;
     parts_.swap(next_);  // next_ now holds the parts before: wake_neighbours compares
     if (changed) ++rounds_;
     return changed;

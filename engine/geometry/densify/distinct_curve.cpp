@@ -2,7 +2,7 @@
 
 #include "engine/base/parallel/running_sums.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 DistinctCurve::DistinctCurve(CurveView curve) : view_(curve) {
   validate(curve, "the curve to densify");
@@ -19,4 +19,4 @@ DistinctCurve::DistinctCurve(CurveView curve) : view_(curve) {
   view_.points = merged_;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 #include "lober/buffer.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The curve with consecutive equal vertices merged into one, so that every segment has a length: a view of the
 /// caller's points where nothing repeats. Throws DataError as `validate` does. O(N), parallel.
@@ -20,4 +20,4 @@ class DistinctCurve {
   CurveView view_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

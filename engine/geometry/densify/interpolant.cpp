@@ -4,6 +4,7 @@
 #include "engine/geometry/densify/spline.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // At the ends of an open curve that of the vertex next to it: the first and the last piece are parts of parabolas.

@@ -6,7 +6,7 @@
 #include "lober/curve.hpp"
 #include "lober/densify.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// An interpolation of a curve without repeated vertices, which has to stay alive. O(N) to make, parallel; O(1) a
 /// piece.
@@ -38,4 +38,4 @@ class Interpolant {
   Buffer<Point> second_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

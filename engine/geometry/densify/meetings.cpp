@@ -5,7 +5,7 @@
 #include "engine/base/parallel/running_sums.hpp"
 #include "engine/geometry/crossings/contacts.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 bool before(const Meeting& x, const Meeting& y) {
@@ -54,4 +54,4 @@ std::array<Buffer<Meeting>, 2> find_meetings(CurveView first, CurveView second) 
   return meetings;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "lober/crossings.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct Meeting {
   Position at;     ///< t = 1 for the last vertex of an open curve only
@@ -21,4 +21,4 @@ struct Meeting {
 /// vertices. O(N + M + candidates), parallel.
 [[nodiscard]] std::array<Buffer<Meeting>, 2> find_meetings(CurveView first, CurveView second);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,6 +11,7 @@
 #include "lober/densify.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr double finest = 0x1p-52;  // of a segment; shorter parts would have their ends at the same point

@@ -9,6 +9,7 @@
 #include "lober/densify.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 double distance_to_segment(Point p, Point a, Point b) {

@@ -6,7 +6,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/point.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t block = 4096;
@@ -117,4 +117,4 @@ Buffer<Point> spline_second_derivatives(CurveView curve) {
   return second;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

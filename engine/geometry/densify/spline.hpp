@@ -4,7 +4,7 @@
 #include "lober/buffer.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Second derivatives, at each vertex, of the cubic spline over chord length: periodic for a closed curve, not-a-knot
 /// at the ends of an open one (a parabola through three vertices, a line through two). No two neighbours may be equal.
@@ -15,4 +15,4 @@ namespace lober {
 /// needs no special solver, and the blocks are independent. O(N), parallel.
 [[nodiscard]] Buffer<Point> spline_second_derivatives(CurveView curve);
 
-}  // namespace lober
+}  // namespace lober::detail

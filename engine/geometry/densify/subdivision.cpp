@@ -5,7 +5,7 @@
 
 #include "engine/base/parallel/running_sums.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 Buffer<Point> subdivided(const Interpolant& interpolant, const Buffer<std::uint32_t>& parts,
                          Buffer<std::uint64_t>& begin) {
@@ -37,4 +37,4 @@ Buffer<Point> subdivided(const Interpolant& interpolant, const Buffer<std::uint3
   return result;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

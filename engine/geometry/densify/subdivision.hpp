@@ -6,7 +6,7 @@
 #include "engine/geometry/densify/interpolant.hpp"
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The points of the curve with segment k cut into parts[k] equal parts (of its parameter). `begin` receives the place
 /// of each vertex given in the result, and the size of the result as its last element. Parallel by blocks of the
@@ -14,4 +14,4 @@ namespace lober {
 [[nodiscard]] Buffer<Point> subdivided(const Interpolant& interpolant, const Buffer<std::uint32_t>& parts,
                                        Buffer<std::uint64_t>& begin);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,6 +4,7 @@
 #include "lober/drawing.hpp"
 
 namespace lober {
+using namespace detail;
 
 Coverage::Coverage(double width, double height, double cell)
     : cell_(cell),

@@ -6,6 +6,7 @@
 #include "lober/interior.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::size_t side = LobeRaster::side;

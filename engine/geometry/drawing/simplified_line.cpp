@@ -4,6 +4,7 @@
 #include "lober/drawing.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // What the points since the last one kept allow.

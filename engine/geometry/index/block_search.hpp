@@ -11,7 +11,7 @@
 #include "engine/geometry/index/index.hpp"
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// What two boxes have in common; they must meet. All common points of two curves lie in that of their boxes.
 inline Box intersection(const Box& a, const Box& b) {
@@ -89,4 +89,4 @@ SearchCounts search_blocks(const BoxTree& first, const Box& window, PairConsumer
   return total;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/countable.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 constexpr std::uint32_t block_levels = 10;  // a task builds the subtree over 2^10 leaves, which fits the L2 cache
 }
@@ -111,4 +111,4 @@ std::size_t BoxTree::memory() const {
          (sums_.capacity() + stretch_sums_.capacity()) * sizeof(DD) + starts_.capacity() * sizeof(Point);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

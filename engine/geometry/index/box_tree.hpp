@@ -14,7 +14,7 @@
 #include "lober/buffer.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class BoxTree {
  public:
@@ -69,4 +69,4 @@ class BoxTree {
   std::array<Point, leaf_size + 1> tail_{};
 };
 
-}  // namespace lober
+}  // namespace lober::detail

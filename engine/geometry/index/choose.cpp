@@ -14,7 +14,7 @@
 #include "engine/geometry/index/block_search.hpp"
 #include "engine/geometry/index/raster.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t leaves_glanced_at = 32;
@@ -147,4 +147,4 @@ IndexKind choose_index(const IndexedCurve& first, const IndexedCurve& second) {
   return clearly * grid_cost(first.tree(), second.tree()) < tree_cost ? IndexKind::grid : IndexKind::tree;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

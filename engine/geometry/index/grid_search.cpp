@@ -13,7 +13,7 @@
 #include "engine/geometry/index/raster.hpp"
 #include "engine/geometry/index/search.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t leaves_sampled = 2048;
@@ -146,4 +146,4 @@ SearchCounts find_pairs_by_grid(const IndexedCurve& first, const IndexedCurve& s
   return search_blocks(first.tree(), window, consumer, [&] { return Grid::Finder(grid); });
 }
 
-}  // namespace lober
+}  // namespace lober::detail

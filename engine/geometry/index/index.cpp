@@ -4,6 +4,7 @@
 #include "engine/geometry/index/search.hpp"
 
 namespace lober {
+using namespace detail;
 
 IndexedCurve::IndexedCurve(CurveView curve) : view_(curve), tree_(std::make_shared<const BoxTree>(curve)) {}
 IndexedCurve::IndexedCurve(const ClosedCurve& curve) : IndexedCurve(CurveView(curve)) {
@@ -41,7 +42,8 @@ IndexKind index_kind(std::string_view wanted) {
   return IndexKind::automatic;
 }
 
-SearchCounts find_pairs(const IndexedCurve& first, const IndexedCurve& second, IndexKind kind, PairConsumer& consumer) {
+SearchCounts detail::find_pairs(const IndexedCurve& first, const IndexedCurve& second, IndexKind kind,
+                                PairConsumer& consumer) {
   switch (kind) {
     case IndexKind::grid:
       return find_pairs_by_grid(first, second, consumer);

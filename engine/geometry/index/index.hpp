@@ -17,7 +17,7 @@
 #include "lober/counts.hpp"
 #include "lober/index.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Segments of the first curve that one task handles together: the pairs of a block arrive one after another, in any
 /// order, and different blocks at the same time. The cut depends on the curve only.
@@ -54,4 +54,4 @@ SearchCounts find_self_pairs(const IndexedCurve& curve, PairConsumer& consumer);
 /// that their boxes say little. Looks at a sample of a few hundred leaves.
 [[nodiscard]] IndexKind choose_index(const IndexedCurve& first, const IndexedCurve& second);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,7 +12,7 @@
 #include "engine/geometry/index/block_search.hpp"
 #include "engine/geometry/index/search.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Half lengths outside 2^-60 .. 2^500 are not told apart: below lies the rounding error of unit size, above
@@ -180,4 +180,4 @@ SearchCounts find_pairs_by_kd(const IndexedCurve& first, const IndexedCurve& sec
   });
 }
 
-}  // namespace lober
+}  // namespace lober::detail

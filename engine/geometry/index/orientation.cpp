@@ -8,7 +8,7 @@
 #include "kernels/predicates.hpp"
 #include "kernels/shoelace.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Twice the area, from the sums that the tree brings along, if its sign is certain; else 0.
@@ -75,4 +75,4 @@ Orientation orientation(const IndexedCurve& curve) {
   return sign > 0 ? Orientation::counter_clockwise : sign < 0 ? Orientation::clockwise : Orientation::degenerate;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 
 #include "engine/geometry/index/index.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The segment, of those with a length, that begins at the vertex of the curve greatest by x, then by y. About log N
 /// unless many leaves reach the greatest x.
@@ -17,4 +17,4 @@ namespace lober {
 /// back at its extreme vertex. Throws UsageError for an open curve. O(N / 1024).
 [[nodiscard]] Orientation orientation(const IndexedCurve& curve);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 
 #include "engine/geometry/index/block_search.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // The part of [low, high] inside [from, to], relative to the latter.
@@ -46,4 +46,4 @@ Raster Raster::fitted(const BoxTree& tree, const Box& window, std::uint64_t max_
   return {window, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(cells / columns)};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

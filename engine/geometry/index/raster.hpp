@@ -14,7 +14,7 @@
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/box.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A grid of columns x rows cells over a window. Cells are numbered row by row.
 class Raster {
@@ -115,4 +115,4 @@ class Raster {
 /// Entries that a grid may have for curves of `segments` segments together: memory stays proportional to them.
 [[nodiscard]] std::uint64_t max_grid_entries(std::size_t segments);
 
-}  // namespace lober
+}  // namespace lober::detail

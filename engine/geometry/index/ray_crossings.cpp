@@ -7,6 +7,7 @@
 #include "lober/index.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // Follows the ray from one point through a tree. Heights are half-open, a vertex at the height of the point counts as
@@ -65,7 +66,7 @@ class RayWalk {
 
 }  // namespace
 
-RayCrossings ray_crossings(const BoxTree& tree, Point point) {
+RayCrossings detail::ray_crossings(const BoxTree& tree, Point point) {
   return RayWalk(tree, point).run();
 }
 

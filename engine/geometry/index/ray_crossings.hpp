@@ -5,7 +5,7 @@
 
 #include "engine/geometry/index/box_tree.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct RayCrossings {
   std::int32_t number = 0;  ///< upward ones less downward ones: the winding number, for a closed curve
@@ -16,4 +16,4 @@ struct RayCrossings {
 /// its two ends. About log N for a curve whose boxes overlap little.
 [[nodiscard]] RayCrossings ray_crossings(const BoxTree& tree, Point point);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,10 +3,10 @@
 
 #include "engine/geometry/index/index.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 SearchCounts find_pairs_by_tree(const IndexedCurve& first, const IndexedCurve& second, PairConsumer& consumer);
 SearchCounts find_pairs_by_grid(const IndexedCurve& first, const IndexedCurve& second, PairConsumer& consumer);
 SearchCounts find_pairs_by_kd(const IndexedCurve& first, const IndexedCurve& second, PairConsumer& consumer);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -14,7 +14,7 @@
 #include "kernels/shoelace.hpp"
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A place on a curve with its parameter in full.
 struct PlaceAlong {
@@ -100,4 +100,4 @@ SumAlong sum_along(const BoxTree& tree, Point origin, std::size_t count, const P
   return result;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

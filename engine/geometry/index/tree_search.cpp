@@ -15,7 +15,7 @@
 #include "kernels/box_pyramid.hpp"
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::uint32_t block_level = 6;  // a block is a node of this level
@@ -248,4 +248,4 @@ SearchCounts find_self_pairs(const IndexedCurve& curve, PairConsumer& consumer) 
   return search_trees(curve.tree(), curve.tree(), true, consumer);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

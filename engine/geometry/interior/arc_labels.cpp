@@ -5,7 +5,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/predicates.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = 1024;
@@ -92,4 +92,4 @@ ArcLabels label_arcs(const CurveView& own, const IndexedCurve& other, bool other
   return result;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 #include "engine/geometry/interior/contacts_along.hpp"
 #include "lober/interior.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct ArcLabels {
   Buffer<Side> after;         ///< of the part that follows each contact
@@ -16,4 +16,4 @@ struct ArcLabels {
 [[nodiscard]] ArcLabels label_arcs(const CurveView& own, const IndexedCurve& other, bool other_clockwise,
                                    const ContactsAlong& contacts);
 
-}  // namespace lober
+}  // namespace lober::detail

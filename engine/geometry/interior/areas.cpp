@@ -15,6 +15,7 @@
 #include "lober/interior.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 DD times(double power_of_two, DD value) {

@@ -7,7 +7,7 @@
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "lober/crossings.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A contact, seen from one curve: `own` is this curve, `other` the other one.
 struct SeenContact {
@@ -52,4 +52,4 @@ class ContactsAlong {
   bool first_;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = 4096;
@@ -112,4 +112,4 @@ LabelledCurve insert_points(const CurveView& curve, const Buffer<Side>& labels, 
   return result;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

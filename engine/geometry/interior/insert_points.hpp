@@ -7,7 +7,7 @@
 
 #include "lober/interior.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct LabelledCurve {
   std::vector<Point> points;
@@ -25,4 +25,4 @@ struct LabelledCurve {
                                           std::span<const SideChange> changes, int passes, int points,
                                           std::size_t max_points);
 
-}  // namespace lober
+}  // namespace lober::detail

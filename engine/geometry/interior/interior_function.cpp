@@ -10,6 +10,7 @@
 #include "lober/interior.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::size_t grain = 256;  // queries a task

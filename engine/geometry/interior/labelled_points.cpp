@@ -7,6 +7,7 @@
 #include "lober/interior.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 Point between(Point a, Point b, double t) {

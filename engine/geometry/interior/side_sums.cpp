@@ -7,7 +7,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/shoelace.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t leaves_per_block = 32, grain = leaves_per_block * leaf_size;
@@ -121,4 +121,4 @@ SideSums sum_by_ends(std::span<const Point> points, std::span<const Side> labels
   return joined(blocks, length, extent);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

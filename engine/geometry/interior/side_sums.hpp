@@ -6,7 +6,7 @@
 #include "engine/geometry/interior/contacts_along.hpp"
 #include "lober/interior.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Sums of cross(v_i - o, v_{i+1} - o) about one origin o, in double-double. Q1, Q2 and Q3 are combinations of them.
 struct SideSums {
@@ -25,4 +25,4 @@ struct SideSums {
 [[nodiscard]] SideSums sum_by_ends(std::span<const Point> points, std::span<const Side> labels, Point origin,
                                    double extent);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,6 +9,7 @@
 #include "lober/interior.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // The side of the stretch that leaves a node. The region of a counter-clockwise curve lies between its way

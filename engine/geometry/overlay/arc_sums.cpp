@@ -5,7 +5,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/index/sums_along.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Right to 2^-104 of the larger one, which is far less than what the crossings lose (lost_in_sums); half the operations
@@ -67,4 +67,4 @@ ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph
   return sums;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

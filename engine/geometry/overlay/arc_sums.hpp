@@ -13,7 +13,7 @@
 #include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/index/index.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct ArcSums {
   static constexpr std::uint32_t nowhere = 0xffffffff;
@@ -31,4 +31,4 @@ void find_wraps(const NodeGraph& graph, ArcSums& sums);
 /// O(contacts + leaves that hold one + n / 1024), parallel.
 [[nodiscard]] ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph& graph);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,6 +7,7 @@
 #include "engine/geometry/overlay/pieces_data.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // The contacts at which a walk along one curve leaves a node and enters the next.
@@ -20,13 +21,13 @@ Ends ends_of(const NodeSpan& span, int curve, bool forward) {
 
 }  // namespace
 
-Directions directions(const Overlay& result, Pairing pairing) {
+Directions detail::directions(const Overlay& result, Pairing pairing) {
   const bool left1 = pairing != Pairing::c2_minus_c1, left2 = pairing != Pairing::c1_minus_c2;
   return {left1 != result.nodes.clockwise1(), left2 != result.nodes.clockwise2()};
 }
 
-std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint32_t> steps, std::size_t begin,
-                               std::size_t end, Directions forward) {
+std::vector<Stretch> detail::stretches(const Overlay& result, std::span<const std::uint32_t> steps, std::size_t begin,
+                                       std::size_t end, Directions forward) {
   const NodeGraph& graph = graph_of(result.nodes);
   std::vector<Stretch> list;
   if (steps.size() == 1 && steps[0] >= whole_curve1) {
@@ -49,7 +50,7 @@ std::vector<Stretch> stretches(const Overlay& result, std::span<const std::uint3
   return list;
 }
 
-StretchPoints points_of(const Overlay& result, const Stretch& stretch) {
+StretchPoints detail::points_of(const Overlay& result, const Stretch& stretch) {
   const std::span<const Point> vertices = (stretch.curve == 1 ? result.nodes.curve1() : result.nodes.curve2()).points;
   const std::size_t size = vertices.size();
   if (stretch.from == Stretch::none) return {stretch.forward, true, {}, vertices, {}};
@@ -72,7 +73,7 @@ StretchPoints points_of(const Overlay& result, const Stretch& stretch) {
           vertices.first(count - before_wrap)};
 }
 
-std::size_t count_points(const Overlay& result, std::span<const std::uint32_t> steps, Directions forward) {
+std::size_t detail::count_points(const Overlay& result, std::span<const std::uint32_t> steps, Directions forward) {
   std::size_t count = 0;
   constexpr std::size_t at_once = 256;
   for (std::size_t k = 0; k < steps.size(); k += at_once) {

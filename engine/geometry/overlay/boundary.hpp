@@ -8,7 +8,7 @@
 
 #include "lober/overlay.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// A stretch of a curve between two contacts. `from` and `to` are contact numbers and follow each other in the
 /// direction of the walk; `forward` says whether that is the direction of the input. Whole curves have no contacts:
@@ -46,4 +46,4 @@ struct StretchPoints {
 /// Number of points of all these steps together. O(steps).
 [[nodiscard]] std::size_t count_points(const Overlay& result, std::span<const std::uint32_t> steps, Directions forward);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -14,8 +14,9 @@
 #include "kernels/shoelace.hpp"
 
 namespace lober {
+using namespace detail;
 
-struct DiscretisationData {
+struct detail::DiscretisationData {
   CurveView curve;
   Buffer<DD> before;  // running sums, up to each chunk of segments
   DD total;

@@ -6,7 +6,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/shoelace.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 14;
@@ -304,4 +304,4 @@ FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Orientati
   return {total[0], total[1], total[2]};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

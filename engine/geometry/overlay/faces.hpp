@@ -13,7 +13,7 @@
 #include "engine/geometry/overlay/arc_sums.hpp"
 #include "lober/overlay.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Where a point lies: inside A1, inside A2.
 struct Membership {
@@ -66,4 +66,4 @@ struct FaceTotals {
 /// How many of the four sectors at a node have this membership (0, 1 or 2).
 [[nodiscard]] int sectors_at(std::uint8_t rotation, Orientations orientations, Membership wanted);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -17,6 +17,7 @@
 #include "engine/geometry/overlay/pieces_data.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr Membership only1{true, false}, only2{false, true}, both{true, true}, neither{false, false};

@@ -12,6 +12,7 @@
 #include "kernels/moments.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::size_t few_points = 256;  // what is worth to be written out and summed up one by one

@@ -4,6 +4,7 @@
 #include "lober/overlay.hpp"
 
 namespace lober {
+using namespace detail;
 
 std::string_view name(Pairing pairing) {
   switch (pairing) {

@@ -7,7 +7,7 @@
 #include "lober/buffer.hpp"
 #include "lober/overlay.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct PiecesData {
   Buffer<double> areas;
@@ -23,4 +23,4 @@ struct PiecesData {
   [[nodiscard]] std::span<const PieceHole> holes_of(std::size_t piece) const;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

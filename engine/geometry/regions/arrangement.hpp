@@ -4,7 +4,7 @@
 #include "engine/geometry/regions/faces.hpp"
 #include "lober/regions.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct Arrangement {
   EdgeChains edge_chains;
@@ -37,4 +37,4 @@ struct RegionPiecesData {
 /// Whether a point with these winding numbers belongs to the region.
 [[nodiscard]] bool belongs(Windings windings, FillRule rule, Pairing pairing);
 
-}  // namespace lober
+}  // namespace lober::detail

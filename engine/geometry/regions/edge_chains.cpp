@@ -1,6 +1,6 @@
 #include "engine/geometry/regions/edge_chains.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 std::uint32_t EdgeChains::next(std::uint32_t number) const {
   const CurveView& on = curve(curve_of(number));
@@ -22,4 +22,4 @@ std::uint32_t EdgeChains::previous(std::uint32_t number) const {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 class EdgeChains {
  public:
@@ -43,4 +43,4 @@ class EdgeChains {
   int curves_ = 0;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

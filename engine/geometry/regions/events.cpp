@@ -10,7 +10,7 @@
 #include "engine/geometry/curve/point_along.hpp"
 #include "kernels/crossing_parameters.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 15;
@@ -181,4 +181,4 @@ Point place(const EdgeChains& edge_chains, const Event& event) {
   return point_along(edge_chains.segment(event.segment), event.t);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

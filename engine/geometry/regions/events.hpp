@@ -11,7 +11,7 @@
 
 #include "engine/geometry/regions/incidences.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Every incidence places its point within 2^-91 of the scene (crossing_parameters.hpp), so where several make one
 /// event the parameter of any of them will do.
@@ -58,4 +58,4 @@ struct Events {
 /// The event rounded to double: exact if it is a vertex, else right to about an ulp.
 [[nodiscard]] Point place(const EdgeChains& edge_chains, const Event& event);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 
 #include "kernels/shoelace.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::uint32_t unknown = 0xffffffff;
@@ -125,4 +125,4 @@ Faces make_faces(const EdgeChains& edge_chains, const Events& events, const Half
   return faces;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

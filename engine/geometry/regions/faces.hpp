@@ -8,7 +8,7 @@
 
 #include "engine/geometry/regions/half_edges.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct Windings {
   std::int32_t of1, of2;
@@ -41,4 +41,4 @@ inline constexpr std::uint32_t no_half_edge = 0xffffffff;
                                                const HalfEdges& graph, const IndexedCurve& curve, int number,
                                                PredicateCounts& counts);
 
-}  // namespace lober
+}  // namespace lober::detail

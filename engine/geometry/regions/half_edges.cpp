@@ -7,7 +7,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 12;
@@ -133,4 +133,4 @@ HalfEdges connect(const EdgeChains& edge_chains, const Events& events) {
   return graph;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

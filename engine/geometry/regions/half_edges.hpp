@@ -10,7 +10,7 @@
 
 #include "engine/geometry/regions/events.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct Multiplicity {
   std::int32_t of1, of2;  ///< net, in the direction of the edge: what the winding numbers gain from right to left
@@ -42,4 +42,4 @@ struct HalfEdges {
   return half % 2 == 0 ? half / 2 : events.next(half / 2);
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 #include "engine/geometry/crossings/pair_contacts.hpp"
 #include "kernels/pair_filter.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class IncidenceFinder final : public PairConsumer {
@@ -142,4 +142,4 @@ Incidences find_incidences(const IndexedCurve& c1, const IndexedCurve* c2, Index
   return found;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

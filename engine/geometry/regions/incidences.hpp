@@ -16,7 +16,7 @@
 #include "kernels/predicates.hpp"
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct Incidence {
   DD t1, t2;                    ///< parameters in [0, 1) on the two segments
@@ -41,4 +41,4 @@ struct Incidences {
 /// O(N + candidates), parallel. The set found does not depend on `kind`, its order does.
 [[nodiscard]] Incidences find_incidences(const IndexedCurve& c1, const IndexedCurve* c2, IndexKind kind);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,6 +7,7 @@
 #include "kernels/shoelace.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;

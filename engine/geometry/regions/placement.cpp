@@ -6,7 +6,7 @@
 
 #include "engine/geometry/regions/faces.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Where a segment crosses the height just above the point.
@@ -84,4 +84,4 @@ std::uint32_t half_edge_right_of(Point point, const EdgeChains& edge_chains, con
   return graph.representative(2 * edge + (hit->upward ? 0U : 1U));
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -14,6 +14,7 @@
 #include "engine/geometry/regions/arrangement.hpp"
 
 namespace lober {
+using namespace detail;
 
 std::string_view name(FillRule rule) {
   switch (rule) {
@@ -43,7 +44,7 @@ bool inside(FillRule rule, int winding) {
   return false;
 }
 
-bool belongs(Windings windings, FillRule rule, Pairing pairing) {
+bool detail::belongs(Windings windings, FillRule rule, Pairing pairing) {
   const bool in1 = inside(rule, windings.of1), in2 = inside(rule, windings.of2);
   switch (pairing) {
     case Pairing::c1_minus_c2:

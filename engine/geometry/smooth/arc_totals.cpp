@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // For each rotation whether the arc that leaves along `half_edge` is on the left of the other curve, as the input runs.
@@ -85,4 +85,4 @@ RegionChordAreas chord_areas_apart(const Overlay& result, const ChordArea& total
   return {c1, c2, {}, c2 - c1, c1, c2};
 }
 
-}  // namespace lober
+}  // namespace lober::detail

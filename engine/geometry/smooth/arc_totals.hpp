@@ -8,7 +8,7 @@
 #include "engine/geometry/smooth/chord_areas.hpp"
 #include "lober/overlay.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 ChordArea operator+(const ChordArea& a, const ChordArea& b);
 ChordArea operator-(const ChordArea& a, const ChordArea& b);  ///< areas; errors add up
@@ -41,4 +41,4 @@ inline std::uint32_t leaves2(const NodeSpan& span) {
   return span.direction < 0 ? span.first : span.last;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

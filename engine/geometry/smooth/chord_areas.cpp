@@ -6,7 +6,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/shoelace.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = 2048;
@@ -60,4 +60,4 @@ ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uin
   return sums;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "kernels/double_double.hpp"
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Twice the area between a stretch of smooth curve and its polygon, positive to the right, and twice its error.
 struct ChordArea {
@@ -25,4 +25,4 @@ struct ChordAreaSums {
 /// `segments` ascend. O(n + places), parallel.
 [[nodiscard]] ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uint32_t> segments);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,6 +6,7 @@
 #include "lober/smooth.hpp"
 
 namespace lober {
+using namespace detail;
 
 CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second) {
   try {

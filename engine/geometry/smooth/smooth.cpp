@@ -13,6 +13,7 @@
 #include "engine/geometry/smooth/smooth_crossing.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 constexpr std::size_t grain = 256;

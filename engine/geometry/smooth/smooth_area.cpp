@@ -8,6 +8,7 @@
 #include "lober/smooth.hpp"
 
 namespace lober {
+using namespace detail;
 
 SmoothArea smooth_area(const ClosedCurve& curve) {
   validate(curve, "smooth area");

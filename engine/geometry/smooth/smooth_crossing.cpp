@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // A point that moves along a smooth curve. Coordinates are relative to `origin`, a vertex near by.
@@ -119,4 +119,4 @@ EndOfArcs end_of_arcs(const SmoothCurve& c1, const SmoothCurve& c2, const Contac
   return ends;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

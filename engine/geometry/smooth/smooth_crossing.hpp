@@ -6,7 +6,7 @@
 #include "engine/geometry/crossings/contacts.hpp"
 #include "engine/geometry/smooth/smooth_curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct SmoothCrossing {
   SmoothPlace place1, place2;
@@ -33,4 +33,4 @@ struct EndOfArcs {
 [[nodiscard]] EndOfArcs end_of_arcs(const SmoothCurve& c1, const SmoothCurve& c2, const Contact& contact,
                                     const std::optional<SmoothCrossing>& crossing);
 
-}  // namespace lober
+}  // namespace lober::detail

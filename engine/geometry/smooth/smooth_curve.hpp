@@ -7,7 +7,7 @@
 #include "kernels/smooth_segment.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Numbers of vertices and segments of a closed curve wrap. An open one goes on beyond its ends in straight segments so
 /// long that no fit makes use of them.
@@ -70,4 +70,4 @@ struct SmoothPlace {
   double u = 0;
 };
 
-}  // namespace lober
+}  // namespace lober::detail

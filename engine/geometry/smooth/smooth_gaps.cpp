@@ -9,7 +9,7 @@
 #include "engine/geometry/smooth/chord_areas.hpp"
 #include "engine/geometry/smooth/smooth_crossing.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t grain = 256;
@@ -104,4 +104,4 @@ SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const NodeGraph& graph, std::
   return GapFinder(c1, c2, graph, nodes).find();
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include "kernels/double_double.hpp"
 #include "lober/curve.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// What the smooth curves through the points have more than the polygons at one crossing.
 struct SmoothGap {
@@ -32,4 +32,4 @@ struct SmoothGaps {
 [[nodiscard]] SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const NodeGraph& graph,
                                      std::span<const std::uint32_t> nodes);
 
-}  // namespace lober
+}  // namespace lober::detail

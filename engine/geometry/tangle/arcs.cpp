@@ -4,6 +4,7 @@
 #include "engine/geometry/tangle/lobe_topology.hpp"
 
 namespace lober {
+using namespace detail;
 
 std::vector<ArcsAt> arcs_at_nodes(const Tangle& tangle) {
   const NodeGraph& graph = graph_of(tangle.nodes);
@@ -26,7 +27,7 @@ std::vector<ArcsAt> arcs_at_nodes(const Tangle& tangle) {
   return arcs;
 }
 
-void mark_pinched_lobes(Tangle& tangle) {
+void detail::mark_pinched_lobes(Tangle& tangle) {
   const std::vector<ArcsAt> arcs = arcs_at_nodes(tangle);
   const auto lobes = static_cast<std::int32_t>(tangle.lobes.size());
   for (std::uint32_t node = 0; node < arcs.size(); ++node) {

@@ -9,7 +9,7 @@
 #include "engine/geometry/tangle/lobe_topology.hpp"
 #include "lober/regions.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Where the chord from p+ to p- meets a manifold, but where the manifold begins.
@@ -170,4 +170,4 @@ void bound_lobes(Tangle& tangle) {
   }
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -3,7 +3,7 @@
 
 #include "engine/geometry/tangle/curves.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// The number of the pip that the options ask for. Throws UsageError if it does not exist. There must be a pip.
 [[nodiscard]] std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& options);
@@ -19,4 +19,4 @@ namespace lober {
 /// Otherwise polygons are overlaid.
 void bound_lobes(Tangle& tangle);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include "engine/geometry/index/index.hpp"
 #include "lober/tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// D at a pip.
 [[nodiscard]] inline DD gap_of(const Pip& pip) {
@@ -30,4 +30,4 @@ struct TangleCurves {
   [[nodiscard]] Point origin() const { return u().view().points[0]; }
 };
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,7 +4,7 @@
 #include "engine/geometry/index/sums_along.hpp"
 #include "engine/geometry/smooth/smooth_gaps.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
   const std::size_t count = nodes.size();
@@ -53,4 +53,4 @@ Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span
   return gaps;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include "engine/geometry/tangle/curves.hpp"
 #include "lober/buffer.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// D at the given nodes, which must ascend, about the first vertex of U, in double-double; of the polygons. O(given +
 /// leaves that hold one + (N + M) / 1024) + nodes.
@@ -20,4 +20,4 @@ namespace lober {
 [[nodiscard]] Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph,
                                  std::span<const std::uint32_t> nodes);
 
-}  // namespace lober
+}  // namespace lober::detail

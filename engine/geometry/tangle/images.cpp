@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace lober {
+using namespace detail;
 namespace {
 
 double mean_area(const std::vector<Lobe>& lobes) {
@@ -43,7 +44,7 @@ std::string text(const LobeLabel& label) {
   return "L" + std::to_string(label.from) + std::to_string(label.to) + "(" + std::to_string(label.n) + ")";
 }
 
-Images find_images(const Tangle& tangle, std::uint32_t given_period) {
+Images detail::find_images(const Tangle& tangle, std::uint32_t given_period) {
   const std::vector<Lobe>& lobes = tangle.lobes;
   Images images;
   images.labels.resize(lobes.size());

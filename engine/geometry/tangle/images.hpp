@@ -3,11 +3,11 @@
 
 #include "lober/tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Fills in `images`. A period fits if signed areas repeat with it to `repeat_tolerance` of their mean; the smallest
 /// even one that fits is taken (an orientation-preserving map takes pips of one rho to pips of the same).
 inline constexpr double repeat_tolerance = 0.05;
 [[nodiscard]] Images find_images(const Tangle& tangle, std::uint32_t given_period);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -6,7 +6,7 @@
 
 #include "lober/tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 [[nodiscard]] inline bool holds_start_of_u(const Tangle& tangle, std::size_t lobe) {
   return tangle.lobes[lobe].orientation() == tangle.pips[lobe].rho;
@@ -19,4 +19,4 @@ namespace lober {
 /// arcs. O(nodes).
 void mark_pinched_lobes(Tangle& tangle);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -4,6 +4,7 @@
 #include "lober/regions.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // The vertices of a curve strictly between two places, the first of which comes first.

@@ -21,6 +21,7 @@
 #include "engine/geometry/tangle/lobe_topology.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // A crossing of U_j with S_i.

@@ -1,7 +1,7 @@
 #include "engine/geometry/tangle/pips.hpp"
 #include "engine/geometry/crossings/crossings_data.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 std::vector<std::uint32_t> find_pips(const Crossings& nodes, bool turn_u, bool turn_s) {
   const NodeGraph& graph = graph_of(nodes);
@@ -18,4 +18,4 @@ std::vector<std::uint32_t> find_pips(const Crossings& nodes, bool turn_u, bool t
   return pips;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

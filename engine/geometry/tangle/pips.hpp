@@ -7,10 +7,10 @@
 #include "lober/buffer.hpp"
 #include "lober/crossings.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// Node numbers of the pips in order along U. One sweep: records of nearness along S. O(nodes). With `turn_u`,
 /// `turn_s`, what they would be if that curve ran the other way.
 [[nodiscard]] std::vector<std::uint32_t> find_pips(const Crossings& nodes, bool turn_u = false, bool turn_s = false);
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,6 +7,7 @@
 #include "kernels/sagitta.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // Plain doubles: with the first pip for origin and edges instead of far corners in every product, a lobe of length l

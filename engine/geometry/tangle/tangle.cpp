@@ -16,6 +16,7 @@
 #include "engine/geometry/tangle/pips.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 // At a scale where products stay in range; at that of the given indexes whenever possible.

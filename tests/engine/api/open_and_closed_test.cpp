@@ -18,6 +18,7 @@
 #include "lober/tangle.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 enum class Wanted : std::uint8_t { closed, open, either };

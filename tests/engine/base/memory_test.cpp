@@ -10,7 +10,7 @@
 
 #include "engine/base/parallel/sanitizers.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
@@ -63,4 +63,4 @@ TEST(BulkMemory, ArraysInUseNeverShareMemory) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -16,7 +16,7 @@
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct Thrown : std::runtime_error {
@@ -283,4 +283,4 @@ TEST_F(CallbacksOfABatch, AStoreThatVanishesEndsTheRun) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

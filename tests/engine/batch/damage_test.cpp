@@ -12,7 +12,7 @@
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/batch/stored_plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 std::string bytes_of(const std::string& path) {
@@ -239,4 +239,4 @@ TEST_F(StoreInPlace, AFileTooShortToBeADatabaseIsNotFilled) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,7 +10,7 @@
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using namespace std::string_literals;
@@ -121,4 +121,4 @@ TEST_F(Generated, WhatHasNoEndIsNoInput) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

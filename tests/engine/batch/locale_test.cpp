@@ -11,7 +11,7 @@
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class DecimalComma : public std::numpunct<char> {
@@ -75,4 +75,4 @@ TEST_F(UnderALocale, OptionsKeepTheirBits) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

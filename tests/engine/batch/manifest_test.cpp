@@ -9,7 +9,7 @@
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class ManifestTest : public ScratchFolder {
@@ -191,4 +191,4 @@ TEST(NaturalOrder, LeadingZerosComeFirstAndCountAsDecimalPlaces) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

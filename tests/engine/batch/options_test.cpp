@@ -5,7 +5,7 @@
 #include "engine/batch/operation.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 const std::vector<OptionSpec> specs{
@@ -50,4 +50,4 @@ TEST(Operations, TableIsConsistent) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

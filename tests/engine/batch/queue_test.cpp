@@ -12,7 +12,7 @@
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 JobGroup usual(const Operation& operation) {
@@ -226,4 +226,4 @@ TEST_F(QueueOnFiles, ZonesOfAFileAreReadTogether) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <list>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // How often units are read when jobs go one by one through a cache of `bytes` bytes that drops the least recently used.
@@ -58,4 +58,4 @@ TEST(Schedule, WhatDoesNotFitIsReadFewTimes) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/batch/stored_plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class StoreTest : public ScratchFolder {
@@ -142,4 +142,4 @@ TEST(Results, ComeBackFromTheirBytes) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,7 +9,7 @@
 
 #include "engine/batch/store.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 /// All pairs of the curves c.0, c.1, ...
 inline Plan plan_of_pairs(std::uint32_t curves, const std::string& operation = "overlay") {
@@ -64,4 +64,4 @@ inline std::vector<std::string> asked(const std::string& path, const std::string
   return rows;
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -13,7 +13,7 @@
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // What of a result is the same in every run.
@@ -223,4 +223,4 @@ TEST_F(SystemJobs, RefusalsNameLineAndKey) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -7,7 +7,7 @@
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/batch/stored_plan.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using Rows = std::vector<std::string>;
@@ -21,7 +21,7 @@ class StoreViews : public ScratchFolder {
     write("job.toml", manifest);
     return run_batch(read_manifest(path("job.toml")), {path(store), shard, {.threads = 2}, {}});
   }
-  Rows asked(const std::string& sql, const std::string& store = "s") const { return lober::asked(path(store), sql); }
+  Rows asked(const std::string& sql, const std::string& store = "s") const { return detail::asked(path(store), sql); }
   // "first second" of each row of the view, in the order of the jobs.
   Rows pairs(const std::string& store = "s") const {
     return asked("SELECT curve1, curve2 FROM overlaps ORDER BY job", store);
@@ -148,4 +148,4 @@ TEST_F(StoreViews, ShardsThatFollowEachOtherInOneStore) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

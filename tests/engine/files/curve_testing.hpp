@@ -17,6 +17,7 @@
 #include "lober/files.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 
 inline std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text));

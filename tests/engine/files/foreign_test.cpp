@@ -7,7 +7,7 @@
 #include "curve_testing.hpp"
 #include "engine/files/read_memory.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using testing::error_of;
@@ -154,4 +154,4 @@ TEST(RawNumbers, AreTakenAtTheirWordByName) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -8,7 +8,7 @@
 #include "curve_testing.hpp"
 #include "engine/files/text_points.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class Literals {
@@ -134,4 +134,4 @@ TEST(Number, RoundsTheEndsOfTheRangeAsStrtodDoes) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

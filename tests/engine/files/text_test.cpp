@@ -6,7 +6,7 @@
 #include "engine/files/tecplot.hpp"
 #include "lober/files.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using testing::read;
@@ -249,4 +249,4 @@ TEST(TextChunks, LongFilesAreTheSameForEveryChunkSize) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -13,7 +13,7 @@
 #include "lober/error.hpp"
 #include "lober/systems.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 TEST(Cancellation, ThrowsWhereTheFlagIsSet) {
@@ -132,4 +132,4 @@ TEST(Cancellation, ReachesTheIntegrator) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -9,6 +9,7 @@
 #include "tests/kernels/random_doubles.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 TEST(CountingSort, SortsStablyByKey) {

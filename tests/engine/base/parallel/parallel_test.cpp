@@ -8,7 +8,7 @@
 #include <set>
 #include <thread>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // Every piece waits until `threads` threads are in one at the same time; false when they never are.
@@ -39,4 +39,4 @@ TEST(Parallel, FewerThreadsWithinMore) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

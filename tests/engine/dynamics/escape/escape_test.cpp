@@ -13,7 +13,7 @@
 #include "lober/monte_carlo.hpp"
 #include "lober/systems.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr double energy = 0.25307;
@@ -334,4 +334,4 @@ TEST(Escape, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -5,7 +5,7 @@
 #include "lober/escape.hpp"
 #include "lober/systems.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 TEST(Tube, EnclosesTheActionOfItsOrbit) {
@@ -45,4 +45,4 @@ TEST(Tube, OfTheThreeBodyProblemReachesTheOuterSection) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

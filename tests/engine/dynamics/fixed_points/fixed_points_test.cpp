@@ -10,7 +10,7 @@
 #include "kernels/box.hpp"
 #include "lober/error.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct Reference {
@@ -134,4 +134,4 @@ TEST(FixedPoints, NoneIsSaidClearly) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,7 +10,7 @@
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "lober/manifold_tangle.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 /// q'' = -(1 + 0.2 cos 3t) sin q, with a function of time added to H.
@@ -63,4 +63,4 @@ TEST(ActionAtRest, AddingAFunctionOfTimeChangesNoLobe) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 
 #include "engine/dynamics/dynamics.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 /// A point in more digits than the maps have: an orbit that starts one rounding off its stable manifold comes no nearer
@@ -137,4 +137,4 @@ TEST(Action, LobesOfTheVortexPair) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -16,7 +16,7 @@
 #include "tests/engine/dynamics/manifolds/distance.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using testing::HenonMap;
@@ -308,4 +308,4 @@ TEST(Grow, LobesOfTheStandardMap) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

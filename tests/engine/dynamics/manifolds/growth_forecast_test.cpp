@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 TEST(GrowthForecast, GoesOnAsTheLastTwo) {
@@ -21,4 +21,4 @@ TEST(GrowthForecast, GoesOnAsTheLastTwo) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

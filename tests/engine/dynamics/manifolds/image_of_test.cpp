@@ -11,7 +11,7 @@
 #include "tests/engine/dynamics/manifolds/distance.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using testing::StandardMap;
@@ -73,4 +73,4 @@ TEST(ImageOf, PolygonsKeepTheirVertices) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include "lober/error.hpp"
 #include "tests/paths.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 const std::vector<std::string> flows{"ovp",         "ovp1",    "duffing", "pendulum",
@@ -193,4 +193,4 @@ TEST(Sections, ThatDoNotFitAreRefused) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,7 +12,7 @@
 #include "lober/error.hpp"
 #include "tests/paths.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct Sample {
@@ -201,4 +201,4 @@ TEST(LostPoints, BecomeNaN) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

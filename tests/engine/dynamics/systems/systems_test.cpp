@@ -8,7 +8,7 @@
 #include "lober/error.hpp"
 #include "tests/paths.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 /// What make_system says about a request that it refuses.
@@ -109,4 +109,4 @@ TEST(Systems, LibrariesThatCannotBeUsedAreRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -14,7 +14,7 @@
 #include "lober/error.hpp"
 #include "lober/transport.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 std::uint64_t setting(const char* name, std::uint64_t otherwise) {
@@ -123,4 +123,4 @@ TEST_F(RandomTransport, ThreeRoutesAgreeAndTimeReverses) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -17,7 +17,7 @@
 #include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct TransportRow {
@@ -268,4 +268,4 @@ TEST(Transport, OfLobesThatReachFarOutside) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

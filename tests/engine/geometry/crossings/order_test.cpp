@@ -10,6 +10,7 @@
 #include "lober/regions.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 using Points = std::vector<Point>;

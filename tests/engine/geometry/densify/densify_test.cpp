@@ -9,7 +9,7 @@
 #include "kernels/box.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using namespace densify_test;
@@ -264,4 +264,4 @@ TEST(DensifyCriteria, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -10,7 +10,7 @@
 #include "lober/densify.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using namespace densify_test;
@@ -178,4 +178,4 @@ TEST(DensifyNear, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

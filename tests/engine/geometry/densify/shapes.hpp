@@ -12,6 +12,7 @@
 #include "lober/densify.hpp"
 
 namespace lober::densify_test {
+using namespace lober::detail;
 
 inline Point ellipse_at(double angle) {
   return {3 + 2 * std::cos(angle), -1 + std::sin(angle)};

@@ -7,7 +7,7 @@
 #include "lober/densify.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using namespace densify_test;
@@ -105,4 +105,4 @@ TEST(Thin, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

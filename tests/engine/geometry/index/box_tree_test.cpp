@@ -13,6 +13,7 @@
 #include "tests/engine/geometry/index/search_testing.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 constexpr std::size_t sizes[] = {3, 31, 32, 33, 64, 65, 1000, 1024, 1025, 32768, 33000, 70001};

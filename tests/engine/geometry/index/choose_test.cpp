@@ -5,6 +5,7 @@
 #include "tests/engine/geometry/index/scenes.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 IndexKind choice(const Curve& first, const Curve& second) {

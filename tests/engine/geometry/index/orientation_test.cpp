@@ -15,6 +15,7 @@
 #include "tests/oracle/random.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 using Points = std::vector<Point>;

@@ -12,6 +12,7 @@
 #include "tests/engine/geometry/index/search_testing.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 std::vector<std::size_t> cells_of(const Raster& raster, const Ends& segment) {

@@ -11,6 +11,7 @@
 #include "tests/engine/geometry/index/search_testing.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 // Around the sizes of leaves and blocks, and the smallest.

@@ -16,6 +16,7 @@
 #include "tests/kernels/random_doubles.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 
 struct Ends {
   Point a, b;

@@ -9,6 +9,7 @@
 #include "tests/engine/geometry/index/search_testing.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 // Whether segments i < j have more in common than the end that joins them.

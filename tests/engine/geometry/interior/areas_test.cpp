@@ -21,7 +21,7 @@
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using oracle::CurvePair;
@@ -242,4 +242,4 @@ TEST(InteriorAreasOf, ManyCrossingsAndManyPointsAgreeWithTheOverlay) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

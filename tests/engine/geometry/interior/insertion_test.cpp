@@ -14,6 +14,7 @@
 #include "tests/oracle/random.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 using Points = std::vector<Point>;

@@ -12,7 +12,7 @@
 #include "lober/overlay.hpp"
 #include "tests/oracle/families.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // By definition, exactly: on a segment, or the parity of segments that a ray to the right crosses.
@@ -75,4 +75,4 @@ TEST(VertexLabels, ChangeTwiceAtASharedArc) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

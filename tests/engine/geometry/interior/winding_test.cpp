@@ -13,7 +13,7 @@
 #include "tests/oracle/exact_number.hpp"
 #include "tests/oracle/random.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using oracle::Random;
@@ -193,4 +193,4 @@ TEST(InteriorFunction, BatchesAreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -12,6 +12,7 @@
 #include "lober/overlay.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 using Points = std::vector<Point>;

@@ -15,6 +15,7 @@
 #include "lober/tangle.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 using Points = std::vector<Point>;

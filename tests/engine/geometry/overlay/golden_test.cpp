@@ -8,6 +8,7 @@
 #include "lober/overlay.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 // C1 runs along the bottom of a rectangle through the crossings 1 to 6; C2 passes them in the order 1, 2, 5, 4, 3, 6,

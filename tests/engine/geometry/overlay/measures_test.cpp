@@ -9,6 +9,7 @@
 #include "lober/overlay.hpp"
 
 namespace lober::testing {
+using namespace lober::detail;
 namespace {
 
 std::vector<Point> ellipse(std::size_t points, double cx, double cy, double a, double b) {

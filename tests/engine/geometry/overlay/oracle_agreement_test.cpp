@@ -16,6 +16,7 @@
 #include "tests/oracle/trapezoid_area.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 namespace {
 
 std::uint64_t pairs_per_family() {

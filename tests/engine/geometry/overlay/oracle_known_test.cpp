@@ -19,6 +19,7 @@
 #include "tests/oracle/trapezoid_area.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 namespace {
 
 struct Known {

@@ -22,6 +22,7 @@
 #include "tests/oracle/pair_file.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 namespace {
 
 // The same pair with the curves exchanged, one backwards and one from its middle vertex on.

@@ -9,7 +9,7 @@
 #include "engine/geometry/views.hpp"
 #include "lober/regions.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using Polygon = std::vector<Point>;
@@ -234,4 +234,4 @@ TEST(FillRules, SayWhatIsInside) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

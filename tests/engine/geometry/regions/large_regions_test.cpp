@@ -15,6 +15,7 @@
 #include "tests/oracle/families.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 namespace {
 
 std::vector<RegionPiece> sorted(const RegionPieces& pieces) {

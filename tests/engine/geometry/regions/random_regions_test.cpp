@@ -19,6 +19,7 @@
 #include "tests/oracle/slab_arrangement.hpp"
 
 namespace lober::oracle {
+using namespace lober::detail;
 namespace {
 
 std::uint64_t from_environment(const char* variable, std::uint64_t otherwise) {

@@ -9,7 +9,7 @@
 #include "lober/smooth.hpp"
 #include "tests/oracle/families.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 class RandomSmooth : public testing::TestWithParam<oracle::Family> {};
@@ -42,4 +42,4 @@ INSTANTIATE_TEST_SUITE_P(Families, RandomSmooth,
                          [](const auto& member) { return std::string(member.param.name); });
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -15,7 +15,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "tests/engine/geometry/smooth/shapes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using namespace smooth_test;
@@ -308,4 +308,4 @@ TEST(Smooth, AreaOfOneCurve) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

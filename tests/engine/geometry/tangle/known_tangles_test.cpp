@@ -10,7 +10,7 @@
 #include "lober/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 using Polyline = std::vector<Point>;
@@ -300,4 +300,4 @@ TEST(KnownTangle, SameBitsForAnyThreadsIndexAndScale) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

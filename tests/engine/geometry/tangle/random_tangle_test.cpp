@@ -14,7 +14,7 @@
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 #include "tests/environment.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 struct ExactCrossing {
@@ -147,4 +147,4 @@ TEST(RandomTangle, LeaningFingersOverlapAsTheirPolygonsDo) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

@@ -11,7 +11,7 @@
 #include "lober/tangle.hpp"
 #include "tests/shared_data.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 constexpr double close = 1e-12;  // relative; what the reference values are good for
@@ -141,4 +141,4 @@ TEST(RealTangle, Heteroclinic) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

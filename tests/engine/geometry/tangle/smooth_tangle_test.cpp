@@ -8,7 +8,7 @@
 #include "lober/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 
-namespace lober {
+namespace lober::detail {
 namespace {
 
 // The sine wave over the axis, run from the right: between pips at whole x lobes of area 2 / pi. The parameter is
@@ -83,4 +83,4 @@ TEST(SmoothTangle, EveryAreaIsOfTheSameCurves) {
 }
 
 }  // namespace
-}  // namespace lober
+}  // namespace lober::detail

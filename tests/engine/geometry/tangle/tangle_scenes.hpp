@@ -9,7 +9,7 @@
 #include "lober/curve.hpp"
 #include "tests/oracle/random.hpp"
 
-namespace lober {
+namespace lober::detail {
 
 struct ManifoldPair {
   std::vector<Point> u, s;
@@ -65,4 +65,4 @@ inline ManifoldPair leaning_fingers(int lobes, std::size_t points_per_lobe, doub
   return pair;
 }
 
-}  // namespace lober
+}  // namespace lober::detail
