@@ -6,6 +6,7 @@
 
 #include "cli/batch/batch_options.hpp"
 #include "cli/batch/batch_report.hpp"
+#include "cli/batch/operations_list.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/report/report.hpp"
@@ -162,13 +163,14 @@ usage:
   lober batch status STORE              reports the jobs that are done, the runs and the failures
   lober batch export STORE [-o FILE]    writes the results as CSV, JSON lines or NPY
   lober batch merge TARGET STORE...     joins the stores of shards
+  lober batch manifest                  lists the keys of a manifest
+  lober batch operations [NAME]         lists the operations, or the options and results of one
   lober batch run --help                lists the options of a subcommand
 
 A manifest for all pairs of a family of files, relative to its folder:
   operation = "overlay"
   curves = "separ.*"
   pairs = "all"
-engine/batch/manifest.hpp lists all keys.
 )";
 
 }  // namespace
@@ -176,7 +178,9 @@ engine/batch/manifest.hpp lists all keys.
 void run_batch_command(const Arguments& arguments) {
   if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
     if (arguments.empty()) {
-      throw UsageError("a subcommand is missing; give run, check, status, export or merge (see lober batch --help)");
+      throw UsageError(
+          "a subcommand is missing; give run, check, status, export, merge, manifest or operations (see lober batch "
+          "--help)");
     }
     return print(usage);
   }
@@ -187,7 +191,11 @@ void run_batch_command(const Arguments& arguments) {
   if (verb == "status") return show_status(rest);
   if (verb == "export") return export_store(rest);
   if (verb == "merge") return merge_stores(rest);
-  throw UsageError("\"" + verb + "\" is not a subcommand of lober batch; give run, check, status, export or merge");
+  if (verb == "manifest") return show_manifest_keys(rest);
+  if (verb == "operations") return show_operations(rest);
+  throw UsageError("\"" + verb +
+                   "\" is not a subcommand of lober batch; give run, check, status, export, merge, "
+                   "manifest or operations");
 }
 
 }  // namespace lober::cli

@@ -4,9 +4,9 @@
 
 #include "cli/overlay/regions_report.hpp"
 #include "cli/report/text.hpp"
+#include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/files/output_file.hpp"
 
 namespace lober::cli {
 namespace {

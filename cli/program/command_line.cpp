@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "cli/program/output_names.hpp"
+#include "engine/base/output_file.hpp"
 #include "engine/files/curve_spec.hpp"
-#include "engine/files/output_file.hpp"
 #include "lober/error.hpp"
 
 namespace lober::cli {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/base/growth_forecast.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/dynamics/manifolds/growth_forecast.hpp"
 
 namespace lober::cli {
 

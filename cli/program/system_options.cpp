@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/dynamics/systems/shared_library.hpp"
 #include "lober/error.hpp"
 
 namespace lober::cli {
@@ -58,7 +57,7 @@ void add_system_options(OptionParser& parser, SystemRequest& request, bool posit
 }
 
 std::vector<std::string> files_of_system(const std::string& name) {
-  return detail::names_library(name) ? std::vector{name} : std::vector<std::string>{};
+  return is_library_path(name) ? std::vector{name} : std::vector<std::string>{};
 }
 
 ParameterValues parameter_values(const std::vector<std::string>& texts) {

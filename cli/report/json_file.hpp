@@ -6,7 +6,7 @@
 
 #include "cli/report/json.hpp"
 #include "cli/report/json_list.hpp"
-#include "engine/files/output_file.hpp"
+#include "engine/base/output_file.hpp"
 
 namespace lober::cli {
 

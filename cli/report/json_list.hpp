@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cli/report/text.hpp"
+#include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
-#include "engine/files/output_file.hpp"
 
 namespace lober::cli {
 

@@ -3,11 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/option_parser.hpp"
 #include "cli/program/system_options.hpp"
-#include "engine/files/output_file.hpp"
+#include "engine/base/output_file.hpp"
 #include "lober/systems.hpp"
 
 namespace lober::cli {
@@ -27,6 +28,26 @@ std::vector<std::string> commands_for(const System& system) {
   }
   if (system.flow && system.section && !system.saddles.empty()) commands.emplace_back("escape");
   return commands;
+}
+
+// A linear form of x and y with small coefficients: "2 - x".
+std::string form(double of_x, double of_y, double constant) {
+  std::string text = constant == 0 ? "" : fmt::format("{:.10g}", constant);
+  const auto add = [&](double coefficient, const char* name) {
+    if (coefficient == 0) return;
+    text += coefficient < 0 ? text.empty() ? "-" : " - " : text.empty() ? "" : " + ";
+    if (std::fabs(coefficient) != 1) text += fmt::format("{:.10g} ", std::fabs(coefficient));
+    text += name;
+  };
+  add(of_x, "x");
+  add(of_y, "y");
+  return text.empty() ? "0" : text;
+}
+
+std::string symmetry_text(const Symmetry& symmetry) {
+  return fmt::format("(x, y) -> ({}, {}) {}", form(symmetry.linear.xx, symmetry.linear.xy, symmetry.shift.x),
+                     form(symmetry.linear.yx, symmetry.linear.yy, symmetry.shift.y),
+                     symmetry.reversor ? "turns the map into its inverse" : "commutes with the map");
 }
 
 std::string list_text(std::span<const SystemInfo> infos) {
@@ -56,6 +77,7 @@ std::string details_text(const System& system) {
                         text_of(connection.u_direction), text_of(connection.to), text_of(connection.s_direction),
                         connection.bip ? ", bip near " + text_of(*connection.bip) : "");
   }
+  for (const Symmetry& symmetry : system.symmetries) text += "symmetry   " + symmetry_text(symmetry) + "\n";
   for (const FlowState& saddle : system.saddles) {
     text +=
         fmt::format("saddle     ({:.10g}, {:.10g}, {:.10g}, {:.10g})\n", saddle[0], saddle[1], saddle[2], saddle[3]);
@@ -97,6 +119,14 @@ Json details_json(const System& system) {
   Json saddles = Json::array();
   for (const FlowState& saddle : system.saddles) saddles.push_back(saddle);
   json["saddles"] = std::move(saddles);
+  Json symmetries = Json::array();
+  for (const Symmetry& symmetry : system.symmetries) {
+    const Matrix2& linear = symmetry.linear;
+    symmetries.push_back({{"linear", {{linear.xx, linear.xy}, {linear.yx, linear.yy}}},
+                          {"shift", point_json(symmetry.shift)},
+                          {"reversor", symmetry.reversor}});
+  }
+  json["symmetries"] = std::move(symmetries);
   json["commands"] = commands_for(system);
   return json;
 }

@@ -20,7 +20,7 @@ class InputGuard {
 };
 
 /// Remembers a file that is read, if a guard lives: what `status` identifies, and what `path` leads to ("-" is standard
-/// input, which has no path). What is no regular file is not remembered: writing to it replaces nothing. O(log n).
+/// input, which has no path). What is not a regular file is not remembered: writing to it replaces nothing. O(log n).
 void note_input(const std::string& path, const struct ::stat& status);
 /// The same for a file that somebody else opens. Nothing if it is not there.
 void note_input(const std::string& path);

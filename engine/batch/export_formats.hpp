@@ -3,9 +3,9 @@
 
 #include <functional>
 
+#include "engine/base/output_file.hpp"
 #include "engine/batch/plan.hpp"
 #include "engine/batch/result.hpp"
-#include "engine/files/output_file.hpp"
 
 namespace lober::detail {
 

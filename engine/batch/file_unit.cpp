@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
-#include "engine/files/file_bytes.hpp"
-#include "engine/files/sniff.hpp"
+#include "engine/base/file_bytes.hpp"
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
 
@@ -56,20 +54,6 @@ CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
   return unit;
 }
 
-std::size_t estimate_points(const std::string& path) {
-  if (std::error_code none; !std::filesystem::is_regular_file(path, none)) return 0;  // a pipe would be read from
-  std::error_code error;
-  const auto size = static_cast<std::size_t>(std::filesystem::file_size(path, error));
-  if (error) return 0;
-  std::string head(std::min<std::size_t>(size, std::size_t{1} << 16), '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(head.data(), static_cast<std::streamsize>(head.size()))) return 0;
-  if (sniff(std::as_bytes(std::span(head))) != Content::text) return size / sizeof(Point);
-  const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n'));
-  return static_cast<std::size_t>(static_cast<double>(size) / static_cast<double>(head.size()) *
-                                  static_cast<double>(std::max<std::size_t>(lines, 1)));
-}
-
 std::string zone_digest(const std::string& sha256, const CurveSource& zone) {
   return sha256 + (zone.zone ? "#" + std::to_string(*zone.zone) : "") + (zone.closed ? "" : " open");
 }
@@ -78,7 +62,7 @@ void require_regular(const std::string& path) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
-  throw DataError(path + ": is no regular file; a batch reads its inputs more than once");
+  throw DataError(path + ": is not a regular file; a batch reads its inputs more than once");
 }
 
 std::string file_sha256(const std::string& path) {

@@ -13,10 +13,6 @@ namespace lober::detail {
 /// than its beginning; what is wrong with one zone is an error of that one.
 [[nodiscard]] CurveUnit file_unit(std::string path, std::vector<CurveSource> zones);
 
-/// How many points a file has: exact for NPY and raw float64, for text from the length of its first lines; 0 if it
-/// cannot be read.
-[[nodiscard]] std::size_t estimate_points(const std::string& path);
-
 /// The digest of a zone, from the SHA-256 of its file. By contents only: no name goes in.
 [[nodiscard]] std::string zone_digest(const std::string& file_sha256, const CurveSource& zone);
 

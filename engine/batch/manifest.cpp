@@ -4,8 +4,8 @@
 #include <functional>
 #include <set>
 
+#include "engine/base/file_bytes.hpp"
 #include "engine/batch/recipe_reader.hpp"
-#include "engine/files/file_bytes.hpp"
 
 namespace lober::detail {
 namespace {

@@ -4,39 +4,7 @@
 //   curves = "separ.*"
 //   pairs = "all"
 //
-// Keys, at the top for all groups or in a [[group]] for itself:
-//
-//   name       of the group, in exports
-//   operation  overlay, interior, tangle, densify, transport
-//   curves     a pattern or a list of them: * ? [abc] in file names; FILE#K a zone by number or title, FILE#* all;
-//              or curves to be computed (below)
-//   with       the same, the second set of pairs = "product"
-//   closed     false for open curves (default true, but for tangle)
-//   pairs      "all"          each unordered pair of two of the curves
-//              "consecutive"  each with the next one
-//              { lag = k }    each with the k-th after it
-//              "product"      each of `curves` with each of `with`, but none with itself
-//              "single"       no pairs: each curve alone
-//              [["a", "b"], ...]  these, by name; `curves` is not needed
-//   options    a table for the operation; a group's count before those at the top
-//   grid       a table of lists: one round of jobs for each combination
-//
-// A curve of a system (engine/dynamics) is a table instead of a pattern:
-//
-//   { system = "standard", parameters = { K = 1.2 }, manifold = "unstable", iterates = 5, tolerance = 1e-5 }
-//       a branch of a manifold, open: that of the system's own tangle, or the `branch` "+" or "-" of the saddle near
-//       `from = [x, y]`; `length` instead of or beside iterates
-//   { system = "standard", parameters = { K = 1.2 }, image_of = "separ.npy", iterates = "0:9", tolerance = 1e-5 }
-//       images of the curves of a pattern; iterates may be negative; "a:b" is a family, one curve for each of a, ..., b
-//
-// Both take `integration_tolerance` for flows. They are computed when a job needs them, again after they had to leave
-// memory. The operation transport has no curves but a system by its options, whose parameters a grid can vary:
-//
-//   operation = "transport"
-//   options = { system = "duffing", iterates = 7 }
-//   grid = { parameters.eps = [0.1, 0.2, 0.3] }
-//
-// Curves come in natural order of their names (separ.2 before separ.10); paths are relative to the manifest.
+// `lober batch manifest` prints all keys.
 #pragma once
 
 #include <array>

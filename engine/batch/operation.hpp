@@ -37,8 +37,9 @@ class JobCurves {
 /// A program that feeds the queue may bring its own.
 struct Operation {
   std::string name;
-  std::string view = {};  ///< of its results in a store, for SQL; only for those in the table
-  int revision = 1;       ///< goes into the key of results: raise it when the numbers change
+  std::string summary = {};  ///< one line; of those in the table
+  std::string view = {};     ///< of its results in a store, for SQL; only for those in the table
+  int revision = 1;          ///< goes into the key of results: raise it when the numbers change
   Arity arity = Arity::two;
   bool open = false;  ///< curves of a manifest are open unless it says otherwise
   std::vector<OptionSpec> options = {};

@@ -13,11 +13,12 @@ namespace lober::detail {
 
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// What an operation can be told. The type of `fallback` is the type of the option; a whole number is taken for a
+/// An option of an operation. The type of `fallback` is the type of the option; a whole number is taken for a
 /// double too. A key "parameters.*" stands for any number of options "parameters.NAME" without a fallback.
 struct OptionSpec {
   std::string key;
   OptionValue fallback;
+  std::string meaning = {};
   std::vector<std::string> choices = {};  ///< of a string; empty: any
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();

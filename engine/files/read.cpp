@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "engine/base/file_bytes.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/files/binary_file.hpp"
 #include "engine/files/closing.hpp"
 #include "engine/files/curve_spec.hpp"
-#include "engine/files/file_bytes.hpp"
 #include "engine/files/foreign.hpp"
 #include "engine/files/plausible.hpp"
 #include "engine/files/read_memory.hpp"

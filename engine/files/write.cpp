@@ -3,8 +3,8 @@
 #include <charconv>
 
 #include "engine/base/finite.hpp"
+#include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
-#include "engine/files/output_file.hpp"
 #include "engine/files/tecplot.hpp"
 #include "lober/files.hpp"
 

@@ -17,6 +17,30 @@
 
 namespace lober {
 
+/// An option of an operation, as a manifest gives it.
+struct OperationOption {
+  std::string key;                   ///< "parameters.*" stands for a table of any names
+  std::string type;                  ///< "true or false", "whole number", "number" or "text"
+  std::string fallback;              ///< what it is when it is not given
+  std::vector<std::string> choices;  ///< of a text; empty: any
+  std::optional<double> min, max;    ///< of a number
+  std::string meaning;
+};
+
+/// What a manifest can ask for, and what is stored of it.
+struct OperationInfo {
+  std::string name, summary;
+  std::size_t min_curves = 0, max_curves = 0;  ///< of a job
+  bool open = false;                           ///< curves are open unless the manifest says otherwise
+  std::string view;                            ///< of its results in a store, for SQL
+  std::vector<OperationOption> options;
+  std::vector<std::string> columns;  ///< of the numbers of a result, in SQL and exports
+  std::vector<std::string> lists;    ///< of the lists of numbers of a result
+};
+
+/// All operations of batches.
+[[nodiscard]] LOBER_API std::vector<OperationInfo> list_operations();
+
 /// One of several processes or machines that share a plan.
 struct Shard {
   std::size_t number = 0, of = 1;

@@ -63,9 +63,13 @@ struct NamedCurve {
 /// file has several zones and none is chosen, or the chosen one is not there.
 [[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
 
+/// The number of points of a file: exact for NPY and raw float64; for text an estimate from the length of its first
+/// lines. 0 if the file cannot be read. At most 64 KiB are read.
+[[nodiscard]] LOBER_API std::size_t estimate_points(const std::string& path);
+
 /// Writers. Numbers are written in the shortest form that reads back to the same bits. The file appears under
 /// its name only when it is complete (written beside it, then renamed); on failure an existing file is left
-/// as it was. What is no regular file (a pipe, /dev/stdout, "-" for standard output) is written straight
+/// as it was. What is not a regular file (a pipe, /dev/stdout, "-" for standard output) is written straight
 /// through. Throw DataError when the file cannot be written or a coordinate is not finite.
 ///
 /// Raw float64 bears no mark: coordinates whose bytes all happen to be printable characters would be read as

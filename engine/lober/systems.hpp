@@ -30,6 +30,16 @@ struct SystemInfo {
   std::vector<Parameter> parameters;
 };
 
+/// An affine map z -> linear z + shift of the plane that takes orbits of the planar map f to orbits: it commutes with
+/// f, or, a reversor, it turns f into its inverse, f S = S f^-1. Nothing in the engine relies on it.
+struct Symmetry {
+  Matrix2 linear;
+  Point shift{};
+  bool reversor = false;
+
+  [[nodiscard]] LOBER_API Point operator()(Point z) const;
+};
+
 /// A pair of manifolds: U from one saddle, S from another or the same one, each on the branch that leaves its saddle in
 /// the given direction.
 struct Connection {
@@ -60,6 +70,7 @@ struct System {
   std::shared_ptr<const Flow> flow;      ///< null when the system is a map
   std::vector<FlowState> saddles;        ///< near those of rank 1 that bound a well (engine/escape)
   std::optional<Section> section;        ///< of the map, when it is a return map
+  std::vector<Symmetry> symmetries;      ///< of the map, apart from the lattice: those known for these parameters
   std::shared_ptr<const PlanarMap> map;  ///< null for a flow whose map is not defined by its canonical section
 };
 
@@ -69,9 +80,12 @@ using ParameterValues = std::vector<std::pair<std::string, double>>;
 /// The built-in systems, in the order of their names.
 [[nodiscard]] LOBER_API std::vector<SystemInfo> list_systems();
 
-/// The system `name`, or the one in the shared library `name` (a name with a slash or ending in ".so"; see
-/// lober_system.h). Throws UsageError, naming the alternatives, for an unknown name or parameter, a parameter given
-/// twice or out of its range; DataError for a library that cannot be used.
+/// Whether the name of a system is the path of a shared library: it has a slash, or ends in ".so".
+[[nodiscard]] LOBER_API bool is_library_path(std::string_view name);
+
+/// The system `name`, or the one in the shared library `name` (is_library_path; lober_system.h). Throws UsageError,
+/// naming the alternatives, for an unknown name or parameter, a parameter given twice or out of its range; DataError
+/// for a library that cannot be used.
 [[nodiscard]] LOBER_API System make_system(std::string_view name, const ParameterValues& values = {},
                                            const IntegrationOptions& options = {});
 

@@ -8,12 +8,12 @@
 #include "lober/export.hpp"
 
 #define LOBER_VERSION_MAJOR 0
-#define LOBER_VERSION_MINOR 1
+#define LOBER_VERSION_MINOR 2
 #define LOBER_VERSION_PATCH 0
 
 namespace lober {
 
-/// Of the library that is linked: "0.1.0". The macros are those of the headers.
+/// Of the library that is linked: "0.2.0". The macros are those of the headers.
 [[nodiscard]] LOBER_API const char* version() noexcept;
 
 }  // namespace lober

@@ -55,6 +55,30 @@ TEST_F(Batch, AllPairsInThreeLines) {
   EXPECT_EQ(first["pieces_c1_minus_c2"], single["pieces"]["c1_minus_c2"].size());
 }
 
+TEST_F(Batch, OperationsAreListedWithTheirOptions) {
+  const auto list = nlohmann::json::parse(run({"batch", "operations", "--json", "-"}).out)["operations"];
+  ASSERT_EQ(list.size(), 5U);
+  const std::string table = run({"batch", "operations"}).out;
+  for (const nlohmann::json& operation : list) {
+    const std::string name = operation["name"];
+    SCOPED_TRACE(name);
+    EXPECT_NE(operation["summary"], "");
+    EXPECT_FALSE(operation["columns"].empty());
+    EXPECT_NE(table.find(name), std::string::npos);
+    const std::string details = run({"batch", "operations", name}).out;
+    for (const nlohmann::json& option : operation["options"]) {
+      EXPECT_NE(option["meaning"], "") << option["key"];
+      EXPECT_NE(details.find("  " + option["key"].get<std::string>() + " "), std::string::npos);
+    }
+  }
+  EXPECT_EQ(list[0]["options"][1]["default"], "true");  // overlay: discretisation
+  EXPECT_EQ(list[2]["options"][1]["max"], 1e6);         // tangle: period
+  const Outcome unknown = run({"batch", "operations", "nosuch"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("there are overlay, interior, tangle, densify, transport"), std::string::npos);
+  EXPECT_NE(run({"batch", "manifest"}).out.find("image_of"), std::string::npos);
+}
+
 TEST_F(Batch, FinishedWorkIsSkippedAndEditedInputsAreNot) {
   write_curves(5);
   report({"job.toml"});

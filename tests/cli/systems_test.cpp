@@ -31,6 +31,7 @@ TEST_F(SystemsProgram, TakesParameters) {
   const Outcome outcome = run({"systems", "standard", "--param", "K=2.5"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("2.5"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("(x, y) -> (-x + y, y) turns the map into its inverse"), std::string::npos) << outcome.out;
   EXPECT_EQ(run({"systems", "standard", "--param", "Q=1"}).status, 2);
   EXPECT_EQ(run({"systems", "--param", "K=1"}).status, 2);
   const Outcome unknown = run({"systems", "nosuch"});

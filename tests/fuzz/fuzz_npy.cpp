@@ -5,6 +5,7 @@
 #include "lober/files.hpp"
 
 using namespace lober;
+using namespace lober::detail;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::string_view magic = "\x93NUMPY";

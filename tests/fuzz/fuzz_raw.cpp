@@ -3,6 +3,7 @@
 #include "lober/files.hpp"
 
 using namespace lober;
+using namespace lober::detail;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto file = fuzz::read(std::as_bytes(std::span(data, size)));

@@ -9,6 +9,7 @@
 #include "fuzz_reader.hpp"
 
 using namespace lober;
+using namespace lober::detail;
 
 namespace {
 

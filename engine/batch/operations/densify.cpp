@@ -123,17 +123,33 @@ Operation densify_operation() {
   operation.name = "densify";
   operation.view = "densified";
   operation.arity = Arity::one_or_two;
-  operation.options = {{"simplify", 0.0, {}, 0},
-                       {"max_length", 0.0, {}, 0},
-                       {"hobson", false},
-                       {"alpha", 0.0, {}, 0},
-                       {"distance_angle", 0.0, {}, 0},
-                       {"min_length", -1.0},  // negative: 0, or with angle criteria 1e-6 of the size
-                       {"passes", std::int64_t{0}, {}, 0, 64},
-                       {"points", std::int64_t{0}, {}, 0, 1'000'000},
-                       {"crossings", false},
-                       {"interpolation", "auto", {"auto", "linear", "dritschel", "spline"}},
-                       {"output", ""}};
+  operation.summary =
+      "insertion of points into a curve, or removal, in the steps and with the options of lober densify";
+  operation.options = {
+      {"simplify",
+       0.0,
+       "largest distance between the curve given and the one without the points removed; 0 removes none",
+       {},
+       0},
+      {"max_length", 0.0, "largest length of a segment; 0 for no limit", {}, 0},
+      {"hobson", false, "alpha and distance_angle of Hobson's criteria"},
+      {"alpha", 0.0, "largest angle between segments, in radians; 0 for no limit", {}, 0},
+      {"distance_angle", 0.0, "largest product of that angle and the length of a segment; 0 for no limit", {}, 0},
+      {"min_length", -1.0,
+       "no shorter segments; negative: 0, or with criteria on angles 1e-6 of the size of the curve"},
+      {"passes", std::int64_t{0}, "number of passes that refine the first curve where it meets the second", {}, 0, 64},
+      {"points",
+       std::int64_t{0},
+       "number of points that a pass inserts into a segment that meets the other curve",
+       {},
+       0,
+       1'000'000},
+      {"crossings", false, "insert a vertex wherever the curves meet"},
+      {"interpolation",
+       "auto",
+       "the curve through the points; auto: dritschel with criteria on angles, else linear",
+       {"auto", "linear", "dritschel", "spline"}},
+      {"output", "", "file for the curve, with {name} for the name of the one given; empty: no file"}};
   operation.columns = {{"signed_area", Column::Kind::real},
                        {"points_in", Column::Kind::count},
                        {"points", Column::Kind::count},

@@ -35,10 +35,22 @@ Operation interior_operation() {
   Operation operation;
   operation.name = "interior";
   operation.view = "interiors";
-  operation.options = {{"method", "split", {"split", "ends"}},
-                       {"passes", std::int64_t{0}, {}, 0, 1'000'000},
-                       {"points", std::int64_t{0}, {}, 0, 1'000'000},
-                       index_option()};
+  operation.summary = "areas of two closed curves by the interior function, Q1, Q2 and Q3";
+  operation.options = {
+      {"method", "split", "split segments where the curves meet, or count them by their ends", {"split", "ends"}},
+      {"passes",
+       std::int64_t{0},
+       "with ends: number of passes that insert points where the ends of a segment differ",
+       {},
+       0,
+       1'000'000},
+      {"points",
+       std::int64_t{0},
+       "with ends: number of points that a pass inserts into such a segment",
+       {},
+       0,
+       1'000'000},
+      index_option()};
   for (const char* const kind : {"", "rounding_"}) add_area_columns(operation.columns, kind);
   for (const char* const name : {"q1", "q2", "q3", "delta"}) operation.columns.push_back({name, Column::Kind::real});
   for (const char* const name :

@@ -46,8 +46,12 @@ Result run(JobCurves curves, const Options& options) {
 Operation overlay_operation() {
   Operation operation;
   operation.name = "overlay";
+  operation.summary = "areas of two closed curves and of their pairings, with error bars, crossings and pieces";
   operation.view = "overlaps";
-  operation.options = {{"areas_only", false}, {"discretisation", true}, {"lobes", false}, index_option()};
+  operation.options = {{"areas_only", false, "leave out pieces"},
+                       {"discretisation", true, "estimate the difference between polygons and smooth curves"},
+                       {"lobes", false, "list the areas of the pieces of both differences"},
+                       index_option()};
   for (const char* const kind : {"", "rounding_", "discretisation_"}) add_area_columns(operation.columns, kind);
   for (const char* const count :
        {"crossings", "touches", "shared_arcs", "classes", "pieces_c1_minus_c2", "pieces_c2_minus_c1",

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <array>
 
-namespace lober {
-using namespace detail;
+namespace lober::detail {
 
-std::span<const Operation> detail::all_operations() {
+std::span<const Operation> all_operations() {
   static const std::array table{overlay_operation(), interior_operation(), tangle_operation(), densify_operation(),
                                 transport_operation()};
   return table;
 }
 
-bool detail::takes(Arity arity, std::size_t curves) {
+bool takes(Arity arity, std::size_t curves) {
   switch (arity) {
     case Arity::none:
       return curves == 0;
@@ -27,30 +26,33 @@ bool detail::takes(Arity arity, std::size_t curves) {
   return false;
 }
 
-const Operation* detail::find_operation(std::string_view name) {
+const Operation* find_operation(std::string_view name) {
   const std::span<const Operation> table = all_operations();
   const auto found = std::find_if(table.begin(), table.end(), [&](const Operation& any) { return any.name == name; });
   return found == table.end() ? nullptr : &*found;
 }
 
-void detail::add_area_columns(std::vector<Column>& columns, const std::string& prefix) {
+void add_area_columns(std::vector<Column>& columns, const std::string& prefix) {
   for (const char* const area :
        {"c1", "c2", "intersection", "union", "c1_minus_c2", "c2_minus_c1", "symmetric_difference"}) {
     columns.push_back({prefix + area, Column::Kind::real});
   }
 }
 
-void detail::add_areas(std::vector<double>& values, const Areas& areas) {
+void add_areas(std::vector<double>& values, const Areas& areas) {
   values.insert(values.end(), {areas.c1, areas.c2, areas.intersection, areas.union_, areas.c1_minus_c2,
                                areas.c2_minus_c1, areas.symmetric_difference});
 }
 
-OptionSpec detail::index_option() {
-  return {"index", "auto", {"auto", "tree", "grid", "kd"}};
+OptionSpec index_option() {
+  return {"index",
+          "auto",
+          "the index that proposes which segments can meet; the results do not depend on it",
+          {"auto", "tree", "grid", "kd"}};
 }
 
-IndexKind detail::index_kind(const Options& options) {
+IndexKind index_kind(const Options& options) {
   return lober::index_kind(options.text("index"));
 }
 
-}  // namespace lober
+}  // namespace lober::detail

@@ -59,12 +59,19 @@ Operation tangle_operation() {
   operation.name = "tangle";
   operation.view = "tangles";
   operation.open = true;
-  operation.options = {{"bip", std::int64_t{-1}, {}, -1},  // the one in the middle
-                       {"period", std::int64_t{0}, {}, 0, 1'000'000},
-                       {"smooth", false},
-                       {"overlaps", false},
-                       {"simple_check", true},  // refuse manifolds that cross themselves
-                       index_option()};
+  operation.summary = "pips, lobes, boundary and turnstile of an unstable and a stable manifold";
+  operation.options = {
+      {"bip", std::int64_t{-1}, "number of the pip that bounds the region, from 0; -1 for the middle one", {}, -1},
+      {"period",
+       std::int64_t{0},
+       "number of pips from one to its image; 0 to infer it from the areas",
+       {},
+       0,
+       1'000'000},
+      {"smooth", false, "areas between smooth curves through the points"},
+      {"overlaps", false, "list the areas that lobes have in common"},
+      {"simple_check", true, "refuse manifolds that cross themselves"},
+      index_option()};
   for (const char* const name :
        {"crossings", "touches", "shared_arcs", "pips", "lobes", "bip", "period", "lobes_compared"}) {
     operation.columns.push_back({name, Column::Kind::count});

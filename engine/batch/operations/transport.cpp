@@ -68,11 +68,13 @@ Operation transport_operation() {
   operation.name = "transport";
   operation.view = "transports";
   operation.arity = Arity::none;
-  operation.options = {{"system", ""},
-                       {"parameters.*", 0.0},
-                       {"iterates", std::int64_t{7}, {}, 1, 100},
-                       {"tolerance", 1e-5, {}, 1e-15},
-                       {"integration_tolerance", 1e-12, {}, 1e-16, 1e-2}};
+  operation.summary = "flux and transport of the turnstile of a system, as lober transport";
+  operation.options = {
+      {"system", "", "name of the system, or its shared library"},
+      {"parameters.*", 0.0, "parameters of the system, by name; those left out take their defaults"},
+      {"iterates", std::int64_t{7}, "number of iterates n of a(n) and T(n)", {}, 1, 100},
+      {"tolerance", 1e-5, "largest distance between the manifolds and their polygons", {}, 1e-15},
+      {"integration_tolerance", 1e-12, "error of a step of the integration of a flow", {}, 1e-16, 1e-2}};
   for (const char* const name : {"region", "area12", "area21", "action12", "action21"}) {
     operation.columns.push_back({name, Column::Kind::real});
   }

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/growth_forecast.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/dynamics/escape/cut_images.hpp"
-#include "engine/dynamics/manifolds/growth_forecast.hpp"
 #include "lober/error.hpp"
 #include "lober/escape.hpp"
 #include "lober/smooth.hpp"

@@ -5,12 +5,12 @@
 #include <optional>
 #include <tuple>
 
+#include "engine/base/growth_forecast.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/dynamics/escape/bottlenecks.hpp"
 #include "engine/dynamics/escape/symmetries.hpp"
 #include "engine/dynamics/escape/winding_product.hpp"
-#include "engine/dynamics/manifolds/growth_forecast.hpp"
 #include "lober/error.hpp"
 
 namespace lober {

@@ -53,6 +53,7 @@ SystemEntry capsize_entry() {
             system.saddles = {FlowState{-1, 0.5}, FlowState{1, 0.5}};
             system.section =
                 Section{.coordinate = 0, .value = 0, .direction = 1, .chart_x = 1, .chart_y = 3, .solved = 2};
+            system.symmetries = {reversor({1, 0, 0, -1})};
             system.map = system.flow->section_map(*system.section, values[1], options);
             return system;
           }};

@@ -39,6 +39,7 @@ SystemEntry duffing_entry() {
             const Point saddle = flow.saddle_on_section(values[3], [](double u) { return -u * u * u; });
             system.connection = Connection{saddle, {1, 1}, saddle, {1, -1}};
             system.further = {Connection{saddle, {-1, -1}, saddle, {-1, 1}}};  // the left well
+            system.symmetries = flow.symmetries(values[3]);
             system.flow = std::make_shared<FlowOf<Duffing>>(flow);
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;

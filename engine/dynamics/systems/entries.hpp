@@ -1,6 +1,7 @@
 // The built-in systems, one function each, listed in registry.cpp.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -29,6 +30,20 @@ void require_positive(const SystemInfo& info, std::string_view name, double valu
 
 /// The system of an entry with values by name.
 System make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options);
+
+/// z -> linear z + shift as a reversor.
+inline Symmetry reversor(const Matrix2& linear, Point shift = {}) {
+  return {linear, shift, true};
+}
+
+/// Whether time 0 or a quarter of the period lies on the section, or half a period later: forces that are even or odd
+/// in time about it give the map a reversor.
+inline bool at_half_periods(double phase) {
+  return 2 * phase == std::floor(2 * phase);
+}
+inline bool at_quarter_periods(double phase) {
+  return at_half_periods(phase + 0.25);
+}
 
 /// A box by its corners.
 inline Rectangle window(double min_x, double min_y, double max_x, double max_y) {

@@ -5,6 +5,8 @@
 #include <complex>
 #include <vector>
 
+#include "engine/dynamics/systems/entries.hpp"
+
 namespace lober::detail {
 namespace {
 
@@ -25,6 +27,14 @@ std::vector<Complex> spectrum(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+// The force is even in time about 0, and turns round with x half a period later.
+std::vector<Symmetry> ForcedOscillator::symmetries(double phase) const {
+  if (delta != 0) return {};
+  if (at_half_periods(phase)) return {reversor({1, 0, 0, -1})};
+  if (at_quarter_periods(phase)) return {reversor({-1, 0, 0, 1})};
+  return {};
+}
 
 Point ForcedOscillator::saddle_on_section(double phase, const std::function<double(double)>& rest) const {
   const Complex i{0, 1};

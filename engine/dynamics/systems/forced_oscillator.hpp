@@ -5,8 +5,10 @@
 #include <functional>
 #include <numbers>
 #include <span>
+#include <vector>
 
 #include "lober/flow.hpp"
+#include "lober/systems.hpp"
 
 namespace lober::detail {
 
@@ -20,6 +22,9 @@ struct ForcedOscillator {
     static constexpr std::array<ConjugatePair, 1> pair{{{0, 1, 1}}};
     return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);
   }
+
+  /// Of a force that is odd in x, on the section at `phase`.
+  [[nodiscard]] std::vector<Symmetry> symmetries(double phase) const;
 
   /// The periodic orbit that a saddle of the unforced system becomes, u'' + delta u' = u + rest(u) + eps cos(omega t)
   /// with u measured from that saddle, where it meets the section at `phase`. By harmonic balance, which does not feel

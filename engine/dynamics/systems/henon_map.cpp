@@ -39,6 +39,7 @@ SystemEntry henon_map_entry() {
                                            {saddle, saddle},
                                            {-1, -1},
                                            Point{-1.154 - 0.757 * values[0], 0.666 + 0.518 * values[0]}};
+            system.symmetries = {reversor({0, 1, 1, 0})};
             system.map = std::make_shared<FormulaMap<HenonMap>>(HenonMap{values[0]});
             return system;
           }};

@@ -45,6 +45,7 @@ SystemEntry pendulum_entry() {
             system.further = {Connection{
                 {saddle.x + std::numbers::pi, saddle.y}, {-1, -1}, {saddle.x - std::numbers::pi, saddle.y}, {1, -1}}};
             system.further_needed = true;
+            system.symmetries = flow.symmetries(values[3]);
             system.flow = std::make_shared<FlowOf<Pendulum>>(flow);
             system.map = system.flow->stroboscopic_map(values[3], options);
             return system;

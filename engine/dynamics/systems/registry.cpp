@@ -29,6 +29,10 @@ std::string joined(const Things& things, const Name& name) {
 
 }  // namespace
 
+Point Symmetry::operator()(Point z) const {
+  return {linear.xx * z.x + linear.xy * z.y + shift.x, linear.yx * z.x + linear.yy * z.y + shift.y};
+}
+
 void detail::require_positive(const SystemInfo& info, std::string_view name, double value) {
   if (!(value > 0)) throw UsageError("system " + info.name + ": parameter " + std::string(name) + " must be positive");
 }
@@ -60,6 +64,10 @@ System detail::make_system(const SystemEntry& entry, const ParameterValues& valu
   return system;
 }
 
+bool is_library_path(std::string_view name) {
+  return name.find('/') != std::string_view::npos || name.ends_with(".so");
+}
+
 std::vector<SystemInfo> list_systems() {
   std::vector<SystemInfo> list;
   for (SystemEntry& entry : entries()) list.push_back(std::move(entry.info));
@@ -67,7 +75,7 @@ std::vector<SystemInfo> list_systems() {
 }
 
 System make_system(std::string_view name, const ParameterValues& values, const IntegrationOptions& options) {
-  if (names_library(name)) {
+  if (is_library_path(name)) {
     return make_system(load_system(std::string(name)), values, options);
   }
   const std::vector<SystemEntry> all = entries();

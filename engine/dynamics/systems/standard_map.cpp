@@ -77,6 +77,7 @@ SystemEntry standard_map_entry() {
             system.connection = Connection{{0, 0}, {1, 1}, {width, 0}, {-1, 1}, Point{pi, height}};
             system.further = {Connection{{width, 0}, {-1, -1}, {0, 0}, {1, -1}, Point{pi, -height}}};
             system.further_needed = true;
+            system.symmetries = {{{-1, 0, 0, -1}}, reversor({-1, 1, 0, 1})};
             system.map = std::make_shared<FormulaMap<StandardMap>>(StandardMap{values[0]});
             return system;
           }};

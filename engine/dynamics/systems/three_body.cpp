@@ -66,6 +66,7 @@ SystemEntry three_body_entry() {
                                      .bound_coordinate = 0,
                                      .bound = -1,
                                      .bound_side = -1};
+            system.symmetries = {reversor({1, 0, 0, -1})};
             system.map = system.flow->section_map(*system.section, values[1], options);
             return system;
           }};

@@ -149,6 +149,8 @@ SystemEntry entry(const char* name, const char* summary) {
             system.connection = Connection{{1.5, 0}, {0, 1}, {-1.5, 0}, {0, 1}, Point{0, 2.05}};
             // The lower one. Both are closed by the axis y = 0, which no fluid crosses.
             system.further = {Connection{{1.5, 0}, {0, -1}, {-1.5, 0}, {0, -1}, Point{0, -2.05}}};
+            system.symmetries = {{{1, 0, 0, -1}}};
+            if (at_half_periods(values[2])) system.symmetries.push_back(reversor({-1, 0, 0, 1}));
             system.flow = std::make_shared<FlowOf<Field>>(Field(values[0], values[1]));
             system.map = system.flow->stroboscopic_map(values[2], options);
             return system;

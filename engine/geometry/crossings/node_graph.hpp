@@ -7,24 +7,41 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "engine/geometry/crossings/contacts.hpp"
 
 namespace lober::detail {
 
-enum HalfEdge : std::uint8_t { forward1 = 0, forward2 = 1, backward1 = 2, backward2 = 3 };
+enum class HalfEdge : std::uint8_t { forward1, forward2, backward1, backward2 };
+/// Tables with an entry for each half-edge have them in this order, sets of them are bits.
+constexpr std::size_t index_of(HalfEdge half_edge) {
+  return static_cast<std::size_t>(half_edge);
+}
+constexpr unsigned bit_of(HalfEdge half_edge) {
+  return 1U << index_of(half_edge);
+}
+/// The first of a set that is not empty.
+inline HalfEdge first_of(unsigned bits) {
+  return static_cast<HalfEdge>(std::countr_zero(bits));
+}
 
 /// The half-edges counter-clockwise from forward1. The six possible orders; a node stores its number.
-inline constexpr std::array<std::array<HalfEdge, 4>, 6> rotations{{
-    {forward1, forward2, backward1,
-     backward2},  // a crossing, C2 from right to left: rho = +1 for curves that run counter-clockwise
-    {forward1, backward2, backward1, forward2},  // a crossing, C2 from left to right: rho = -1
-    {forward1, forward2, backward2, backward1},  // a touch, C2 on the left of C1 (two ways)
-    {forward1, backward2, forward2, backward1},
-    {forward1, backward1, forward2, backward2},  // a touch, C2 on the right of C1 (two ways)
-    {forward1, backward1, backward2, forward2},
-}};
+constexpr std::array<std::array<HalfEdge, 4>, 6> make_rotations() {
+  using enum HalfEdge;
+  return {{
+      {forward1, forward2, backward1,
+       backward2},  // a crossing, C2 from right to left: rho = +1, both counter-clockwise
+      {forward1, backward2, backward1, forward2},  // a crossing, C2 from left to right: rho = -1
+      {forward1, forward2, backward2, backward1},  // a touch, C2 on the left of C1 (two ways)
+      {forward1, backward2, forward2, backward1},
+      {forward1, backward1, forward2, backward2},  // a touch, C2 on the right of C1 (two ways)
+      {forward1, backward1, backward2, forward2},
+  }};
+}
+inline constexpr std::array<std::array<HalfEdge, 4>, 6> rotations = make_rotations();
 enum RotationSystem : std::uint8_t { rightward_to_left = 0, leftward_to_right = 1, first_touch = 2 };
 
 /// First and last contact of a node along C1. `direction` is 0 for a point, else how C2 runs along the shared arc

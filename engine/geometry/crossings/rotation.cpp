@@ -4,6 +4,8 @@
 #include <array>
 
 namespace lober::detail {
+
+using enum HalfEdge;
 namespace {
 
 // Points further along a curve, onwards and back, from a contact on segment `number`.
@@ -45,10 +47,10 @@ NodeHalfEdges half_edges_of(const Contact& contact, const CurveView& c1, const C
   half_edges.at = contact.vertex1 ? c1.points[contact.segment1] : c2.points[contact.segment2];
   const Ways first = ways(c1, contact.segment1, contact.vertex1);
   const Ways second = ways(c2, contact.segment2, contact.vertex2);
-  half_edges.target[forward1] = first.onwards;
-  half_edges.target[backward1] = first.back;
-  half_edges.target[forward2] = second.onwards;
-  half_edges.target[backward2] = second.back;
+  half_edges.target[index_of(forward1)] = first.onwards;
+  half_edges.target[index_of(backward1)] = first.back;
+  half_edges.target[index_of(forward2)] = second.onwards;
+  half_edges.target[index_of(backward2)] = second.back;
   return half_edges;
 }
 
@@ -66,13 +68,14 @@ std::uint8_t rotation_at_point(const Contact& contact, const CurveView& c1, cons
   const NodeHalfEdges half_edges = half_edges_of(contact, c1, c2);
   for (const HalfEdge own : {forward1, backward1}) {
     for (const HalfEdge other : {forward2, backward2}) {
-      if (no_angle(half_edges.at, half_edges.target[own], half_edges.target[other], counts)) return first_touch;
+      if (no_angle(half_edges.at, half_edges.target[index_of(own)], half_edges.target[index_of(other)], counts))
+        return first_touch;
     }
   }
   std::array<HalfEdge, 4> order{forward1, forward2, backward1, backward2};
   std::sort(order.begin() + 1, order.end(), [&](HalfEdge x, HalfEdge y) {
-    return x != y &&
-           turns_first(half_edges.at, half_edges.target[forward1], half_edges.target[x], half_edges.target[y], counts);
+    return x != y && turns_first(half_edges.at, half_edges.target[index_of(forward1)], half_edges.target[index_of(x)],
+                                 half_edges.target[index_of(y)], counts);
   });
   return number_of(order);
 }
@@ -81,13 +84,14 @@ std::uint8_t rotation_at_arc(const Contact& first, const Contact& last, int dire
                              const CurveView& c2, PredicateCounts& counts) {
   const HalfEdge at_first = direction > 0 ? backward2 : forward2, at_last = direction > 0 ? forward2 : backward2;
   const NodeHalfEdges begin = half_edges_of(first, c1, c2), end = half_edges_of(last, c1, c2);
-  if (no_angle(begin.at, begin.target[backward1], begin.target[at_first], counts) ||
-      no_angle(end.at, end.target[forward1], end.target[at_last], counts)) {
+  if (no_angle(begin.at, begin.target[index_of(backward1)], begin.target[index_of(at_first)], counts) ||
+      no_angle(end.at, end.target[index_of(forward1)], end.target[index_of(at_last)], counts)) {
     return first_touch;
   }
-  const bool first_left =
-      turns_first(begin.at, begin.target[forward1], begin.target[at_first], begin.target[backward1], counts);
-  const bool last_left = turns_first(end.at, end.target[forward1], end.target[at_last], end.target[backward1], counts);
+  const bool first_left = turns_first(begin.at, begin.target[index_of(forward1)], begin.target[index_of(at_first)],
+                                      begin.target[index_of(backward1)], counts);
+  const bool last_left = turns_first(end.at, end.target[index_of(forward1)], end.target[index_of(at_last)],
+                                     end.target[index_of(backward1)], counts);
   if (first_left && last_left) return number_of({forward1, at_last, at_first, backward1});
   if (!first_left && !last_left) return number_of({forward1, backward1, at_first, at_last});
   return first_left == (direction > 0) ? leftward_to_right : rightward_to_left;

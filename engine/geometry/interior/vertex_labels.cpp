@@ -15,6 +15,7 @@ namespace {
 // The side of the stretch that leaves a node. The region of a counter-clockwise curve lies between its way
 // out and its way in, turning counter-clockwise.
 Side side_after(const Crossings& nodes, int curve, std::uint32_t node) {
+  using enum HalfEdge;
   const std::array<HalfEdge, 4>& order = rotations[graph_of(nodes).order[node]];
   const auto place = [&](HalfEdge half_edge) { return std::find(order.begin(), order.end(), half_edge); };
   // Half-edges are listed from forward1 on, so a turn from forward2 meets backward1 before it comes round to forward1

@@ -9,6 +9,8 @@
 namespace lober::detail {
 namespace {
 
+using enum HalfEdge;
+
 constexpr std::size_t grain = std::size_t{1} << 14;
 
 // What happens to a walk that arrives along an half-edge, its face on the left: the half-edge it leaves by and the side
@@ -21,12 +23,13 @@ struct Turn {
 constexpr std::array<std::array<Turn, 4>, 6> make_turns() {
   std::array<std::array<Turn, 4>, 6> turns{};
   for (std::size_t order = 0; order < 6; ++order) {
-    std::array<unsigned, 4> place{};
-    for (unsigned k = 0; k < 4; ++k) place[rotations[order][k]] = k;
+    std::array<unsigned, 4> rank{};
+    for (unsigned k = 0; k < 4; ++k) rank[index_of(rotations[order][k])] = k;
     for (unsigned arrive = 0; arrive < 4; ++arrive) {
-      const unsigned sector = (place[arrive] + 3) % 4;  // the face lies between half-edge `sector` and the next
+      const unsigned sector = (rank[arrive] + 3) % 4;  // the face lies between half-edge `sector` and the next
       const auto left_of = [&](HalfEdge out, HalfEdge in) {
-        return (sector + 4 - place[out]) % 4 < (place[in] + 4 - place[out]) % 4;
+        const unsigned first = rank[index_of(out)];
+        return (sector + 4 - first) % 4 < (rank[index_of(in)] + 4 - first) % 4;
       };
       turns[order][arrive] = {rotations[order][sector], left_of(forward1, backward1), left_of(forward2, backward2)};
     }
@@ -115,14 +118,14 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
   for (std::uint32_t start = 0; start < count; ++start) {
     while (open[start] != 0) {
       std::uint32_t node = start;
-      auto arrive = static_cast<HalfEdge>(__builtin_ctz(open[start]));
-      const std::size_t kind = second[order[start]] >> arrive & 1U;
+      HalfEdge arrive = first_of(open[start]);
+      const std::size_t kind = second[order[start]] >> index_of(arrive) & 1U;
       std::uint32_t* step = next_step[kind];
       RunningSum twice_area;
       Turns rounds;
       do {
-        open[node] = static_cast<std::uint8_t>(open[node] & ~(1U << arrive));
-        const HalfEdge leave = turns[order[node]][arrive].leave;
+        open[node] = static_cast<std::uint8_t>(open[node] & ~bit_of(arrive));
+        const HalfEdge leave = turns[order[node]][index_of(arrive)].leave;
         const bool goes2 = on_second(leave), came2 = on_second(arrive);
         if constexpr (points_only) {
           if (goes2 != came2) twice_area.add(goes2 ? gap[node] : -gap[node]);
@@ -157,7 +160,7 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
             break;
           }
         }
-      } while ((open[node] & 1U << arrive) != 0);
+      } while ((open[node] & bit_of(arrive)) != 0);
       if (rounds.round1 != 0 || rounds.round2 != 0) twice_area.add(rounds.sum(sums));
       const DD sum = twice_area.value();
       faces[kind].area.push_back(0.5 * (sum.hi + sum.lo));
@@ -209,8 +212,8 @@ namespace {
 int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
   int times = 0;
   for (unsigned bits = arrivals_wanted; bits != 0; bits &= bits - 1) {
-    const auto arrive = static_cast<HalfEdge>(__builtin_ctz(bits));
-    const HalfEdge leave = turns[order][arrive].leave;
+    const HalfEdge arrive = first_of(bits);
+    const HalfEdge leave = turns[order][index_of(arrive)].leave;
     times += static_cast<int>(on_second(leave)) - static_cast<int>(on_second(arrive));
   }
   return times;
@@ -254,8 +257,8 @@ std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums
       const std::uint8_t order = graph.order[node];
       for (std::size_t m = 0; m < 3; ++m) {
         for (unsigned bits = wanted[m][order]; bits != 0; bits &= bits - 1) {
-          const auto arrive = static_cast<HalfEdge>(__builtin_ctz(bits));
-          sum[m].add(at_node(graph, sums, node, arrive, turns[order][arrive].leave));
+          const HalfEdge arrive = first_of(bits);
+          sum[m].add(at_node(graph, sums, node, arrive, turns[order][index_of(arrive)].leave));
         }
       }
     }
@@ -286,11 +289,11 @@ FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Orientati
     const auto leaving = [&](std::uint32_t node, HalfEdge by) {
       int times = 0;
       for (unsigned bits = wanted[m][graph.order[node]]; bits != 0; bits &= bits - 1) {
-        times += turns[graph.order[node]][static_cast<unsigned>(__builtin_ctz(bits))].leave == by;
+        times += turns[graph.order[node]][index_of(first_of(bits))].leave == by;
       }
       return times;
     };
-    const auto next = [&](std::uint32_t place) { return place + 1 == count ? 0 : place + 1; };
+    const auto next = [&](std::uint32_t rank) { return rank + 1 == count ? 0 : rank + 1; };
     Turns rounds;
     if (sums.wraps1 != ArcSums::nowhere) {
       rounds.round1 = leaving(sums.wraps1, forward1) - leaving(next(sums.wraps1), backward1);

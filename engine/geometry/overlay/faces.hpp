@@ -17,7 +17,7 @@ namespace lober::detail {
 
 /// Where a point lies: inside A1, inside A2.
 struct Membership {
-  bool backward1, backward2;
+  bool inside1, inside2;
   friend bool operator==(const Membership&, const Membership&) = default;
 };
 

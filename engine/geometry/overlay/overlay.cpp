@@ -125,14 +125,15 @@ class OverlayBuilder {
       result_.areas.*area = half(twice);
       result_.rounding.*area = some ? result_.areas.*area * 0x1p-53 + lost : 0;
     };
-    const DD backward1 = minus12.value_or(DD{}), backward2 = minus21.value_or(DD{}), in_both = common.value_or(DD{});
+    const DD difference12 = minus12.value_or(DD{}), difference21 = minus21.value_or(DD{}),
+             in_both = common.value_or(DD{});
     set(&Areas::c1, twice_area1());
     set(&Areas::c2, twice_area2());
-    set(&Areas::c1_minus_c2, backward1, minus12.has_value());
-    set(&Areas::c2_minus_c1, backward2, minus21.has_value());
+    set(&Areas::c1_minus_c2, difference12, minus12.has_value());
+    set(&Areas::c2_minus_c1, difference21, minus21.has_value());
     set(&Areas::intersection, in_both, common.has_value());
-    set(&Areas::symmetric_difference, backward1 + backward2, minus12.has_value() || minus21.has_value());
-    set(&Areas::union_, backward1 + backward2 + in_both);
+    set(&Areas::symmetric_difference, difference12 + difference21, minus12.has_value() || minus21.has_value());
+    set(&Areas::union_, difference12 + difference21 + in_both);
   }
 
   // ------------------------------------------------------------------------------ curves that meet
@@ -151,13 +152,13 @@ class OverlayBuilder {
     parallel_if(
         graph.size() > 4096,
         [&] {
-          auto [backward1, in_both] = walk_faces(graph, sums_, orientations(), {only1, both});
-          take_faces(std::move(backward1), Pairing::c1_minus_c2);
+          auto [difference12, in_both] = walk_faces(graph, sums_, orientations(), {only1, both});
+          take_faces(std::move(difference12), Pairing::c1_minus_c2);
           take_faces(std::move(in_both), Pairing::intersection);
         },
         [&] {
-          auto [backward2, outside] = walk_faces(graph, sums_, orientations(), {only2, neither});
-          take_faces(std::move(backward2), Pairing::c2_minus_c1);
+          auto [difference21, outside] = walk_faces(graph, sums_, orientations(), {only2, neither});
+          take_faces(std::move(difference21), Pairing::c2_minus_c1);
           unite_connected(outside);
         });
     classify();

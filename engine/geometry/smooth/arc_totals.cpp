@@ -7,13 +7,16 @@
 namespace lober::detail {
 namespace {
 
+using enum HalfEdge;
+
 // For each rotation whether the arc that leaves along `half_edge` is on the left of the other curve, as the input runs.
 constexpr std::array<bool, 6> on_left(HalfEdge half_edge, HalfEdge other_out, HalfEdge other_in) {
   std::array<bool, 6> left{};
   for (std::size_t order = 0; order < 6; ++order) {
-    std::array<unsigned, 4> place{};
-    for (unsigned k = 0; k < 4; ++k) place[rotations[order][k]] = k;
-    left[order] = (place[half_edge] + 4 - place[other_out]) % 4 < (place[other_in] + 4 - place[other_out]) % 4;
+    std::array<unsigned, 4> rank{};
+    for (unsigned k = 0; k < 4; ++k) rank[index_of(rotations[order][k])] = k;
+    const unsigned out = rank[index_of(other_out)];
+    left[order] = (rank[index_of(half_edge)] + 4 - out) % 4 < (rank[index_of(other_in)] + 4 - out) % 4;
   }
   return left;
 }

@@ -116,7 +116,7 @@ TEST_F(Generated, WhatHasNoEndIsNoInput) {
                  48 * mebibytes);
     ASSERT_EQ(found.size(), 2U) << input;
     EXPECT_EQ(found.at(0), "");
-    EXPECT_NE(found.at(1).find("is no regular file"), std::string::npos) << found.at(1);
+    EXPECT_NE(found.at(1).find("is not a regular file"), std::string::npos) << found.at(1);
   }
 }
 

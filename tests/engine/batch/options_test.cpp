@@ -8,8 +8,10 @@
 namespace lober::detail {
 namespace {
 
-const std::vector<OptionSpec> specs{
-    {"flag", false}, {"count", std::int64_t{2}, {}, 0, 10}, {"size", 0.5, {}, 0}, {"kind", "auto", {"auto", "tree"}}};
+const std::vector<OptionSpec> specs{{"flag", false},
+                                    {"count", std::int64_t{2}, {}, {}, 0, 10},
+                                    {"size", 0.5, {}, {}, 0},
+                                    {"kind", "auto", {}, {"auto", "tree"}}};
 
 std::string message_of(std::vector<OptionSetting> settings) {
   try {

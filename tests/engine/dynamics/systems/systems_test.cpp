@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/dynamics/dynamics.hpp"
+#include "kernels/point.hpp"
 #include "lober/error.hpp"
 #include "tests/paths.hpp"
 
@@ -45,6 +46,55 @@ TEST(Systems, AreListedWithDefaultsThatWork) {
     make_system(info.name, all).map->iterate({&b, 1}, 1);
     EXPECT_TRUE(a == b || (std::isnan(a.x) && std::isnan(b.x)));
   }
+}
+
+// The largest difference between f S and S f, or S f^-1, over points near the saddle of the system's manifolds.
+double asymmetry(const System& system, const Symmetry& symmetry) {
+  const Point centre = system.connection ? system.connection->from : Point{0, 0};
+  const double size = system.connection ? 0.1 : 0.2 * system.window.width();
+  double worst = 0;
+  int finite = 0;
+  for (int k = 0; k < 25; ++k) {
+    const Point z = centre + Point{size * (0.13 + 0.2 * (k % 5 - 2)), size * (0.07 + 0.2 * (k / 5 - 2))};
+    Point around = symmetry(z), image = z;
+    system.map->iterate({&around, 1}, 1);
+    system.map->iterate({&image, 1}, symmetry.reversor ? -1 : 1);
+    image = symmetry(image);
+    if (!std::isfinite(around.x) && !std::isfinite(image.x)) continue;
+    ++finite;
+    worst = std::max(worst, distance(around, image));
+  }
+  EXPECT_GT(finite, 12);
+  return worst;
+}
+
+TEST(Systems, HaveTheSymmetriesThatTheyClaim) {
+  std::size_t checked = 0;
+  for (const SystemInfo& info : list_systems()) {
+    const bool has_phase = info.parameters.back().name == "phase";
+    for (const double phase : {0.0, 0.25, 0.5, 0.75}) {
+      if (!has_phase && phase != 0) break;
+      SCOPED_TRACE(info.name + " at phase " + std::to_string(phase));
+      const System system = make_system(info.name, has_phase ? ParameterValues{{"phase", phase}} : ParameterValues{});
+      EXPECT_TRUE(phase != 0 || !system.symmetries.empty());
+      for (const Symmetry& symmetry : system.symmetries) {
+        EXPECT_LT(asymmetry(system, symmetry), 1e-9);
+        ++checked;
+      }
+    }
+  }
+  EXPECT_EQ(checked, 29U);
+}
+
+TEST(Systems, ClaimNoSymmetryThatTheyDoNotHave) {
+  const System at_zero = make_system("duffing");
+  ASSERT_EQ(at_zero.symmetries.size(), 1U);
+  const System between = make_system("duffing", {{"phase", 0.1}});
+  EXPECT_TRUE(between.symmetries.empty());
+  EXPECT_GT(asymmetry(between, at_zero.symmetries[0]), 1e-3);
+  const System damped = make_system("duffing", {{"delta", 0.1}});
+  EXPECT_TRUE(damped.symmetries.empty());
+  EXPECT_GT(asymmetry(damped, at_zero.symmetries[0]), 1e-3);
 }
 
 TEST(Systems, KeepTheValuesChosen) {

@@ -1,4 +1,4 @@
-#include "engine/files/file_bytes.hpp"
+#include "engine/base/file_bytes.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

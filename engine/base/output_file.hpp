@@ -9,7 +9,7 @@
 namespace lober::detail {
 
 /// Writes beside the file and renames in `commit`; what is not committed is removed and leaves an existing
-/// file as it was. A symbolic link keeps pointing where it does: its target is replaced. What is no regular
+/// file as it was. A symbolic link keeps pointing where it does: its target is replaced. What is not a regular
 /// file (a pipe, a device, /dev/stdout and its like, "-" for standard output) is written straight through.
 /// Every member throws DataError "path: reason"; the constructor throws UsageError for a file that the process has read
 /// while an InputGuard lives (input_guard.hpp).

@@ -1,4 +1,4 @@
-#include "engine/files/output_file.hpp"
+#include "engine/base/output_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

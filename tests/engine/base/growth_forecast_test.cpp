@@ -1,4 +1,4 @@
-#include "engine/dynamics/manifolds/growth_forecast.hpp"
+#include "engine/base/growth_forecast.hpp"
 
 #include <gtest/gtest.h>
 
