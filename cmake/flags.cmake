@@ -1,6 +1,6 @@
 # Headers of the standard library that almost every file reads, directly or not: half the time of a compilation without
-# much optimisation. Off where people work, so that a missing #include is an error; on in the sanitized presets. Further
-# arguments: more of them; without, the libraries of engine/ share what base compiled.
+# much optimisation. On in the presets but `debug`; there, and where clang-tidy reads, a missing #include is an error.
+# Further arguments: more of them; without, the libraries of engine/ share what base compiled.
 set(LOBER_COMMON_HEADERS <algorithm> <array> <atomic> <cmath> <functional> <memory> <mutex> <optional> <span> <string>
     <string_view> <vector>)
 function(lober_precompile target)
