@@ -10,7 +10,7 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev
 
-.PHONY: demo test ci build bench bench-batch docs-figures docs-check check-readme stress fuzz deps mpi-deps bench-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch docs-figures docs-check check-readme stress fuzz deps mpi-deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
@@ -39,6 +39,11 @@ ci:
 build: deps
 	cmake --preset release
 	cmake --build --preset release --target lober
+
+# Only whether they compile.
+bench-build: bench-deps
+	cmake --preset bench
+	cmake --build --preset bench
 
 bench: bench-deps
 	cmake --preset bench

@@ -9,6 +9,9 @@
 #include <vector>
 
 #include "bench/scenes/scenes.hpp"
+#include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/crossings/node_graph.hpp"
+#include "engine/geometry/index/box_tree.hpp"
 #include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
 #include "lober/interior.hpp"
@@ -70,8 +73,8 @@ void j_direct(benchmark::State& state, const char* name) {
 struct Prepared {
   explicit Prepared(const char* name) : c1(CurveView{scene(name).first}), c2(CurveView{scene(name).second}) {}
   [[nodiscard]] Crossings search() const {
-    return {build_node_graph(c1, c2, IndexKind::tree), c1.view(), c2.view(), Orientation::counter_clockwise,
-            Orientation::counter_clockwise};
+    return make_crossings(build_node_graph(c1, c2, IndexKind::tree), c1, c2, Orientation::counter_clockwise,
+                          Orientation::counter_clockwise);
   }
   IndexedCurve c1, c2;
 };

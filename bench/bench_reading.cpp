@@ -54,7 +54,7 @@ void print_file(const std::string& path, const char* line_format) {
 }
 
 void read_repeatedly(benchmark::State& state, const TemporaryFile& file, int threads, bool hash) {
-  lober::with_threads(threads, [&] {
+  lober::detail::with_threads(threads, [&] {
     for (auto _ : state) benchmark::DoNotOptimize(lober::read_curve_file(file.path(), {.hash = hash}));
   });
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(file.size()));
@@ -90,7 +90,7 @@ BENCHMARK_CAPTURE(read_npy, all_threads, all_threads)->UseRealTime()->Unit(bench
 void write_text(benchmark::State& state, int threads) {
   const TemporaryFile file("lober-bench-out.txt");
   const std::vector<Point> points = random_points();
-  lober::with_threads(threads, [&] {
+  lober::detail::with_threads(threads, [&] {
     for (auto _ : state) lober::write_text(file.path(), points);
   });
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(file.size()));

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# What a change has to pass to land: `make test` first, then format, README, the scenes at a million points. With
-# LOBER_CI_SANITIZED=1 also the same code with clang under sanitizers, fuzz targets and clang-tidy, with a chosen part of
-# the tests; LOBER_CI_ALL=1 (`make ci`) takes all. Each step has a limit of its own, and none begins after an hour.
+# What a change has to pass to land: `make test` first, then format, documents, consumers, benchmarks, the scenes at a
+# million points; the same code with clang under sanitizers with a chosen part of the tests, fuzz targets, clang-tidy.
+# LOBER_CI_ALL=1 (`make ci`) takes all tests there, LOBER_CI_SANITIZED= (empty) leaves these steps out. Each step has a
+# limit of its own, and none begins after an hour.
 # Ends with the line `N passed, N failed, N skipped`: the tests of `make test`, and each further step as one.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 export LOBER_CI_CORES=${LOBER_CI_CORES:-$(nproc)}
+sanitized=${LOBER_CI_SANITIZED-1}
 last_begin=${LOBER_CI_LAST_BEGIN:-60}  # minutes
 passed=0 failed=0 skipped=0 summary=()
 log=$(mktemp)
@@ -60,9 +62,10 @@ else
   leave_out "commands and code of README and documents" "no scripts/check-readme.sh"
 fi
 step "another project builds lober inside it, with GCC and clang" 15m scripts/run-consumers.sh build
+step "the benchmarks build" 10m make -s bench-build
 step "the same bits at a million points" 8m env LOBER_SCENE_POINTS=1000000 build/bin/lober_determinism_tests \
     --gtest_brief=1 --gtest_filter='*Overlay*'
-if [ -n "${LOBER_CI_ALL:-}${LOBER_CI_SANITIZED:-}" ]; then
+if [ -n "${LOBER_CI_ALL:-}$sanitized" ]; then
   instrumented=(lober lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
   threaded=(lober_determinism_tests lober_thread_tests)
   if [ -n "${LOBER_CI_ALL:-}" ]; then
@@ -71,7 +74,7 @@ if [ -n "${LOBER_CI_ALL:-}${LOBER_CI_SANITIZED:-}" ]; then
   fi
   if step "clang with ASan and UBSan, warnings as errors" 25m scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
     step "tests under ASan and UBSan" 15m scripts/ci-sanitized.sh build-asan
-    step "fuzz targets, a minute each" 12m scripts/fuzz.sh 60 build-asan
+    step "fuzz targets, half a minute each" 8m scripts/fuzz.sh 30 build-asan
   else
     leave_out "tests under ASan and UBSan, fuzz targets" "there is no build"
   fi
@@ -80,9 +83,9 @@ if [ -n "${LOBER_CI_ALL:-}${LOBER_CI_SANITIZED:-}" ]; then
   else
     leave_out "tests under ThreadSanitizer" "there is no build"
   fi
-  step "clang-tidy on what changed" 12m scripts/tidy-changed.sh
+  step "clang-tidy on what changed" 9m scripts/tidy-changed.sh 5
 else
-  leave_out "clang, ASan, UBSan, fuzz targets, ThreadSanitizer, clang-tidy" "with LOBER_CI_SANITIZED=1 or in make ci"
+  leave_out "clang, ASan, UBSan, fuzz targets, ThreadSanitizer, clang-tidy" "LOBER_CI_SANITIZED is empty"
 fi
 
 echo

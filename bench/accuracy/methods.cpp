@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bench/accuracy/accuracy.hpp"
+#include "engine/geometry/index/box_tree.hpp"
 #include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
 #include "lober/interior.hpp"
