@@ -26,7 +26,7 @@ Crossings detail::make_crossings(NodeGraph graph, const IndexedCurve& c1, const 
   return Crossings(std::move(data));
 }
 
-Crossings detail::moved_to(Crossings nodes, const IndexedCurve& c1, const IndexedCurve& c2) {
+Crossings detail::moved_to(const Crossings& nodes, const IndexedCurve& c1, const IndexedCurve& c2) {
   auto data = std::make_shared<CrossingsData>(nodes.data());
   data->c1 = c1.view();
   data->c2 = c2.view();

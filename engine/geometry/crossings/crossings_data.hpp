@@ -20,7 +20,7 @@ struct CrossingsData {
 [[nodiscard]] Crossings make_crossings(NodeGraph graph, const IndexedCurve& c1, const IndexedCurve& c2,
                                        Orientation orientation1, Orientation orientation2);
 /// The same nodes on curves with the same vertices at another scale.
-[[nodiscard]] Crossings moved_to(Crossings nodes, const IndexedCurve& c1, const IndexedCurve& c2);
+[[nodiscard]] Crossings moved_to(const Crossings& nodes, const IndexedCurve& c1, const IndexedCurve& c2);
 
 [[nodiscard]] inline const NodeGraph& graph_of(const Crossings& nodes) {
   return nodes.data().graph;

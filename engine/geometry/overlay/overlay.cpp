@@ -91,7 +91,7 @@ class OverlayBuilder {
     for (double* length : {&result_.largest_coordinate, &result_.longest_segment}) {
       *length = std::ldexp(*length, exponent / 2);
     }
-    result_.nodes = moved_to(std::move(result_.nodes), c1, c2);
+    result_.nodes = moved_to(result_.nodes, c1, c2);
   }
 
   void report(double fraction) const {
