@@ -96,14 +96,14 @@ ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
   for (int i = 0; i < a.size_; ++i) {
     std::uint64_t carry = 0;
     for (int j = 0; j < b.size_; ++j) {
-      std::uint64_t& digit = result.digits_[static_cast<std::size_t>(i + j)];
+      std::uint64_t& digit = result.digits_[static_cast<std::size_t>(i) + static_cast<std::size_t>(j)];
       const Wide term =
           static_cast<Wide>(a.digits_[static_cast<std::size_t>(i)]) * b.digits_[static_cast<std::size_t>(j)] + digit +
           carry;
       digit = static_cast<std::uint64_t>(term);
       carry = static_cast<std::uint64_t>(term >> 64);
     }
-    result.digits_[static_cast<std::size_t>(i + b.size_)] = carry;
+    result.digits_[static_cast<std::size_t>(i) + static_cast<std::size_t>(b.size_)] = carry;
   }
   result.trim();
   return result;
