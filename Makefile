@@ -45,9 +45,7 @@ bench-build: bench-deps
 	cmake --preset bench
 	cmake --build --preset bench
 
-bench: bench-deps
-	cmake --preset bench
-	cmake --build --preset bench
+bench: bench-build
 	@scripts/bench.sh
 
 # Throughput of the batch engine, against a shell loop and GEOS: a few minutes.

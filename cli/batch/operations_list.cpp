@@ -6,9 +6,8 @@
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/option_parser.hpp"
-#include "cli/report/json.hpp"
+#include "cli/report/json_file.hpp"
 #include "cli/report/report.hpp"
-#include "engine/base/output_file.hpp"
 #include "lober/batch.hpp"
 #include "lober/error.hpp"
 
@@ -135,11 +134,7 @@ void show_operations(const std::vector<std::string>& arguments) {
   if (!json_path.empty()) {
     Json list = Json::array();
     for (const OperationInfo& info : all) list.push_back(info_json(info));
-    detail::OutputFile file(json_path);
-    file.write(
-        Json{{"program", program_json()}, {"command", "batch operations"}, {"operations", std::move(list)}}.dump(1) +
-        "\n");
-    file.commit();
+    write_listing(json_path, "batch operations", "operations", std::move(list));
   }
   if (json_path != "-") print(name.empty() ? list_text(all) : details_text(all.front()));
 }

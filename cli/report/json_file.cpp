@@ -1,5 +1,7 @@
 #include "cli/report/json_file.hpp"
 
+#include <utility>
+
 namespace lober::cli {
 
 JsonFile::JsonFile(const std::string& path, std::string_view command) : file_(path) {
@@ -23,6 +25,12 @@ void JsonFile::finish(const Json& timing) {
   begin_member("timing");
   file_.write(dumped(timing) + "}\n");
   file_.commit();
+}
+
+void write_listing(const std::string& path, std::string_view command, const std::string& key, Json list) {
+  detail::OutputFile file(path);
+  file.write(Json{{"program", program_json()}, {"command", command}, {key, std::move(list)}}.dump(1) + "\n");
+  file.commit();
 }
 
 }  // namespace lober::cli

@@ -35,4 +35,7 @@ class JsonFile {
   detail::OutputFile file_;
 };
 
+/// Writes a small file that has only `program`, `command` and the member `key`, indented.
+void write_listing(const std::string& path, std::string_view command, const std::string& key, Json list);
+
 }  // namespace lober::cli

@@ -8,7 +8,7 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/option_parser.hpp"
 #include "cli/program/system_options.hpp"
-#include "engine/base/output_file.hpp"
+#include "cli/report/json_file.hpp"
 #include "lober/systems.hpp"
 
 namespace lober::cli {
@@ -160,11 +160,7 @@ void run_systems(const std::vector<std::string>& arguments) {
     text = details_text(system);
     json = details_json(system);
   }
-  if (!json_path.empty()) {
-    detail::OutputFile file(json_path);
-    file.write(Json{{"program", program_json()}, {"command", "systems"}, {"systems", std::move(json)}}.dump(1) + "\n");
-    file.commit();
-  }
+  if (!json_path.empty()) write_listing(json_path, "systems", "systems", std::move(json));
   if (json_path != "-") print(text);
 }
 
