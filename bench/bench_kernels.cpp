@@ -149,16 +149,16 @@ void meeting_segments_of_leaves(benchmark::State& state) {
 
 // Crossing segments of unit length, at angles of 10^-range radians.
 std::vector<SegmentCrossing> crossings_at_angle(double angle) {
-  const std::vector<Point> places = random_points(few_points);
+  const std::vector<Point> points = random_points(few_points);
   std::vector<SegmentCrossing> crossings;
-  for (const Point& place : places) {
-    const double along = 10 * place.x;
+  for (const Point& at : points) {
+    const double along = 10 * at.x;
     const Point u{std::cos(along), std::sin(along)};
     const Point v{std::cos(along + angle), std::sin(along + angle)};
-    crossings.push_back({{place.x - u.x / 2, place.y - u.y / 2},
-                         {place.x + u.x / 2, place.y + u.y / 2},
-                         {place.x - v.x / 3, place.y - v.y / 3},
-                         {place.x + v.x / 3, place.y + v.y / 3}});
+    crossings.push_back({{at.x - u.x / 2, at.y - u.y / 2},
+                         {at.x + u.x / 2, at.y + u.y / 2},
+                         {at.x - v.x / 3, at.y - v.y / 3},
+                         {at.x + v.x / 3, at.y + v.y / 3}});
   }
   return crossings;
 }
@@ -187,7 +187,7 @@ void shoelace_prefixes_of_leaf(benchmark::State& state) {
   per_item(state, (points.size() - 1) / leaf_size * leaf_size);
 }
 
-// Two segments that cross a third one at nearly the same place.
+// Two segments that cross a third one at nearly the same point.
 void compare_along_exact(benchmark::State& state) {
   const auto crossings = crossings_at_angle(0.5);
   for (auto _ : state) {

@@ -22,7 +22,7 @@ void segment_boxes(const Point* points, SegmentBoxes& boxes) {
   } else {
     boxes_of(points, boxes);
     group_boxes(boxes);
-    strip_of(points, boxes);
+    fit_slab(points, boxes);
   }
 }
 

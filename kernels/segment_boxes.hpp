@@ -24,7 +24,7 @@ struct alignas(64) SegmentBoxes {
   double group_max_y[groups];
   /// All points of the leaf lie in the slab low <= normal . p <= high, which is normal to the leaf's chord,
   /// whatever rounding does to such products with points of this leaf. Where folds run side by side and slanted their
-  /// boxes overlap, but not their strips.
+  /// boxes overlap, but not their slabs.
   Point normal;
   double low, high;
 };

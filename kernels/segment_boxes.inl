@@ -59,7 +59,7 @@ inline void distances_of(const Point* points, Point normal, SignedDistances& dis
   distances.uncertainty = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
 }
 
-inline void strip_of(const Point* points, SegmentBoxes& boxes) {
+inline void fit_slab(const Point* points, SegmentBoxes& boxes) {
   boxes.normal = {points[0].y - points[leaf_size].y, points[leaf_size].x - points[0].x};
   if (!__builtin_isfinite(boxes.normal.x) || !__builtin_isfinite(boxes.normal.y)) boxes.normal = {0, 0};  // a slab of everything
   SignedDistances distances;
@@ -74,7 +74,7 @@ inline void strip_of(const Point* points, SegmentBoxes& boxes) {
 }
 
 // Bit j is set unless segment j of leaf b lies wholly on one side of the slab of leaf a.
-inline std::uint32_t in_strip(const SegmentBoxes& a, const Point* b) {
+inline std::uint32_t meeting_slab(const SegmentBoxes& a, const Point* b) {
   SignedDistances distances;
   distances_of(b, a.normal, distances);
   const Lanes low = splat(a.low - distances.uncertainty), high = splat(a.high + distances.uncertainty);
@@ -132,7 +132,7 @@ inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, co
     max_y = a.group_max_y[g] > max_y ? a.group_max_y[g] : max_y;
   }
   std::size_t count = 0;
-  for (std::uint32_t candidates = in_strip(a, b); candidates != 0; candidates &= candidates - 1) {
+  for (std::uint32_t candidates = meeting_slab(a, b); candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));
     const Box box = Box::of(b[j], b[j + 1]);
     if (box.min_x() > max_x || box.max_x() < min_x || box.min_y() > max_y || box.max_y() < min_y) continue;

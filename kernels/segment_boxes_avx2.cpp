@@ -11,7 +11,7 @@ namespace lober::detail {
 void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) {
   boxes_of(points, boxes);
   group_boxes(boxes);
-  strip_of(points, boxes);
+  fit_slab(points, boxes);
 }
 
 std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,

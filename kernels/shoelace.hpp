@@ -23,14 +23,14 @@ struct alignas(64) LeafPrefixes {
   double before_high[leaf_size], before_low[leaf_size];
 
   /// Segments are stored in this order: four sums run side by side.
-  [[nodiscard]] LOBER_INLINE static constexpr std::size_t place(std::size_t segment) {
+  [[nodiscard]] LOBER_INLINE static constexpr std::size_t index_of(std::size_t segment) {
     return segment % quarter * lanes + segment / quarter;
   }
   [[nodiscard]] LOBER_INLINE DD term(std::size_t segment) const {
-    return {term_high[place(segment)], term_low[place(segment)]};
+    return {term_high[index_of(segment)], term_low[index_of(segment)]};
   }
   [[nodiscard]] LOBER_INLINE DD before(std::size_t segment) const {
-    return {before_high[place(segment)], before_low[place(segment)]};
+    return {before_high[index_of(segment)], before_low[index_of(segment)]};
   }
 };
 
@@ -39,7 +39,7 @@ struct alignas(64) LeafPrefixes {
 /// times |a - origin| |b - a|; of a sum, 40 times 2^-106 of the largest sum of up to leaf_size terms.
 DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
 
-/// The sums up to `count` places on the leaf: sums[k] = before(s) + t[k] term(s), s = segments[k] % leaf_size. The
+/// The sums up to `count` positions on the leaf: sums[k] = before(s) + t[k] term(s), s = segments[k] % leaf_size. The
 /// error of each keeps to the bound of a sum above.
 void sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count, DD* sums);
 

@@ -67,8 +67,8 @@ inline void store_four(DD* to, BasicDD<Lanes> value) {
 }
 
 inline void four_sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, DD* sums) {
-  const auto place = [&](std::size_t k) { return LeafPrefixes::place(segments[k] % leaf_size); };
-  const std::size_t a = place(0), b = place(2), c = place(1), d = place(3);
+  const auto index = [&](std::size_t k) { return LeafPrefixes::index_of(segments[k] % leaf_size); };
+  const std::size_t a = index(0), b = index(2), c = index(1), d = index(3);
   const auto gather = [&](const double* from) { return Lanes{from[a], from[b], from[c], from[d]}; };
   const BasicDD<Lanes> term{gather(prefixes.term_high), gather(prefixes.term_low)};
   const BasicDD<Lanes> part = load_four(t) * term;

@@ -21,7 +21,7 @@ namespace {
 struct Meeting {
   std::size_t segment[2];
   double t[2];
-  Point place;
+  Point point;
   int rho = 0;
 };
 
@@ -99,12 +99,12 @@ class Walk {
     const Meeting& p = contacts_[from];
     const Meeting& q = contacts_[to];
     const bool same_segment = p.segment[curve_] == q.segment[curve_] && rank_[from] < rank_[to];
-    if (same_segment) return cross(p.place, q.place);
+    if (same_segment) return cross(p.point, q.point);
     const std::size_t start = p.segment[curve_] + 1;  // first vertex after p
     const std::size_t end = q.segment[curve_];        // last vertex before q
     double between = sums_[end] - sums_[start];
     if (rank_[from] >= rank_[to]) between += sums_.back();
-    return cross(p.place, points_[start % points_.size()]) + between + cross(points_[end], q.place);
+    return cross(p.point, points_[start % points_.size()]) + between + cross(points_[end], q.point);
   }
 
   std::span<const Point> points_;

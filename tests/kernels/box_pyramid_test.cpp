@@ -70,13 +70,13 @@ void check_distribute(Distribute run) {
     for (Box& box : four) box = Pyramid::random_box(random);
     const auto boxes = static_cast<std::size_t>(random.integer(1, nodes_at_once));
     std::array<std::vector<TreeNode>, nodes_at_once> met;
-    std::array<TreeNode*, nodes_at_once> room;
+    std::array<TreeNode*, nodes_at_once> targets;
     std::array<std::size_t, nodes_at_once> count;
     for (std::size_t i = 0; i < nodes_at_once; ++i) {
       met[i].resize(list.size() + 1);
-      room[i] = met[i].data();
+      targets[i] = met[i].data();
     }
-    run(four.data(), boxes, pyramid.view(), list.data(), list.size(), room.data(), count.data());
+    run(four.data(), boxes, pyramid.view(), list.data(), list.size(), targets.data(), count.data());
     for (std::size_t i = 0; i < nodes_at_once; ++i) {
       std::vector<TreeNode> expected;
       for (const TreeNode& node : list) {

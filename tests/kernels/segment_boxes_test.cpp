@@ -69,7 +69,7 @@ TEST(MeetingSegments, HoldAllThatHaveACommonPointInOrder) {
     met += pairs.size();
   }
   EXPECT_GT(met, 10000U);
-  EXPECT_GT(missing, 100U) << "the strips exclude something";
+  EXPECT_GT(missing, 100U) << "the slabs exclude something";
 }
 
 // A thin slanted leaf, as those of folded curves are, and points on and just off its ends and middle.
@@ -84,7 +84,7 @@ Points thin_leaf(Random& random, double size, double thickness) {
   return points;
 }
 
-TEST(MeetingSegments, StripsOfThinLeavesLoseNothing) {
+TEST(MeetingSegments, SlabsOfThinLeavesLoseNothing) {
   Random random(seed());
   std::size_t common = 0;
   for (int k = 0; k < 3000; ++k) {
@@ -119,7 +119,7 @@ TEST(MeetingSegments, BothCopiesGiveTheSame) {
     SegmentBoxes plain, wide;
     boxes_of(a.data(), plain);
     group_boxes(plain);
-    strip_of(a.data(), plain);
+    fit_slab(a.data(), plain);
     segment_boxes_avx2(a.data(), wide);
     ASSERT_EQ(std::memcmp(&plain, &wide, offsetof(SegmentBoxes, high) + sizeof plain.high), 0);  // padding differs
     std::vector<SegmentPair> from_plain(leaf_size * leaf_size), from_wide(leaf_size * leaf_size);

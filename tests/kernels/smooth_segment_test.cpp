@@ -25,16 +25,16 @@ TEST(SmoothSegment, ReproducesGraphsOfDegreeFive) {
   const std::array<double, 4> g{0.1, -0.03, 0.02, -0.005};
   const std::array<double, 8> x{-2.9, -2.1, -0.8, 0, 1, 1.7, 2.4, 3.6};
   const double turn = 0.7;
-  const auto placed = [&](double u, double v) {
+  const auto transformed = [&](double u, double v) {
     return Point{3 + 2 * (u * std::cos(turn) - v * std::sin(turn)), 4 + 2 * (u * std::sin(turn) + v * std::cos(turn))};
   };
   const auto y = [&](double u) { return u * (u - 1) * (g[0] + u * (g[1] + u * (g[2] + u * g[3]))); };
   Window p;
-  for (std::size_t k = 0; k < 8; ++k) p[k] = placed(x[k], y(x[k]));
+  for (std::size_t k = 0; k < 8; ++k) p[k] = transformed(x[k], y(x[k]));
   const SmoothSegment segment = fit_smooth_segment(p);
   ASSERT_EQ(segment.kind, Kind::smooth);
   for (const double u : {0.0, 0.2, 0.5, 0.9, 1.0, 1.1}) {
-    const Point expected = placed(u, y(u)), at = segment.at(u);
+    const Point expected = transformed(u, y(u)), at = segment.at(u);
     EXPECT_NEAR(p[3].x + at.x, expected.x, 1e-14);
     EXPECT_NEAR(p[3].y + at.y, expected.y, 1e-14);
     const Point ahead = segment.at(u + 1e-6), behind = segment.at(u - 1e-6), velocity = segment.velocity(u);

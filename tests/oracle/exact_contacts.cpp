@@ -136,7 +136,7 @@ class Finder {
   const Arrangement& arrangement_;
   ExactOverlay& overlay_;
   std::size_t length_;
-  std::map<std::uint32_t, std::uint32_t> on_second_;  // point -> place in C2's chain
+  std::map<std::uint32_t, std::uint32_t> on_second_;  // point -> index in C2's chain
   std::vector<Contact> contacts_;
 };
 

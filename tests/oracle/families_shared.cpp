@@ -10,8 +10,8 @@
 namespace lober::oracle::family {
 namespace {
 
-// Several stretches of a star with some vertices moved in or out; the others are the same doubles. `detail`
-// may be different on both: a stretch that is not shared gets vertices of its own.
+// Several arcs of a star with some vertices moved in or out; the others are the same doubles. `detail`
+// may be different on both: an arc that is not shared gets vertices of its own.
 Polygon rerouted(Random& random, const Polygon& original, double keep) {
   Polygon result;
   bool kept = random.chance(0.5);

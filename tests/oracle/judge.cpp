@@ -106,12 +106,12 @@ class Judge {
                     << ", " << exact.shared << "\n";
       }
       compare_class(k, renumbered);
-      place("begin", k, node.begin, exact.begin);
-      place("end", k, node.end, exact.end);
-      place("begin1", k, at(pair_.first, node.begin1), exact.begin);
-      place("end1", k, at(pair_.first, node.end1), exact.end);
-      place("begin2", k, at(pair_.second, node.begin2), exact.begin);
-      place("end2", k, at(pair_.second, node.end2), exact.end);
+      compare_points("begin", k, node.begin, exact.begin);
+      compare_points("end", k, node.end, exact.end);
+      compare_points("begin1", k, at(pair_.first, node.begin1), exact.begin);
+      compare_points("end1", k, at(pair_.first, node.end1), exact.end);
+      compare_points("begin2", k, at(pair_.second, node.begin2), exact.begin);
+      compare_points("end2", k, at(pair_.second, node.end2), exact.end);
     }
   }
 
@@ -136,9 +136,9 @@ class Judge {
 
   // Loose: an area shows a misplaced point much better. This is to find a point that is another one
   // altogether.
-  void place(const char* what, std::size_t k, const Point& found, const Point& exact) {
+  void compare_points(const char* what, std::size_t k, const Point& found, const Point& exact) {
     const double error = std::max(std::abs(found.x - exact.x), std::abs(found.y - exact.y)) / size_;
-    verdict_.place_error = std::max(verdict_.place_error, error);
+    verdict_.point_error = std::max(verdict_.point_error, error);
     if (!(error < 1e-14)) {
       complaints_.precision(17);
       complaints_ << what << " of node " << k << ": (" << found.x << ", " << found.y << "), exactly (" << exact.x
@@ -163,7 +163,7 @@ class Judge {
     compare_corners(what, sorted);
   }
 
-  // Pieces of nearly the same area may have changed places: their holes are compared as a set.
+  // Pieces of nearly the same area may have changed their order: their holes are compared as a set.
   void compare_holes(const std::string& what, const std::vector<Piece>& found, const std::vector<ExactPiece>& exact) {
     for (std::size_t first = 0; first < exact.size();) {
       std::multiset<unsigned> holes;

@@ -20,7 +20,7 @@ struct Verdict {
   std::string complaints;     ///< one a line; empty if the engine is right
   double relative_error = 0;  ///< the worst of the large areas, relative to the area
   double small_error = 0;     ///< the worst of the small ones, relative to the bounding box
-  double place_error = 0;     ///< the worst of the nodes' points, relative to the largest coordinate
+  double point_error = 0;     ///< the worst of the nodes' points, relative to the largest coordinate
 };
 
 /// Compares counts, the sequence of nodes along C1, classes, totals, and every piece's area and holes.

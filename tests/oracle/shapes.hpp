@@ -25,7 +25,7 @@ using PolygonPair = std::pair<Polygon, Polygon>;
 /// `count` distinct points with integer coordinates in [0, size], untangled.
 [[nodiscard]] Polygon on_lattice(Random& random, int count, int size);
 
-/// The outline of a connected set of `cells` unit squares; vertices on straight stretches are kept at random.
+/// The outline of a connected set of `cells` unit squares; vertices on straight sides are kept at random.
 [[nodiscard]] Polygon polyomino(Random& random, int cells);
 
 /// An axis-parallel rectangle with integer corners in [0, size] and some more lattice points along its sides.

@@ -93,7 +93,7 @@ class ContactFinder final : public PairConsumer {
       if (!blocks_[k]) return;
       Block& block = *blocks_[k];
       Buffer<Contact> contacts(block.hits.size());
-      if (!place(block, contacts)) all_proper = false;
+      if (!compute_parameters(block, contacts)) all_proper = false;
       order_on_segments(contacts, block);
       for (std::size_t m = 0; m < contacts.size(); ++m) result.list.set(begin[k] + m, contacts[m]);
       block.hits = {};
@@ -189,7 +189,7 @@ class ContactFinder final : public PairConsumer {
   }
 
   // Computes the parameters of all hits of the block. Returns whether all are proper crossings.
-  bool place(Block& block, std::span<Contact> contacts) {
+  bool compute_parameters(Block& block, std::span<Contact> contacts) {
     ParameterBatch<Contact> batch(scale_);
     bool all_proper = true;
     for (std::uint32_t k = 0; k < block.hits.size(); ++k) {
@@ -250,7 +250,7 @@ class ContactFinder final : public PairConsumer {
 
 }  // namespace
 
-Point place_of(const Contact& contact, const CurveView& c1, const CurveView& c2) {
+Point contact_point(const Contact& contact, const CurveView& c1, const CurveView& c2) {
   if (contact.vertex1) return c1.points[contact.segment1];
   if (contact.vertex2) return c2.points[contact.segment2];
   return point_along(c1.segment(contact.segment1), contact.t1);

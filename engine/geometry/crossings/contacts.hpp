@@ -59,7 +59,7 @@ class ContactList {
 };
 
 /// The contact rounded to double: exact at a vertex, else right to about an ulp.
-[[nodiscard]] Point place_of(const Contact& contact, const CurveView& c1, const CurveView& c2);
+[[nodiscard]] Point contact_point(const Contact& contact, const CurveView& c1, const CurveView& c2);
 
 struct Contacts {
   ContactList list;              ///< in order along C1

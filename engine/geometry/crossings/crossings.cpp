@@ -92,8 +92,8 @@ Node Crossings::operator[](std::size_t number) const {
   node.end1 = {last.segment1, last.t1.hi};
   node.begin2 = {first.segment2, first.t2.hi};
   node.end2 = {last.segment2, last.t2.hi};
-  node.begin = place_on(*this, first);
-  node.end = span.first == span.last ? node.begin : place_on(*this, last);
+  node.begin = contact_point(*this, first);
+  node.end = span.first == span.last ? node.begin : contact_point(*this, last);
   node.rho = rho(number);
   node.shared = data_->clockwise1 == data_->clockwise2 ? span.direction : -span.direction;
   return node;
@@ -106,7 +106,7 @@ std::vector<CommonPoint> common_points(const IndexedCurve& first, const IndexedC
     const Contact contact = contacts[k];
     points[k] = {{contact.segment1, contact.t1.hi},
                  {contact.segment2, contact.t2.hi},
-                 place_of(contact, first.view(), second.view()),
+                 contact_point(contact, first.view(), second.view()),
                  contact.vertex1,
                  contact.vertex2};
   }

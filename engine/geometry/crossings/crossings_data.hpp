@@ -26,8 +26,8 @@ struct CrossingsData {
   return nodes.data().graph;
 }
 /// The contact rounded to double: exact at a vertex, else right to about an ulp.
-[[nodiscard]] inline Point place_on(const Crossings& nodes, const Contact& contact) {
-  return place_of(contact, nodes.data().c1, nodes.data().c2);
+[[nodiscard]] inline Point contact_point(const Crossings& nodes, const Contact& contact) {
+  return contact_point(contact, nodes.data().c1, nodes.data().c2);
 }
 
 }  // namespace lober::detail

@@ -1,4 +1,4 @@
-// The planar graph of two curves at the places where they meet: what overlay/ (and later tangle/) walk on.
+// The planar graph of two curves at the points where they meet: what overlay/ (and later tangle/) walk on.
 //
 // A node is a point or a shared arc, in either case a small disc out of which four half-edges lead: C1 onwards
 // (forward1), C2 onwards (forward2), and the two ways back (backward1, backward2). Their cyclic order is all the
@@ -58,7 +58,7 @@ struct NodeGraph {
   Buffer<std::uint8_t> order;       ///< RotationSystem of each node
   Buffer<std::uint32_t> contacts2;  ///< contact numbers in order along C2
   Buffer<std::uint32_t> nodes2;     ///< node numbers in order along C2; empty when `spans` is: then see along2()
-  Buffer<std::uint32_t> rank2;      ///< place of each node in along2()
+  Buffer<std::uint32_t> rank2;      ///< index of each node in along2()
   std::int8_t same_curve = 0;  ///< +1 / -1: the two curves are one and the same, run in the same / opposite direction
   ContactCounts counts;
   double search_seconds = 0, order_seconds = 0;

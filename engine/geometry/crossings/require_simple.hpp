@@ -5,7 +5,8 @@
 
 namespace lober::detail {
 
-/// As require_simple, of a curve whose coordinates are the caller's times 2^exponent; he is told the place in his own.
+/// As require_simple, of a curve whose coordinates are the caller's times 2^exponent; errors give points in the
+/// caller's own.
 SimpleCheck require_simple_scaled(const IndexedCurve& curve, int number, int exponent);
 
 }  // namespace lober::detail

@@ -29,7 +29,7 @@ struct NodeHalfEdges {
 [[nodiscard]] std::uint8_t rotation_at_arc(const Contact& first, const Contact& last, int direction,
                                            const CurveView& c1, const CurveView& c2, PredicateCounts& counts);
 
-/// The next vertex in the direction +1 / -1 whose place differs from that of `vertex`; `vertex` itself if there is
+/// The next vertex in the direction +1 / -1 that is another point than `vertex`; `vertex` itself if there is
 /// none.
 [[nodiscard]] std::uint32_t next_distinct(const CurveView& curve, std::uint32_t vertex, int direction);
 

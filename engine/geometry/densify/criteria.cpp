@@ -50,21 +50,22 @@ bool detail::angle_surely_holds(const Criteria& criteria, Point a, Point b, Poin
   return bound <= criteria.angle && mine * bound <= criteria.distance_angle;
 }
 
-VertexNeed detail::need_at_vertex(const Criteria& criteria, double angle, double corner, double mine, double other) {
-  VertexNeed need;
+VertexRequirement detail::requirement_at_vertex(const Criteria& criteria, double angle, double corner, double mine,
+                                                double other) {
+  VertexRequirement requirement;
   corner = std::min(corner, angle);
   if (angle > criteria.angle && 2 * mine >= other) {
     if (corner >= criteria.angle) {
-      need.corner = true;
+      requirement.corner = true;
     } else {
-      need.growth = (angle - corner) / (criteria.angle - corner);
+      requirement.growth = (angle - corner) / (criteria.angle - corner);
     }
   }
   // Parts g times as short leave d alpha = mine / g (corner + (angle - corner) / g).
   const double linear = mine * corner / criteria.distance_angle;
   const double square = mine * (angle - corner) / criteria.distance_angle;
-  need.growth = std::max(need.growth, (linear + std::sqrt(linear * linear + 4 * square)) / 2);
-  return need;
+  requirement.growth = std::max(requirement.growth, (linear + std::sqrt(linear * linear + 4 * square)) / 2);
+  return requirement;
 }
 
 Judge::Judge(const Interpolant& interpolant, const Criteria& criteria, double extent)
@@ -74,12 +75,12 @@ Judge::Judge(const Interpolant& interpolant, const Criteria& criteria, double ex
       floor_(std::max(criteria.min_length, 0x1p-50 * extent)),
       angles_(counts_angles(criteria)) {}
 
-Need Judge::grown(std::uint32_t parts, VertexNeed need, double chord) const {
-  if (!(need.growth > 1)) return {parts, false, need.corner};
-  const double wanted = std::min(std::max(whole(parts * need.growth), parts + 1.0), many_parts);
-  if (wanted * floor_ <= chord) return {static_cast<std::uint32_t>(wanted), false, need.corner};
+Requirement Judge::grown(std::uint32_t parts, VertexRequirement requirement, double chord) const {
+  if (!(requirement.growth > 1)) return {parts, false, requirement.corner};
+  const double wanted = std::min(std::max(whole(parts * requirement.growth), parts + 1.0), many_parts);
+  if (wanted * floor_ <= chord) return {static_cast<std::uint32_t>(wanted), false, requirement.corner};
   const double most = std::clamp(std::floor(chord / floor_), 1.0, many_parts);
-  return {std::max(parts, static_cast<std::uint32_t>(std::min(wanted, most))), true, need.corner};
+  return {std::max(parts, static_cast<std::uint32_t>(std::min(wanted, most))), true, requirement.corner};
 }
 
 // The number of parts with which the criteria hold for all of them and at the vertices between them. One part is the
@@ -97,12 +98,13 @@ double Judge::parts_by_bounds(const CubicPiece& piece, double chord) const {
   return std::max({by_length, by_angle, std::sqrt(1.05 * speed * bend / criteria_.distance_angle)});
 }
 
-Need Judge::estimate(std::size_t k) const {
+Requirement Judge::estimate(std::size_t k) const {
   const Point a = vertex(k), b = vertex(k + 1);
   const double chord = distance(a, b);
-  VertexNeed need{parts_by_bounds(interpolant_.piece(k), chord), false};
-  const auto enough = static_cast<std::uint32_t>(need.growth < many_parts ? whole(need.growth) : many_parts);
-  if (!(need.growth < Criteria::off)) need.growth = 0;  // nothing is known but the angles at the ends
+  VertexRequirement requirement{parts_by_bounds(interpolant_.piece(k), chord), false};
+  const auto enough =
+      static_cast<std::uint32_t>(requirement.growth < many_parts ? whole(requirement.growth) : many_parts);
+  if (!(requirement.growth < Criteria::off)) requirement.growth = 0;  // nothing is known but the angles at the ends
   if (angles_) {
     // The parts of a chord keep the angles at its ends, those of a cubic share them. A bound that is near the angle
     // does.
@@ -110,7 +112,7 @@ Need Judge::estimate(std::size_t k) const {
       const double bound = turning_angle_bound(before, here, after);
       const double angle = bound < 0.5 ? bound : turning_angle(before, here, after);
       const double corner = interpolant_.kind() == Interpolation::linear ? angle : 0;
-      need += need_at_vertex(criteria_, angle, corner, chord, other);
+      requirement += requirement_at_vertex(criteria_, angle, corner, chord, other);
     };
     if (has_before(k)) {
       const Point before_a = vertex(k == 0 ? curve_.points.size() - 1 : k - 1);
@@ -121,7 +123,7 @@ Need Judge::estimate(std::size_t k) const {
       at_vertex(a, b, after_b, distance(b, after_b));
     }
   }
-  Need result = grown(1, need, chord);
+  Requirement result = grown(1, requirement, chord);
   result.enough = enough;
   return result;
 }
@@ -148,16 +150,17 @@ Point Judge::after(std::size_t segment, const Buffer<std::uint32_t>& parts) cons
   return count == 1 ? vertex(next + 1) : interpolant_.piece(next).at(1.0 / count);
 }
 
-VertexNeed Judge::need_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const {
+VertexRequirement Judge::requirement_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts,
+                                               std::uint32_t enough) const {
   const std::uint32_t count = parts[segment];
   const CubicPiece piece = interpolant_.piece(segment);
   const double step = 1.0 / count;
   const Point end = vertex(segment + 1);
   const auto point = [&](std::uint32_t k) { return k == 0 ? piece.a : k == count ? end : piece.at(k * step); };
-  VertexNeed need;
+  VertexRequirement requirement;
   const auto at_end = [&](std::size_t number, Point a, Point b, Point c, double mine, double other) {
     if (angle_surely_holds(criteria_, a, b, c, mine)) return;
-    need += need_at_vertex(criteria_, turning_angle(a, b, c), corner_at(number), mine, other);
+    requirement += requirement_at_vertex(criteria_, turning_angle(a, b, c), corner_at(number), mine, other);
   };
   const Point second = point(1), last_but_one = point(count - 1);
   if (has_before(segment)) {
@@ -168,27 +171,27 @@ VertexNeed Judge::need_by_points(std::size_t segment, const Buffer<std::uint32_t
     const Point next = after(segment, parts);
     at_end(segment + 1, last_but_one, end, next, distance(last_but_one, end), distance(end, next));
   }
-  if (count >= enough) return need;
+  if (count >= enough) return requirement;
   Point a = piece.a, b = second;
   double length = distance(a, b);
-  need.growth = std::max(need.growth, length / criteria_.max_length);
+  requirement.growth = std::max(requirement.growth, length / criteria_.max_length);
   for (std::uint32_t k = 2; k <= count; ++k) {
     const Point c = point(k);
     const double next_length = distance(b, c), longer = std::max(length, next_length);
-    need.growth = std::max(need.growth, next_length / criteria_.max_length);
+    requirement.growth = std::max(requirement.growth, next_length / criteria_.max_length);
     if (!angle_surely_holds(criteria_, a, b, c, longer)) {
-      need += need_at_vertex(criteria_, turning_angle(a, b, c), 0, longer, 0);
+      requirement += requirement_at_vertex(criteria_, turning_angle(a, b, c), 0, longer, 0);
     }
     a = b;
     b = c;
     length = next_length;
   }
-  return need;
+  return requirement;
 }
 
-Need Judge::judge(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const {
+Requirement Judge::judge(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const {
   const double chord = distance(vertex(segment), vertex(segment + 1));
-  return grown(parts[segment], need_by_points(segment, parts, enough), chord);
+  return grown(parts[segment], requirement_by_points(segment, parts, enough), chord);
 }
 
 }  // namespace lober

@@ -15,10 +15,10 @@ namespace lober::detail {
 void require_sensible(const Criteria& criteria);
 
 /// What one vertex asks of a segment that ends there.
-struct VertexNeed {
+struct VertexRequirement {
   double growth = 0;  ///< how many times as many parts; 1 or less when the criteria hold
   bool corner = false;
-  VertexNeed& operator+=(const VertexNeed& other) {
+  VertexRequirement& operator+=(const VertexRequirement& other) {
     growth = std::max(growth, other.growth);
     corner = corner || other.corner;
     return *this;
@@ -29,14 +29,14 @@ struct VertexNeed {
 /// nothing.
 [[nodiscard]] bool angle_surely_holds(const Criteria& criteria, Point a, Point b, Point c, double mine);
 
-/// The need of a segment of length `mine` that meets one of length `other` at this angle, of which `corner` remains
-/// however fine the parts are, while the rest falls with their length. The angle alone concerns the longer of the two
-/// segments, and the other too if it has half that length.
-[[nodiscard]] VertexNeed need_at_vertex(const Criteria& criteria, double angle, double corner, double mine,
-                                        double other);
+/// The requirement of a segment of length `mine` that meets one of length `other` at this angle, of which `corner`
+/// remains however fine the parts are, while the rest falls with their length. The angle alone concerns the longer of
+/// the two segments, and the other too if it has half that length.
+[[nodiscard]] VertexRequirement requirement_at_vertex(const Criteria& criteria, double angle, double corner,
+                                                      double mine, double other);
 
-/// What a segment needs.
-struct Need {
+/// The requirement of a segment.
+struct Requirement {
   std::uint32_t parts = 1;
   bool too_short = false;  ///< more parts would be shorter than Criteria::min_length
   bool corner = false;     ///< at one of its ends is a corner, which no number of parts makes as flat as asked for
@@ -52,19 +52,19 @@ class Judge {
 
   /// From bounds of the segment's own piece and the angles of the polyline given. Final where no angle counts (with one
   /// part a cubic is its chord) and for linear interpolation. O(1).
-  [[nodiscard]] Need estimate(std::size_t segment) const;
+  [[nodiscard]] Requirement estimate(std::size_t segment) const;
   [[nodiscard]] bool estimate_is_final() const { return !angles_ || interpolant_.kind() == Interpolation::linear; }
 
   /// By looking at the points that come from `parts` of this segment and of its neighbours; at those next to its ends
-  /// only, where bounds hold for the others: from `enough` parts on (see Need). Never less than parts[segment].
+  /// only, where bounds hold for the others: from `enough` parts on (see Requirement). Never less than parts[segment].
   /// O(parts[segment]).
-  [[nodiscard]] Need judge(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const;
+  [[nodiscard]] Requirement judge(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const;
 
  private:
-  [[nodiscard]] Need grown(std::uint32_t parts, VertexNeed need, double chord) const;
+  [[nodiscard]] Requirement grown(std::uint32_t parts, VertexRequirement requirement, double chord) const;
   [[nodiscard]] double parts_by_bounds(const CubicPiece& piece, double chord) const;
-  [[nodiscard]] VertexNeed need_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts,
-                                          std::uint32_t enough) const;
+  [[nodiscard]] VertexRequirement requirement_by_points(std::size_t segment, const Buffer<std::uint32_t>& parts,
+                                                        std::uint32_t enough) const;
   [[nodiscard]] double corner_at(std::size_t vertex) const;
   [[nodiscard]] Point vertex(std::size_t k) const { return curve_.points[k == curve_.points.size() ? 0 : k]; }
   [[nodiscard]] Point before(std::size_t segment, const Buffer<std::uint32_t>& parts) const;

@@ -29,8 +29,8 @@ double largest_coordinate(std::span<const Point> points) {
 // What is known about a segment. `waiting`: it or a neighbour changed since it was judged.
 enum class State : std::uint8_t { met, waiting, too_short, corner, unmet };
 
-State state_of(const Need& need) {
-  return need.corner ? State::corner : need.too_short ? State::too_short : State::met;
+State state_of(const Requirement& requirement) {
+  return requirement.corner ? State::corner : requirement.too_short ? State::too_short : State::met;
 }
 
 // The number of parts of every segment, brought up round by round.
@@ -52,9 +52,9 @@ class Rounds {
     if (!judge_.estimate_is_final()) enough_.resize(parts_.size());
     round(
         [&](std::size_t k) {
-          const Need need = judge_.estimate(k);
-          if (!enough_.empty()) enough_[k] = need.enough;
-          return need;
+          const Requirement requirement = judge_.estimate(k);
+          if (!enough_.empty()) enough_[k] = requirement.enough;
+          return requirement;
         },
         [](State) { return true; });
     if (judge_.estimate_is_final() || !fits_) return;
@@ -86,16 +86,16 @@ class Rounds {
   }
 
  private:
-  // One round: what each segment needs, trimmed to what fits. Returns whether anything changed.
-  template <typename NeedOf, typename Concerned>
-  bool round(const NeedOf& need_of, const Concerned& concerned) {
+  // One round: the requirement of each segment, trimmed to what fits. Returns whether anything changed.
+  template <typename RequirementOf, typename Concerned>
+  bool round(const RequirementOf& requirement_of, const Concerned& concerned) {
     for_each_block(parts_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         next_[k] = parts_[k];
         if (!concerned(state_[k])) continue;
-        const Need need = need_of(k);
-        next_[k] = need.parts;
-        state_[k] = state_of(need);
+        const Requirement requirement = requirement_of(k);
+        next_[k] = requirement.parts;
+        state_[k] = state_of(requirement);
       }
     });
     trim();
@@ -145,8 +145,8 @@ class Rounds {
     for_each_block(parts_.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         if (state_[k] != State::waiting) continue;
-        const Need need = judge_.judge(k, parts_, enough_[k]);
-        state_[k] = need.parts > parts_[k] ? State::unmet : state_of(need);
+        const Requirement requirement = judge_.judge(k, parts_, enough_[k]);
+        state_[k] = requirement.parts > parts_[k] ? State::unmet : state_of(requirement);
       }
     });
   }
@@ -155,7 +155,7 @@ class Rounds {
   std::uint64_t extra_;  // the last vertex of an open curve
   std::uint64_t max_points_;
   Buffer<std::uint32_t> parts_, next_;
-  Buffer<std::uint32_t> enough_;  // see Need; only where estimates are not final
+  Buffer<std::uint32_t> enough_;  // see Requirement; only where estimates are not final
   Buffer<State> state_;
   std::uint32_t rounds_ = 0;
   bool fits_ = true;

@@ -44,9 +44,9 @@ std::array<Buffer<Meeting>, 2> find_meetings(CurveView first, CurveView second) 
   for_each_block(size, pass_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Contact along1 = contacts.list[k];
-      meetings[0][k] = {{along1.segment1, along1.t1.hi}, place_of(along1, first, second), along1.vertex1};
+      meetings[0][k] = {{along1.segment1, along1.t1.hi}, contact_point(along1, first, second), along1.vertex1};
       const Contact along2 = contacts.list[contacts.order2[k]];
-      meetings[1][k] = {{along2.segment2, along2.t2.hi}, place_of(along2, first, second), along2.vertex2};
+      meetings[1][k] = {{along2.segment2, along2.t2.hi}, contact_point(along2, first, second), along2.vertex2};
     }
   });
   add_end(c1, c2, meetings[0], meetings[1]);

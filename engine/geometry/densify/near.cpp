@@ -52,12 +52,12 @@ class Refined {
     return points_.empty() ? given : CurveView{points_, given.closed};
   }
 
-  // Segment k of the present curve, as a stretch of one segment given.
-  struct Stretch {
+  // Segment k of the present curve, as a part of one segment given.
+  struct SegmentPart {
     std::uint32_t segment;
     double from, to;
   };
-  [[nodiscard]] Stretch stretch(std::uint32_t k) const {
+  [[nodiscard]] SegmentPart part_of(std::uint32_t k) const {
     if (positions_.empty()) return {k, 0, 1};
     const Position from = positions_[k];
     const bool ends_inside = k + 1 < positions_.size() && positions_[k + 1].segment == from.segment;
@@ -113,7 +113,7 @@ Buffer<Insertion> insertions_near(const Refined& refined, const Interpolant& int
       for (std::size_t k = begins[group]; k < end; ++k) held.push_back(meetings[k].at.t);
       parameters.clear();
       insert_between(0, 1, held, passes, points, max_points, parameters);
-      const auto [given, from, to] = refined.stretch(segment);
+      const auto [given, from, to] = refined.part_of(segment);
       if (to - from < finest * (points + 1)) continue;
       if ((size += parameters.size()) > max_points) fail_too_many(max_points);
       const CubicPiece piece = interpolant.piece(given);

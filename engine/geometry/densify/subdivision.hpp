@@ -8,7 +8,7 @@
 
 namespace lober::detail {
 
-/// The points of the curve with segment k cut into parts[k] equal parts (of its parameter). `begin` receives the place
+/// The points of the curve with segment k cut into parts[k] equal parts (of its parameter). `begin` receives the index
 /// of each vertex given in the result, and the size of the result as its last element. Parallel by blocks of the
 /// result.
 [[nodiscard]] Buffer<Point> subdivided(const Interpolant& interpolant, const Buffer<std::uint32_t>& parts,

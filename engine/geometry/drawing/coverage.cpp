@@ -20,9 +20,9 @@ bool Coverage::mark(Point a, Point b) {
     const double x = std::max(0.0, a.x + t * (b.x - a.x)) / cell_, y = std::max(0.0, a.y + t * (b.y - a.y)) / cell_;
     const std::size_t column = std::min(columns_ - 1, static_cast<std::size_t>(x));
     const std::size_t row = std::min(rows_ - 1, static_cast<std::size_t>(y));
-    const std::size_t place = row * columns_ + column;
-    if (marked_[place]) continue;
-    marked_[place] = true;
+    const std::size_t cell = row * columns_ + column;
+    if (marked_[cell]) continue;
+    marked_[cell] = true;
     any = true;
   }
   return any;

@@ -26,9 +26,9 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
   }
   boxes_.resize(total + nodes_at_once - 1);  // a pyramid is read by fours
   flags_.resize(total);
-  stretch_sums_.resize((leaf_count + leaf_size - 1) / leaf_size);
-  sums_.resize(stretch_sums_.size() * leaf_size);
-  starts_.resize(stretch_sums_.size() * leaf_size + 1);
+  chunk_sums_.resize((leaf_count + leaf_size - 1) / leaf_size);
+  sums_.resize(chunk_sums_.size() * leaf_size);
+  starts_.resize(chunk_sums_.size() * leaf_size + 1);
 
   const std::size_t tail_begin = std::size_t{leaf_count - 1} * leaf_size;
   for (std::size_t i = 0; i <= leaf_size; ++i) {
@@ -45,7 +45,7 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
       const std::size_t last = leaf_count - 1;
       summarise_leaves(tail_.data(), 0, 1, &boxes_[last], &sums_[last], &flags_[last]);
     }
-    sum_stretches(begin, end);
+    sum_chunks(begin, end);
     for (std::uint32_t level = 1; level <= block_levels && level < levels_; ++level) {
       build_upper(level, begin >> level, ((end - 1) >> level) + 1);
     }
@@ -53,35 +53,35 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
   for (std::uint32_t level = block_levels + 1; level < levels_; ++level) build_upper(level, 0, level_size_[level]);
 }
 
-// The shoelace sum of a stretch is that of its leaves plus that of the polygon of leaf beginnings, for which the kernel
+// The shoelace sum of a chunk is that of its leaves plus that of the polygon of leaf beginnings, for which the kernel
 // that sums leaves serves once more.
-void BoxTree::sum_stretches(std::size_t begin, std::size_t end) {
+void BoxTree::sum_chunks(std::size_t begin, std::size_t end) {
   std::array<Box, (std::size_t{1} << block_levels) / leaf_size> boxes;
   std::array<std::uint8_t, boxes.size()> flags;
-  const std::size_t stretches = (end - begin + leaf_size - 1) / leaf_size;
-  const std::size_t padded_end = begin + stretches * leaf_size;
+  const std::size_t chunks = (end - begin + leaf_size - 1) / leaf_size;
+  const std::size_t padded_end = begin + chunks * leaf_size;
   for (std::size_t k = begin; k < end; ++k) starts_[k] = curve_.points[k * leaf_size];
   for (std::size_t k = end; k < padded_end; ++k) {
     starts_[k] = tail_[leaf_size];
     sums_[k] = {};
   }
-  // The point behind the last stretch belongs to the block that follows, if any.
+  // The point behind the last chunk belongs to the block that follows, if any.
   std::array<Point, leaf_size + 1> last;
   std::copy_n(&starts_[padded_end - leaf_size], leaf_size, last.begin());
   last[leaf_size] = end < leaves() ? curve_.points[end * leaf_size] : tail_[leaf_size];
   if (end == leaves()) starts_[padded_end] = last[leaf_size];
-  DD* sums = &stretch_sums_[begin / leaf_size];
-  summarise_leaves(&starts_[begin], 0, stretches - 1, boxes.data(), sums, flags.data());
-  summarise_leaves(last.data(), 0, 1, boxes.data(), sums + (stretches - 1), flags.data());
-  for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
-    const std::size_t first = begin + stretch * leaf_size;
+  DD* sums = &chunk_sums_[begin / leaf_size];
+  summarise_leaves(&starts_[begin], 0, chunks - 1, boxes.data(), sums, flags.data());
+  summarise_leaves(last.data(), 0, 1, boxes.data(), sums + (chunks - 1), flags.data());
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    const std::size_t first = begin + chunk * leaf_size;
     double high = 0, low = 0;
     for (std::size_t leaf = first; leaf < std::min(end, first + leaf_size); ++leaf) {
       const DD sum = two_sum(high, sums_[leaf].hi);
       high = sum.hi;
       low += sum.lo + sums_[leaf].lo;
     }
-    sums[stretch] += fast_two_sum(high, low);
+    sums[chunk] += fast_two_sum(high, low);
   }
 }
 
@@ -102,13 +102,13 @@ void BoxTree::build_upper(std::uint32_t level, std::size_t begin, std::size_t en
 }
 
 bool BoxTree::sums_finite() const {
-  return std::all_of(stretch_sums_.begin(), stretch_sums_.end(),
+  return std::all_of(chunk_sums_.begin(), chunk_sums_.end(),
                      [](const DD& sum) { return std::isfinite(sum.hi + sum.lo); });
 }
 
 std::size_t BoxTree::memory() const {
   return boxes_.capacity() * sizeof(Box) + flags_.capacity() +
-         (sums_.capacity() + stretch_sums_.capacity()) * sizeof(DD) + starts_.capacity() * sizeof(Point);
+         (sums_.capacity() + chunk_sums_.capacity()) * sizeof(DD) + starts_.capacity() * sizeof(Point);
 }
 
 }  // namespace lober::detail

@@ -35,17 +35,17 @@ class BoxTree {
   [[nodiscard]] std::uint8_t flags(TreeNode node) const { return flags_[level_begin_[node.level] + node.index]; }
   [[nodiscard]] const Box* leaf_boxes() const { return boxes_.data(); }
   /// Shoelace sums of the leaves, see summarise_leaves.
-  /// A whole number of stretches of them: behind the last leaf they are zero.
+  /// A whole number of chunks of them: behind the last leaf they are zero.
   [[nodiscard]] const DD* leaf_sums() const { return sums_.data(); }
-  /// Shoelace sums of stretches of leaf_size leaves, each about its first point (the last one may be shorter).
-  [[nodiscard]] const Buffer<DD>& stretch_sums() const { return stretch_sums_; }
+  /// Shoelace sums of chunks of leaf_size leaves, each about its first point (the last one may be shorter).
+  [[nodiscard]] const Buffer<DD>& chunk_sums() const { return chunk_sums_; }
   /// False when the shoelace sums came out infinite or not a number: then some coordinate is not finite, or so large
   /// that products overflow. A curve with a bad coordinate never passes. O(N / 1024).
   [[nodiscard]] bool sums_finite() const;
   /// Where leaf `leaf` begins; leaves() is allowed and means the end of the curve (the first point again, if closed).
   [[nodiscard]] Point leaf_begin(std::size_t leaf) const { return starts_[leaf]; }
-  /// leaf_begin of the leaf_size leaves of a stretch and of the next one; behind the end of the curve its last point.
-  [[nodiscard]] const Point* stretch_points(std::size_t stretch) const { return &starts_[stretch * leaf_size]; }
+  /// leaf_begin of the leaf_size leaves of a chunk and of the next one; behind the end of the curve its last point.
+  [[nodiscard]] const Point* chunk_points(std::size_t chunk) const { return &starts_[chunk * leaf_size]; }
   /// leaf_size + 1 points of a leaf; behind the end of the curve its last point is repeated.
   [[nodiscard]] const Point* leaf_points(std::size_t leaf) const {
     return leaf + 1 == leaves() ? tail_.data() : curve_.points.data() + leaf * leaf_size;
@@ -54,7 +54,7 @@ class BoxTree {
   [[nodiscard]] std::size_t memory() const;
 
  private:
-  void sum_stretches(std::size_t begin, std::size_t end);
+  void sum_chunks(std::size_t begin, std::size_t end);
   void build_upper(std::uint32_t level, std::size_t begin, std::size_t end);
 
   CurveView curve_;
@@ -64,7 +64,7 @@ class BoxTree {
   Buffer<Box> boxes_;
   Buffer<std::uint8_t> flags_;
   Buffer<DD> sums_;
-  Buffer<DD> stretch_sums_;
+  Buffer<DD> chunk_sums_;
   Buffer<Point> starts_;
   std::array<Point, leaf_size + 1> tail_{};
 };

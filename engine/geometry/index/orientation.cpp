@@ -15,8 +15,8 @@ namespace {
 double certain_twice_area(const BoxTree& tree) {
   const Point origin = tree.leaf_begin(0);
   DD twice_area;
-  for (std::size_t k = 0; k < tree.stretch_sums().size(); ++k) {
-    twice_area += tree.stretch_sums()[k] + shoelace(*tree.stretch_points(k), *tree.stretch_points(k + 1), origin);
+  for (std::size_t k = 0; k < tree.chunk_sums().size(); ++k) {
+    twice_area += tree.chunk_sums()[k] + shoelace(*tree.chunk_points(k), *tree.chunk_points(k + 1), origin);
   }
   // A term is wrong by 2^-102 of the square of the extent at most, an addition by less; what underflows is lost whole.
   const double extent = tree.box().extent();

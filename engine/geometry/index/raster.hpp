@@ -52,7 +52,7 @@ class Raster {
       }
       return;
     }
-    const double u0 = x_.place(a.x), u1 = x_.place(b.x), v0 = y_.place(a.y), v1 = y_.place(b.y);
+    const double u0 = x_.in_cells(a.x), u1 = x_.in_cells(b.x), v0 = y_.in_cells(a.y), v1 = y_.in_cells(b.y);
     if (std::fabs(u1 - u0) >= std::fabs(v1 - v0)) {
       step(u0, u1, v0, v1, left, right, bottom, top, [&](auto column, auto row) { visit(number(column, row)); });
     } else {
@@ -67,9 +67,9 @@ class Raster {
     std::uint32_t cells;
 
     // In units of cells; right to 2^-51 relative. Infinite or NaN for ends far outside of an extreme window.
-    [[nodiscard]] double place(double coordinate) const { return scale == 0 ? 0 : (coordinate - begin) * scale; }
+    [[nodiscard]] double in_cells(double coordinate) const { return scale == 0 ? 0 : (coordinate - begin) * scale; }
     [[nodiscard]] std::uint32_t cell(double coordinate) const {
-      return static_cast<std::uint32_t>(std::min(place(coordinate), static_cast<double>(cells - 1)));
+      return static_cast<std::uint32_t>(std::min(in_cells(coordinate), static_cast<double>(cells - 1)));
     }
   };
 

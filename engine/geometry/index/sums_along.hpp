@@ -1,6 +1,6 @@
-// Shoelace sums along a curve, from its first vertex to any number of places on it.
+// Shoelace sums along a curve, from its first vertex to any number of positions on it.
 //
-// The leaves of the box tree bring their sums along, so only leaves that hold a place are read again.
+// The leaves of the box tree bring their sums along, so only leaves that hold a position are read again.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lober::detail {
 
-/// A place on a curve with its parameter in full.
-struct PlaceAlong {
+/// A position on a curve with its parameter in full.
+struct PrecisePosition {
   std::uint32_t segment;
   DD t;
 };
@@ -35,61 +35,60 @@ struct SumAlong {
   return extent * extent * (static_cast<double>(nodes) * 0x1p-91 + additions * 0x1p-104);
 }
 
-/// Calls take(k, sum) for each k < count, in parallel, with the sum of cross(v_i - o, v_{i+1} - o) up to place(k), the
-/// PlaceAlong number k; places come in order along the curve. A place inside a segment counts t times the term of the
-/// segment. O(count + leaves that hold a place + n / 1024).
-template <typename PlaceAt, typename Take>
-SumAlong sum_along(const BoxTree& tree, Point origin, std::size_t count, const PlaceAt& place, const Take& take) {
+/// Calls take(k, sum) for each k < count, in parallel, with the sum of cross(v_i - o, v_{i+1} - o) up to position(k),
+/// the PrecisePosition number k; positions come in order along the curve. A position inside a segment counts t times
+/// the term of the segment. O(count + leaves that hold a position + n / 1024).
+template <typename PositionAt, typename Take>
+SumAlong sum_along(const BoxTree& tree, Point origin, std::size_t count, const PositionAt& position, const Take& take) {
   SumAlong result;
-  const Buffer<DD>& stretches = tree.stretch_sums();
-  Buffer<DD> before(stretches.size());
-  for (std::size_t k = 0; k < stretches.size(); ++k) {
+  const Buffer<DD>& chunks = tree.chunk_sums();
+  Buffer<DD> before(chunks.size());
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
     before[k] = result.total;
     result.largest = std::max(result.largest, std::fabs(result.total.hi));
-    result.total += stretches[k];
-    result.total += shoelace(*tree.stretch_points(k), *tree.stretch_points(k + 1), origin);
+    result.total += chunks[k];
+    result.total += shoelace(*tree.chunk_points(k), *tree.chunk_points(k + 1), origin);
   }
   if (count == 0) return result;
 
-  // The first place of a stretch, by bisection.
-  const auto first_from = [&](std::size_t stretch) {
+  // The first position of a chunk, by bisection.
+  const auto first_from = [&](std::size_t chunk) {
     std::size_t low = 0, high = count;
     while (low < high) {
       const std::size_t middle = low + (high - low) / 2;
-      if (place(middle).segment < stretch * leaf_size * leaf_size)
+      if (position(middle).segment < chunk * leaf_size * leaf_size)
         low = middle + 1;
       else
         high = middle;
     }
     return low;
   };
-  // Leaves with places lie anywhere in memory; those of some places further on are asked for in time.
+  // Leaves with positions lie anywhere in memory; those of some positions further on are asked for in time.
   constexpr std::uint32_t nowhere = 0xffffffff;
   constexpr std::size_t batch = 64, ahead = 6, points_per_line = 64 / sizeof(Point);
   const auto fetch = [](const Point* leaf) {
     for (std::size_t k = 0; k < leaf_size; k += points_per_line) __builtin_prefetch(leaf + k);
   };
-  for_each_block(stretches.size(), 4, [&](std::size_t first_stretch, std::size_t last_stretch) {
+  for_each_block(chunks.size(), 4, [&](std::size_t first_chunk, std::size_t last_chunk) {
     LeafPrefixes leaves, prefixes;
-    std::array<std::uint32_t, batch> segments;  // of places on one leaf
+    std::array<std::uint32_t, batch> segments;  // of positions on one leaf
     std::array<DD, batch> t, sums;
-    std::size_t k = first_from(first_stretch);
-    for (std::size_t stretch = first_stretch; stretch < last_stretch && k < count; ++stretch) {
-      std::uint32_t segment = place(k).segment;
-      if (segment / leaf_size / leaf_size != stretch) continue;
-      shoelace_prefixes(tree.stretch_points(stretch), origin, before[stretch], tree.leaf_sums() + stretch * leaf_size,
-                        leaves);
-      while (segment / leaf_size / leaf_size == stretch) {
+    std::size_t k = first_from(first_chunk);
+    for (std::size_t chunk = first_chunk; chunk < last_chunk && k < count; ++chunk) {
+      std::uint32_t segment = position(k).segment;
+      if (segment / leaf_size / leaf_size != chunk) continue;
+      shoelace_prefixes(tree.chunk_points(chunk), origin, before[chunk], tree.leaf_sums() + chunk * leaf_size, leaves);
+      while (segment / leaf_size / leaf_size == chunk) {
         const std::size_t leaf = segment / leaf_size;
-        if (k + ahead < count) fetch(tree.leaf_points(place(k + ahead).segment / leaf_size));
+        if (k + ahead < count) fetch(tree.leaf_points(position(k + ahead).segment / leaf_size));
         shoelace_prefixes(tree.leaf_points(leaf), origin, leaves.before(leaf % leaf_size), nullptr, prefixes);
         while (segment / leaf_size == leaf) {
           const std::size_t first = k;
           std::size_t filled = 0;
           do {
             segments[filled] = segment;
-            t[filled++] = place(k).t;
-            segment = ++k < count ? place(k).segment : nowhere;
+            t[filled++] = position(k).t;
+            segment = ++k < count ? position(k).segment : nowhere;
           } while (segment / leaf_size == leaf && filled < batch);
           sums_at(prefixes, segments.data(), t.data(), filled, sums.data());
           for (std::size_t i = 0; i < filled; ++i) take(first + i, sums[i]);

@@ -49,12 +49,12 @@ class TreeSearch {
   void go_down(TreeNode node, std::span<const TreeNode> list, Carried& carried, SearchCounts& counts) const {
     const TreeNode below = first_below(node);
     const std::size_t present = nodes_below(node);
-    std::array<TreeNode*, nodes_at_once> room{};
+    std::array<TreeNode*, nodes_at_once> met{};
     for (std::size_t i = 0; i < nodes_at_once; ++i) {
-      make_room(carried.met[i], list.size() + 1);
-      room[i] = carried.met[i].data();
+      ensure_size(carried.met[i], list.size() + 1);
+      met[i] = carried.met[i].data();
     }
-    distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), room, carried.count);
+    distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), met, carried.count);
     counts.boxes_tested += present * list.size();
     for (std::size_t i = 0; i < present; ++i) {
       const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
@@ -101,7 +101,7 @@ class TreeSearch {
   }
 
  private:
-  static void make_room(Buffer<TreeNode>& buffer, std::size_t size) {
+  static void ensure_size(Buffer<TreeNode>& buffer, std::size_t size) {
     if (buffer.size() < size) buffer.resize(2 * size);
   }
 
@@ -118,11 +118,11 @@ class TreeSearch {
     const double largest = node.level == 0 ? -1 : box.extent();
     thread_local Buffer<TreeNode> waiting, split;
     std::size_t kept = 0, waiting_count = count;
-    make_room(waiting, count);
+    ensure_size(waiting, count);
     std::copy_n(list.begin(), count, waiting.begin());
     while (waiting_count > 0) {
-      make_room(list, kept + waiting_count + 1);
-      make_room(split, nodes_at_once * waiting_count + 1);
+      ensure_size(list, kept + waiting_count + 1);
+      ensure_size(split, nodes_at_once * waiting_count + 1);
       const SplitCounts refined =
           refine(box, largest, second_.pyramid(), waiting.data(), waiting_count, &list[kept], split.data());
       counts.boxes_tested += nodes_at_once * (waiting_count - refined.kept);

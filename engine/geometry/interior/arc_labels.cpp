@@ -61,7 +61,7 @@ class ArcLabeller {
     return vertex;
   }
 
-  // The last vertex before `vertex` at another place.
+  // The last vertex before `vertex` at another point.
   static Point vertex_before(const CurveView& curve, std::size_t vertex) {
     std::size_t before = vertex;
     do {

@@ -15,7 +15,7 @@ struct LabelledCurve {
 };
 
 /// The curve with `points` equally spaced points in every segment whose ends have different labels, then in those parts
-/// of it whose ends have, and so on, `passes` times. A new point has the label of its place on the segment, which is
+/// of it whose ends have, and so on, `passes` times. A new point has the label of its position on the segment, which is
 /// known from where the curves meet, not that of its rounded coordinates, which on an arc that both curves share are
 /// beside it, now here, now there. A change of label ends up between neighbours (points + 1)^passes times closer than
 /// the ends of its segment. A segment that crosses the other curve and comes back is not noticed, as in the article.

@@ -36,15 +36,15 @@ std::vector<LabelledPoint> labelled_points(const Crossings& nodes, int curve, co
     parameters_near(meetings, densification.passes, densification.points, inserted);
     Side side = changes[first == 0 ? changes.size() - 1 : first - 1].side;
     const Point a = view.points[vertex], b = view.points[vertex + 1 == labels.size() ? 0 : vertex + 1];
-    std::size_t place = 0;
+    std::size_t appended = 0;
     const auto insert_before = [&](double end) {
-      for (; place < inserted.size() && inserted[place] < end; ++place) {
-        points.push_back({between(a, b, inserted[place]), side});
+      for (; appended < inserted.size() && inserted[appended] < end; ++appended) {
+        points.push_back({between(a, b, inserted[appended]), side});
       }
     };
     for (const SideChange& change : here) {
       insert_before(change.at.t);
-      if (place < inserted.size() && inserted[place] == change.at.t) ++place;  // the intersection itself
+      if (appended < inserted.size() && inserted[appended] == change.at.t) ++appended;  // the intersection itself
       if (!change.at_vertex) points.push_back({change.point, Side::on});
       side = change.side;
     }

@@ -12,15 +12,15 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// The side of the stretch that leaves a node. The region of a counter-clockwise curve lies between its way
+// The side of the arc that leaves a node. The region of a counter-clockwise curve lies between its way
 // out and its way in, turning counter-clockwise.
 Side side_after(const Crossings& nodes, int curve, std::uint32_t node) {
   using enum HalfEdge;
   const std::array<HalfEdge, 4>& order = rotations[graph_of(nodes).order[node]];
-  const auto place = [&](HalfEdge half_edge) { return std::find(order.begin(), order.end(), half_edge); };
+  const auto index_of = [&](HalfEdge half_edge) { return std::find(order.begin(), order.end(), half_edge); };
   // Half-edges are listed from forward1 on, so a turn from forward2 meets backward1 before it comes round to forward1
   // if backward1 is listed after it.
-  const bool on_left = curve == 1 ? place(backward2) < place(forward2) : place(forward2) < place(backward1);
+  const bool on_left = curve == 1 ? index_of(backward2) < index_of(forward2) : index_of(forward2) < index_of(backward1);
   const bool clockwise = curve == 1 ? nodes.clockwise2() : nodes.clockwise1();
   return on_left != clockwise ? Side::inside : Side::outside;
 }
@@ -39,15 +39,15 @@ std::vector<SideChange> side_changes(const Crossings& nodes, int curve) {
   }
   std::vector<SideChange> changes;
   changes.reserve(graph.size());
-  for (std::uint32_t place = 0; place < graph.contacts.size(); ++place) {
-    const std::uint32_t number = curve == 1 ? place : graph.contacts2[place];
+  for (std::uint32_t index = 0; index < graph.contacts.size(); ++index) {
+    const std::uint32_t number = curve == 1 ? index : graph.contacts2[index];
     if (after[number] == unchanged) continue;
     const Contact contact = graph.contacts[number];
     const auto side = static_cast<Side>(after[number]);
     if (curve == 1) {
-      changes.push_back({{contact.segment1, contact.t1.hi}, contact.vertex1, place_on(nodes, contact), side});
+      changes.push_back({{contact.segment1, contact.t1.hi}, contact.vertex1, contact_point(nodes, contact), side});
     } else {
-      changes.push_back({{contact.segment2, contact.t2.hi}, contact.vertex2, place_on(nodes, contact), side});
+      changes.push_back({{contact.segment2, contact.t2.hi}, contact.vertex2, contact_point(nodes, contact), side});
     }
   }
   return changes;
@@ -77,7 +77,7 @@ Buffer<Side> label_vertices(const Crossings& nodes, int curve) {
   }
   for (const SideChange& change : changes) {
     if (!change.at_vertex) continue;
-    // Of vertices at one place only the last begins a segment; the copies before it are on the other curve as
+    // Of vertices at one point only the last begins a segment; the copies before it are on the other curve as
     // well.
     std::uint32_t vertex = change.at.segment;
     do {

@@ -25,8 +25,8 @@ void find_wraps(const NodeGraph& graph, ArcSums& sums) {
     return;
   }
   // A first vertex is passed where the next contact is not a later one.
-  Buffer<std::uint32_t> place2(graph.contacts2.size());
-  for (std::size_t k = 0; k < place2.size(); ++k) place2[graph.contacts2[k]] = static_cast<std::uint32_t>(k);
+  Buffer<std::uint32_t> index2(graph.contacts2.size());
+  for (std::size_t k = 0; k < index2.size(); ++k) index2[graph.contacts2[k]] = static_cast<std::uint32_t>(k);
   const Buffer<std::uint32_t>& along2 = graph.along2();
   for (std::uint32_t k = 0; k < nodes; ++k) {
     const std::uint32_t next = k + 1 == nodes ? 0 : k + 1;
@@ -36,7 +36,7 @@ void find_wraps(const NodeGraph& graph, ArcSums& sums) {
     const NodeSpan &here2 = graph.spans[along2[k]], &there2 = graph.spans[along2[next]];
     const std::uint32_t leaves = here2.direction < 0 ? here2.first : here2.last;
     const std::uint32_t enters = there2.direction < 0 ? there2.last : there2.first;
-    if (place2[enters] <= place2[leaves]) sums.wraps2 = k;
+    if (index2[enters] <= index2[leaves]) sums.wraps2 = k;
   }
 }
 
@@ -48,7 +48,7 @@ ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph
   sums.total1 = sum_along(
                     c1.tree(), origin, count,
                     [&](std::size_t k) {
-                      return PlaceAlong{graph.contacts[k].segment1, graph.contacts[k].t1};
+                      return PrecisePosition{graph.contacts[k].segment1, graph.contacts[k].t1};
                     },
                     [&](std::size_t k, DD sum) { sums.gap[k] = sum; })
                     .total;
@@ -56,7 +56,7 @@ ArcSums sum_arcs(const IndexedCurve& c1, const IndexedCurve& c2, const NodeGraph
                     c2.tree(), origin, count,
                     [&](std::size_t k) {
                       const Contact contact = graph.contacts[graph.contacts2[k]];
-                      return PlaceAlong{contact.segment2, contact.t2};
+                      return PrecisePosition{contact.segment2, contact.t2};
                     },
                     [&](std::size_t k, DD sum) {
                       DD& gap = sums.gap[graph.contacts2[k]];

@@ -20,7 +20,7 @@ struct ArcSums {
 
   DD total1, total2;  ///< whole curves: twice the signed areas
   Buffer<DD> gap;     ///< S1 - S2 at each contact, in order along C1
-  /// Where the first vertices of the curves are passed: on the way from this node to the next along C1, from this place
+  /// Where the first vertices of the curves are passed: on the way from this node to the next along C1, from this index
   /// to the next along C2, inside the shared arc of this node (C1 only); nowhere if there is no such way.
   std::uint32_t wraps1 = nowhere, wraps2 = nowhere, wraps_inside = nowhere;
 };

@@ -26,13 +26,13 @@ Directions detail::directions(const Overlay& result, Pairing pairing) {
   return {left1 != result.nodes.clockwise1(), left2 != result.nodes.clockwise2()};
 }
 
-std::vector<Stretch> detail::stretches(const Overlay& result, std::span<const std::uint32_t> steps, std::size_t begin,
-                                       std::size_t end, Directions forward) {
+std::vector<BoundaryArc> detail::boundary_arcs(const Overlay& result, std::span<const std::uint32_t> steps,
+                                               std::size_t begin, std::size_t end, Directions forward) {
   const NodeGraph& graph = graph_of(result.nodes);
-  std::vector<Stretch> list;
+  std::vector<BoundaryArc> list;
   if (steps.size() == 1 && steps[0] >= whole_curve1) {
     const bool first = steps[0] == whole_curve1;
-    list.push_back({first ? 1 : 2, first ? forward.forward1 : forward.forward2, Stretch::none, Stretch::none});
+    list.push_back({first ? 1 : 2, first ? forward.forward1 : forward.forward2, BoundaryArc::none, BoundaryArc::none});
     return list;
   }
   for (std::size_t k = begin; k < end; ++k) {
@@ -50,26 +50,26 @@ std::vector<Stretch> detail::stretches(const Overlay& result, std::span<const st
   return list;
 }
 
-StretchPoints detail::points_of(const Overlay& result, const Stretch& stretch) {
-  const std::span<const Point> vertices = (stretch.curve == 1 ? result.nodes.curve1() : result.nodes.curve2()).points;
+ArcPoints detail::points_of(const Overlay& result, const BoundaryArc& arc) {
+  const std::span<const Point> vertices = (arc.curve == 1 ? result.nodes.curve1() : result.nodes.curve2()).points;
   const std::size_t size = vertices.size();
-  if (stretch.from == Stretch::none) return {stretch.forward, true, {}, vertices, {}};
+  if (arc.from == BoundaryArc::none) return {arc.forward, true, {}, vertices, {}};
   const ContactList& contacts = graph_of(result.nodes).contacts;
-  const Contact from = contacts[stretch.from], to = contacts[stretch.to];
-  const auto segment_of = [&](const Contact& c) { return stretch.curve == 1 ? c.segment1 : c.segment2; };
-  const auto at_vertex = [&](const Contact& c) { return stretch.curve == 1 ? c.vertex1 : c.vertex2; };
-  const auto parameter = [&](const Contact& c) { return stretch.curve == 1 ? c.t1 : c.t2; };
+  const Contact from = contacts[arc.from], to = contacts[arc.to];
+  const auto segment_of = [&](const Contact& c) { return arc.curve == 1 ? c.segment1 : c.segment2; };
+  const auto at_vertex = [&](const Contact& c) { return arc.curve == 1 ? c.vertex1 : c.vertex2; };
+  const auto parameter = [&](const Contact& c) { return arc.curve == 1 ? c.t1 : c.t2; };
 
   // Vertices strictly between, `count` of them.
-  const std::size_t begin = segment_of(stretch.forward ? from : to), end = segment_of(stretch.forward ? to : from);
-  const Contact &low = stretch.forward ? from : to, &high = stretch.forward ? to : from;
+  const std::size_t begin = segment_of(arc.forward ? from : to), end = segment_of(arc.forward ? to : from);
+  const Contact &low = arc.forward ? from : to, &high = arc.forward ? to : from;
   const bool same_segment = begin == end;
   const DD gap = parameter(high) - parameter(low);
-  const bool wraps = end < begin || (same_segment && (stretch.from == stretch.to || gap.hi < 0));
+  const bool wraps = end < begin || (same_segment && (arc.from == arc.to || gap.hi < 0));
   std::size_t count = wraps ? size - begin + end : end - begin;
   if (at_vertex(high) && count > 0) --count;
   const std::size_t first = begin + 1 == size ? 0 : begin + 1, before_wrap = std::min(count, size - first);
-  return {stretch.forward, false, place_on(result.nodes, from), vertices.subspan(first, before_wrap),
+  return {arc.forward, false, contact_point(result.nodes, from), vertices.subspan(first, before_wrap),
           vertices.first(count - before_wrap)};
 }
 
@@ -77,8 +77,8 @@ std::size_t detail::count_points(const Overlay& result, std::span<const std::uin
   std::size_t count = 0;
   constexpr std::size_t at_once = 256;
   for (std::size_t k = 0; k < steps.size(); k += at_once) {
-    for (const Stretch& stretch : stretches(result, steps, k, std::min(k + at_once, steps.size()), forward)) {
-      count += points_of(result, stretch).size();
+    for (const BoundaryArc& arc : boundary_arcs(result, steps, k, std::min(k + at_once, steps.size()), forward)) {
+      count += points_of(result, arc).size();
     }
   }
   return count;
@@ -89,8 +89,8 @@ std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing, 
   const Directions forward = directions(result, pairing);
   const auto polygon = [&](std::span<const std::uint32_t> steps) {
     std::vector<Point> points;
-    for (const Stretch& stretch : stretches(result, steps, 0, steps.size(), forward)) {
-      const StretchPoints part = points_of(result, stretch);
+    for (const BoundaryArc& arc : boundary_arcs(result, steps, 0, steps.size(), forward)) {
+      const ArcPoints part = points_of(result, arc);
       if (!part.whole) points.push_back(part.first);
       if (part.forward) {
         points.insert(points.end(), part.low.begin(), part.low.end());

@@ -67,7 +67,7 @@ void chord_areas_at_contacts(const DiscretisationSums& sums, std::size_t count, 
   });
 }
 
-struct Place {
+struct RoundedPosition {
   std::uint32_t segment;
   double t;
 };
@@ -134,14 +134,14 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
   chord_areas_at_contacts(
       first, count,
       [&](std::size_t k) {
-        return Place{graph.contacts[k].segment1, graph.contacts[k].t1.hi};
+        return RoundedPosition{graph.contacts[k].segment1, graph.contacts[k].t1.hi};
       },
       [&](std::size_t k, DD sum) { sums.gap[k] = reduced(sum); });
   chord_areas_at_contacts(
       second, count,
       [&](std::size_t k) {
         const Contact contact = graph.contacts[graph.contacts2[k]];
-        return Place{contact.segment2, contact.t2.hi};
+        return RoundedPosition{contact.segment2, contact.t2.hi};
       },
       [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= reduced(sum); });
   find_wraps(graph, sums);

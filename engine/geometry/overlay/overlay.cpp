@@ -248,9 +248,9 @@ class OverlayBuilder {
     const Buffer<std::uint32_t>& along2 = graph.along2();
     const auto next_crossing = [&](std::uint32_t node, bool on_first, bool forward) {
       do {
-        const std::uint32_t place = on_first ? node : graph.rank2[node];
+        const std::uint32_t index = on_first ? node : graph.rank2[node];
         const std::uint32_t next =
-            forward ? (place + 1 == count ? 0 : place + 1) : (place == 0 ? count - 1 : place - 1);
+            forward ? (index + 1 == count ? 0 : index + 1) : (index == 0 ? count - 1 : index - 1);
         node = on_first ? next : along2[next];
       } while (result_.nodes.rho(node) == 0);
       return node;

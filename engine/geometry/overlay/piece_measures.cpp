@@ -79,8 +79,8 @@ Moments of_boundary(const Overlay& result, std::span<const std::uint32_t> steps,
   std::vector<Part> parts((steps.size() + steps_at_once - 1) / steps_at_once);
   for_each_block(steps.size(), steps_at_once, [&](std::size_t begin, std::size_t end) {
     Part& part = parts[begin / steps_at_once];
-    for (const Stretch& stretch : stretches(result, steps, begin, end, forward)) {
-      const StretchPoints points = points_of(result, stretch);
+    for (const BoundaryArc& arc : boundary_arcs(result, steps, begin, end, forward)) {
+      const ArcPoints points = points_of(result, arc);
       if (!points.whole) part.go_on(points.first, points.first, {}, frame);
       part.go_on(points.forward ? points.low : points.high, points.forward, frame);
       part.go_on(points.forward ? points.high : points.low, points.forward, frame);
@@ -108,7 +108,7 @@ class PieceBoundary {
 
   [[nodiscard]] Point first() const {
     if (!polygons_.empty()) return polygons_[0][0];
-    const StretchPoints points = points_of(result_, stretches(result_, pieces_.outer(piece_), 0, 1, forward_)[0]);
+    const ArcPoints points = points_of(result_, boundary_arcs(result_, pieces_.outer(piece_), 0, 1, forward_)[0]);
     if (!points.whole) return points.first;
     return points.forward ? points.low.front() : points.low.back();
   }
@@ -130,8 +130,9 @@ class PieceBoundary {
     Box box;
     const std::span<const std::uint32_t> steps = pieces_.outer(piece_);
     for (std::size_t k = 0; k < steps.size(); k += steps_at_once) {
-      for (const Stretch& stretch : stretches(result_, steps, k, std::min(k + steps_at_once, steps.size()), forward_)) {
-        const StretchPoints points = points_of(result_, stretch);
+      for (const BoundaryArc& arc :
+           boundary_arcs(result_, steps, k, std::min(k + steps_at_once, steps.size()), forward_)) {
+        const ArcPoints points = points_of(result_, arc);
         if (!points.whole) box = union_of(box, Box::of(points.first, points.first));
         box = union_of(union_of(box, box_of(points.low)), box_of(points.high));
       }
@@ -188,8 +189,8 @@ Point centroid(const Overlay& result, Pairing pairing, std::size_t piece) {
   }
   const DD below = DD{3, 0} * moments.area;
   if (below.hi == 0) return first;  // a piece so thin that its rounded vertices enclose nothing
-  const auto place = [&](double from, DD moment) { return (from + (moment / below).hi) / frame.factor; };
-  return {place(frame.origin.x, moments.x), place(frame.origin.y, moments.y)};
+  const auto coordinate = [&](double from, DD moment) { return (from + (moment / below).hi) / frame.factor; };
+  return {coordinate(frame.origin.x, moments.x), coordinate(frame.origin.y, moments.y)};
 }
 
 std::vector<Point> centroids(const Overlay& result, Pairing pairing) {

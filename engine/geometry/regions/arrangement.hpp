@@ -15,8 +15,10 @@ struct Arrangement {
   double lost = 0;        ///< bound on the error of any area before it is rounded to double
 
   [[nodiscard]] double area(DD twice) const;
-  [[nodiscard]] Point node_place(std::uint32_t node) const { return place(edge_chains, events.list[first_mark[node]]); }
-  Buffer<std::uint32_t> first_mark;  ///< of each node
+  [[nodiscard]] Point node_point(std::uint32_t node) const {
+    return point_of(edge_chains, events.list[first_event[node]]);
+  }
+  Buffer<std::uint32_t> first_event;  ///< of each node
 
   std::vector<WindingArea> table;
   Buffer<DD> twice_areas;  ///< of the table

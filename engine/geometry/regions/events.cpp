@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t grain = std::size_t{1} << 15;
 
 // Makes events of the candidates: the two ends of each incidence, then the isolated ones, spikes and extreme vertices.
-class MarkMaker {
+class EventMaker {
  public:
-  MarkMaker(const EdgeChains& edge_chains, const Incidences& incidences, std::array<std::uint32_t, 2> extreme)
+  EventMaker(const EdgeChains& edge_chains, const Incidences& incidences, std::array<std::uint32_t, 2> extreme)
       : edge_chains_(edge_chains), incidences_(incidences.list), isolated_(incidences.spikes) {
     spikes_ = isolated_.size();
     for (int curve = 0; curve < edge_chains.curves(); ++curve)
@@ -28,10 +28,10 @@ class MarkMaker {
   }
 
   Events make() {
-    sort_sites();
-    take_marks();
+    sort_candidates();
+    take_events();
     union_of();
-    count_plain();
+    count_degree2();
     for (int curve = 0; curve < edge_chains_.curves(); ++curve) {
       const std::size_t candidate = 2 * incidences_.size() + spikes_ + static_cast<std::size_t>(curve);
       result_.extreme[static_cast<std::size_t>(curve)] = event_of_[candidate];
@@ -71,7 +71,7 @@ class MarkMaker {
   }
 
   // Brings all candidates in order along the curves and finds out where a new event begins.
-  void sort_sites() {
+  void sort_candidates() {
     const std::size_t count = candidates();
     const Buffer<KeyedNumber> items = sorted_by_key(count, edge_chains_.segments() - 1, [&](std::size_t k) {
       return event_at(static_cast<std::uint32_t>(k)).segment;
@@ -82,11 +82,11 @@ class MarkMaker {
     for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
       std::uint64_t exact = 0;
       const auto before = [&](std::uint32_t x, std::uint32_t y) {
-        const Event mark_x = event_at(x), mark_y = event_at(y);
-        const int order = compare(mark_x, mark_y, exact);
+        const Event event_x = event_at(x), event_y = event_at(y);
+        const int order = compare(event_x, event_y, exact);
         if (order != 0) return order < 0;
-        if (mark_x.kind != mark_y.kind) return mark_x.kind < mark_y.kind;
-        return mark_x.other < mark_y.other;
+        if (event_x.kind != event_y.kind) return event_x.kind < event_y.kind;
+        return event_x.other < event_y.other;
       };
       // Each block orders the segments whose first candidate lies in it; `items` is only read, other blocks read it
       // too.
@@ -106,7 +106,7 @@ class MarkMaker {
     result_.exact_orders = exact_orders;
   }
 
-  void take_marks() {
+  void take_events() {
     const std::size_t count = candidates();
     event_of_.resize(count);
     std::uint32_t number = 0;
@@ -147,7 +147,7 @@ class MarkMaker {
   }
 
   // How many nodes are there only because an extreme vertex is.
-  void count_plain() {
+  void count_degree2() {
     Buffer<std::uint8_t> degree2(result_.nodes, 1);
     for (std::size_t candidate = 0; candidate < 2 * incidences_.size() + spikes_; ++candidate) {
       degree2[result_.list[event_of_[candidate]].node] = 0;
@@ -167,8 +167,8 @@ class MarkMaker {
 
 }  // namespace
 
-Events make_marks(const EdgeChains& edge_chains, const Incidences& incidences, std::array<std::uint32_t, 2> extreme) {
-  return MarkMaker(edge_chains, incidences, extreme).make();
+Events make_events(const EdgeChains& edge_chains, const Incidences& incidences, std::array<std::uint32_t, 2> extreme) {
+  return EventMaker(edge_chains, incidences, extreme).make();
 }
 
 ImplicitPoint implicit_point(const EdgeChains& edge_chains, const Event& event) {
@@ -176,7 +176,7 @@ ImplicitPoint implicit_point(const EdgeChains& edge_chains, const Event& event) 
   return event.kind == Event::Kind::at_crossing ? ImplicitPoint{c, d} : ImplicitPoint{c, c, true};
 }
 
-Point place(const EdgeChains& edge_chains, const Event& event) {
+Point point_of(const EdgeChains& edge_chains, const Event& event) {
   if (event.kind != Event::Kind::at_crossing) return edge_chains.start(event.other);
   return point_along(edge_chains.segment(event.segment), event.t);
 }

@@ -1,9 +1,9 @@
 // Nodes of the arrangement, and where along the curves they lie (private to regions/).
 //
-// An *event* is a place on a curve where something happens: another edge chain meets it there, or a spike ends, or it
-// is the extreme vertex of its curve. Events that are one point of the plane make a *node*. No coordinates are compared
-// to find out: each two edge chains through a point are a pair whose incidence is known and joins their events, and
-// events of one edge chain are compared by their exact order along it.
+// An *event* is a position on a curve where something happens: another edge chain meets it there, or a spike ends, or
+// it is the extreme vertex of its curve. Events that are one point of the plane make a *node*. No coordinates are
+// compared to find out: each two edge chains through a point are a pair whose incidence is known and joins their
+// events, and events of one edge chain are compared by their exact order along it.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace lober::detail {
 
-/// Every incidence places its point within 2^-91 of the scene (crossing_parameters.hpp), so where several make one
+/// Every incidence has its point within 2^-91 of the scene (crossing_parameters.hpp), so where several make one
 /// event the parameter of any of them will do.
 struct Event {
   enum class Kind : std::uint8_t {
@@ -49,13 +49,13 @@ struct Events {
 };
 
 /// `extreme`: the segments whose first ends are the extreme vertices. O(incidences), parallel where it is long.
-[[nodiscard]] Events make_marks(const EdgeChains& edge_chains, const Incidences& incidences,
-                                std::array<std::uint32_t, 2> extreme);
+[[nodiscard]] Events make_events(const EdgeChains& edge_chains, const Incidences& incidences,
+                                 std::array<std::uint32_t, 2> extreme);
 
 /// The event as a point along its segment, for compare_along.
 [[nodiscard]] ImplicitPoint implicit_point(const EdgeChains& edge_chains, const Event& event);
 
 /// The event rounded to double: exact if it is a vertex, else right to about an ulp.
-[[nodiscard]] Point place(const EdgeChains& edge_chains, const Event& event);
+[[nodiscard]] Point point_of(const EdgeChains& edge_chains, const Event& event);
 
 }  // namespace lober::detail

@@ -45,7 +45,7 @@ std::vector<Guest> guests_of(const EdgeChains& edge_chains, const Events& events
                              const Walks& walks, bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2,
                              PredicateCounts& counts) {
   const std::array<std::uint32_t, 2> outer{walks.of[graph.outer[0]], walks.of[graph.outer[1]]};
-  const auto extreme = [&](std::size_t curve) { return place(edge_chains, events.list[events.extreme[curve]]); };
+  const auto extreme = [&](std::size_t curve) { return point_of(edge_chains, events.list[events.extreme[curve]]); };
   if (c2 == nullptr) return {{outer[0], unknown}};
   if (curves_meet) {
     const Point p = extreme(0), q = extreme(1);

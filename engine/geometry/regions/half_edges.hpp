@@ -1,8 +1,8 @@
 // The planar graph between the nodes (private to regions/).
 //
-// Edge k is the stretch of curve from event k to the next one. It has two half-edges: 2 k leaves event k onwards, 2 k +
-// 1 leaves the next event back. Half-edges that leave a node in the same direction are the same straight piece, passed
-// several times: one edge stands for all of them and carries how often each curve runs along it.
+// Edge k is the part of the curve from event k to the next one. It has two half-edges: 2 k leaves event k onwards,
+// 2 k + 1 leaves the next event back. Half-edges that leave a node in the same direction are the same straight piece,
+// passed several times: one edge stands for all of them and carries how often each curve runs along it.
 #pragma once
 
 #include <array>

@@ -44,7 +44,7 @@ class IncidenceFinder final : public PairConsumer {
   void finish(std::uint32_t number) override {
     if (!blocks_[number]) return;
     blocks_[number]->verdicts = {};
-    place(*blocks_[number]);
+    compute_parameters(*blocks_[number]);
   }
 
   // Appends what was found; returns how many incidences.
@@ -103,7 +103,7 @@ class IncidenceFinder final : public PairConsumer {
   }
 
   // Computes the parameters of a block and gives the segments their numbers.
-  void place(Block& block) {
+  void compute_parameters(Block& block) {
     ParameterBatch<Incidence> batch(scale_);
     for (Incidence& incidence : block.list) {
       batch.add(c1_.segment(incidence.first), c2_.segment(incidence.second), incidence.starts1, incidence.starts2,

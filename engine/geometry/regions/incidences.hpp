@@ -1,4 +1,4 @@
-// Every place where two segments meet, found exactly, once (private to regions/).
+// All incidences of two segments, found exactly, once (private to regions/).
 //
 // Segments are half-open, with their first end and without their second, as in crossings/: so a point that two segments
 // have in common belongs to exactly one pair for each two edge chains that pass through it, and consecutive segments

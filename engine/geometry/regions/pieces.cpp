@@ -158,7 +158,7 @@ std::vector<std::vector<Point>> RegionPieces::outline(std::size_t piece) const {
   const Events& events = scene.events;
   // Appends the first point of a half-edge and the vertices inside it.
   const auto append = [&](std::uint32_t half, std::vector<Point>& points) {
-    points.push_back(scene.node_place(events.list[origin(events, half)].node));
+    points.push_back(scene.node_point(events.list[origin(events, half)].node));
     const std::uint32_t from = half / 2, to = events.next(from);
     const Event &first = events.list[from], &last = events.list[to];
     const int curve = edge_chains.curve_of(first.segment);

@@ -72,11 +72,11 @@ std::uint32_t half_edge_right_of(Point point, const EdgeChains& edge_chains, con
   const Segment ends = edge_chains.segment(segment);
   const auto begin = events.list.begin() + events.begin[static_cast<std::size_t>(number)];
   const auto last = events.list.begin() + events.begin[static_cast<std::size_t>(number) + 1];
-  const ImplicitPoint place = on_segment_of(*hit, point, end);
+  const ImplicitPoint on_segment_point = on_segment_of(*hit, point, end);
   const auto after = std::partition_point(begin, last, [&](const Event& event) {
     if (event.segment != segment) return event.segment < segment;
-    const int order = compare_along(ends.a, ends.b, implicit_point(edge_chains, event), place);
-    return order != 0 ? order < 0 : hit->upward;  // the hit is a little above its place
+    const int order = compare_along(ends.a, ends.b, implicit_point(edge_chains, event), on_segment_point);
+    return order != 0 ? order < 0 : hit->upward;  // the hit is a little above that point
   });
   const auto next = static_cast<std::uint32_t>(after - events.list.begin());
   const bool none_before = after == begin;

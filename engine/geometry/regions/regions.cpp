@@ -90,12 +90,12 @@ class RegionBuilder {
     const Stopwatch node_watch;
     const std::uint32_t extreme1 = extreme_segment(c1_.tree());
     const std::uint32_t extreme2 = c2_ == nullptr ? 0 : scene.edge_chains.first_of(1) + extreme_segment(c2_->tree());
-    scene.events = make_marks(scene.edge_chains, incidences, {extreme1, extreme2});
+    scene.events = make_events(scene.edge_chains, incidences, {extreme1, extreme2});
     const IncidenceCounts found = incidences.counts;
     incidences = {};
-    scene.first_mark.resize(scene.events.nodes);
+    scene.first_event.resize(scene.events.nodes);
     for (std::uint32_t event = scene.events.size(); event-- > 0;)
-      scene.first_mark[scene.events.list[event].node] = event;
+      scene.first_event[scene.events.list[event].node] = event;
     timing.nodes = node_watch.seconds();
     report(0.7);
 
@@ -143,7 +143,7 @@ class RegionBuilder {
           tree, c1_.view().points[0], count,
           [&](std::size_t k) {
             const Event& event = events.list[first + k];
-            return PlaceAlong{event.segment - offset, event.t};
+            return PrecisePosition{event.segment - offset, event.t};
           },
           [&](std::size_t k, DD sum) { at[k] = sum; });
       for (std::uint32_t k = 0; k < count; ++k) {

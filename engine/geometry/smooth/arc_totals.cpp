@@ -62,17 +62,17 @@ RegionChordAreas chord_areas_of_regions(const Crossings& nodes, const ArcEnds& e
                         const ChordArea& total) {
       return past_start ? between(sums[from], sums[to], total) : between(sums[from], sums[to]);
     };
-    ChordArea& place1 = arcs1[forward1_left_of_2[graph.order[k]] != clockwise2];
-    place1 = place1 + turned(arc(ends.on1, here.last, there.first, there.first <= here.last, ends.total1), clockwise1);
+    ChordArea& sum1 = arcs1[forward1_left_of_2[graph.order[k]] != clockwise2];
+    sum1 = sum1 + turned(arc(ends.on1, here.last, there.first, there.first <= here.last, ends.total1), clockwise1);
     if (here.direction != 0) {
-      ChordArea& place = (here.direction > 0) == (clockwise1 == clockwise2) ? same : opposite;
-      place = place + turned(arc(ends.on1, here.first, here.last, here.last < here.first, ends.total1), clockwise1);
+      ChordArea& sum = (here.direction > 0) == (clockwise1 == clockwise2) ? same : opposite;
+      sum = sum + turned(arc(ends.on1, here.first, here.last, here.last < here.first, ends.total1), clockwise1);
     }
     const std::uint32_t node2 = along2[k];
     const std::uint32_t from = leaves2(graph.span(node2)), to = enters2(graph.span(along2[next]));
-    ChordArea& place2 = arcs2[forward2_left_of_1[graph.order[node2]] != clockwise1];
-    place2 =
-        place2 + turned(arc(ends.on2, from, to, rank_of_contact[to] <= rank_of_contact[from], ends.total2), clockwise2);
+    ChordArea& sum2 = arcs2[forward2_left_of_1[graph.order[node2]] != clockwise1];
+    sum2 =
+        sum2 + turned(arc(ends.on2, from, to, rank_of_contact[to] <= rank_of_contact[from], ends.total2), clockwise2);
   }
   const ChordArea uncertainty{{}, ends.uncertainty};
   return {arcs1[0] + arcs1[1] + same + opposite,        arcs2[0] + arcs2[1] + same - opposite,

@@ -10,7 +10,7 @@
 
 namespace lober::detail {
 
-/// Twice the area between a stretch of smooth curve and its polygon, positive to the right, and twice its error.
+/// Twice the area between an arc of smooth curve and its polygon, positive to the right, and twice its error.
 struct ChordArea {
   DD area;
   double error = 0;
@@ -22,7 +22,7 @@ struct ChordAreaSums {
   std::uint64_t fallbacks = 0;  ///< segments of positive length that stay straight
 };
 
-/// `segments` ascend. O(n + places), parallel.
+/// `segments` ascend. O(n + segments asked for), parallel.
 [[nodiscard]] ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uint32_t> segments);
 
 }  // namespace lober::detail

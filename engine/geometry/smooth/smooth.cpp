@@ -81,23 +81,23 @@ class Builder {
       for (std::uint32_t k = 0; k < count; ++k) {
         const std::uint32_t next = k + 1 == count ? 0 : k + 1;
         const NodeSpan here = graph_.span(k), there = graph_.span(next);
-        if (overtakes<&SmoothCrossing::place1>(k, here.last, next, there.first)) changed |= put_back(k, next);
+        if (overtakes<&SmoothCrossing::position1>(k, here.last, next, there.first)) changed |= put_back(k, next);
         const std::uint32_t from = along2[k], to = along2[next];
         const std::uint32_t leaves = leaves2(graph_.span(from)), enters = enters2(graph_.span(to));
-        if (overtakes<&SmoothCrossing::place2>(from, leaves, to, enters)) changed |= put_back(from, to);
+        if (overtakes<&SmoothCrossing::position2>(from, leaves, to, enters)) changed |= put_back(from, to);
       }
     }
   }
-  // Whether a node and the one that follows it along a curve have changed places. Their contacts say whether the first
-  // vertex lies between them.
-  template <SmoothPlace SmoothCrossing::*on>
+  // Whether a node and the one that follows it along a curve have changed their order. Their contacts say whether the
+  // first vertex lies between them.
+  template <SmoothPosition SmoothCrossing::*on>
   [[nodiscard]] bool overtakes(std::uint32_t node, std::uint32_t contact, std::uint32_t next,
                                std::uint32_t next_contact) const {
-    constexpr bool first = on == &SmoothCrossing::place1;
-    const auto position = [](const SmoothPlace& place) { return static_cast<double>(place.segment) + place.u; };
+    constexpr bool first = on == &SmoothCrossing::position1;
+    const auto position = [](const SmoothPosition& at) { return static_cast<double>(at.segment) + at.u; };
     const auto before = [&](std::uint32_t k) {
       const Contact at = graph_.contacts[k];
-      return position(first ? SmoothPlace{at.segment1, at.t1.hi} : SmoothPlace{at.segment2, at.t2.hi});
+      return position(first ? SmoothPosition{at.segment1, at.t1.hi} : SmoothPosition{at.segment2, at.t2.hi});
     };
     const double turn =
         before(next_contact) < before(contact) ? static_cast<double>((first ? c1_ : c2_).segments()) : 0;

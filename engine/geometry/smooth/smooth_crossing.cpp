@@ -12,13 +12,13 @@ class Runner {
  public:
   static constexpr std::int64_t farthest = 2;
 
-  Runner(const SmoothCurve& curve, SmoothPlace place, Point origin)
-      : curve_(curve), start_(place.segment), origin_(origin), u_(place.u) {
-    enter(place.segment);
+  Runner(const SmoothCurve& curve, SmoothPosition position, Point origin)
+      : curve_(curve), start_(position.segment), origin_(origin), u_(position.u) {
+    enter(position.segment);
   }
   [[nodiscard]] Point at() const { return vertex_ + shape_.at(u_); }
   [[nodiscard]] Point velocity() const { return shape_.velocity(u_); }
-  [[nodiscard]] SmoothPlace place() const { return {segment_, u_}; }
+  [[nodiscard]] SmoothPosition position() const { return {segment_, u_}; }
   [[nodiscard]] const SmoothSegment& shape() const { return shape_; }
   [[nodiscard]] Point vertex() const { return vertex_; }
 
@@ -57,20 +57,20 @@ class Runner {
 // the runner is, along the smooth curve to the runner, straight to `to` and back; with the chord-to-arc areas of whole
 // segments between.
 double loop(const SmoothCurve& curve, Point origin, std::int64_t segment, Point from, const Runner& runner, Point to) {
-  const SmoothPlace place = runner.place();
-  double sum = runner.shape().chord_area(place.u);
+  const SmoothPosition position = runner.position();
+  double sum = runner.shape().chord_area(position.u);
   Point previous{};  // relative to `from`, so that the sides there have no term
   const auto go_to = [&](Point next) {
     next = next - from;
     sum += cross(previous, next);
     previous = next;
   };
-  for (std::int64_t k = segment; k < place.segment; ++k) {
+  for (std::int64_t k = segment; k < position.segment; ++k) {
     go_to(curve.vertex(k + 1) - origin);
     sum += curve.segment(k).chord_area(1);
   }
-  if (place.segment <= segment) go_to(curve.vertex(segment) - origin);
-  for (std::int64_t k = segment; k > place.segment; --k) {
+  if (position.segment <= segment) go_to(curve.vertex(segment) - origin);
+  for (std::int64_t k = segment; k > position.segment; --k) {
     go_to(curve.vertex(k - 1) - origin);
     sum -= curve.segment(k - 1).chord_area(1);
   }
@@ -93,20 +93,20 @@ std::optional<SmoothCrossing> find_smooth_crossing(const SmoothCurve& c1, const 
     if (!(rightward_to_left ? sine > 0 : sine < 0)) return std::nullopt;
     const double step1 = cross(apart, along2) / sine, step2 = cross(apart, along1) / sine;
     if (!on1.move(step1) || !on2.move(step2)) return std::nullopt;
-    if (std::fabs(step1) < arrived && std::fabs(step2) < arrived) return SmoothCrossing{on1.place(), on2.place()};
+    if (std::fabs(step1) < arrived && std::fabs(step2) < arrived) return SmoothCrossing{on1.position(), on2.position()};
   }
   // What is left of a shallow crossing may be rounding, which the distance of the curves tells.
   const double left = length(on2.at() - on1.at());
   if (left > arrived * std::max(length(on1.shape().chord), length(on2.shape().chord))) return std::nullopt;
-  return SmoothCrossing{on1.place(), on2.place()};
+  return SmoothCrossing{on1.position(), on2.position()};
 }
 
 EndOfArcs end_of_arcs(const SmoothCurve& c1, const SmoothCurve& c2, const Contact& contact,
                       const std::optional<SmoothCrossing>& crossing) {
   const Point origin = c1.vertex(contact.segment1);
-  const SmoothPlace here1{contact.segment1, contact.t1.hi}, here2{contact.segment2, contact.t2.hi};
-  const Runner on1(c1, crossing ? crossing->place1 : here1, origin),
-      on2(c2, crossing ? crossing->place2 : here2, origin);
+  const SmoothPosition here1{contact.segment1, contact.t1.hi}, here2{contact.segment2, contact.t2.hi};
+  const Runner on1(c1, crossing ? crossing->position1 : here1, origin),
+      on2(c2, crossing ? crossing->position2 : here2, origin);
   const Point a = c1.vertex(here1.segment), b = c1.vertex(here1.segment + 1);
   const Point polygons{here1.u * (b.x - a.x), here1.u * (b.y - a.y)};
   const Point meeting = crossing ? on1.at() : polygons;

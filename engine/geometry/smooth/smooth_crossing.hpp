@@ -9,7 +9,7 @@
 namespace lober::detail {
 
 struct SmoothCrossing {
-  SmoothPlace place1, place2;
+  SmoothPosition position1, position2;
 };
 
 /// Newton's iteration in the two parameters from the contact of the polygons, over at most two segments on either side.

@@ -48,7 +48,7 @@ class SmoothCurve {
     return {to.x + times * (to.x - from.x), to.y + times * (to.y - from.y)};
   }
 
-  // Moves on from a vertex to the next one at another place: repeated vertices carry no segment.
+  // Moves on from a vertex to the next one at another point: repeated vertices carry no segment.
   [[nodiscard]] Point next_distinct(std::int64_t& at, int direction) const {
     const Point from = vertex(at);
     Point to;
@@ -63,9 +63,9 @@ class SmoothCurve {
   std::int64_t size_;
 };
 
-/// A place on a smooth curve. `segment` may lie a few segments outside the curve, so that places near the first vertex
-/// keep their order.
-struct SmoothPlace {
+/// A position on a smooth curve. `segment` may lie a few segments outside the curve, so that positions near the first
+/// vertex keep their order.
+struct SmoothPosition {
   std::int64_t segment = 0;
   double u = 0;
 };

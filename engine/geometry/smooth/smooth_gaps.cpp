@@ -54,7 +54,7 @@ class GapFinder {
       gap.twice += two_diff(end.on1, end.on2);
       gap.uncertainty = end.uncertainty;
       gap.moved = moved_[k].has_value();
-      gap.at = gap.moved ? place(moved_[k]->place1) : place_of(contact(k), view1_, view2_);
+      gap.at = gap.moved ? point_at(moved_[k]->position1) : contact_point(contact(k), view1_, view2_);
       gaps.fallback_crossings += !gap.moved;
     }
     return gaps;
@@ -62,13 +62,13 @@ class GapFinder {
 
  private:
   [[nodiscard]] Contact contact(std::size_t k) const { return graph_.contacts[graph_.span(nodes_[k]).first]; }
-  [[nodiscard]] Point place(const SmoothPlace& at) const {
+  [[nodiscard]] Point point_at(const SmoothPosition& at) const {
     const Point from = c1_.vertex(at.segment), offset = c1_.segment(at.segment).at(at.u);
     return {from.x + offset.x, from.y + offset.y};
   }
   [[nodiscard]] double position(std::size_t k, bool on_first) const {
-    const auto sum = [](const SmoothPlace& at) { return static_cast<double>(at.segment) + at.u; };
-    if (moved_[k]) return sum(on_first ? moved_[k]->place1 : moved_[k]->place2);
+    const auto sum = [](const SmoothPosition& at) { return static_cast<double>(at.segment) + at.u; };
+    if (moved_[k]) return sum(on_first ? moved_[k]->position1 : moved_[k]->position2);
     const Contact here = contact(k);
     return on_first ? sum({here.segment1, here.t1.hi}) : sum({here.segment2, here.t2.hi});
   }

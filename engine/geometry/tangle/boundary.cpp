@@ -49,7 +49,7 @@ ChordCuts cuts_of_chord(const Tangle& tangle) {
     const auto& pips = tangle.pips;
     for (const Position at : meetings) {
       cuts.boundary = cuts.boundary || not_after(at, bip.*on);
-      // A lobe is cut unless both its pips lie before the place or both behind it.
+      // A lobe is cut unless both its pips lie before the position or both behind it.
       const auto ended = std::partition_point(pips.begin(), pips.end(), [&](const Pip& pip) {
         return outward ? !not_after(at, pip.*on) : !not_after(pip.*on, at);
       });
@@ -155,15 +155,15 @@ void bound_lobes(Tangle& tangle) {
       lobe.outside = area - lobe.inside;
       continue;
     }
-    const int hands = lobe.orientation() * boundary.orientation;
-    const bool begins_inside = hands == (m >= bip ? -1 : 1);
+    const int relative_orientation = lobe.orientation() * boundary.orientation;
+    const bool begins_inside = relative_orientation == (m >= bip ? -1 : 1);
     if (!crossed[m]) {
       (begins_inside ? lobe.inside : lobe.outside) = area;
       continue;
     }
     const DD signed_twice = gap_of(tangle.pips[m + 1]) - gap_of(tangle.pips[m]);
     const DD twice = lobe.orientation() > 0 ? signed_twice : -signed_twice;
-    const DD part = hands == (m >= bip ? -1 : 1) ? sums[m] : -sums[m];
+    const DD part = relative_orientation == (m >= bip ? -1 : 1) ? sums[m] : -sums[m];
     // Along the shared arc the lobe is inside or outside; the crossings take away from that or add to it.
     lobe.inside = std::clamp(curves.area(begins_inside ? twice + part : part), 0.0, area);
     lobe.outside = std::clamp(curves.area(begins_inside ? -part : twice - part), 0.0, area);

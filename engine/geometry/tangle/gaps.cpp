@@ -16,9 +16,9 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
   constexpr std::uint32_t unwanted = 0xffffffff;
   std::fill(slots.begin(), slots.end(), unwanted);
   for (std::size_t k = 0; k < count; ++k) slots[nodes[k]] = static_cast<std::uint32_t>(k);
-  std::size_t place = 0;
+  std::size_t filled = 0;
   for (const std::uint32_t node : along2) {
-    if (slots[node] != unwanted) order[place++] = slots[node];
+    if (slots[node] != unwanted) order[filled++] = slots[node];
   }
   const auto contact = [&](std::size_t k) { return graph.contacts[graph.span(nodes[k]).first]; };
   parallel_if(
@@ -27,7 +27,7 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
         sum_along(
             curves.u().tree(), curves.origin(), count,
             [&](std::size_t k) {
-              return PlaceAlong{contact(k).segment1, contact(k).t1};
+              return PrecisePosition{contact(k).segment1, contact(k).t1};
             },
             [&](std::size_t k, DD sum) { along_u[k] = sum; });
       },
@@ -35,7 +35,7 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
         sum_along(
             curves.s().tree(), curves.origin(), count,
             [&](std::size_t k) {
-              return PlaceAlong{contact(order[k]).segment2, contact(order[k]).t2};
+              return PrecisePosition{contact(order[k]).segment2, contact(order[k]).t2};
             },
             [&](std::size_t k, DD sum) { along_s[order[k]] = sum; });
       });

@@ -7,14 +7,14 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// The vertices of a curve strictly between two places, the first of which comes first.
+// The vertices of a curve strictly between two positions, the first of which comes first.
 void append_between(const CurveView& curve, Position from, Position to, std::vector<Point>& points) {
   const auto first = curve.points.begin() + from.segment + 1, last = curve.points.begin() + to.segment + 1;
   points.insert(points.end(), first, last);
 }
 
-// Where the polygons have it.
-Point place_of_pip(const Tangle& tangle, std::size_t pip) {
+// The pip as a point of the polygons.
+Point point_of_pip(const Tangle& tangle, std::size_t pip) {
   return tangle.nodes[tangle.pips.at(pip).node].begin;
 }
 
@@ -32,10 +32,10 @@ double perimeter(const std::vector<Point>& polygon) {
 
 std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe) {
   const Pip &first = tangle.pips[lobe], &last = tangle.pips[lobe + 1];
-  const Point begin = place_of_pip(tangle, lobe);
+  const Point begin = point_of_pip(tangle, lobe);
   std::vector<Point> points{begin};
   append_between(tangle.u(), first.u, last.u, points);
-  append(points, place_of_pip(tangle, lobe + 1));
+  append(points, point_of_pip(tangle, lobe + 1));
   append_between(tangle.s(), last.s, first.s, points);  // S runs from the later pip to the earlier one
   while (points.size() > 1 && points.back() == begin) points.pop_back();
   return points;
@@ -50,7 +50,7 @@ std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t number) {
   const auto u = tangle.u().points.first(bip.u.segment + 1);
   const auto s = tangle.s().points.first(bip.s.segment + 1);
   std::vector<Point> points(u.begin(), u.end());
-  append(points, place_of_pip(tangle, number));
+  append(points, point_of_pip(tangle, number));
   for (std::size_t k = s.size(); k-- > 0;) append(points, s[k]);
   return points;
 }

@@ -26,7 +26,7 @@ struct Measures {
     length += std::sqrt(dx * dx + dy * dy);
   }
 
-  // The arc of a curve between two places with these points.
+  // The arc of a curve between two positions with these points.
   void add_arc(const CurveView& curve, Position from, Point first, Position to, Point last, Point origin) {
     Point a = first;
     for (std::size_t k = from.segment + std::size_t{1}; k <= to.segment; ++k) {
@@ -40,7 +40,7 @@ struct Measures {
     for (std::size_t k = from.segment; k <= to.segment; ++k) chord_area += std::fabs(chord_area_of(curve, k, from, to));
   }
 
-  // Of the part of segment k that lies between the two places.
+  // Of the part of segment k that lies between the two positions.
   static double chord_area_of(const CurveView& curve, std::size_t k, Position from, Position to) {
     const std::span<const Point> p = curve.points;
     const Point before = k > 0 ? p[k - 1] : p[k], after = k + 2 < p.size() ? p[k + 2] : p[k + 1];

@@ -123,10 +123,10 @@ TEST(BoxTree, SumsAreExactToTheirBounds) {
     for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
       expect_sum(tree.leaf_sums()[leaf], leaf * leaf_size, (leaf + 1) * leaf_size, -96);
     }
-    constexpr std::size_t stretch = leaf_size * leaf_size;
-    ASSERT_EQ(tree.stretch_sums().size(), (size + stretch - 1) / stretch);
-    for (std::size_t k = 0; k < tree.stretch_sums().size(); ++k) {
-      expect_sum(tree.stretch_sums()[k], k * stretch, (k + 1) * stretch, -94);
+    constexpr std::size_t chunk = leaf_size * leaf_size;
+    ASSERT_EQ(tree.chunk_sums().size(), (size + chunk - 1) / chunk);
+    for (std::size_t k = 0; k < tree.chunk_sums().size(); ++k) {
+      expect_sum(tree.chunk_sums()[k], k * chunk, (k + 1) * chunk, -94);
     }
   }
 }
@@ -140,9 +140,8 @@ TEST(BoxTree, IsTheSameForAnyNumberOfThreads) {
     const BoxTree tree = with_threads(threads, [&] { return BoxTree(curve); });
     EXPECT_EQ(std::memcmp(tree.leaf_boxes(), expected.leaf_boxes(), tree.leaves() * sizeof(Box)), 0);
     EXPECT_EQ(std::memcmp(tree.leaf_sums(), expected.leaf_sums(), tree.leaves() * sizeof(DD)), 0);
-    EXPECT_EQ(std::memcmp(tree.stretch_sums().data(), expected.stretch_sums().data(),
-                          tree.stretch_sums().size() * sizeof(DD)),
-              0);
+    EXPECT_EQ(
+        std::memcmp(tree.chunk_sums().data(), expected.chunk_sums().data(), tree.chunk_sums().size() * sizeof(DD)), 0);
   }
 }
 

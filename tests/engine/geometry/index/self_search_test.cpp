@@ -76,8 +76,8 @@ TEST_P(SelfSearch, DoesTheSameForAnyNumberOfThreads) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SelfSearch, ::testing::ValuesIn(scene_kinds()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
-// A walk of monotone stretches that turn back and cross what came before, or fold back onto it.
-Curve monotone_stretches(Random& random, int shortest, int longest) {
+// A walk of monotone chains that turn back and cross what came before, or fold back onto it.
+Curve monotone_chains(Random& random, int shortest, int longest) {
   Curve curve;
   Point at{0, 0};
   curve.points.push_back(at);
@@ -97,7 +97,7 @@ TEST(SelfSearchOfMonotoneRuns, LosesNothingWhereverRunsEnd) {
   Random random(seed());
   for (int k = 0; k < 40; ++k) {
     SCOPED_TRACE(k);
-    expect_complete(monotone_stretches(random, 1, 150));
+    expect_complete(monotone_chains(random, 1, 150));
   }
 }
 
@@ -105,7 +105,7 @@ TEST(SelfSearchOfMonotoneRuns, LosesNothingWhenRunsAreLeaves) {
   Random random(seed());
   for (int k = 0; k < 60; ++k) {
     SCOPED_TRACE(k);
-    expect_complete(monotone_stretches(random, leaf_size, leaf_size));
+    expect_complete(monotone_chains(random, leaf_size, leaf_size));
   }
 }
 

@@ -84,7 +84,7 @@ TEST(Extremes, TheRefusalOfACurveNamesThePlaceAsTheCallerKnowsIt) {
   for (Points* points : {&loop, &other}) {
     for (Point& p : *points) p = {scale * p.x, scale * p.y};
   }
-  const auto place = [](const auto& call) {
+  const auto point_in_message = [](const auto& call) {
     try {
       call();
     } catch (const NotSimpleError& error) {
@@ -93,9 +93,9 @@ TEST(Extremes, TheRefusalOfACurveNamesThePlaceAsTheCallerKnowsIt) {
     return Point{};
   };
   const Point expected{2 * scale, 2 * scale};
-  EXPECT_EQ(place([&] { (void)overlay(CurveView{loop}, CurveView{other}); }), expected);
-  EXPECT_EQ(place([&] { (void)interior_areas(CurveView{loop}, CurveView{other}); }), expected);
-  EXPECT_EQ(place([&] { (void)tangle(CurveView{loop, false}, CurveView{other, false}); }), expected);
+  EXPECT_EQ(point_in_message([&] { (void)overlay(CurveView{loop}, CurveView{other}); }), expected);
+  EXPECT_EQ(point_in_message([&] { (void)interior_areas(CurveView{loop}, CurveView{other}); }), expected);
+  EXPECT_EQ(point_in_message([&] { (void)tangle(CurveView{loop, false}, CurveView{other, false}); }), expected);
 }
 
 // Nothing of the curves is read: there is only one point.

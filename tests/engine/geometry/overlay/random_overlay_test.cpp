@@ -43,7 +43,7 @@ class Tally {
     ++tried_;
     relative_error_ = std::max(relative_error_, verdict.relative_error);
     small_error_ = std::max(small_error_, verdict.small_error);
-    place_error_ = std::max(place_error_, verdict.place_error);
+    point_error_ = std::max(point_error_, verdict.point_error);
     if (verdict.complaints.empty()) return;
     // A handful is enough to study; the count goes on.
     if (++failed_ <= 3) report(pair, verdict);
@@ -58,7 +58,7 @@ class Tally {
     std::printf(
         "%-18s %zu overlays, %zu wrong; %zu moved pairs not simple; worst errors: area %.2e of itself, "
         "small area %.2e of the box, place %.2e\n",
-        family.c_str(), tried_, failed_, skipped_, relative_error_, small_error_, place_error_);
+        family.c_str(), tried_, failed_, skipped_, relative_error_, small_error_, point_error_);
   }
 
   [[nodiscard]] std::size_t failed() const { return failed_; }
@@ -78,7 +78,7 @@ class Tally {
 
   std::mutex mutex_;
   std::size_t tried_ = 0, failed_ = 0, skipped_ = 0;
-  double relative_error_ = 0, small_error_ = 0, place_error_ = 0;
+  double relative_error_ = 0, small_error_ = 0, point_error_ = 0;
 };
 
 class RandomOverlay : public testing::TestWithParam<Family> {};

@@ -24,7 +24,7 @@ Polyline reversed(Polyline line) {
   return line;
 }
 
-std::vector<Point> places(const Tangle& found) {
+std::vector<Point> pip_points(const Tangle& found) {
   std::vector<Point> points;
   for (const Pip& pip : found.pips) points.push_back(pip.at);
   return points;
@@ -32,7 +32,7 @@ std::vector<Point> places(const Tangle& found) {
 
 TEST(KnownTangle, ZigzagOnALine) {
   const Tangle found = tangle(open(zigzag), open(axis));
-  EXPECT_EQ(places(found), (std::vector<Point>{{1, 0}, {2, 0}, {3, 0}, {4, 0}}));
+  EXPECT_EQ(pip_points(found), (std::vector<Point>{{1, 0}, {2, 0}, {3, 0}, {4, 0}}));
   ASSERT_EQ(found.lobes.size(), 3U);
   EXPECT_EQ(found.lobes[0].area, -0.5);
   EXPECT_EQ(found.lobes[1].area, 0.5);
@@ -117,7 +117,7 @@ TEST(KnownTangle, SecondaryIntersectionsHaveAGeneration) {
 TEST(KnownTangle, SwappedManifoldsHaveTheSamePipsTheOtherWayRound) {
   const ManifoldPair pair = leaning_fingers(7, 60, 2.5);
   const Tangle found = tangle(open(pair.u), open(pair.s)), swapped = tangle(open(pair.s), open(pair.u));
-  std::vector<Point> other = places(swapped);
+  std::vector<Point> other = pip_points(swapped);
   std::reverse(other.begin(), other.end());
   ASSERT_EQ(found.pips.size(), other.size());
   for (std::size_t k = 0; k < other.size(); ++k) {
@@ -143,7 +143,7 @@ TEST(KnownTangle, NoCrossing) {
 TEST(KnownTangle, OnePip) {
   const Polyline up{{2, -1}, {2, 1}};
   const Tangle found = tangle(open(up), open(axis));
-  EXPECT_EQ(places(found), (std::vector<Point>{{2, 0}}));
+  EXPECT_EQ(pip_points(found), (std::vector<Point>{{2, 0}}));
   EXPECT_TRUE(found.lobes.empty());
   EXPECT_EQ(found.boundary->area, 2);  // (2,-1) (2,0) (6,0)
   EXPECT_EQ(found.images.period, 0U);
@@ -155,11 +155,11 @@ TEST(KnownTangle, TwoLobesDoNotTellThePeriod) {
   EXPECT_EQ(found.lobes.size(), 2U);
   EXPECT_EQ(found.images.period, 0U);
   EXPECT_FALSE(found.images.reason.empty());
-  const Tangle told = tangle(open(Polyline(zigzag.begin(), zigzag.end() - 1)), open(axis), {.bip = 2, .period = 2});
-  EXPECT_EQ(told.images.period, 2U);
-  EXPECT_TRUE(told.images.given);
-  EXPECT_EQ(told.images.compared, 0U);
-  EXPECT_EQ(told.images.area12 + told.images.area21, 1);
+  const Tangle given = tangle(open(Polyline(zigzag.begin(), zigzag.end() - 1)), open(axis), {.bip = 2, .period = 2});
+  EXPECT_EQ(given.images.period, 2U);
+  EXPECT_TRUE(given.images.given);
+  EXPECT_EQ(given.images.compared, 0U);
+  EXPECT_EQ(given.images.area12 + given.images.area21, 1);
 }
 
 TEST(KnownTangle, BothBeginAtTheSameFixedPoint) {
@@ -167,7 +167,7 @@ TEST(KnownTangle, BothBeginAtTheSameFixedPoint) {
   const Polyline u{{0, 0}, {4, 1}, {5, -1}, {6, 1}, {7, -1}}, s{{0, 0}, {0, -3}, {9, -3}, {9, 0}, {1, 0}};
   const Tangle found = tangle(open(u), open(s));
   EXPECT_EQ(found.nodes.touches(), 1U);  // the fixed point itself
-  EXPECT_EQ(places(found), (std::vector<Point>{{4.5, 0}, {5.5, 0}, {6.5, 0}}));
+  EXPECT_EQ(pip_points(found), (std::vector<Point>{{4.5, 0}, {5.5, 0}, {6.5, 0}}));
   EXPECT_EQ(found.boundary->bip, 1U);
   EXPECT_FALSE(found.boundary->crosses_itself);
   EXPECT_EQ(found.boundary->area, signed_area({boundary_outline(found), true}) * found.boundary->orientation);
@@ -182,7 +182,7 @@ TEST(KnownTangle, RepeatedFirstPointsChangeNothing) {
   u.insert(u.begin(), 3, u[0]);
   s.insert(s.begin(), 2, s[0]);
   const Tangle plain = tangle(open(zigzag), open(axis)), repeated = tangle(open(u), open(s));
-  EXPECT_EQ(places(plain), places(repeated));
+  EXPECT_EQ(pip_points(plain), pip_points(repeated));
   for (std::size_t k = 0; k < plain.lobes.size(); ++k) {
     EXPECT_EQ(plain.lobes[k].area, repeated.lobes[k].area);
     EXPECT_EQ(plain.lobes[k].inside, repeated.lobes[k].inside);
@@ -192,7 +192,7 @@ TEST(KnownTangle, RepeatedFirstPointsChangeNothing) {
 TEST(KnownTangle, RepeatedFixedPointIsNoCrossing) {
   const Polyline u{{0, 0}, {0, 0}, {4, 1}, {5, -1}, {6, 1}}, s{{0, 0}, {0, 0}, {0, -3}, {9, -3}, {9, 0}, {1, 0}};
   const Tangle found = tangle(open(u), open(s));
-  EXPECT_EQ(places(found), (std::vector<Point>{{4.5, 0}, {5.5, 0}}));
+  EXPECT_EQ(pip_points(found), (std::vector<Point>{{4.5, 0}, {5.5, 0}}));
 }
 
 TEST(KnownTangle, PipsAtVertices) {
@@ -200,7 +200,7 @@ TEST(KnownTangle, PipsAtVertices) {
   const Polyline u{{0.5, -1}, {1, 0}, {1.5, 1}, {2, 0}, {2.5, -1}, {3.5, 1}, {4, 0}, {4.5, -1}};
   const Polyline s{{6, 0}, {4, 0}, {3, 0}, {2, 0}, {-1, 0}};
   const Tangle found = tangle(open(u), open(s)), plain = tangle(open(zigzag), open(axis));
-  EXPECT_EQ(places(found), places(plain));
+  EXPECT_EQ(pip_points(found), pip_points(plain));
   for (std::size_t k = 0; k < plain.lobes.size(); ++k) {
     EXPECT_EQ(found.lobes[k].area, plain.lobes[k].area);
     EXPECT_EQ(found.lobes[k].inside, plain.lobes[k].inside);
@@ -211,7 +211,7 @@ TEST(KnownTangle, ATouchIsNoPipAndPinchesTheLobe) {
   // U comes down to the axis at x = 1.5 and goes up again before it crosses at 3.
   const Polyline u{{0, -1}, {1, 1}, {1.5, 0}, {2, 1}, {3, -1}};
   const Tangle found = tangle(open(u), open(axis));
-  EXPECT_EQ(places(found), (std::vector<Point>{{0.5, 0}, {2.5, 0}}));
+  EXPECT_EQ(pip_points(found), (std::vector<Point>{{0.5, 0}, {2.5, 0}}));
   EXPECT_EQ(found.nodes.touches(), 1U);
   ASSERT_EQ(found.lobes.size(), 1U);
   EXPECT_EQ(found.lobes[0].area, -1);
@@ -237,11 +237,11 @@ TEST(KnownTangle, ManifoldsThatEndOnEachOtherDoNotCrossThere) {
   const Polyline u{{-0.5, 0}, {0.5, -1}, {1.5, 1}, {2.5, -1}, {3, 0}, {4, 0}};
   const Polyline s{{6, 0}, {5, 0}, {3.5, 0}, {-1, 0}};
   const Tangle found = tangle(open(u), open(s));
-  EXPECT_EQ(places(found), (std::vector<Point>{{1, 0}, {2, 0}}));
+  EXPECT_EQ(pip_points(found), (std::vector<Point>{{1, 0}, {2, 0}}));
   // Both run along each other to the very end of U, vertex by vertex.
   const Polyline same{{6, 0}, {5, 0}, {4, 0}, {3, 0}, {-1, 0}};
-  EXPECT_EQ(places(tangle(open(u), open(same))), (std::vector<Point>{{1, 0}, {2, 0}}));
-  EXPECT_EQ(places(tangle(open(same), open(u))), (std::vector<Point>{{2, 0}, {1, 0}}));
+  EXPECT_EQ(pip_points(tangle(open(u), open(same))), (std::vector<Point>{{1, 0}, {2, 0}}));
+  EXPECT_EQ(pip_points(tangle(open(same), open(u))), (std::vector<Point>{{2, 0}, {1, 0}}));
 }
 
 TEST(KnownTangle, InwardManifoldIsRemarkedUpon) {
@@ -276,7 +276,7 @@ TEST(KnownTangle, SameBitsForAnyThreadsIndexAndScale) {
   const Tangle one = with_threads(1, [&] { return tangle(open(pair.u), open(pair.s)); });
   const std::vector<LobeOverlap> common = overlaps(one);
   const auto same = [&](const Tangle& other, int exponent) {
-    ASSERT_EQ(places(one).size(), places(other).size());
+    ASSERT_EQ(pip_points(one).size(), pip_points(other).size());
     for (std::size_t k = 0; k < one.lobes.size(); ++k) {
       EXPECT_EQ(std::ldexp(one.lobes[k].area, exponent), other.lobes[k].area);
       EXPECT_EQ(std::ldexp(one.lobes[k].inside, exponent), other.lobes[k].inside);
