@@ -1,4 +1,4 @@
-// The areas that two closed curves make: what overlay/ and interior/ each compute in their own way.
+// The areas that two closed curves make; overlay/ and interior/ compute them independently.
 #pragma once
 
 namespace lober {

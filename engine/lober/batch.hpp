@@ -1,4 +1,4 @@
-// Many curves and pairs: a manifest says what is to be computed, a store keeps what was.
+// Batches of many curves and pairs: a manifest says what to compute, and a store keeps the results.
 //
 //   lober::BatchOptions options;
 //   options.store = "pairs.results";

@@ -1,4 +1,4 @@
-// Asking long work to end, from outside: from another thread, or from the handler of a signal.
+// Cancellation of long work from outside: by another thread or by the handler of a signal.
 //
 // A caller opens a CancellationScope with a flag. All that its thread computes from then on asks the flag, and so do
 // the pieces of the parallel loops that it begins, and those that they begin (parallel.hpp passes the scope on). Once

@@ -18,7 +18,7 @@ namespace lober {
 
 /// The point F^(k local.steps)(P(parameter)) of a manifold, k >= 0 the number of `images`; twice that many steps on a
 /// manifold whose multiplier is negative.
-struct ManifoldPlace {
+struct ManifoldPosition {
   int images = 0;
   double parameter = 0;
 };
@@ -27,20 +27,21 @@ struct ManifoldPlace {
 struct MovingPoint {
   Point at, velocity;
 };
-[[nodiscard]] LOBER_API MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place);
+[[nodiscard]] LOBER_API MovingPoint point_on(const PlanarMap& map, const LocalManifold& local,
+                                             ManifoldPosition position);
 
-/// The same place with its parameter in the outermost fundamental segment, so that as few steps of the map as possible
-/// remain (on the local manifold none).
-[[nodiscard]] LOBER_API ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place);
+/// The same position with its parameter in the outermost fundamental segment, so that as few steps of the map as
+/// possible remain (on the local manifold none).
+[[nodiscard]] LOBER_API ManifoldPosition normalised(const LocalManifold& local, ManifoldPosition position);
 
-/// About the place of a position on a grown manifold, by linear interpolation of its parameters.
-[[nodiscard]] LOBER_API ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local,
-                                               Position position);
+/// The approximate position of a point of a grown manifold, by linear interpolation of its parameters.
+[[nodiscard]] LOBER_API ManifoldPosition position_on(const GrownManifold& grown, const LocalManifold& local,
+                                                     Position position);
 
 struct ConnectingOrbit {
-  Point at;             ///< its point nearest to the guess
-  ManifoldPlace u, s;   ///< of that point on both manifolds
-  double residual = 0;  ///< distance of the two expressions for `at`
+  Point at;               ///< its point nearest to the guess
+  ManifoldPosition u, s;  ///< of that point on both manifolds
+  double residual = 0;    ///< distance of the two expressions for `at`
   /// Sum over the orbit of L less that at the saddle it comes from (before `at`) or goes to (from `at` on); nothing
   /// when the map has no action.
   std::optional<long double> action;
@@ -48,11 +49,12 @@ struct ConnectingOrbit {
   double action_error = 0;
 };
 
-/// The orbit near the point that the two places give. Newton's method; throws DataError with the place when it does not
-/// converge to rounding (1e-6 of the distance from the saddle is where it gives up). A few dozen evaluations of the
-/// map.
+/// The orbit near the point that the two positions give. Newton's method; throws DataError with the best point found
+/// when it does not converge to rounding (1e-6 of the distance from the saddle is where it gives up). A few dozen
+/// evaluations of the map.
 [[nodiscard]] LOBER_API ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unstable,
-                                                         const LocalManifold& stable, ManifoldPlace u, ManifoldPlace s);
+                                                         const LocalManifold& stable, ManifoldPosition u,
+                                                         ManifoldPosition s);
 
 /// Signed area of the lobe between two orbits, the first one nearer to the saddle along U: positive if the lobe is on
 /// the left of U. Nothing when an action is missing.

@@ -1,4 +1,4 @@
-// What a search for crossings did, in numbers. All are the same for any number of threads.
+// Counts of the work of a search for crossings. They are the same for any number of threads.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct SearchCounts {
 };
 
 struct PredicateCounts {
-  std::uint64_t filter_failures = 0;  ///< the filter could not tell
+  std::uint64_t filter_failures = 0;  ///< the filter could not decide
   std::uint64_t exact_calls = 0;      ///< ... and neither could an exact product of exact differences
   PredicateCounts& operator+=(const PredicateCounts& other) {
     filter_failures += other.filter_failures;

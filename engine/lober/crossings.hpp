@@ -1,4 +1,4 @@
-// Where two closed curves meet: crossings, touches and shared arcs, decided exactly and ordered along both curves.
+// The nodes of two closed curves: crossings, touches and shared arcs, decided exactly and ordered along both curves.
 //
 // Two simple closed curves meet in finitely many connected sets, each a point or an arc that they share: the *nodes*.
 // At a node C2 either passes from one side of C1 to the other (a crossing, rho = +1 or -1) or stays on one side
@@ -21,7 +21,7 @@
 
 namespace lober {
 
-/// A place on a curve: `t` in [0, 1) along segment `segment` (rounded, so 1 may occur), in the vertex order of the
+/// A position on a curve: `t` in [0, 1) along segment `segment` (rounded, so 1 may occur), in the vertex order of the
 /// caller's curve.
 struct Position {
   std::uint32_t segment = 0;
@@ -29,7 +29,7 @@ struct Position {
   friend bool operator==(const Position&, const Position&) = default;
 };
 
-/// One place where the curves meet. For a point `begin` and `end` are equal.
+/// A connected set where the curves meet. For a point `begin` and `end` are equal.
 struct Node {
   Position begin1, end1;  ///< along C1 as the caller's vertices run; end1 comes after begin1 (cyclically)
   Position begin2, end2;  ///< the same two points on C2
@@ -53,7 +53,7 @@ class Crossings {
   [[nodiscard]] LOBER_API Node operator[](std::size_t node) const;
   /// Node numbers in order along C2, from its first vertex on.
   [[nodiscard]] LOBER_API std::span<const std::uint32_t> order2() const;
-  /// The place of a node in order2().
+  /// The index of a node in order2().
   [[nodiscard]] LOBER_API std::uint32_t rank2(std::size_t node) const;
   [[nodiscard]] LOBER_API int rho(std::size_t node) const;
   [[nodiscard]] LOBER_API std::size_t crossings() const;    ///< nodes with rho != 0: always even

@@ -1,4 +1,4 @@
-// Curves: what they are and whether they can be used.
+// Curves, and checks whether they can be used.
 //
 // A curve is an ordered list of vertices joined by straight segments; segment k joins vertex k to vertex
 // k + 1. A closed curve has one more segment, from its last vertex to its first. Consecutive equal vertices

@@ -1,4 +1,5 @@
-// Escape from a potential well through bottlenecks: which fraction of what enters by one leaves by another, and when.
+// Escape from a potential well through bottlenecks: the fraction of what enters by one that leaves by another, and
+// when.
 //
 // The well lies between the periodic orbits of its bottlenecks. What enters by bottleneck i crosses the section first
 // inside a closed curve E_i, cut from the orbit's unstable tube; what is about to leave by bottleneck j crosses it last
@@ -9,7 +10,7 @@
 // since f preserves area (in the conjugate pair of the section's chart) and energy is the same for all. Everything in
 // E_i is equally likely. f^a(E_i) is a closed curve as long as f^k(E_i), k < a, meets no exit; then part of it is gone
 // and the image of the rest is cut: its ends wind about E_j without end. Splits are chosen such that both curves are
-// whole. Nothing is assumed about symmetries, nor used.
+// whole. No symmetry is assumed or used.
 //
 //   const lober::System system = lober::make_system("capsize");
 //   const lober::Escape result = lober::escape(*system.flow, *system.section, 0.25307, system.saddles);
@@ -56,7 +57,7 @@ struct EscapeOptions {
   double budget = std::numeric_limits<double>::infinity();
   /// False cancels. Called by one thread at a time.
   std::function<bool(const EscapeProgress&)> progress;
-  /// Told about each n = 1, 2, ... once its rows are known: those of `table` with that number of crossings. Called from
+  /// Called for each n = 1, 2, ... once its rows are known: those of `table` with that number of crossings. Called from
   /// the calling thread; Escape::table holds the rows up to n.
   std::function<void(const Escape& so_far, int n)> rows_known;
 };

@@ -1,4 +1,4 @@
-// Curves from and to files.
+// Reading and writing of curve files.
 #pragma once
 
 #include <cstddef>

@@ -55,7 +55,7 @@ struct FixedPointOptions {
 /// The points in a box, each once, sorted by period, x, y. Newton's method starts in each cell of a grid on whose
 /// corners both components of f^period(z) - z - shift change sign, and at each grid point where its length is least
 /// among its neighbours: every point is found that the grid resolves. Points whose least period divides `period` are
-/// among them. Throws DataError, with the place of the smallest displacement, when there is none.
+/// among them. Throws DataError, with the point of the smallest displacement, when there is none.
 [[nodiscard]] LOBER_API std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
                                                                   const FixedPointOptions& options = {});
 

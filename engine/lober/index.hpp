@@ -1,4 +1,4 @@
-// Curves with a spatial index, for those that occur in many pairs.
+// Curves with a spatial index, which pays for curves that occur in many pairs.
 #pragma once
 
 #include <cstddef>

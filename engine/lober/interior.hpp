@@ -81,7 +81,7 @@ enum class Side : std::uint8_t { outside, on, inside };
 /// point query, O(N), when there is no node.
 [[nodiscard]] LOBER_API Buffer<Side> label_vertices(const Crossings& nodes, int curve);
 
-/// A place on a curve from which on it lies on another side of the other curve (or on the same one again, after a
+/// A position on a curve from which on it lies on another side of the other curve (or on the same one again, after a
 /// touch).
 struct SideChange {
   Position at;

@@ -1,11 +1,12 @@
 // The stable or unstable manifold near a saddle, as a polynomial of high degree with a measured defect.
 //
-// Parameterisation method (Cabre, Fontich & de la Llave 2003): the manifold is a curve P with F(P(s)) = P(lambda s),
-// P(0) the saddle. P is a Chebyshev polynomial on [-r, r] whose coefficients, and lambda with them, solve that equation
-// at twice as many nodes as they are numbers, by Gauss-Newton. It takes nothing of F but values and derivatives, so
-// maps given by formulas and by integrations are treated alike, and errors of the derivative (flows: to the tolerance
-// of the integration) only slow the convergence; the solution belongs to the values. Power series would need F as a
-// series, and converge worse: coefficients of a Chebyshev expansion are of the size of the curve, whatever r.
+// In the parameterisation method (Cabre, Fontich & de la Llave 2003) the manifold is a curve P with
+// F(P(s)) = P(lambda s), P(0) the saddle. P is a Chebyshev polynomial on [-r, r] whose coefficients, and lambda with
+// them, solve that equation at twice as many nodes as they are numbers, by Gauss-Newton. It takes nothing of F but
+// values and derivatives, so maps given by formulas and by integrations are treated alike, and errors of the
+// derivative (flows: to the tolerance of the integration) only slow the convergence; the solution belongs to the
+// values. Power series would need F as a series, and converge worse: coefficients of a Chebyshev expansion are of
+// the size of the curve for any r.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +63,7 @@ struct LocalManifold {
 /// The manifold of the saddle near `guess`, which is refined by Newton's method first. r is the largest (to a factor
 /// of 2^(1/4)) for which defect_across <= e and defect <= |lambda| e, where e is the tolerance, or four times the
 /// smallest defect that could be reached near the saddle if that is larger, as it is when the map is integrated to a
-/// tolerance. Throws DataError with the place when there is no fixed point, when it is not a saddle, or when the map
+/// tolerance. Throws DataError with the point when there is no fixed point, when it is not a saddle, or when the map
 /// cannot be evaluated near it; UsageError for options that make no sense. About 5000 evaluations of the map with
 /// derivative, in parallel.
 [[nodiscard]] LOBER_API LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,

@@ -1,4 +1,4 @@
-// From a map and two saddles to their tangle: manifolds grown as far as they are needed.
+// The tangle of two saddles of a map, with manifolds grown as far as the tangle needs them.
 #pragma once
 
 #include <cstdint>
@@ -68,7 +68,7 @@ struct ManifoldTangle {
 };
 
 /// Grows U from the saddle near connection.from and S from that near connection.to, piece by piece, until the pips from
-/// f^-before(q) to f^after(q) are there. Which pip is the image of which the map itself tells. Throws DataError with
+/// f^-before(q) to f^after(q) are there. The map itself decides which pip is the image of which. Throws DataError with
 /// the reason when the manifolds do not cross within the limits, when they coincide as far as double precision and
 /// the integration show, when the pips found are not those of the manifolds at any tolerance that can be had, when
 /// points or work run out, or the saddles are none; UsageError; Cancelled.

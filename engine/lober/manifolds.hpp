@@ -1,9 +1,9 @@
 // Invariant manifolds grown from their saddle, and images of closed curves, with a bound asked for the distance between
 // the polygon and the curve.
 //
-// Every vertex is F^k(P(s)) for its own s on the local manifold P, nothing is interpolated. Generation 0 is the local
+// Every vertex is F^k(P(s)) for its own s on the local manifold P; nothing is interpolated. Generation 0 is the local
 // manifold itself; generation k is the image of the outermost fundamental segment, reach / |lambda| < s <= reach, under
-// k steps. What the map makes of the points of one generation shows where the next one needs points (trace.hpp); those
+// k steps. The images of the points of one generation show where the next one needs points (trace.hpp); those
 // are computed once each, from their parameter, k steps for a point of generation k, as a bare loop over the final
 // points would. A manifold of an inverse saddle (lambda < 0) swaps sides in each step; it is grown with two steps in
 // one.

@@ -1,4 +1,4 @@
-// A planar map: what curves and manifolds are carried along by. Maps given by formulas, stroboscopic maps of
+// A planar map, which carries curves and manifolds along. Maps given by formulas, stroboscopic maps of
 // time-periodic flows and Poincare maps on a section all look like this.
 #pragma once
 

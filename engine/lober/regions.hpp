@@ -54,7 +54,8 @@ struct RegionCounts {
   IndexKind index = IndexKind::tree;               ///< used for C1 against C2
   SearchCounts search;
   PredicateCounts predicates;
-  std::uint64_t exact_parameters = 0, exact_orders = 0;  ///< crossings placed, and pairs ordered, in exact arithmetic
+  std::uint64_t exact_parameters = 0;  ///< parameters of crossings computed in exact arithmetic
+  std::uint64_t exact_orders = 0;      ///< pairs of crossings ordered in exact arithmetic
 };
 
 /// Seconds of wall time of each phase.

@@ -6,9 +6,8 @@
 // follows from the crossings, exactly ordered along both curves, and from sums along the curves up to each:
 //
 //   pips      a crossing is a pip if none before it along U comes before it along S: records of one sweep.
-//   arcs      the pips q_0, q_1, ... follow each other outward along U and inward along S. They cut U into arcs U_k
-//   from
-//             q_k to q_k+1 and S into arcs S_k between the same pips. Lobe k is bounded by U_k and S_k.
+//   arcs      the pips q_0, q_1, ... follow each other outward along U and inward along S. They cut U into arcs
+//             U_k from q_k to q_k+1 and S into arcs S_k between the same pips. Lobe k is bounded by U_k and S_k.
 //   gap       D(x) = S_U(x) - S_S(x), twice the area swept by U up to x minus that swept by S up to x.
 //   lobe      its signed area is (D(q_k+1) - D(q_k)) / 2: U_k and S_k never meet but in the pips.
 //   overlap   of lobes i and j, with orientations o_i, o_j: o_i o_j / 2 times the sum of rho(x) D(x) over the crossings
@@ -85,7 +84,7 @@ struct LobeLabel {
 struct Images {
   std::uint32_t period = 0;  ///< pips from one to its image; 0: not known, see `reason`
   bool given = false;        ///< by the caller; else inferred from the areas
-  std::string reason;        ///< why the data do not tell the period; empty if they do
+  std::string reason;        ///< why the data do not determine the period; empty if they do
   /// Consistency, both relative to the mean |area| of a lobe: the largest difference in signed area of a lobe and its
   /// image (0 if no image is seen), and the largest sum of signed areas over one period. Both vanish for a map that
   /// preserves areas, but for the discretisation.

@@ -1,4 +1,4 @@
-// Which version of lober this is.
+// The version of lober.
 //
 // The headers in this folder are the interface; what they call private, and the layout of classes, may change with any
 // version. Until 1.0 a new minor version may change the interface, and says so in CHANGELOG.md; shared libraries of

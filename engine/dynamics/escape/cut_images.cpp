@@ -198,7 +198,7 @@ class CutImages::Cutting {
     return at_best;
   }
 
-  // Replaces what lies in the exit by stretches of its regularising curve. False: nothing does.
+  // Replaces what lies in the exit by arcs of its regularising curve. False: nothing does.
   bool cut_at(const Exit& exit) {
     std::vector<char> inside(points_.size());
     for_each_block(points_.size(), 512, [&](std::size_t begin, std::size_t end) {
@@ -212,7 +212,7 @@ class CutImages::Cutting {
       if (inside[k] && !inside[next]) leaves.push_back(k);
     }
     if (leaves.empty()) return false;
-    // Begin with a way out, so that stretches are leaves[i] ... enters[i].
+    // Begin with a way out, so that arcs are leaves[i] ... enters[i].
     if (enters[0] < leaves[0]) std::rotate(enters.begin(), enters.begin() + 1, enters.end());
     std::vector<Crossing> out(leaves.size()), in(leaves.size());
     for_each_block(2 * leaves.size(), 1, [&](std::size_t k, std::size_t) {

@@ -6,7 +6,7 @@
 // cut off at a regularising curve that f can carry over: X_I holds X and a strip around it, made of the trajectories
 // with s w = I next to the orbit (s, w the parameters of its local manifolds, whose product the return map keeps).
 // These cross the section in a closed curve about X on their way to the orbit, and in one about E on their way back.
-// The boundary of A is followed outside X_I; a stretch within is replaced by one along the regularising curve, in such
+// The boundary of A is followed outside X_I; an arc within is replaced by one along the regularising curve, in such
 // a way that the whole winds about X zero times. That is the boundary of A \ X_I for every count that weighs area by
 // winding numbers, and its image is as good. Cut off is at most the area of the strip, each time.
 #pragma once

@@ -89,7 +89,7 @@ class Builder {
     return so_far + seconds > options_.budget ? EscapeStop::budget : EscapeStop::done;
   }
 
-  // What to tell while images of this number are made.
+  // What is reported while images of this number are made.
   [[nodiscard]] EscapeWork work(int images) const {
     const int left = std::max(1, options_.crossings + 1 - images);
     return {images, watch_.seconds() + cost_.sum(left), watch_};
@@ -129,7 +129,7 @@ class Builder {
     });
   }
 
-  // What the curves that there are can tell of the rows and has not been told yet.
+  // What the curves determine of the rows and has not been reported yet.
   void measure() {
     for_each_block(result_.table.size(), 1, [&](std::size_t k, std::size_t) { measure(result_.table[k]); });
   }

@@ -24,7 +24,7 @@ double norm(const FlowState& state) {
   return std::hypot(std::hypot(state[0], state[1]), std::hypot(state[2], state[3]));
 }
 
-std::string place(const FlowState& state) {
+std::string format_state(const FlowState& state) {
   return "(" + std::to_string(state[0]) + ", " + std::to_string(state[1]) + ", " + std::to_string(state[2]) + ", " +
          std::to_string(state[3]) + ")";
 }
@@ -45,7 +45,7 @@ FlowState equilibrium(const Flow& flow, const FlowState& guess) {
     for (std::size_t k = 0; k < 4; ++k) x[k] -= step[k];
   }
   if (!(least <= 1e-10 * (1 + norm(best)))) {
-    throw DataError("no equilibrium of the flow was found near " + place(guess));
+    throw DataError("no equilibrium of the flow was found near " + format_state(guess));
   }
   return best;
 }
@@ -85,7 +85,7 @@ SaddlePoint saddle_point(const Flow& flow, const FlowState& guess) {
     }
   }
   if (reals != 2 || imaginaries != 2 || real == nullptr || imaginary == nullptr) {
-    throw DataError("the equilibrium " + place(saddle.at) + " is not a saddle of rank 1");
+    throw DataError("the equilibrium " + format_state(saddle.at) + " is not a saddle of rank 1");
   }
   saddle.rate = real->value.real();
   saddle.frequency = imaginary->value.imag();

@@ -13,16 +13,16 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// The points of an orbit on one manifold from `place` towards the saddle, until they are the saddle: one step of the
+// The points of an orbit on one manifold from `position` towards the saddle, until they are the saddle: one step of the
 // map (forward or back) apart.
-std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
+std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& local, ManifoldPosition position) {
   const LocalManifold::Image image = local.image();
   const int direction = image.steps > 0 ? 1 : -1, stride = image.steps * direction;
   std::vector<Point> points;
   // From P(parameter) outwards to the point itself.
-  Point at = local.at(place.parameter);
+  Point at = local.at(position.parameter);
   std::vector<Point> outwards{at};
-  for (int k = 0; k < place.images * stride; ++k) {
+  for (int k = 0; k < position.images * stride; ++k) {
     map.iterate({&at, 1}, direction);
     outwards.push_back(at);
   }
@@ -30,7 +30,7 @@ std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& loc
   // And inwards along P, where errors shrink.
   constexpr int max_images = 4000;
   constexpr double gone = 1e-22;
-  double s = place.parameter;
+  double s = position.parameter;
   for (int k = 0; k < max_images && std::fabs(s) > gone * local.reach; ++k) {
     s /= image.factor;
     at = local.at(s);
@@ -80,27 +80,27 @@ std::optional<long double> half_action(const PlanarMap& map, const LocalManifold
 
 }  // namespace
 
-MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPlace place) {
+MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPosition position) {
   Matrix2 d;
-  const Point start = local.at(place.parameter), v = local.slope(place.parameter);
-  const Point at = map.iterate_with_derivative(start, place.images * local.image().steps, d);
+  const Point start = local.at(position.parameter), v = local.slope(position.parameter);
+  const Point at = map.iterate_with_derivative(start, position.images * local.image().steps, d);
   return {at, {d.xx * v.x + d.xy * v.y, d.yx * v.x + d.yy * v.y}};
 }
 
-ManifoldPlace normalised(const LocalManifold& local, ManifoldPlace place) {
+ManifoldPosition normalised(const LocalManifold& local, ManifoldPosition position) {
   const double factor = local.image().factor;
-  while (std::fabs(place.parameter) > local.reach) {
-    place.parameter /= factor;
-    ++place.images;
+  while (std::fabs(position.parameter) > local.reach) {
+    position.parameter /= factor;
+    ++position.images;
   }
-  while (place.images > 0 && std::fabs(place.parameter) * factor <= local.reach) {
-    place.parameter *= factor;
-    --place.images;
+  while (position.images > 0 && std::fabs(position.parameter) * factor <= local.reach) {
+    position.parameter *= factor;
+    --position.images;
   }
-  return place;
+  return position;
 }
 
-ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local, Position position) {
+ManifoldPosition position_on(const GrownManifold& grown, const LocalManifold& local, Position position) {
   const auto generation_of = [&](std::size_t vertex) {
     const auto after = std::upper_bound(grown.generation_begin.begin(), grown.generation_begin.end(), vertex);
     return static_cast<int>(after - grown.generation_begin.begin()) - 1;
@@ -114,7 +114,7 @@ ManifoldPlace place_on(const GrownManifold& grown, const LocalManifold& local, P
 }
 
 ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
-                                 ManifoldPlace u, ManifoldPlace s) {
+                                 ManifoldPosition u, ManifoldPosition s) {
   u = normalised(unstable, u);
   s = normalised(stable, s);
   ConnectingOrbit best;

@@ -20,10 +20,10 @@ class DisplacementGrid {
   DisplacementGrid(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options)
       : box_(box), side_(static_cast<std::size_t>(options.grid)), gaps_(side_ * side_) {
     for_each_block(gaps_.size(), 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) gaps_[k] = place(k);
+      for (std::size_t k = begin; k < end; ++k) gaps_[k] = grid_point(k);
       map.iterate(std::span(gaps_).subspan(begin, end - begin), options.period);
       for (std::size_t k = begin; k < end; ++k) {
-        const Point z = place(k);
+        const Point z = grid_point(k);
         gaps_[k] = {gaps_[k].x - z.x - options.shift.x, gaps_[k].y - z.y - options.shift.y};
       }
     });
@@ -35,10 +35,10 @@ class DisplacementGrid {
     for (std::size_t j = 0; j < side_; ++j) {
       for (std::size_t i = 0; i < side_; ++i) {
         if (i + 1 < side_ && j + 1 < side_ && both_change_sign(i, j)) {
-          const Point low = place(j * side_ + i), high = place((j + 1) * side_ + i + 1);
+          const Point low = grid_point(j * side_ + i), high = grid_point((j + 1) * side_ + i + 1);
           result.push_back({0.5 * (low.x + high.x), 0.5 * (low.y + high.y)});
         }
-        if (least_among_neighbours(i, j)) result.push_back(place(j * side_ + i));
+        if (least_among_neighbours(i, j)) result.push_back(grid_point(j * side_ + i));
       }
     }
     return result;
@@ -52,11 +52,11 @@ class DisplacementGrid {
     const auto least = std::min_element(gaps_.begin(), gaps_.end(), [](Point a, Point b) {
       return is_finite(a) && (!is_finite(b) || length(a) < length(b));
     });
-    return {place(static_cast<std::size_t>(least - gaps_.begin())), length(*least)};
+    return {grid_point(static_cast<std::size_t>(least - gaps_.begin())), length(*least)};
   }
 
  private:
-  [[nodiscard]] Point place(std::size_t k) const {
+  [[nodiscard]] Point grid_point(std::size_t k) const {
     const std::size_t column = k % side_, row = k / side_;
     const double steps = static_cast<double>(side_ - 1);
     return {box_.min_x + box_.width() * (static_cast<double>(column) / steps),

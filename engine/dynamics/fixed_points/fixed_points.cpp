@@ -107,12 +107,12 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle&
     }
   }
   if (result.empty()) {
-    const auto [place, least] = grid.nearest();
+    const auto [point, least] = grid.nearest();
     throw DataError(
         "no point of period " + std::to_string(options.period) + " in [" + format_number(box.min_x) + ", " +
         format_number(box.max_x) + "] x [" + format_number(box.min_y) + ", " + format_number(box.max_y) + "]: " +
         (std::isnan(least) ? "no point of the box has an image"
-                           : "the displacement is least, " + format_number(least) + ", at " + format_point(place)));
+                           : "the displacement is least, " + format_number(least) + ", at " + format_point(point)));
   }
   std::sort(result.begin(), result.end(), [](const FixedPoint& a, const FixedPoint& b) {
     return std::tuple(a.period, a.at.x, a.at.y) < std::tuple(b.period, b.at.x, b.at.y);

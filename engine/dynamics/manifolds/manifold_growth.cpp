@@ -219,8 +219,8 @@ std::optional<Trace> ManifoldGrowth::traced_piece(Samples guide, int generation)
   TraceOptions options = trace_options_;
   const auto steps = static_cast<std::uint64_t>(std::max(1, generation * std::abs(steps_)));
   const std::uint64_t images_left = options_.max_images - std::min(options_.max_images, result_.images);
-  const std::size_t room = max_points_ - std::min(max_points_, result_.points.size());
-  options.max_points = static_cast<std::size_t>(std::min<std::uint64_t>(room, images_left / steps));
+  const std::size_t points_left = max_points_ - std::min(max_points_, result_.points.size());
+  options.max_points = static_cast<std::size_t>(std::min<std::uint64_t>(points_left, images_left / steps));
   if (options.max_points < 2) {
     points_needed_ = static_cast<double>(guide.points.size());
     return std::nullopt;

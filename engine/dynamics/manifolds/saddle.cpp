@@ -21,7 +21,7 @@ std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point 
 
 // The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. Of
 // the map and its inverse one may see it from where the other does not.
-Point saddle_place(const PlanarMap& map, int steps, Point guess) {
+Point refined_saddle(const PlanarMap& map, int steps, Point guess) {
   const std::optional<Point> own = refined_fixed_point(map, steps, guess);
   const std::optional<Point> forward = steps > 0 ? own : refined_fixed_point(map, -steps, guess);
   if (!own && !forward) throw DataError("no fixed point of the map was found near " + format_point(guess));
@@ -34,7 +34,7 @@ Point saddle_place(const PlanarMap& map, int steps, Point guess) {
 
 Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
   FixedPoint saddle;
-  saddle.at = saddle_place(map, steps, guess);
+  saddle.at = refined_saddle(map, steps, guess);
   if (!is_finite(map.iterate_with_derivative(saddle.at, steps, saddle.derivative))) {
     throw DataError("the map cannot be evaluated at its fixed point " + format_point(saddle.at));
   }

@@ -7,7 +7,7 @@
 
 #include "engine/base/parallel/insertion.hpp"
 #include "engine/base/parallel/running_sums.hpp"
-#include "engine/dynamics/manifolds/segment_needs.hpp"
+#include "engine/dynamics/manifolds/segment_requirements.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/point.hpp"
 
@@ -46,7 +46,7 @@ class Tracer {
     verdicts_.assign(segments(), open);
     while (rounds_ < options_.max_rounds && insert_where([&](const TracedSegment& s) { return guided(s); })) {
     }
-    if (!abandoned()) place_evenly();
+    if (!abandoned()) resample_evenly();
     verdicts_.assign(segments(), open);
     while (!abandoned() && rounds_ < options_.max_rounds &&
            insert_where([&](const TracedSegment& s) { return judged(s); })) {
@@ -84,11 +84,11 @@ class Tracer {
   // Calls body(segment) for begin <= k < end in order.
   template <typename Body>
   void for_segments(std::size_t begin, std::size_t end, const Body& body) const {
-    SegmentNeeds needs;
-    for (; begin < end; begin = std::min(begin + SegmentNeeds::most, end)) {
-      const std::size_t until = std::min(begin + SegmentNeeds::most, end);
-      needs.measure(samples_, corners(), options_, begin, until);
-      for (std::size_t k = begin; k < until; ++k) body(needs[k]);
+    SegmentRequirements requirements;
+    for (; begin < end; begin = std::min(begin + SegmentRequirements::most, end)) {
+      const std::size_t until = std::min(begin + SegmentRequirements::most, end);
+      requirements.measure(samples_, corners(), options_, begin, until);
+      for (std::size_t k = begin; k < until; ++k) body(requirements[k]);
     }
   }
 
@@ -103,14 +103,16 @@ class Tracer {
     if (what != Kind::ordinary) return 1;
     if (segment.unknown) return allowed(segment, 4);
     const bool sharp = segment.curvature * segment.length > sharpest_guide;
-    if (segment.need > coarsest_guide) return allowed(segment, 2 * segment.need / coarsest_guide);
-    return sharp && segment.need > 1 ? allowed(segment, 2) : 1;
+    if (segment.required_parts > coarsest_guide) return allowed(segment, 2 * segment.required_parts / coarsest_guide);
+    return sharp && segment.required_parts > 1 ? allowed(segment, 2) : 1;
   }
 
   [[nodiscard]] std::uint32_t parts_for_tolerance(const TracedSegment& segment, Kind what) const {
     if (what == Kind::edge) return 2;
     if (what != Kind::ordinary) return 1;
-    return segment.need > caution ? allowed(segment, segment.need * reserve) : segment.uneven ? allowed(segment, 2) : 1;
+    return segment.required_parts > caution ? allowed(segment, segment.required_parts * reserve)
+           : segment.uneven                 ? allowed(segment, 2)
+                                            : 1;
   }
 
   // What is known of a segment: nothing, that it is fine (for the guide, or once points are placed), or else fine + 1 +
@@ -120,7 +122,7 @@ class Tracer {
   [[nodiscard]] Verdict verdict(const TracedSegment& segment, Kind what) const {
     GrowthDiagnosticCause cause = GrowthDiagnosticCause::max_rounds;
     if (what == Kind::ordinary) {
-      if (!(segment.need > 1)) return fine;
+      if (!(segment.required_parts > 1)) return fine;
       if (gap(segment.number) < 2 * options_.min_spacing) cause = GrowthDiagnosticCause::spacing;
     } else {
       cause = what == Kind::outside ? GrowthDiagnosticCause::left_box : GrowthDiagnosticCause::failed;
@@ -157,7 +159,7 @@ class Tracer {
     }
   }
 
-  // One round: false when there was nothing to insert, or no room.
+  // One round: false when there was nothing to insert, or max_points is reached.
   template <typename Parts>
   bool insert_where(const Parts& parts) {
     Buffer<std::uint32_t> more(segments());  // points to put into each segment
@@ -238,36 +240,36 @@ class Tracer {
     }
     std::size_t k = 0;
     while (k < broken.size() && broken[k] + 1 + begin[k + 1] <= options_.max_points) ++k;
-    // Up to broken[k] nothing exceeds; leave room for what the next rounds add there.
+    // Up to broken[k] nothing exceeds; leave points for what the next rounds add there.
     const std::size_t size = std::max<std::size_t>(
         2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)], options_.max_points - begin[k]));
     truncate(std::min(size, samples_.points.size() - 1));
   }
 
-  // The points of the guide give way to points of equal need, but for those that are kept.
-  void place_evenly() {
-    Buffer<double> need(segments());
+  // The points of the guide give way to points that are spaced evenly by `required`, but for those that are kept.
+  void resample_evenly() {
+    Buffer<double> required(segments());
     for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
       for_segments(first, last, [&](const TracedSegment& segment) {
         const Kind what = kind(segment.number);
         // Outside the box nothing is asked for: the guide itself, simplified.
-        double parts = what == Kind::ordinary ? segment.need * reserve : what == Kind::edge ? 1 : 0.5;
+        double parts = what == Kind::ordinary ? segment.required_parts * reserve : what == Kind::edge ? 1 : 0.5;
         parts = std::min(parts, gap(segment.number) / std::max(options_.min_spacing, 1e-300));
-        need[segment.number] = parts;
+        required[segment.number] = parts;
       });
     });
-    end_by_length(need);
+    end_by_length(required);
     if (abandoned()) return;
     std::vector<std::uint32_t> known;
-    const Buffer<double> place = places(need, known);
-    const auto size = static_cast<std::size_t>(place.back()) + 1;
+    const Buffer<double> index = new_indices(required, known);
+    const auto size = static_cast<std::size_t>(index.back()) + 1;
     Samples even{Buffer<double>(size), Buffer<Point>(size)};
     for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) place_in(k, need, place, even.parameters);
+      for (std::size_t k = first; k < last; ++k) fill_segment(k, required, index, even.parameters);
     });
-    for (std::uint32_t& k : kept_) k = static_cast<std::uint32_t>(place[k]);
+    for (std::uint32_t& k : kept_) k = static_cast<std::uint32_t>(index[k]);
     for (std::uint32_t& k : known) {
-      const auto number = static_cast<std::uint32_t>(place[k]);
+      const auto number = static_cast<std::uint32_t>(index[k]);
       even.points[number] = samples_.points[k];
       even.parameters[number] = samples_.parameters[k];
       k = number;
@@ -277,7 +279,7 @@ class Tracer {
   }
 
   // Cuts what lies beyond the length asked for. Chords are shorter than the curve, so enough remains.
-  void end_by_length(Buffer<double>& need) {
+  void end_by_length(Buffer<double>& required) {
     if (options_.max_total_length < std::numeric_limits<double>::infinity()) {
       double length = 0;
       std::size_t k = 0;
@@ -290,66 +292,66 @@ class Tracer {
     }
     double points = 1 + static_cast<double>(kept_.size());
     if (!options_.cut) {
-      for (std::size_t k = 0; k < segments(); ++k) points += need[k];
+      for (std::size_t k = 0; k < segments(); ++k) points += required[k];
       if (points > static_cast<double>(options_.max_points)) {
         trace_.out_of_points = true;
         trace_.points_needed = points;
       }
-      need.resize(segments());
+      required.resize(segments());
       return;
     }
     for (std::size_t k = 0; k < segments(); ++k) {
-      points += need[k];
+      points += required[k];
       if (points > static_cast<double>(options_.max_points)) {
         trace_.out_of_points = true;
         truncate(std::max<std::size_t>(k, 1) + 1);
         break;
       }
     }
-    need.resize(segments());
+    required.resize(segments());
   }
 
-  // Where each point of the guide comes to lie among the numbers of the new points: kept ones on whole numbers, and
+  // The index of each point of the guide among the new points, not whole in general: kept ones get whole numbers, and
   // others too where that takes little stretching, so that their images need not be computed again. `known` receives
   // the numbers of both.
-  [[nodiscard]] Buffer<double> places(const Buffer<double>& need, std::vector<std::uint32_t>& known) const {
-    Buffer<double> place(samples_.points.size());
+  [[nodiscard]] Buffer<double> new_indices(const Buffer<double>& required, std::vector<std::uint32_t>& known) const {
+    Buffer<double> index(samples_.points.size());
     double begin = 0;
     known.assign(1, 0);
     std::size_t first = 0;  // the last known one
     double sum = 0;
-    for (std::size_t k = 0, j = 1; k + 1 < place.size(); ++k) {
-      place[k] = sum;
-      sum += need[k];
+    for (std::size_t k = 0, j = 1; k + 1 < index.size(); ++k) {
+      index[k] = sum;
+      sum += required[k];
       const bool stays = k + 1 == kept_[j];
       if (stays) ++j;
       const double parts = std::max(1.0, stays ? std::ceil(sum) : std::round(sum));
       if (!stays && !(std::fabs(parts - sum) <= max_stretching * sum)) continue;
       const double scale = sum > 0 ? parts / sum : 0;
-      for (std::size_t i = first; i <= k; ++i) place[i] = begin + std::min(place[i] * scale, parts);
+      for (std::size_t i = first; i <= k; ++i) index[i] = begin + std::min(index[i] * scale, parts);
       begin += parts;
       first = k + 1;
       sum = 0;
       known.push_back(static_cast<std::uint32_t>(first));
     }
-    place.back() = begin;
-    return place;
+    index.back() = begin;
+    return index;
   }
 
   // The new points whose numbers fall into segment k of the guide. The density varies linearly along the segment,
   // from that around its first end to that around the other.
-  void place_in(std::size_t k, const Buffer<double>& need, const Buffer<double>& place,
-                Buffer<double>& parameters) const {
-    const double begin = std::ceil(place[k]), end = place[k + 1];
+  void fill_segment(std::size_t k, const Buffer<double>& required, const Buffer<double>& index,
+                    Buffer<double>& parameters) const {
+    const double begin = std::ceil(index[k]), end = index[k + 1];
     if (!(begin < end)) return;
-    const auto density = [&](std::size_t i, std::size_t j) { return (need[i] + need[j]) / (gap(i) + gap(j)); };
+    const auto density = [&](std::size_t i, std::size_t j) { return (required[i] + required[j]) / (gap(i) + gap(j)); };
     const double own = density(k, k);
     const double low = own / 4, high = own * 4;
     const double a = k > 0 && !is_corner(k) ? std::clamp(density(k - 1, k), low, high) : own;
     const double b = k + 1 < segments() && !is_corner(k + 1) ? std::clamp(density(k, k + 1), low, high) : own;
-    const double width = end - place[k];
+    const double width = end - index[k];
     for (auto number = static_cast<std::size_t>(begin); static_cast<double>(number) < end; ++number) {
-      const double part = (static_cast<double>(number) - place[k]) / width;
+      const double part = (static_cast<double>(number) - index[k]) / width;
       const double t = own > 0 ? part * (a + b) / (a + std::sqrt(a * a + (b - a) * (b + a) * part)) : part;
       parameters[number] = samples_.parameters[k] + gap(k) * t;
     }

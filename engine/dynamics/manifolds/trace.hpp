@@ -36,7 +36,7 @@ struct TraceOptions {
   double max_total_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
   std::uint32_t max_rounds = 40;
   std::size_t batch = 64;
-  std::function<void(std::size_t)> evaluated;  ///< told the number of further evaluations; may throw to cancel
+  std::function<void(std::size_t)> evaluated;  ///< called with the number of further evaluations; may throw to cancel
 };
 
 struct Trace {

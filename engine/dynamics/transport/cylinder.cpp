@@ -57,9 +57,9 @@ std::vector<Point> wrapped(const Cylinder& cylinder, const PlanarMap& map, const
       points[first[k]] = grown.points[k];
       for (std::uint32_t part = 1; part < parts[k]; ++part) {
         const double t = static_cast<double>(part) / parts[k];
-        const ManifoldPlace place = place_on(grown, local, {static_cast<std::uint32_t>(k), t});
-        Point at = local.at(place.parameter);
-        map.iterate({&at, 1}, place.images * local.image().steps);
+        const ManifoldPosition position = position_on(grown, local, {static_cast<std::uint32_t>(k), t});
+        Point at = local.at(position.parameter);
+        map.iterate({&at, 1}, position.images * local.image().steps);
         const Point a = grown.points[k], b = grown.points[k + 1];
         const Point chord{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
         // Far out, where manifolds are followed coarsely, segments stay what they are.

@@ -120,18 +120,18 @@ class Counter {
     for_each_block(points.size(), grain, [&](std::size_t begin, std::size_t end) {
       const std::span<Point> some = std::span(points).subspan(begin, end - begin);
       map_.iterate(some, direction);
-      std::vector<Point> places;
+      std::vector<Point> positions;
       std::vector<std::uint64_t>& here = counts[begin / grain];
       for (const Point at : some) {
         if (!std::isfinite(at.x) || !std::isfinite(at.y)) {
           ++here[outside()];
         } else {
-          places.push_back(cylinder_ != nullptr ? cylinder_->wrap(at) : at);
+          positions.push_back(cylinder_ != nullptr ? cylinder_->wrap(at) : at);
           // Below what the cylinder was cut at.
-          if (!std::isfinite(places.back().x)) places.back() = {0, 0};
+          if (!std::isfinite(positions.back().x)) positions.back() = {0, 0};
         }
       }
-      for (const std::size_t region : locate(places)) ++here[region];
+      for (const std::size_t region : locate(positions)) ++here[region];
     });
     std::vector<std::uint64_t> sums(partition_.size());
     for (const auto& here : counts) {

@@ -21,7 +21,7 @@ constexpr double tolerances_wide = 10;
 // Throws DataError where the manifolds coincide.
 std::optional<double> TangleGrowth::tolerance_for_splitting() {
   if (!splitting_) {
-    const auto [u, s] = places_of(bip_);
+    const auto [u, s] = positions_of(bip_);
     splitting_ = splitting(map_, u_.local, s_.local, u, s);
   }
   if (!splitting_) return std::nullopt;
@@ -68,7 +68,7 @@ std::string TangleGrowth::trouble_with_pips() {
   orbits_.clear();
   try {
     for (std::size_t k = bip_ - period_; k <= bip_; ++k) {
-      const auto [u, s] = places_of(k);
+      const auto [u, s] = positions_of(k);
       orbits_.push_back(connecting_orbit(map_, u_.local, s_.local, u, s));
     }
   } catch (const DataError& error) {
@@ -97,11 +97,12 @@ std::string TangleGrowth::trouble_with_pips() {
 
 // "; by action ..." where the orbits through the zeros of the splitting are found.
 std::string TangleGrowth::by_action() const {
-  if (!splitting_ || splitting_->coincide() || splitting_->places.size() < 2) return {};
+  if (!splitting_ || splitting_->coincide() || splitting_->near_zeros.size() < 2) return {};
   std::string text;
   try {
     std::vector<ConnectingOrbit> orbits;
-    for (const auto& [u, s] : splitting_->places) orbits.push_back(connecting_orbit(map_, u_.local, s_.local, u, s));
+    for (const auto& [u, s] : splitting_->near_zeros)
+      orbits.push_back(connecting_orbit(map_, u_.local, s_.local, u, s));
     for (std::size_t k = 0; k + 1 < orbits.size(); ++k) {
       const auto area = lobe_area_by_action(orbits[k], orbits[k + 1]);
       if (!area) return {};

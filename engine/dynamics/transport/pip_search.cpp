@@ -112,22 +112,22 @@ bool TangleGrowth::newest_meets(const Side& one, const Side& other) {
   return false;
 }
 
-std::size_t TangleGrowth::nearest(Point place) const {
+std::size_t TangleGrowth::nearest(Point point) const {
   const auto at = std::min_element(found_.pips.begin(), found_.pips.end(), [&](const Pip& x, const Pip& y) {
-    return distance(x.at, place) < distance(y.at, place);
+    return distance(x.at, point) < distance(y.at, point);
   });
   return static_cast<std::size_t>(at - found_.pips.begin());
 }
 
-std::pair<ManifoldPlace, ManifoldPlace> TangleGrowth::places_of(std::size_t pip) const {
-  return {place_on(u_.growth->grown(), u_.local, found_.pips[pip].u),
-          place_on(s_.growth->grown(), s_.local, found_.pips[pip].s)};
+std::pair<ManifoldPosition, ManifoldPosition> TangleGrowth::positions_of(std::size_t pip) const {
+  return {position_on(u_.growth->grown(), u_.local, found_.pips[pip].u),
+          position_on(s_.growth->grown(), s_.local, found_.pips[pip].s)};
 }
 
 // How many images a pip is away from the end of the local manifold: f adds 1 along U and takes 1 away along S, whatever
 // the map.
 TangleGrowth::Time TangleGrowth::time_of_pip(std::size_t pip) const {
-  const auto [u, s] = places_of(pip);
+  const auto [u, s] = positions_of(pip);
   return {time_of(u_.local, u), time_of(s_.local, s)};
 }
 

@@ -10,7 +10,7 @@
 namespace lober::detail {
 namespace {
 
-// Places on U within one iterate.
+// Positions on U within one iterate.
 constexpr std::size_t samples = 64;
 // Steps of Newton's method for the point of S opposite to one of U.
 constexpr int max_rounds = 12;
@@ -20,13 +20,13 @@ constexpr double close_along = 1e-11;
 constexpr double least_cosine = 0.2;
 
 struct Opposite {
-  ManifoldPlace u, s;
+  ManifoldPosition u, s;
   double distance = 0;  // signed, positive to the left of U
 };
 
 // The point of S on the normal of U at x, from the time `time_s` on.
 std::optional<Opposite> opposite(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
-                                 ManifoldPlace u, ManifoldPlace s) {
+                                 ManifoldPosition u, ManifoldPosition s) {
   const MovingPoint on_u = point_on(map, unstable, u);
   const double speed = length(on_u.velocity);
   if (!(speed > 0) || !std::isfinite(speed)) return std::nullopt;
@@ -67,28 +67,28 @@ double roughness(const std::array<Opposite, samples + 1>& at) {
 
 }  // namespace
 
-double time_of(const LocalManifold& local, ManifoldPlace place) {
-  return place.images + std::log(std::fabs(place.parameter) / local.reach) / std::log(local.image().factor);
+double time_of(const LocalManifold& local, ManifoldPosition position) {
+  return position.images + std::log(std::fabs(position.parameter) / local.reach) / std::log(local.image().factor);
 }
 
-ManifoldPlace place_at(const LocalManifold& local, double time, double side) {
+ManifoldPosition position_at(const LocalManifold& local, double time, double side) {
   const int images = std::max(0, static_cast<int>(std::ceil(time)));
   return {images, std::copysign(local.reach * std::pow(local.image().factor, time - images), side)};
 }
 
 std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
-                                   ManifoldPlace u, ManifoldPlace s) {
+                                   ManifoldPosition u, ManifoldPosition s) {
   const double middle_u = time_of(unstable, u), middle_s = time_of(stable, s);
   // Sample k is at the time middle_u + (k + 1/2 - half) / samples: half a step off, so that the pip itself is not among
-  // them. From the pip towards either end; each place on S is guessed from the one before.
+  // them. From the pip towards either end; each position on S is guessed from the one before.
   constexpr std::size_t half = samples / 2;
   std::array<Opposite, samples + 1> at;
   const auto walk = [&](std::size_t first, int direction) {
     double time_u = middle_u, time_s = middle_s, rate = -1;                                // of time on S by time on U
     for (std::size_t k = first; k <= samples; k += static_cast<std::size_t>(direction)) {  // below 0 it is large
       const double next = middle_u + (static_cast<double>(k) + 0.5 - half) / samples;
-      const auto found = opposite(map, unstable, stable, place_at(unstable, next, u.parameter),
-                                  place_at(stable, time_s + rate * (next - time_u), s.parameter));
+      const auto found = opposite(map, unstable, stable, position_at(unstable, next, u.parameter),
+                                  position_at(stable, time_s + rate * (next - time_u), s.parameter));
       if (!found) return false;
       const double now = time_of(stable, found->s);
       rate = (now - time_s) / (next - time_u);
@@ -113,7 +113,7 @@ std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& un
     result.largest = std::max(result.largest, std::fabs(d));
     if (k > 0 && d * at[k - 1].distance < 0) {
       ++result.zeros;
-      result.places.emplace_back(at[k].u, at[k].s);
+      result.near_zeros.emplace_back(at[k].u, at[k].s);
       lobes.push_back(lobe);
       lobe = 0;
     }

@@ -22,7 +22,7 @@ struct Splitting {
   double defect = 0;      ///< of the local manifolds: what d may be off by everywhere
   std::size_t zeros = 0;  ///< sign changes of d within one iterate
   /// Near the zeros, on U and on S, outward along U.
-  std::vector<std::pair<ManifoldPlace, ManifoldPlace>> places;
+  std::vector<std::pair<ManifoldPosition, ManifoldPosition>> near_zeros;
 
   /// Whether what there is of d is noise or the defect: the manifolds coincide as far as can be seen.
   [[nodiscard]] bool coincide() const {
@@ -30,14 +30,14 @@ struct Splitting {
   }
 };
 
-/// The splitting on one iterate of U about the place `u`, where S is at the place `s`. Nothing where S is not a
+/// The splitting on one iterate of U about the position `u`, where S is at the position `s`. Nothing where S is not a
 /// graph over U there, as is usual when it is large. About a thousand steps of the map, with derivatives.
 [[nodiscard]] std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& unstable,
-                                                 const LocalManifold& stable, ManifoldPlace u, ManifoldPlace s);
+                                                 const LocalManifold& stable, ManifoldPosition u, ManifoldPosition s);
 
 /// Time along a manifold, in its images: 0 at the end of the local manifold.
-[[nodiscard]] double time_of(const LocalManifold& local, ManifoldPlace place);
-/// The place at a time, in the outermost fundamental segment unless the time is negative.
-[[nodiscard]] ManifoldPlace place_at(const LocalManifold& local, double time, double side);
+[[nodiscard]] double time_of(const LocalManifold& local, ManifoldPosition position);
+/// The position at a time, in the outermost fundamental segment unless the time is negative.
+[[nodiscard]] ManifoldPosition position_at(const LocalManifold& local, double time, double side);
 
 }  // namespace lober::detail

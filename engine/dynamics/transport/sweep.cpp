@@ -131,7 +131,7 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
     SweepZero zero;
     zero.low = first.value;
     zero.high = last.value;
-    // The chord; no more than a place to look at.
+    // The chord; no more than a value to start from.
     zero.value = first.value - first.difference * (last.value - first.value) / (last.difference - first.difference);
     zero.width = std::fabs(last.value - first.value);
     zero.difference = unknown;

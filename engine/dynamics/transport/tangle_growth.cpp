@@ -73,7 +73,7 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
     if (++refined > max_refinements || tolerance_ / 10 < finest_) throw DataError(trouble + by_action());
     tolerance = tolerance_ / 10;
   }
-  // From here on the bip is this one, whatever other pips further images show nearer to the place that was asked for.
+  // From here on the bip is this one, whatever other pips further images show nearer to the point that was asked for.
   near_ = orbits_.back().at;
   constexpr double meant = 0.3;  // relative to how far the bip is from its saddles
   const double far = std::max(distance(*near_, u_.local.saddle), distance(*near_, s_.local.saddle));

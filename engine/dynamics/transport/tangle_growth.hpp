@@ -69,8 +69,8 @@ class TangleGrowth {
   bool find_turnstile(std::string& trouble);
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
-  [[nodiscard]] std::size_t nearest(Point place) const;
-  [[nodiscard]] std::pair<ManifoldPlace, ManifoldPlace> places_of(std::size_t pip) const;
+  [[nodiscard]] std::size_t nearest(Point point) const;
+  [[nodiscard]] std::pair<ManifoldPosition, ManifoldPosition> positions_of(std::size_t pip) const;
   [[nodiscard]] Time time_of_pip(std::size_t pip) const;
   [[nodiscard]] std::optional<std::size_t> image_of_bip(int steps, double close) const;
   [[nodiscard]] std::optional<double> tolerance_for_splitting();

@@ -59,7 +59,7 @@ class Builder {
 
  private:
   // A boundary as the series sees it; on a cylinder both curves there, and their tangle.
-  struct Place {
+  struct SeriesBoundary {
     std::vector<Point> wrapped_u, wrapped_s;
     std::unique_ptr<Tangle> wrapped;
     Barrier barrier;
@@ -82,7 +82,7 @@ class Builder {
     growth.bip_near = options_.bip_near;
     for (const Connection& one : connections) {
       growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth));
-      places_.emplace_back();
+      boundaries_.emplace_back();
       result_.boundaries.emplace_back().connection = one;
       growth.bip_near.reset();
     }
@@ -162,9 +162,9 @@ class Builder {
   void set_barriers(int n) {
     if (!(options_.lattice == Point{})) set_cylinder();
     for (std::size_t c = 0; c < growths_.size(); ++c) {
-      Place& place = places_[c];
+      SeriesBoundary& boundary = boundaries_[c];
       const ManifoldTangle& manifolds = growths_[c]->current();
-      Barrier& barrier = place.barrier;
+      Barrier& barrier = boundary.barrier;
       barrier.tangle = &manifolds.tangle;
       barrier.bip = manifolds.bip;
       barrier.period = manifolds.period();
@@ -180,13 +180,13 @@ class Builder {
         // their error estimates: by up to a thousandth of the tolerance, measured on the standard map for K = 0.4 to 5.
         constexpr double unevenness = 2e-3;
         barrier.curve_error += unevenness * manifolds.tolerance;
-        wrap(place, manifolds, n);
+        wrap(boundary, manifolds, n);
       }
     }
   }
   [[nodiscard]] std::vector<Barrier> barriers() const {
     std::vector<Barrier> list;
-    for (const Place& place : places_) list.push_back(place.barrier);
+    for (const SeriesBoundary& boundary : boundaries_) list.push_back(boundary.barrier);
     return list;
   }
 
@@ -207,11 +207,11 @@ class Builder {
   }
 
   // The tangle on the cylinder, as fine as it takes for polygons to have the pips there that the plane has.
-  void wrap(Place& place, const ManifoldTangle& manifolds, int n) {
+  void wrap(SeriesBoundary& boundary, const ManifoldTangle& manifolds, int n) {
     constexpr int max_refinements = 5;
     for (int k = 0; k <= max_refinements; ++k) {
-      wrap_to(place, manifolds, manifolds.tolerance / std::pow(10, k));
-      if (has_pips_of_plane(place, manifolds, n)) return;
+      wrap_to(boundary, manifolds, manifolds.tolerance / std::pow(10, k));
+      if (has_pips_of_plane(boundary, manifolds, n)) return;
     }
     throw DataError(
         "transport: on the cylinder manifolds cross elsewhere than in the plane, by those of the neighbouring "
@@ -219,9 +219,9 @@ class Builder {
         format_point(manifolds.orbits.back().at) + " bounds no region of it");
   }
 
-  [[nodiscard]] bool has_pips_of_plane(const Place& place, const ManifoldTangle& manifolds, int n) const {
-    const Tangle& there = *place.wrapped;
-    const Barrier& barrier = place.barrier;
+  [[nodiscard]] bool has_pips_of_plane(const SeriesBoundary& boundary, const ManifoldTangle& manifolds, int n) const {
+    const Tangle& there = *boundary.wrapped;
+    const Barrier& barrier = boundary.barrier;
     if (barrier.images_before() < images_before(n) || barrier.images_after() < images_after(n)) return false;
     const auto first = static_cast<std::ptrdiff_t>(barrier.period) * -images_before(n);
     const auto last = static_cast<std::ptrdiff_t>(barrier.period) * images_after(n);
@@ -235,28 +235,28 @@ class Builder {
     return true;
   }
 
-  void wrap_to(Place& place, const ManifoldTangle& manifolds, double tolerance) {
+  void wrap_to(SeriesBoundary& boundary, const ManifoldTangle& manifolds, double tolerance) {
     const Cylinder& cylinder = *cylinder_;
-    place.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, tolerance);
-    place.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, tolerance);
+    boundary.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, tolerance);
+    boundary.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, tolerance);
     // One and the same saddle, to the bit: else they might cross there.
-    if (distance(place.wrapped_u[0], place.wrapped_s[0]) <= 1e-8 * (1 + std::fabs(place.wrapped_u[0].x))) {
-      place.wrapped_s[0] = place.wrapped_u[0];
+    if (distance(boundary.wrapped_u[0], boundary.wrapped_s[0]) <= 1e-8 * (1 + std::fabs(boundary.wrapped_u[0].x))) {
+      boundary.wrapped_s[0] = boundary.wrapped_u[0];
     }
     TangleOptions options;
     options.bip_near = cylinder.wrap(manifolds.orbits.back().at);
     options.period = static_cast<std::uint32_t>(manifolds.period());
     options.smooth = true;
-    const OpenCurve u = OpenCurve::borrow(place.wrapped_u), s = OpenCurve::borrow(place.wrapped_s);
+    const OpenCurve u = OpenCurve::borrow(boundary.wrapped_u), s = OpenCurve::borrow(boundary.wrapped_s);
     try {
-      place.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
+      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
     } catch (const NotSimpleError&) {  // arcs closer to each other than polygons show
       options.check_simple = false;
-      place.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
+      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
     }
-    if (!place.wrapped->boundary) throw DataError("transport: the manifolds do not cross on the cylinder");
-    place.barrier.tangle = place.wrapped.get();
-    place.barrier.bip = place.wrapped->boundary->bip;
+    if (!boundary.wrapped->boundary) throw DataError("transport: the manifolds do not cross on the cylinder");
+    boundary.barrier.tangle = boundary.wrapped.get();
+    boundary.barrier.bip = boundary.wrapped->boundary->bip;
   }
 
   void finish(const TransportSeries& series) {
@@ -296,7 +296,7 @@ class Builder {
   const PlanarMap& map_;
   const TransportOptions& options_;
   std::vector<std::unique_ptr<TangleGrowth>> growths_;
-  std::vector<Place> places_;
+  std::vector<SeriesBoundary> boundaries_;
   std::optional<Cylinder> cylinder_;
   Transport result_;
 };

@@ -207,16 +207,16 @@ TEST(Escape, RowsComeOneByOneAndOutliveAnInterrupt) {
   EscapeOptions options;
   options.tolerance = 1e-4;
   options.crossings = 4;
-  std::vector<int> told;
+  std::vector<int> reported;
   options.rows_known = [&](const Escape& so_far, int n) {
-    told.push_back(n);
+    reported.push_back(n);
     EXPECT_EQ(so_far.crossings, n);
     EXPECT_EQ(so_far.table.size(), 4U * static_cast<std::size_t>(n));
     EXPECT_EQ(so_far.bottlenecks.size(), 2U);
   };
   options.progress = [](const EscapeProgress& at) { return at.images < 3; };
   const Escape result = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
-  EXPECT_EQ(told, (std::vector<int>{1, 2}));
+  EXPECT_EQ(reported, (std::vector<int>{1, 2}));
   EXPECT_EQ(result.stop, EscapeStop::cancelled);
   EXPECT_EQ(result.crossings, 2);
   EXPECT_EQ(result.table.size(), 8U);

@@ -1,4 +1,4 @@
-#include "engine/dynamics/manifolds/segment_needs.hpp"
+#include "engine/dynamics/manifolds/segment_requirements.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@ namespace {
 
 // Neighbouring segments differ in length per parameter by no more than this factor.
 constexpr double max_unevenness = 4;
-constexpr double corner = -1;  // in the place of a curvature
+constexpr double corner = -1;  // instead of a curvature
 
 }  // namespace
 
-void SegmentNeeds::measure(const Samples& samples, std::span<const std::uint32_t> kept, const TraceOptions& options,
-                           std::size_t begin, std::size_t end) {
+void SegmentRequirements::measure(const Samples& samples, std::span<const std::uint32_t> kept,
+                                  const TraceOptions& options, std::size_t begin, std::size_t end) {
   begin_ = begin;
   const std::size_t count = end - begin, segments = samples.points.size() - 1;
   const std::size_t before = begin > 0 ? 1 : 0, after = end < segments ? 1 : 0;
@@ -48,7 +48,8 @@ void SegmentNeeds::measure(const Samples& samples, std::span<const std::uint32_t
     unknown_[k] = larger < 0 ? 1 : 0;
     uneven_[k] = static_cast<std::uint8_t>(differ[k] | differ[k + 1]);
   }
-  parts_needed(&length_[1], curvature_.data(), count, {options.tolerance, options.max_length, max_parts}, need_.data());
+  parts_needed(&length_[1], curvature_.data(), count, {options.tolerance, options.max_length, max_parts},
+               required_parts_.data());
 }
 
 }  // namespace lober::detail
