@@ -46,7 +46,7 @@ void run_manifest(const Arguments& arguments) {
     };
     report = run_batch(manifest, options);
   });
-  const CancellationScope shield(CancellationScope::Shield{});  // what was done is told in any case
+  const CancellationScope shield(CancellationScope::Shield{});  // what was done is reported in any case
   warn_of(report.damaged);
   if (!request->json.empty()) write_batch_json(request->json, report, request->manifest, request->store);
   if (request->json != "-") print(batch_summary(report, request->store));
@@ -63,7 +63,7 @@ void check_manifest(const Arguments& arguments) {
   parser.add("MANIFEST", path, "The manifest, a TOML file that names the operation and the curves.").required();
   const Option memory_given = add_memory_budget(parser, memory);
   if (!parser.parse(arguments)) return;
-  const std::size_t room = memory_given.given() ? memory : detail::machine_memory() / 2;
+  const std::size_t budget = memory_given.given() ? memory : detail::machine_memory() / 2;
   const detail::Plan plan = detail::make_plan(detail::read_manifest(path));
   const detail::Estimate sum = estimate(plan, path);
   std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
@@ -84,7 +84,7 @@ void check_manifest(const Arguments& arguments) {
   text += fmt::format("about {:.2g} s on one core if curves cross a few times; dense tangles take longer\n",
                       sum.core_seconds);
   print(text);
-  warn_of(detail::forecast_shortage(plan, path, room));
+  warn_of(detail::forecast_shortage(plan, path, budget));
 }
 
 void show_status(const Arguments& arguments) {

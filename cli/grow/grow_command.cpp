@@ -148,19 +148,19 @@ Point saddle_of(const Request& request, const System& system) {
   if (request.from.size() == 2) return {request.from[0], request.from[1]};
   if (of_tangle(request, system)) return system.connection->saddle(manifold_side(request));
   std::vector<Point> saddles;
-  std::string places;
+  std::string positions;
   for (const FixedPoint& point : find_fixed_points(*system.map, system.window, {.period = request.period})) {
     if (point.kind != FixedPointKind::saddle && point.kind != FixedPointKind::inverse_saddle) continue;
     if (point.period != request.period) continue;
     saddles.push_back(point.at);
-    append_all(places, places.empty() ? "" : ", ", point.at.x, ",", point.at.y);
+    append_all(positions, positions.empty() ? "" : ", ", point.at.x, ",", point.at.y);
   }
   if (saddles.empty()) {
     throw DataError("system " + system.info.name +
                     ": no saddle was found in its window; give a point near one by --from");
   }
   if (saddles.size() > 1) {
-    throw UsageError("system " + system.info.name + " has several saddles; choose one by --from: " + places);
+    throw UsageError("system " + system.info.name + " has several saddles; choose one by --from: " + positions);
   }
   return saddles.front();
 }

@@ -111,7 +111,7 @@ int run_rank(const std::vector<std::string>& arguments) {
   if (!request) return status;
   SharedWork work;
   work.manifest_path = request->manifest;
-  const int fair = fair_threads();  // by all ranks together, also by those that are told
+  const int fair = fair_threads();  // by all ranks together, also by those that are given one
   work.queue.threads = request->threads > 0 ? request->threads : fair;
   work.queue.memory = request->memory;
   work.queue.digests = true;

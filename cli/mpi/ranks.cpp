@@ -113,7 +113,7 @@ class Coordinator {
     }
     if (error) std::rethrow_exception(error);
     if (broken_) throw DataError("the store cannot be written any more");
-    if (!stopped || std::exchange(told_, true)) return;
+    if (!stopped || std::exchange(stop_sent_, true)) return;
     for (std::size_t rank = 1; rank < at_work_.size(); ++rank) {
       if (at_work_[rank]) send(static_cast<int>(rank), Tag::stop, {});
     }
@@ -169,7 +169,7 @@ class Coordinator {
   int workers_;                ///< that have not reported yet
   detail::PlanRunner runner_;
   std::mutex mutex_;  ///< for all that follows, the work queue and the session
-  bool stopped_ = false, told_ = false;
+  bool stopped_ = false, stop_sent_ = false;
   std::size_t jobs_ = 0, failed_ = 0;
   BatchReport report_;
   std::exception_ptr error_;

@@ -53,7 +53,7 @@ class OptionParser {
   OptionParser& operator=(const OptionParser&) = delete;
   ~OptionParser();
 
-  /// `names`: "C1" is an argument by its place, "-o,--output" an option; "SYSTEM,--system" may be either. T: see the
+  /// `names`: "C1" is an argument by its position, "-o,--output" an option; "SYSTEM,--system" may be either. T: see the
   /// end of option_parser.cpp.
   template <typename T>
   Option add(const char* names, T& variable, const char* help);

@@ -12,7 +12,7 @@
 
 namespace lober::cli {
 
-/// What the line tells.
+/// The content of the line.
 struct ProgressState {
   std::string what;       ///< the phase, or the last step
   double fraction = 0;    ///< of the whole command, from 0 to 1; 0 when nothing is known
@@ -39,7 +39,7 @@ class Progress {
   /// How far the phase is, from 0 to 1. Returns false when the user has interrupted.
   bool advance(double fraction);
 
-  /// How much is done by now, for example of points; the line tells the rate too.
+  /// How much is done by now, for example of points; the line reports the rate too.
   void count(double amount, std::string_view unit);
   /// The same from now on by the fraction of the whole, of which there is so much.
   void of(double total, std::string_view unit);

@@ -38,8 +38,8 @@ std::optional<int> whole_number(const std::string& text) {
 // What follows -DENS: two whole numbers, or a single 0, as Naik, Lekien & Ross (2017) also write it. Moves `k` to the
 // last one.
 EndsDensification after_dens(const std::vector<std::string>& arguments, std::size_t& k) {
-  const auto number = [&](std::size_t place) {
-    return place < arguments.size() ? whole_number(arguments[place]) : std::nullopt;
+  const auto number = [&](std::size_t index) {
+    return index < arguments.size() ? whole_number(arguments[index]) : std::nullopt;
   };
   const std::optional<int> passes = number(k + 1), points = number(k + 2);
   if (passes && points) {

@@ -41,9 +41,9 @@ class Axes {
     }
     if (box.empty()) box = Rectangle::of({0, 0}, {1, 1});
     const auto widened = [](double low, double high, double& begin, double& end) {
-      const double room = high > low ? 0.05 * (high - low) : 0.5;
-      begin = low - room;
-      end = high + room;
+      const double margin = high > low ? 0.05 * (high - low) : 0.5;
+      begin = low - margin;
+      end = high + margin;
     };
     widened(box.min_x, box.max_x, low_.x, high_.x);
     widened(box.min_y, box.max_y, low_.y, high_.y);

@@ -17,7 +17,7 @@ struct PlotSeries {
 struct Plot {
   std::string title, x_label;
   std::vector<PlotSeries> series;
-  std::vector<double> marks;  ///< places on the x axis with a vertical line
+  std::vector<double> marks;  ///< positions on the x axis with a vertical line
 };
 
 /// The window fits the points and y = 0. Throws DataError when the file cannot be written.

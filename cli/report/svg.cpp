@@ -43,9 +43,9 @@ struct Frame {
 bool clip(Pixel& a, Pixel& b, const Frame& frame) {
   const Pixel from = a, step{b.x - a.x, b.y - a.y};
   double first = 0, last = 1;
-  const auto keep = [&](double speed, double room) {  // speed t <= room
-    if (speed == 0) return room >= 0;
-    (speed < 0 ? first : last) = speed < 0 ? std::max(first, room / speed) : std::min(last, room / speed);
+  const auto keep = [&](double speed, double limit) {  // speed t <= limit
+    if (speed == 0) return limit >= 0;
+    (speed < 0 ? first : last) = speed < 0 ? std::max(first, limit / speed) : std::min(last, limit / speed);
     return first <= last;
   };
   if (!keep(-step.x, from.x - frame.left) || !keep(step.x, frame.right - from.x)) return false;
@@ -129,9 +129,9 @@ void PathWriter::add_line(std::span<const Point> line) {
 
 void PathWriter::draw(std::span<const Pixel> line, bool closed) {
   if (full_ || line.size() < 2) return;
-  full_ = line.size() > room_;
+  full_ = line.size() > points_left_;
   if (full_) return;
-  room_ -= line.size();
+  points_left_ -= line.size();
   int x = subpixel(line[0].x), y = subpixel(line[0].y);
   append_all(path_, "M", x, " ", y, "l");
   for (std::size_t k = 1; k < line.size(); ++k) {

@@ -42,13 +42,13 @@ class View {
 class PathWriter {
  public:
   PathWriter(const View& view, double tolerance, std::size_t max_points)
-      : view_(view), tolerance_(tolerance), room_(max_points) {}
+      : view_(view), tolerance_(tolerance), points_left_(max_points) {}
 
   void add_polygon(std::span<const Point> polygon);  ///< nothing if it is less than three points
   /// Only the parts that lie in the picture and not on top of what is drawn of the line before.
   void add_line(std::span<const Point> line);
 
-  [[nodiscard]] bool full() const { return full_; }  ///< something was left out for want of room
+  [[nodiscard]] bool full() const { return full_; }  ///< points beyond max_points were left out
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
@@ -56,7 +56,7 @@ class PathWriter {
 
   const View& view_;
   double tolerance_;
-  std::size_t room_;
+  std::size_t points_left_;
   bool full_ = false;
   std::string path_;
 };

@@ -32,7 +32,7 @@ struct TangleOrigin {
 
 struct TangleReport {
   std::array<NamedCurve, 2> inputs;    ///< U and S
-  std::array<bool, 2> reversed{};      ///< turned round after reading: places speak of the curve as turned
+  std::array<bool, 2> reversed{};      ///< turned round after reading: positions speak of the curve as turned
   std::optional<TangleOrigin> origin;  ///< of manifolds grown from equations (`tangle --system`)
   TangleOptions options;
   Tangle result;
@@ -45,11 +45,11 @@ struct TangleReport {
 /// Reads a curve as a manifold, outward from its fixed point after turning it round where that is asked for.
 [[nodiscard]] NamedCurve read_manifold(const std::string& spec, bool reverse);
 
-/// The tangle of these manifolds. A manifold that crosses itself is a DataError that names it, U or S, and the place;
+/// The tangle of these manifolds. A manifold that crosses itself is a DataError that names it, U or S, and the point;
 /// what the engine remarks is logged as warnings.
 [[nodiscard]] Tangle tangle_of(const NamedCurve& u, const NamedCurve& s, const TangleOptions& options);
 
-/// The places of the pips, outward along U.
+/// The points of the pips, outward along U.
 [[nodiscard]] std::vector<Point> pips_of(const Tangle& tangle);
 
 /// What the area of a lobe loses against the smooth curves through the points: estimated from the polygon, or, when
@@ -76,7 +76,7 @@ struct TangleErrors {
 /// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
 void write_tangle_json(const std::string& path, TangleReport& report, const std::function<double()>& seconds_so_far);
 
-/// Writes the tangle graph as JSON: every crossing with its order on U and on S, kind and generation, and which stretch
+/// Writes the tangle graph as JSON: every crossing with its order on U and on S, kind and generation, and which run
 /// of crossings bounds which lobe.
 void write_tangle_graph(const std::string& path, const TangleReport& report);
 

@@ -123,7 +123,7 @@ void run_sweep(const Request& request) {
     values.emplace_back(report.range.name, value);
     return system_of(request.system, values);
   };
-  report.system = member(report.range.values.front());  // also so that wrong names are told at once
+  report.system = member(report.range.values.front());  // also so that wrong names are reported at once
   (void)connection_of(request.system, report.system);
   SweepOptions options;
   options.tangle.tolerance = request.options.tolerance;

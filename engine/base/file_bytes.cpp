@@ -49,7 +49,7 @@ struct stat status_of(const Descriptor& file, const std::string& path) {
   return status;
 }
 
-/// Fills the span from a place of the file on; fewer bytes only where the file ends. `read(bytes, size, from)` is as
+/// Fills the span from an offset of the file on; fewer bytes only where the file ends. `read(bytes, size, from)` is as
 /// pread.
 template <typename Read>
 std::size_t filled(std::span<std::byte> bytes, const std::string& path, const Read& read) {

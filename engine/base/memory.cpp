@@ -50,7 +50,7 @@ class LargeBlocks {
  public:
   void* take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
-    reserve_room();
+    reserve_lists();
     // The smallest that is large enough; one more than half as large again is left for a larger array.
     auto best = kept_.end();
     for (auto block = kept_.begin(); block != kept_.end(); ++block) {
@@ -77,7 +77,7 @@ class LargeBlocks {
 #ifdef MADV_FREE
     madvise(block->at, block->bytes, MADV_FREE);
 #endif
-    kept_.push_back(*block);  // there is room: reserve_room()
+    kept_.push_back(*block);  // there is capacity: reserve_lists()
     used_.erase(block);
     drop_oldest_until(max_kept);
   }
@@ -90,7 +90,7 @@ class LargeBlocks {
 
  private:
   // give() must not throw, so the lists never grow there.
-  void reserve_room() {
+  void reserve_lists() {
     used_.reserve(used_.size() + 1);
     kept_.reserve(kept_.size() + used_.size() + 1);
   }

@@ -1,4 +1,4 @@
-// Numbers and places in messages.
+// Numbers and points in messages.
 #pragma once
 
 #include <array>

@@ -43,7 +43,7 @@ std::size_t CurveCache::points(CurveId id) const {
   return what.points / std::max<std::size_t>(what.curves, 1);
 }
 
-bool CurveCache::make_room(std::size_t more, bool regardless) {
+bool CurveCache::free_memory(std::size_t more, bool regardless) {
   if (used_ + more <= budget_) return true;
   std::vector<Unit*> idle;
   std::size_t can_go = 0;

@@ -59,9 +59,9 @@ class CurveCache {
   [[nodiscard]] std::size_t points(CurveId curve) const;
   [[nodiscard]] std::size_t budget() const { return budget_; }
 
-  /// Makes room for `more` bytes by dropping units that no job uses, least recently used first. When even all of them
+  /// Frees `more` bytes by dropping units that no job uses, least recently used first. When even all of them
   /// are not enough: false and nothing was dropped, or all of them were, if `regardless`.
-  bool make_room(std::size_t more, bool regardless = false);
+  bool free_memory(std::size_t more, bool regardless = false);
   void take(std::size_t bytes);
   void give(std::size_t bytes) { used_ -= bytes; }
 

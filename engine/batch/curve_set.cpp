@@ -42,7 +42,7 @@ std::vector<std::string> matches(const std::string& manifest_path, const std::st
   return files;
 }
 
-std::vector<CurveSource> zones_of(const Manifest& manifest, const Placed& pattern, const std::string& file,
+std::vector<CurveSource> zones_of(const Manifest& manifest, const LocatedText& pattern, const std::string& file,
                                   const std::string& choice) {
   std::size_t number = 0;
   const char* const end = choice.data() + choice.size();
@@ -51,15 +51,15 @@ std::vector<CurveSource> zones_of(const Manifest& manifest, const Placed& patter
   }
   require_regular(located(manifest.path, file));
   const CurveFile content = read_curve_file(located(manifest.path, file), {.hash = false});
-  std::vector<CurveSource> places;
+  std::vector<CurveSource> sources;
   for (std::size_t k = 0; k < content.zones.size(); ++k) {
-    if (choice == "*" || content.zones[k].title == choice) places.push_back(CurveSource{file, k});
+    if (choice == "*" || content.zones[k].title == choice) sources.push_back(CurveSource{file, k});
   }
-  if (places.empty() || (choice != "*" && places.size() > 1)) {
+  if (sources.empty() || (choice != "*" && sources.size() > 1)) {
     manifest.fail(pattern.line, pattern.key,
-                  file + " has " + (places.empty() ? "no" : "more than one") + " zone titled \"" + choice + "\"");
+                  file + " has " + (sources.empty() ? "no" : "more than one") + " zone titled \"" + choice + "\"");
   }
-  return places;
+  return sources;
 }
 
 }  // namespace
@@ -68,13 +68,13 @@ bool natural_less(const std::string& a, const std::string& b) {
   return strverscmp(a.c_str(), b.c_str()) < 0;
 }
 
-std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<Placed>& patterns) {
+std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<LocatedText>& patterns) {
   std::vector<CurveSource> all;
   std::set<std::string> known;
   const auto take = [&](CurveSource source) {
     if (known.insert(source.name()).second) all.push_back(std::move(source));
   };
-  for (const Placed& pattern : patterns) {
+  for (const LocatedText& pattern : patterns) {
     if (pattern.text.empty()) {
       for (const CurveRecipe& recipe : pattern.recipes) take(CurveSource{"", std::nullopt, recipe});
       continue;
@@ -89,12 +89,12 @@ std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<Pla
     const std::vector<std::string> found = matches(manifest.path, files);
     if (found.empty()) manifest.fail(pattern.line, pattern.key, "there is no file " + files);
     for (const std::string& file : found) {
-      const std::vector<CurveSource> places =
+      const std::vector<CurveSource> sources =
           choice.empty() ? std::vector{CurveSource{file}} : zones_of(manifest, pattern, file, choice);
-      for (const CurveSource& place : places) {
-        if (pattern.recipes.empty()) take(place);
+      for (const CurveSource& source : sources) {
+        if (pattern.recipes.empty()) take(source);
         for (const CurveRecipe& recipe : pattern.recipes) {
-          take(recipe.iterates == 0 ? place : CurveSource{place.file, place.zone, recipe});
+          take(recipe.iterates == 0 ? source : CurveSource{source.file, source.zone, recipe});
         }
       }
     }

@@ -12,7 +12,7 @@ namespace lober::detail {
 /// The curves that a list of patterns names, each once: pattern by pattern, within each in natural order. Reads the
 /// files of which all zones, or one by its title, are wanted. The sources are closed. Throws UsageError when a pattern
 /// names nothing.
-[[nodiscard]] std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<Placed>& patterns);
+[[nodiscard]] std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<LocatedText>& patterns);
 
 /// "separ.2" comes before "separ.10": runs of digits compare as numbers (strverscmp). Runs that begin with a zero come
 /// first and compare as decimal places, "01" < "010" < "09" < "1": numbers of a fixed width are in order, also where

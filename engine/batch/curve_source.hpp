@@ -18,9 +18,9 @@ struct CurveSource {
   bool closed = true;
 
   /// FILE or FILE#K; empty for a manifold.
-  [[nodiscard]] std::string place() const { return zone ? file + "#" + std::to_string(*zone) : file; }
-  /// In messages and tables: the place, or how the curve is made.
-  [[nodiscard]] std::string name() const { return recipe ? recipe->name(place()) : place(); }
+  [[nodiscard]] std::string location() const { return zone ? file + "#" + std::to_string(*zone) : file; }
+  /// In messages and tables: the location, or how the curve is made.
+  [[nodiscard]] std::string name() const { return recipe ? recipe->name(location()) : location(); }
   /// What the store calls the curve: open and closed are different inputs.
   [[nodiscard]] std::string input_name() const { return name() + (closed ? "" : " (open)"); }
   /// Equal for curves that are read together: from one file, and all made in the same way or not at all.

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/batch/lanes.hpp"
+#include "engine/batch/workers.hpp"
 #include "lober/error.hpp"
 
 namespace lober::detail {
@@ -33,11 +33,11 @@ class Dispatcher {
 
   void run(int threads) {
     try {
-      for (int k = 0; k < threads; ++k) start_lane();
+      for (int k = 0; k < threads; ++k) start_worker();
     } catch (...) {
       end_with(std::current_exception());
     }
-    lanes_.wait();
+    workers_.wait();
     if (error_) std::rethrow_exception(error_);
   }
 
@@ -69,7 +69,7 @@ class Dispatcher {
       const std::lock_guard lock(dispatcher_.mutex_);
       if (bytes <= booked_ + more_) return;
       const std::size_t more = bytes - booked_ - more_;
-      if (!dispatcher_.cache_.make_room(more) && dispatcher_.running_ > 1) throw Postponed{bytes};
+      if (!dispatcher_.cache_.free_memory(more) && dispatcher_.running_ > 1) throw Postponed{bytes};
       dispatcher_.cache_.take(more);
       more_ += more;
     }
@@ -83,11 +83,11 @@ class Dispatcher {
     mutable std::size_t more_ = 0;
   };
 
-  void start_lane() {
-    lanes_.start([this] {
-      // Nothing is thrown out of a task: that would cancel, in the middle, the work of the jobs that other lanes run.
+  void start_worker() {
+    workers_.start([this] {
+      // Nothing is thrown out of a task: that would cancel, in the middle, the work of the jobs that other workers run.
       try {
-        lane();
+        work();
       } catch (...) {
         end_with(std::current_exception());
       }
@@ -99,7 +99,7 @@ class Dispatcher {
     if (!error_) error_ = error;
   }
 
-  void lane() {
+  void work() {
     std::vector<CurveCache::UnitId> to_read;
     to_read.reserve(2);
     std::unique_lock lock(mutex_);
@@ -177,7 +177,7 @@ class Dispatcher {
   }
 
   void wake() {
-    for (; idle_ > 0; --idle_) start_lane();
+    for (; idle_ > 0; --idle_) start_worker();
   }
 
   // The job to start now, its units pinned; none if there is none that can.
@@ -191,7 +191,7 @@ class Dispatcher {
     }
     if (running_ > 0 || head_ == jobs_.size()) return std::nullopt;
     for (const CurveCache::UnitId unit : units_of(jobs_[head_])) cache_.pin(unit);
-    cache_.make_room(bytes_for(jobs_[head_]), true);
+    cache_.free_memory(bytes_for(jobs_[head_]), true);
     taken_[head_] = 1;
     return head_;  // too large for the budget, so alone
   }
@@ -212,7 +212,7 @@ class Dispatcher {
     const std::size_t bytes = bytes_for(job);
     if (bytes >= refused) return false;
     for (const CurveCache::UnitId unit : units_of(job)) cache_.pin(unit);
-    if (cache_.make_room(bytes)) return true;
+    if (cache_.free_memory(bytes)) return true;
     for (const CurveCache::UnitId unit : units_of(job)) cache_.unpin(unit);
     refused = bytes;
     return false;
@@ -228,7 +228,7 @@ class Dispatcher {
   std::size_t head_ = 0;  ///< all before it are taken
   std::size_t running_ = 0, idle_ = 0;
   std::exception_ptr error_;  ///< what ends the run
-  LaneTasks lanes_;
+  WorkerTasks workers_;
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
 // Who runs which job when (private to jobs/).
 //
-// Each thread of the arena runs a *lane*, a task that takes one job after the other. Work inside a job is isolated, so
-// that a thread which waits for a piece of it never starts another job in between. A lane that finds no job to start
-// (memory is short, or what it needs is being read) ends and is started again when something changes; meanwhile, and
-// when no job is left, its thread helps inside the jobs of the others.
+// Each thread of the arena runs a *worker*, a task that takes one job after the other. Work inside a job is isolated,
+// so that a thread which waits for a piece of it never starts another job in between. A worker that finds no job to
+// start (memory is short, or what it needs is being read) ends and is started again when something changes; meanwhile,
+// and when no job is left, its thread helps inside the jobs of the others.
 #pragma once
 
 #include <atomic>

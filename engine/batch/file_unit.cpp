@@ -21,11 +21,11 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
   }
   const std::size_t number = wanted.zone.value_or(0);
   if (number >= zones) {
-    loaded.error = wanted.place() + ": there is no such zone, the file has " + std::to_string(zones);
+    loaded.error = wanted.location() + ": there is no such zone, the file has " + std::to_string(zones);
     return loaded;
   }
   Zone& zone = file.zones[number];
-  Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.place()};
+  Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.location()};
   if (wanted.closed) drop_closing_vertex(curve.points);
   loaded.curve = std::make_shared<const Curve>(std::move(curve));
   return loaded;

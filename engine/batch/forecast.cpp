@@ -73,7 +73,7 @@ std::vector<const CurveSource*> furthest(const Plan& plan) {
 
 std::vector<std::string> forecast_shortage(const Plan& plan, const std::string& manifest_path, std::size_t memory) {
   const Stopwatch watch;
-  const auto room = static_cast<double>(memory);
+  const auto budget = static_cast<double>(memory);
   const std::string too_much = ", for which there is no room in " + std::to_string(memory >> 20) + " MiB of memory";
   std::vector<std::string> lines;
   for (const CurveSource* const source : furthest(plan)) {
@@ -81,7 +81,7 @@ std::vector<std::string> forecast_shortage(const Plan& plan, const std::string& 
     const std::size_t images = 1 + static_cast<std::size_t>(std::abs(source->recipe->iterates));
     if (unit_of({*source}, manifest_path).points / images > max_read) continue;
     const double points = forecast_points(*source, manifest_path);
-    if (!(points * static_cast<double>(computed_bytes_per_point) > room)) continue;
+    if (!(points * static_cast<double>(computed_bytes_per_point) > budget)) continue;
     lines.push_back(source->name() + " may come to " +
                     (std::isfinite(points) ? "about " + format_number(std::round(points)) : "far too many") +
                     " points" + too_much);
@@ -96,7 +96,7 @@ std::vector<std::string> forecast_shortage(const Plan& plan, const std::string& 
     judged.insert(job.group);
     const std::shared_ptr<const Curve> curve = curve_of(source, manifest_path, Allowance());
     if (!curve) continue;
-    if (group.operation->result_bytes(*curve, group.options) > room) {
+    if (group.operation->result_bytes(*curve, group.options) > budget) {
       lines.push_back(group.operation->name + " with " + group.options.to_string() + " asks for too many points of " +
                       source.name() + too_much);
     }

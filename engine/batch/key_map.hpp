@@ -11,7 +11,7 @@
 
 namespace lober::detail {
 
-/// Entries stay in the order in which they came; a slot has the place of one and as much of its key as makes looking at
+/// Entries stay in the order in which they came; a slot has the index of one and as much of its key as makes looking at
 /// the entry itself needless nearly always: with millions of keys, each look is a miss of the cache. Keys are digests,
 /// so that any part of one is a hash.
 template <typename Value>
@@ -30,7 +30,7 @@ class KeyMap {
   [[nodiscard]] const Value* find(const JobKey& key) const {
     if (slots_.empty()) return nullptr;
     const Slot& slot = slots_[slot_of(key)];
-    return slot.place == none ? nullptr : &entries_[slot.place].second;
+    return slot.index == none ? nullptr : &entries_[slot.index].second;
   }
   [[nodiscard]] Value* find(const JobKey& key) { return const_cast<Value*>(std::as_const(*this).find(key)); }
 
@@ -38,18 +38,18 @@ class KeyMap {
   std::pair<Value&, bool> try_emplace(const JobKey& key, const Value& value) {
     if (2 * (entries_.size() + 1) > slots_.size()) grow();
     Slot& slot = slots_[slot_of(key)];
-    const bool is_new = slot.place == none;
+    const bool is_new = slot.index == none;
     if (is_new) {
       slot = {tag_of(key), static_cast<std::uint32_t>(entries_.size())};
       entries_.emplace_back(key, value);
     }
-    return {entries_[slot.place].second, is_new};
+    return {entries_[slot.index].second, is_new};
   }
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
   struct Slot {
-    std::uint32_t tag = 0, place = none;
+    std::uint32_t tag = 0, index = none;
   };
   static std::uint32_t tag_of(const JobKey& key) {
     std::uint32_t tag = 0;
@@ -62,16 +62,16 @@ class KeyMap {
     std::memcpy(&hash, key.data() + sizeof(std::uint32_t), sizeof(hash));
     const std::uint32_t tag = tag_of(key);
     std::size_t at = hash & (slots_.size() - 1);
-    while (slots_[at].place != none && (slots_[at].tag != tag || entries_[slots_[at].place].first != key)) {
+    while (slots_[at].index != none && (slots_[at].tag != tag || entries_[slots_[at].index].first != key)) {
       at = (at + 1) & (slots_.size() - 1);
     }
     return at;
   }
   void grow() {
     slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), {});
-    for (std::size_t place = 0; place < entries_.size(); ++place) {
-      const JobKey& key = entries_[place].first;
-      slots_[slot_of(key)] = {tag_of(key), static_cast<std::uint32_t>(place)};
+    for (std::size_t index = 0; index < entries_.size(); ++index) {
+      const JobKey& key = entries_[index].first;
+      slots_[slot_of(key)] = {tag_of(key), static_cast<std::uint32_t>(index)};
     }
   }
 

@@ -96,17 +96,17 @@ class Reader {
     fail(*node, "operation", "there is no operation \"" + name + "\" in this version; there are " + known);
   }
 
-  std::vector<Placed> patterns(const toml::table& table, const toml::table& top, const std::string& key) const {
+  std::vector<LocatedText> patterns(const toml::table& table, const toml::table& top, const std::string& key) const {
     const toml::node* const node = find(table, top, key);
     if (node == nullptr) return {};
     if (!node->is_array()) return {pattern(*node, key)};
     if (node->as_array()->empty()) fail(*node, key, "has to be a pattern or a list of patterns");
-    std::vector<Placed> all;
+    std::vector<LocatedText> all;
     for (const toml::node& one : *node->as_array()) all.push_back(pattern(one, key));
     return all;
   }
 
-  Placed pattern(const toml::node& node, const std::string& key) const {
+  LocatedText pattern(const toml::node& node, const std::string& key) const {
     if (node.is_string()) return {**node.as_string(), line_of(node), key};
     if (!node.is_table()) fail(node, key, "has to be a pattern, a curve of a system, or a list of such");
     return read_recipes(manifest_, *node.as_table(), key);

@@ -20,7 +20,7 @@ namespace lober::detail {
 enum class PairKind : std::uint8_t { none, all, lag, product, single, list };
 
 /// A text of the manifest and where it stands.
-struct Placed {
+struct LocatedText {
   std::string text;
   std::size_t line = 0;
   std::string key;
@@ -31,10 +31,10 @@ struct ManifestGroup {
   std::string name;
   const Operation* operation = nullptr;
   std::vector<Options> options;  ///< one for each combination of the grid; without one, a single one
-  std::vector<Placed> curves, with;
+  std::vector<LocatedText> curves, with;
   PairKind pairs = PairKind::all;
   std::size_t lag = 1;
-  std::vector<std::array<Placed, 2>> list;
+  std::vector<std::array<LocatedText, 2>> list;
   bool closed = true;
 };
 

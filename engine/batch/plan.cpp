@@ -23,8 +23,8 @@ class Planner {
   void add(const ManifestGroup& group) {
     const Pairs pairs = pairs_of(group);
     if (pairs.empty()) {
-      const Placed& place = group.pairs == PairKind::list ? Placed{"", 1, "pairs"} : group.curves.front();
-      manifest_.fail(place.line, place.key, "no pair comes of this");
+      const LocatedText& text = group.pairs == PairKind::list ? LocatedText{"", 1, "pairs"} : group.curves.front();
+      manifest_.fail(text.line, text.key, "no pair comes of this");
     }
     for (const Options& options : group.options) {
       const auto number = static_cast<std::uint32_t>(plan_.groups.size());
@@ -70,13 +70,13 @@ class Planner {
     return pairs;
   }
 
-  CurveId single(const Placed& name, bool closed) {
+  CurveId single(const LocatedText& name, bool closed) {
     const std::vector<CurveId> found = numbers_of({name}, closed);
     if (found.size() != 1) manifest_.fail(name.line, name.key, name.text + " is more than one curve");
     return found[0];
   }
 
-  std::vector<CurveId> numbers_of(const std::vector<Placed>& patterns, bool closed) {
+  std::vector<CurveId> numbers_of(const std::vector<LocatedText>& patterns, bool closed) {
     std::vector<CurveId> ids;
     for (CurveSource& source : resolve(manifest_, patterns)) {
       source.closed = closed && !source.file.empty();

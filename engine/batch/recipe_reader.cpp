@@ -10,7 +10,7 @@ class RecipeReader {
   RecipeReader(const Manifest& manifest, const toml::table& table, std::string key)
       : manifest_(manifest), table_(table), key_(std::move(key)) {}
 
-  Placed read() {
+  LocatedText read() {
     for (const auto& [name, node] : table_) entry(std::string(name.str()), node);
     if (image_ == has_manifold_) fail(table_, "has to have either manifold or image_of");
     if (image_ && (recipe_.length > 0 || recipe_.saddle || recipe_.branch != 0)) {
@@ -21,16 +21,16 @@ class RecipeReader {
     if (iterates_.empty()) iterates_.push_back(-1);
     for (const int iterates : iterates_) {
       recipe_.iterates = iterates;
-      placed_.recipes.push_back(recipe_);
+      located_.recipes.push_back(recipe_);
       try {
         check(recipe_);
       } catch (const UsageError& error) {
         fail(table_, error.what());
       }
     }
-    placed_.line = table_.source().begin.line;
-    placed_.key = key_;
-    return std::move(placed_);
+    located_.line = table_.source().begin.line;
+    located_.key = key_;
+    return std::move(located_);
   }
 
  private:
@@ -52,7 +52,7 @@ class RecipeReader {
       recipe_.kind = side == "stable" ? CurveRecipe::Kind::stable : CurveRecipe::Kind::unstable;
       has_manifold_ = true;
     } else if (name == "image_of") {
-      placed_.text = text(node, name);
+      located_.text = text(node, name);
       image_ = true;
     } else if (name == "iterates") {
       read_iterates(node);
@@ -114,14 +114,14 @@ class RecipeReader {
   const toml::table& table_;
   std::string key_;
   CurveRecipe recipe_;
-  Placed placed_;
+  LocatedText located_;
   std::vector<int> iterates_;
   bool image_ = false, has_manifold_ = false;
 };
 
 }  // namespace
 
-Placed read_recipes(const Manifest& manifest, const toml::table& table, const std::string& key) {
+LocatedText read_recipes(const Manifest& manifest, const toml::table& table, const std::string& key) {
   return RecipeReader(manifest, table, key).read();
 }
 

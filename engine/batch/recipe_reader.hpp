@@ -12,6 +12,6 @@ namespace lober::detail {
 
 /// `{ system = ..., manifold = ... }` or `{ system = ..., image_of = ... }`, see manifest.hpp. `key` is where it
 /// stands. Throws UsageError with the line.
-[[nodiscard]] Placed read_recipes(const Manifest& manifest, const toml::table& table, const std::string& key);
+[[nodiscard]] LocatedText read_recipes(const Manifest& manifest, const toml::table& table, const std::string& key);
 
 }  // namespace lober::detail

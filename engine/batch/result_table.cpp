@@ -20,7 +20,7 @@ std::optional<JobKey> key_of(std::string_view bytes) {
   return key;
 }
 
-constexpr std::size_t first_value = 12;  // its place among the columns, from 1
+constexpr std::size_t first_value = 12;  // its index among the columns, from 1
 
 // A statement that is at a row keeps what it read from being written over.
 class Reading {
@@ -45,12 +45,12 @@ class Labels {
     second_ = plan->name(planned_->second);
   }
   /// To four parameters. The statement has to run before this goes.
-  void bind(Statement& statement, int place) const {
-    for (int k = 0; k < 4; ++k) statement.bind_null(place + k);
+  void bind(Statement& statement, int index) const {
+    for (int k = 0; k < 4; ++k) statement.bind_null(index + k);
     if (planned_ == nullptr) return;
-    statement.bind(place, std::int64_t{job_}).bind(place + 1, std::int64_t{planned_->group});
-    if (planned_->first != no_curve) statement.bind(place + 2, std::string_view(first_));
-    if (planned_->second != no_curve) statement.bind(place + 3, std::string_view(second_));
+    statement.bind(index, std::int64_t{job_}).bind(index + 1, std::int64_t{planned_->group});
+    if (planned_->first != no_curve) statement.bind(index + 2, std::string_view(first_));
+    if (planned_->second != no_curve) statement.bind(index + 3, std::string_view(second_));
   }
 
  private:
@@ -59,16 +59,16 @@ class Labels {
   std::string first_, second_;
 };
 
-void bind_number(Statement& statement, int place, const Column& column, double value) {
+void bind_number(Statement& statement, int index, const Column& column, double value) {
   constexpr double exact = 9007199254740992;  // 2^53
   if (column.kind == Column::Kind::count && std::fabs(value) < exact) {
     const auto whole = static_cast<std::int64_t>(value);
     if (static_cast<double>(whole) == value && !(whole == 0 && std::signbit(value))) {
-      statement.bind(place, whole);
+      statement.bind(index, whole);
       return;
     }
   }
-  statement.bind(place, value);  // NaN becomes NULL
+  statement.bind(index, value);  // NaN becomes NULL
 }
 
 }  // namespace
@@ -86,9 +86,10 @@ Statement& ResultTable::select() const {
 
 Statement& ResultTable::insert() const {
   if (insert_) return *insert_;
-  std::string places = "?1";
-  for (std::size_t k = 2; k <= first_value + operation_.columns.size() - 1; ++k) places += ", ?" + std::to_string(k);
-  return insert_.emplace(statement("INSERT INTO ", " VALUES (" + places + ")"));
+  std::string parameters = "?1";
+  for (std::size_t k = 2; k <= first_value + operation_.columns.size() - 1; ++k)
+    parameters += ", ?" + std::to_string(k);
+  return insert_.emplace(statement("INSERT INTO ", " VALUES (" + parameters + ")"));
 }
 
 std::int64_t ResultTable::checksum(const Result& result, std::int64_t run, std::string_view lists) const {
@@ -148,11 +149,11 @@ std::int64_t ResultTable::put(std::optional<std::int64_t> row, const Result& res
   lists.empty() ? whole.bind_null(10) : whole.bind_blob(10, lists);
   whole.bind(11, checksum(result, run, lists));
   for (std::size_t k = 0; k < operation_.columns.size(); ++k) {
-    const int place = static_cast<int>(first_value + k);
+    const int index = static_cast<int>(first_value + k);
     if (result.failed()) {
-      whole.bind_null(place);
+      whole.bind_null(index);
     } else {
-      bind_number(whole, place, operation_.columns[k], result.values[k]);
+      bind_number(whole, index, operation_.columns[k], result.values[k]);
     }
   }
   whole.run();

@@ -18,7 +18,7 @@ struct ScheduledJob {
 };
 
 /// Bytes for units.
-struct Room {
+struct MemoryBudget {
   std::size_t all;    ///< if nothing has to be read again
   std::size_t block;  ///< besides those that pass by
 };
@@ -28,6 +28,6 @@ struct Room {
 /// those of its units with the later ones, which pass by while the block stays; then the same with the next block. A
 /// unit is read about once for each block before its own. Equal costs in the order given. O(n log n).
 [[nodiscard]] std::vector<std::uint32_t> schedule(std::span<const ScheduledJob> jobs,
-                                                  std::span<const std::size_t> unit_bytes, const Room& room);
+                                                  std::span<const std::size_t> unit_bytes, const MemoryBudget& budget);
 
 }  // namespace lober::detail

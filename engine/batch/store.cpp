@@ -121,10 +121,10 @@ void Store::put_run(const Run& run) {
       *database_,
       "INSERT INTO runs (started, ended, how, version, \"commit\", compiler, flags, host, threads, shard,"
       " manifest) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)");
-  int place = 0;
+  int index = 0;
   for (const std::string* const text :
        {&run.started, &run.ended, &run.how, &run.version, &run.commit, &run.compiler, &run.flags, &run.host}) {
-    statement.bind(++place, std::string_view(*text));
+    statement.bind(++index, std::string_view(*text));
   }
   statement.bind(9, std::int64_t{run.threads})
       .bind(10, std::string_view(run.shard))

@@ -118,7 +118,7 @@ std::string implausible_raw(const std::string& path, std::span<const std::byte> 
     const std::string_view other = std::endian::native == std::endian::little ? ">f8" : "<f8";
     return "looks like raw float64 pairs of the other byte order: " + as_npy(path, other) + or_insist;
   }
-  if (is_ordinary(xy)) return {};  // which point is not finite is told by who reads them
+  if (is_ordinary(xy)) return {};  // the reader of the points reports which of them is not finite
   const Decades x = decades_of(xy[0]), y = decades_of(xy[1]);
   const auto decade = [](double value) { return "1e" + std::to_string(std::lround(value)); };
   return "neither text nor NPY, and as raw float64 pairs most coordinates lie between " +

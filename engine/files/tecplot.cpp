@@ -29,7 +29,7 @@ std::string upper(std::string_view text) {
 /// A header line that is eaten from the left.
 class Scanner {
  public:
-  Scanner(std::string_view line, const Place& place) : rest_(line), place_(place) {}
+  Scanner(std::string_view line, const SourceLocation& location) : rest_(line), location_(location) {}
 
   /// Skips blanks and, on request, commas. False at the end of the line or at a comment.
   bool more(bool commas = false) {
@@ -75,7 +75,7 @@ class Scanner {
     return taken;
   }
 
-  [[noreturn]] void unterminated() const { place_.fail("unterminated string: " + quoted(rest_)); }
+  [[noreturn]] void unterminated() const { location_.fail("unterminated string: " + quoted(rest_)); }
 
   /// "..." in which \" and \\ stand for " and \ .
   std::string escaped_string() {
@@ -108,28 +108,29 @@ class Scanner {
   }
 
   std::string_view rest_;
-  const Place& place_;
+  const SourceLocation& location_;
 };
 
-std::size_t count_of(const std::string& key, const std::string& value, const Place& place) {
+std::size_t count_of(const std::string& key, const std::string& value, const SourceLocation& location) {
   std::size_t count = 0;
   const char* const end = value.data() + value.size();
   const auto [stop, error] = std::from_chars(value.data(), end, count);
-  if (stop != end || error != std::errc{}) place.fail(key + "=" + value + ": expected a count");
+  if (stop != end || error != std::errc{}) location.fail(key + "=" + value + ": expected a count");
   return count;
 }
 
-void read_attribute(const std::string& key, const std::string& value, const Place& place, TecplotZone& zone) {
+void read_attribute(const std::string& key, const std::string& value, const SourceLocation& location,
+                    TecplotZone& zone) {
   const auto is = [&key](std::initializer_list<std::string_view> keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
-  const auto refuse = [&](const std::string& reason) { place.fail(key + "=" + value + ": " + reason); };
+  const auto refuse = [&](const std::string& reason) { location.fail(key + "=" + value + ": " + reason); };
   if (is({"T"})) {
     zone.title = value;
   } else if (is({"I", "N", "NODES"})) {
-    zone.counts.push_back({key, count_of(key, value, place), place.line});
+    zone.counts.push_back({key, count_of(key, value, location), location.line});
   } else if (is({"J", "K"})) {
-    if (count_of(key, value, place) != 1) refuse("expected one line of points, " + key + "=1");
+    if (count_of(key, value, location) != 1) refuse("expected one line of points, " + key + "=1");
   } else if (is({"F", "DATAPACKING"})) {
     if (upper(value) != "POINT") refuse("not supported, write the zone as " + key + "=POINT");
   } else if (is({"ZONETYPE"})) {
@@ -143,8 +144,8 @@ void read_attribute(const std::string& key, const std::string& value, const Plac
 
 TecplotRecord tecplot_record(std::string_view line) {
   const std::string nowhere;  // the functions used here do not fail
-  const Place place{nowhere, 0};
-  Scanner scanner(line, place);
+  const SourceLocation location{nowhere, 0};
+  Scanner scanner(line, location);
   const std::string key = scanner.key();
   if (key == "ZONE") {
     // ZONE alone may be the name of a column.
@@ -159,8 +160,8 @@ TecplotRecord tecplot_record(std::string_view line) {
   return key == "FILETYPE" ? TecplotRecord::ignored : TecplotRecord::none;
 }
 
-std::size_t count_variables(std::string_view line, const Place& place) {
-  Scanner scanner(line, place);
+std::size_t count_variables(std::string_view line, const SourceLocation& location) {
+  Scanner scanner(line, location);
   if (tecplot_record(line) == TecplotRecord::variables) {
     scanner.key();
     scanner.more();
@@ -171,17 +172,17 @@ std::size_t count_variables(std::string_view line, const Place& place) {
   return names;
 }
 
-void read_zone_attributes(std::string_view line, const Place& place, TecplotZone& zone) {
-  Scanner scanner(line, place);
+void read_zone_attributes(std::string_view line, const SourceLocation& location, TecplotZone& zone) {
+  Scanner scanner(line, location);
   if (tecplot_record(line) == TecplotRecord::zone) scanner.key();
   while (scanner.more(true)) {
     const std::string_view before = scanner.rest();
     const std::string key = scanner.key();
     if (key.empty() || !scanner.more() || !scanner.take('=')) {
-      place.fail("expected KEY=VALUE in a ZONE record, found " + quoted(before));
+      location.fail("expected KEY=VALUE in a ZONE record, found " + quoted(before));
     }
     scanner.more();
-    read_attribute(key, scanner.value(), place, zone);
+    read_attribute(key, scanner.value(), location, zone);
   }
 }
 

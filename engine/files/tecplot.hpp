@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/files/place.hpp"
+#include "engine/files/source_location.hpp"
 
 namespace lober::detail {
 
@@ -24,7 +24,7 @@ enum class TecplotRecord : std::uint8_t { none, title, variables, zone, ignored 
 [[nodiscard]] TecplotRecord tecplot_record(std::string_view line);
 
 /// How many names a VARIABLES line, or a line that continues one, holds.
-[[nodiscard]] std::size_t count_variables(std::string_view line, const Place& place);
+[[nodiscard]] std::size_t count_variables(std::string_view line, const SourceLocation& location);
 
 /// What a ZONE record says.
 struct TecplotZone {
@@ -38,7 +38,7 @@ struct TecplotZone {
 };
 
 /// Reads a ZONE line, or a line that continues one, into `zone`.
-void read_zone_attributes(std::string_view line, const Place& place, TecplotZone& zone);
+void read_zone_attributes(std::string_view line, const SourceLocation& location, TecplotZone& zone);
 
 /// The title as a quoted string that the functions above read back.
 [[nodiscard]] std::string tecplot_title(std::string_view title);

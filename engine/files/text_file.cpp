@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/parallel/ordered_pipeline.hpp"
-#include "engine/files/place.hpp"
+#include "engine/files/source_location.hpp"
 #include "engine/files/tecplot.hpp"
 #include "engine/files/text_points.hpp"
 
@@ -25,7 +25,7 @@ class Assembler {
       read_line(other.text, line_ + other.line);
     }
     append(std::span(chunk.points).subspan(taken));
-    if (chunk.error) Place{file_.path, line_ + chunk.error->line}.fail(chunk.error->message);
+    if (chunk.error) SourceLocation{file_.path, line_ + chunk.error->line}.fail(chunk.error->message);
     line_ += chunk.lines;
     text_left_ -= chunk.text.size();
     if (file_.zones.size() == 1 && !reserved_) reserve(chunk);
@@ -40,7 +40,7 @@ class Assembler {
   void append(std::span<const Point> points) {
     if (points.empty()) return;
     if (variables_line_ != 0 && variables_ != 2) {
-      Place{file_.path, variables_line_}.fail("expected two variables, found " + std::to_string(variables_));
+      SourceLocation{file_.path, variables_line_}.fail("expected two variables, found " + std::to_string(variables_));
     }
     if (!in_zone_) begin_zone(implicit_line_);
     std::vector<Point>& all = file_.zones.back().points;
@@ -59,9 +59,9 @@ class Assembler {
   }
 
   void read_line(std::string_view text, std::size_t line) {
-    const Place place{file_.path, line};
+    const SourceLocation location{file_.path, line};
     const TecplotRecord record = tecplot_record(text);
-    if (record == TecplotRecord::none) return continue_record(text, place);
+    if (record == TecplotRecord::none) return continue_record(text, location);
     if (record == TecplotRecord::ignored) return;
     file_.format = Format::tecplot;
     open_record_ = record;
@@ -73,18 +73,18 @@ class Assembler {
     if (record == TecplotRecord::variables) {
       variables_ = 0;
       variables_line_ = line;
-      add_variables(text, place);
+      add_variables(text, location);
     } else if (record == TecplotRecord::zone) {
       end_zone();
       begin_zone(line);
-      add_attributes(text, place);
+      add_attributes(text, location);
     }
   }
 
   /// A line that begins no record: it continues one, or is the header line of a text file, or is wrong.
-  void continue_record(std::string_view text, const Place& place) {
-    if (open_record_ == TecplotRecord::variables) return add_variables(text, place);
-    if (open_record_ == TecplotRecord::zone) return add_attributes(text, place);
+  void continue_record(std::string_view text, const SourceLocation& location) {
+    if (open_record_ == TecplotRecord::variables) return add_variables(text, location);
+    if (open_record_ == TecplotRecord::zone) return add_attributes(text, location);
     const bool first_line = file_.format == Format::text && file_.zones.empty() && !header_line_seen_;
     if (first_line && !has_number(text)) {
       header_line_seen_ = true;
@@ -93,16 +93,16 @@ class Assembler {
     Point ignored;
     std::string message = parse_point_line(text, ignored);
     if (message.empty()) message = "not a point: " + quoted(text);
-    place.fail(message);
+    location.fail(message);
   }
 
-  void add_variables(std::string_view text, const Place& place) {
-    variables_ += count_variables(text, place);
-    if (variables_ > 2) place.fail("expected two variables, found " + std::to_string(variables_));
+  void add_variables(std::string_view text, const SourceLocation& location) {
+    variables_ += count_variables(text, location);
+    if (variables_ > 2) location.fail("expected two variables, found " + std::to_string(variables_));
   }
 
-  void add_attributes(std::string_view text, const Place& place) {
-    read_zone_attributes(text, place, header_);
+  void add_attributes(std::string_view text, const SourceLocation& location) {
+    read_zone_attributes(text, location, header_);
     file_.zones.back().title = header_.title;
   }
 
@@ -119,10 +119,11 @@ class Assembler {
     const std::size_t points = zone.points.size();
     for (const TecplotZone::Count& count : header_.counts) {
       if (count.points == points) continue;
-      Place{file_.path, count.line}.fail(count.key + "=" + std::to_string(count.points) + " is declared, found " +
-                                         std::to_string(points) + (points == 1 ? " point" : " points"));
+      SourceLocation{file_.path, count.line}.fail(count.key + "=" + std::to_string(count.points) +
+                                                  " is declared, found " + std::to_string(points) +
+                                                  (points == 1 ? " point" : " points"));
     }
-    if (points == 0) Place{file_.path, zone.line}.fail("the zone has no points");
+    if (points == 0) SourceLocation{file_.path, zone.line}.fail("the zone has no points");
     if (zone.points.capacity() / 2 > points) zone.points.shrink_to_fit();
   }
 

@@ -1,4 +1,4 @@
-// Runs the program in a folder of its own and tells what came out.
+// Runs the program in a folder of its own and returns what came out.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -92,7 +92,7 @@ TEST_F(TangleJson, GraphTellsWhichCrossingsAreOnWhichLobe) {
     EXPECT_EQ(node["arc_u"], k);
     EXPECT_EQ(node["arc_s"], k);
   }
-  // Each stretch of a lobe runs from pip to pip, and the crossings between them lie on that arc.
+  // Each arc of a lobe runs from pip to pip, and the crossings between them lie on that arc.
   ASSERT_EQ(graph["lobes"].size(), 10U);
   std::size_t sips = 0;
   for (std::size_t k = 0; k < 10; ++k) {

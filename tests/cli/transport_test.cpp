@@ -95,7 +95,7 @@ TEST_F(TransportCommand, RegionsOfBothVortices) {
   EXPECT_NEAR(found["steps"][0]["T_ij"][0][2].get<double>(), 0, 1e-9);
 }
 
-// Routes that disagree are told on the first line, in the JSON and by the exit status.
+// Routes that disagree are reported on the first line, in the JSON and by the exit status.
 TEST_F(TransportCommand, DisagreementIsLoud) {
   const Outcome outcome =
       transport({LOBER_TEST_LIBRARIES "/leaky.so", "--iterates", "2", "--tolerance", "1e-4", "--json", "t.json"});

@@ -9,7 +9,7 @@
 
 namespace lober::detail {
 
-/// Puts each of `inserted` (ascending by `segment`) behind element `segment` of `given`: element k goes to place k +
+/// Puts each of `inserted` (ascending by `segment`) behind element `segment` of `given`: element k gets index k +
 /// (number of insertions before it). `value(insertion)` is what is put there. O(given + inserted), parallel.
 template <typename T, typename Insertion, typename Value>
 Buffer<T> with_inserted(std::span<const T> given, const Buffer<Insertion>& inserted, const Value& value) {

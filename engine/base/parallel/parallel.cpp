@@ -53,7 +53,7 @@ int concurrency() {
 }
 
 void run_in_arena(int threads, FunctionRef<void()> function) {
-  // An arena has as many places as it is asked for, but oneTBB makes no more workers than there are cores until a limit
+  // An arena has as many slots as it is asked for, but oneTBB makes no more workers than there are cores until a limit
   // that is higher allows it. Of several limits the lowest holds, so none is set that would hold others back.
   std::optional<tbb::global_control> limit;
   if (threads > tbb::info::default_concurrency()) {

@@ -58,7 +58,7 @@ double expected_points(CurveView curve, const Criteria& criteria) {
   return points;
 }
 
-void require_room(double points, std::size_t most) {
+void require_memory(double points, std::size_t most) {
   if (points <= static_cast<double>(most)) return;
   throw DataError("the criteria ask for more than " + std::to_string(most) + " points, as many as there is memory for");
 }
@@ -93,12 +93,12 @@ Result run(JobCurves curves, const Options& options) {
   const Allowance& allowance = curves.allowance();
   const std::size_t most = std::min<std::size_t>(allowance.most() / bytes_per_point, 1'000'000'000);
   if (const auto criteria = criteria_for(options, result)) {
-    require_room(expected_points(result, *criteria), most);
+    require_memory(expected_points(result, *criteria), most);
     allowance.book(bytes_per_point * static_cast<std::size_t>(expected_points(result, *criteria)));
     done(densify(result, *criteria, {interpolation, most}));
     allowance.book(bytes_per_point * result.points.size());
     for (const Diagnostic& diagnostic : result.diagnostics) {
-      if (diagnostic.cause == DiagnosticCause::max_points) require_room(INFINITY, most);
+      if (diagnostic.cause == DiagnosticCause::max_points) require_memory(INFINITY, most);
     }
   }
   if (options.whole("passes") > 0) {

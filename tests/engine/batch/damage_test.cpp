@@ -58,12 +58,12 @@ class DamagedStore : public ScratchFolder {
 // to at all, gives all of them; where it cannot, what is taken over into a new store is completed there.
 TEST_F(DamagedStore, RandomBytesChanged) {
   std::mt19937 random(11);
-  std::uniform_int_distribution<std::size_t> place(0, bytes_.size() - 1);
+  std::uniform_int_distribution<std::size_t> offset(0, bytes_.size() - 1);
   std::size_t unreadable = 0, incomplete = 0, untouched = 0, rescued = 0;
   for (int round = 0; round < 300; ++round) {
     std::string bytes = bytes_;
     for (int k = 0; k <= round % 3; ++k) {
-      bytes[place(random)] ^= static_cast<char>(1U << random() % 8);
+      bytes[offset(random)] ^= static_cast<char>(1U << random() % 8);
     }
     for (const char* const end : {"-wal", "-shm"}) std::filesystem::remove(path(std::string("s") + end));
     write("s", bytes);

@@ -1,4 +1,4 @@
-// What a person who asks a store with SQL is told.
+// The answers of a store to SQL.
 
 #include "engine/base/text.hpp"
 #include "engine/batch/batch.hpp"

@@ -12,7 +12,7 @@
 
 namespace lober::detail {
 
-class LaneTasks {
+class WorkerTasks {
  public:
   template <typename Task>
   void start(Task task) {

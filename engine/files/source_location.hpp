@@ -9,7 +9,7 @@
 namespace lober::detail {
 
 /// A line of a text file, counted from 1.
-struct Place {
+struct SourceLocation {
   const std::string& path;
   std::size_t line;
 
