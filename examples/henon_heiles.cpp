@@ -14,6 +14,18 @@ int velocity(const double* /*parameters*/, const double* z, double /*t*/, double
   return 0;
 }
 
+// The same for many points at a time, which is several times faster where velocities are as simple as these. With
+// -O3 and -march=native (or #pragma omp simd) compilers turn it into vector instructions.
+void velocity_batch(const double* /*parameters*/, size_t count, const double* z, const double* /*t*/, double* dzdt) {
+  const double *x = z, *y = z + count, *px = z + 2 * count, *py = z + 3 * count;
+  for (size_t k = 0; k < count; ++k) {
+    dzdt[k] = px[k];
+    dzdt[count + k] = py[k];
+    dzdt[2 * count + k] = -x[k] - 2 * x[k] * y[k];
+    dzdt[3 * count + k] = -y[k] - x[k] * x[k] + y[k] * y[k];
+  }
+}
+
 int jacobian(const double* /*parameters*/, const double* z, double /*t*/, double* j) {
   const double rows[] = {0,
                          0,
@@ -58,7 +70,8 @@ constexpr lober_flow flow{.dimension = 4,
                           .hamiltonian = hamiltonian,
                           .pair_count = 2,
                           .pairs = pairs,
-                          .section = &section};
+                          .section = &section,
+                          .velocity_batch = velocity_batch};
 constexpr lober_system description{.abi = LOBER_SYSTEM_ABI,
                                    .kind = LOBER_FLOW,
                                    .name = "henon-heiles",

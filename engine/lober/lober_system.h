@@ -18,9 +18,9 @@
 extern "C" {
 #endif
 
-/* Raised whenever the structures below change their layout. Version 2 added the connections at the end of lober_system;
-   libraries built for version 1 are still loaded. */
-#define LOBER_SYSTEM_ABI 2
+/* Raised whenever the structures below change their layout. Version 2 added the connections at the end of lober_system,
+   version 3 velocity_batch at the end of lober_flow; libraries built for earlier versions are still loaded. */
+#define LOBER_SYSTEM_ABI 3
 #define LOBER_MAX_DIMENSION 6
 
 typedef enum lober_kind { LOBER_MAP = 1, LOBER_FLOW = 2 } lober_kind;
@@ -78,6 +78,11 @@ typedef struct lober_flow {
   const lober_conjugate_pair* pairs;
   /* Optional: the section of an autonomous flow of three dimensions, or of four with a Hamiltonian. */
   const lober_section* section;
+  /* Optional, from version 3 on: the velocity of `count` points at a time, each with its own time t[k], in a loop that
+     the compiler can turn into vector instructions. Coordinate i of point k is x[i * count + k], dxdt likewise. What it
+     gives for a point must not depend on the others, bit for bit (so no -ffast-math); where there is no velocity it
+     writes NaN. Trajectories use it, Jacobians and actions do not. */
+  void (*velocity_batch)(const double* parameters, size_t count, const double* x, const double* t, double* dxdt);
 } lober_flow;
 
 #define LOBER_MAX_CORNERS 16

@@ -35,6 +35,12 @@ class LOBER_API PlanarMap {
 
   /// The image of one point as `iterate` gives it (to the tolerance of an integration), and the derivative there.
   virtual Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const = 0;
+  /// The same for many points, each of which it replaces; derivatives has as many elements.
+  virtual void iterate_with_derivatives(std::span<Point> points, int iterates, std::span<Matrix2> derivatives) const {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      points[k] = iterate_with_derivative(points[k], iterates, derivatives[k]);
+    }
+  }
 
   /// The action L of the step from `from` to its image `to`, in units of area: dL = y' dx' - y dx along the graph of
   /// the map (MacKay, Meiss & Percival 1984), so that differences of sums of L along orbits are areas. Nothing when the
@@ -48,15 +54,16 @@ class LOBER_API PlanarMap {
 
   /// The same map integrated to a hundredth of the tolerance; nothing for a map that is given by formulas.
   [[nodiscard]] virtual std::unique_ptr<PlanarMap> finer() const { return nullptr; }
-  /// Evaluations of a vector field that `iterate` has taken so far, in all threads together; none for a map that is
-  /// given by formulas. The same number for the same points, however they are shared out.
-  [[nodiscard]] std::uint64_t work() const { return work_.load(std::memory_order_relaxed); }
+  /// Evaluations of a vector field that `iterate` has taken so far, in all threads together; those of several points at
+  /// a time count a tenth, about what they take. None for a map that is given by formulas. The same number for the same
+  /// points, however they are shared out and whatever the processor.
+  [[nodiscard]] std::uint64_t work() const { return tenths_of_work_.load(std::memory_order_relaxed) / 10; }
 
  protected:
-  void add_work(std::uint64_t evaluations) const { work_.fetch_add(evaluations, std::memory_order_relaxed); }
+  void add_tenths_of_work(std::uint64_t tenths) const { tenths_of_work_.fetch_add(tenths, std::memory_order_relaxed); }
 
  private:
-  mutable std::atomic<std::uint64_t> work_{0};
+  mutable std::atomic<std::uint64_t> tenths_of_work_{0};
 };
 
 }  // namespace lober

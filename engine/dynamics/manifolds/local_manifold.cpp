@@ -21,24 +21,25 @@ namespace lober {
 using namespace detail;
 namespace {
 
-struct Image {
-  Point point;
-  Matrix2 derivative;
+struct Images {
+  std::vector<Point> points;
+  std::vector<Matrix2> derivatives;
 };
 
+constexpr std::size_t grain = 16;  // points that are followed together
+
 // F^steps at many points, side by side.
-std::vector<Image> images_with_derivative(const PlanarMap& map, int steps, std::span<const Point> points) {
-  std::vector<Image> images(points.size());
-  for_each_block(points.size(), 4, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) {
-      images[k].point = map.iterate_with_derivative(points[k], steps, images[k].derivative);
-    }
+Images images_with_derivative(const PlanarMap& map, int steps, std::span<const Point> points) {
+  Images images{{points.begin(), points.end()}, std::vector<Matrix2>(points.size())};
+  for_each_block(points.size(), grain, [&](std::size_t first, std::size_t last) {
+    map.iterate_with_derivatives(std::span(images.points).subspan(first, last - first), steps,
+                                 std::span(images.derivatives).subspan(first, last - first));
   });
   return images;
 }
 
 void iterate_all(const PlanarMap& map, int steps, std::vector<Point>& points) {
-  for_each_block(points.size(), 4, [&](std::size_t first, std::size_t last) {
+  for_each_block(points.size(), grain, [&](std::size_t first, std::size_t last) {
     map.iterate(std::span(points).subspan(first, last - first), steps);
   });
 }
@@ -121,7 +122,7 @@ class Solver {
     for (std::size_t j = 0; j < nodes; ++j) {
       parameters[j] = from.reach * chebyshev_node(j, nodes) / std::fabs(saddle_.multiplier);
     }
-    const std::vector<Image> images = images_with_derivative(map_, steps_, from.at(parameters));
+    const Images images = images_with_derivative(map_, steps_, from.at(parameters));
     const std::size_t rows = 2 * nodes + 1, columns = 2 * size_ + 1;
     Matrix jacobian(rows, columns);
     std::vector<double> residual(rows);
@@ -131,7 +132,7 @@ class Solver {
       chebyshev_basis(x, here);
       chebyshev_basis(from.multiplier * x, there, slope);
       const std::size_t row = 2 * j;
-      const Matrix2& a = images[j].derivative;
+      const Matrix2& a = images.derivatives[j];
       Point p, velocity;
       for (std::size_t k = 0; k < size_; ++k) {
         const Point c = from.coefficients[k];
@@ -145,8 +146,8 @@ class Solver {
       }
       jacobian(row, columns - 1) = -velocity.x * x;
       jacobian(row + 1, columns - 1) = -velocity.y * x;
-      residual[row] = images[j].point.x - p.x;
-      residual[row + 1] = images[j].point.y - p.y;
+      residual[row] = images.points[j].x - p.x;
+      residual[row + 1] = images.points[j].y - p.y;
     }
     // The last row: P'(0) has component 1 along the tangent.
     chebyshev_basis(0, here, slope);

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "engine/dynamics/maps/crossing.hpp"
+#include "engine/dynamics/integration/section_lanes.hpp"
+#include "engine/dynamics/integration/span_lanes.hpp"
 #include "engine/dynamics/maps/section_map.hpp"
 #include "engine/dynamics/maps/stroboscopic_map.hpp"
 #include "lober/error.hpp"
@@ -24,55 +29,61 @@ class FlowOf final : public Flow {
   [[nodiscard]] double period() const override { return field_.period(); }
   [[nodiscard]] FlowState velocity(const FlowState& state, double time) const override {
     FlowState result{};
-    field_.velocity(state.data(), result.data(), time);
+    field_.velocity(state.data(), result.data(), Forcing(field_, time).numbers);
     return result;
   }
   [[nodiscard]] FlowMatrix jacobian(const FlowState& state, double time) const override {
-    std::array<double, n*(1 + n)> x{}, dxdt{};
+    double x[n * (1 + n)], dxdt[n * (1 + n)];
     copy_with_unit_tangents(state, x);
-    WithTangents<Field, static_cast<int>(n)>{field_}(x, dxdt, time);
+    WithTangents<Field, static_cast<int>(n)>{field_}(x, dxdt, Forcing(field_, time).numbers);
     return tangents(dxdt);
   }
   [[nodiscard]] std::span<const ConjugatePair> conjugate_pairs() const override { return field_.pairs(); }
   [[nodiscard]] double hamiltonian(const FlowState& state, double time) const override {
     require_hamiltonian();
-    return field_.hamiltonian(state.data(), time);
+    return field_.hamiltonian(state.data(), Forcing(field_, time).numbers);
   }
 
   void integrate(std::span<FlowState> states, double from, double to,
                  const IntegrationOptions& options) const override {
-    const AlongFlow<Field> rhs{field_};
-    Integrator<n, AlongFlow<Field>> integrator(rhs, options, n);
-    for (FlowState& state : states) {
-      integrator.start(narrow<n>(state), from, to < from ? -1 : 1);
-      state = integrator.advance(to) ? widen(integrator.x) : lost_state();
-    }
+    struct Queue {
+      std::span<FlowState> states;
+      std::size_t begun = 0;
+
+      bool next(std::size_t& item, double* state) {
+        if (begun == states.size()) return false;
+        item = begun++;
+        std::copy_n(states[item].begin(), n, state);
+        return true;
+      }
+      void arrived(std::size_t item, const double* state) { states[item] = widened(state); }
+      void lost(std::size_t item) { states[item] = lost_state(); }
+    };
+    Queue queue{states};
+    follow(AlongFlow<Field>{field_}, from, to, options, queue);
   }
 
   FlowState integrate_with_derivative(const FlowState& state, double from, double to, FlowMatrix& derivative,
                                       const IntegrationOptions& options) const override {
-    using Rhs = WithTangents<Field, static_cast<int>(n)>;
-    const Rhs rhs{field_};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options, n);
-    std::array<double, Rhs::size> start{};
-    copy_with_unit_tangents(state, start);
-    integrator.start(start, from, to < from ? -1 : 1);
-    if (!integrator.advance(to)) return lost_state();
-    derivative = tangents(integrator.x);
-    return widen(integrator.x);
+    double x[n * (1 + n)];
+    copy_with_unit_tangents(state, x);
+    SingleTrajectory<n*(1 + n)> trajectory{x};
+    follow(WithTangents<Field, static_cast<int>(n)>{field_}, from, to, options, trajectory);
+    if (!trajectory.found) return lost_state();
+    derivative = tangents(x);
+    return widened(x);
   }
 
   FlowState integrate_with_action(const FlowState& state, double from, double to, double& action,
                                   const IntegrationOptions& options) const override {
     require_hamiltonian();
-    const WithAction<Field> rhs{field_, 0};
-    Integrator<n + 1, WithAction<Field>> integrator(rhs, options, n);
-    std::array<double, n + 1> start = narrow<n + 1>(state);
-    start[n] = 0;
-    integrator.start(start, from, to < from ? -1 : 1);
-    if (!integrator.advance(to)) return lost_state();
-    action = integrator.x[n];
-    return widen(integrator.x);
+    double x[n + 1] = {};
+    std::copy_n(state.begin(), n, x);
+    SingleTrajectory<n + 1> trajectory{x};
+    follow(WithAction<Field>{field_, 0}, from, to, options, trajectory);
+    if (!trajectory.found) return lost_state();
+    action = x[n];
+    return widened(x);
   }
 
   void to_section(std::span<FlowState> states, std::span<double> times, const Section& section, int crossings,
@@ -81,28 +92,47 @@ class FlowOf final : public Flow {
     if (section.coordinate < 0 || section.coordinate >= Field::dimension) {
       throw UsageError("the section's coordinate does not exist");
     }
-    const AlongFlow<Field> rhs{field_};
-    Integrator<n, AlongFlow<Field>> integrator(rhs, options, n);
-    CrossingFinder finder(integrator, rhs, section, options.max_time);
-    const int forward = crossings < 0 ? -1 : 1;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      double time = 0;
-      for (int k = 0; k != crossings; k += forward) {
-        if (!finder.next(narrow<n>(states[i]), forward)) {
-          states[i] = lost_state();
-          time = std::numeric_limits<double>::quiet_NaN();
-          break;
-        }
-        states[i] = widen(finder.state);
-        time += finder.time;
+    struct Queue {
+      std::span<FlowState> states;
+      std::span<double> times;
+      int crossings;
+      std::vector<int> left;
+      std::size_t begun = 0;
+
+      bool next(std::size_t& item, double* state) {
+        if (begun == states.size()) return false;
+        item = begun++;
+        std::copy_n(states[item].begin(), n, state);
+        if (crossings > 1) left[item] = crossings;
+        if (!times.empty()) times[item] = 0;
+        return true;
       }
-      if (!times.empty()) times[i] = time;
+      bool arrived(std::size_t item, const double* state, double time) {
+        states[item] = widened(state);
+        if (!times.empty()) times[item] += time;
+        return crossings > 1 && --left[item] > 0;
+      }
+      void lost(std::size_t item) {
+        states[item] = lost_state();
+        if (!times.empty()) times[item] = std::numeric_limits<double>::quiet_NaN();
+      }
+    };
+    if constexpr (Field::forcings == 0) {
+      if (crossings == 0) {
+        std::fill(times.begin(), times.end(), 0.0);
+        return;
+      }
+      const AlongFlow<Field> rhs{field_};
+      const int count = std::abs(crossings);
+      Queue queue{states, times, count, std::vector<int>(count > 1 ? states.size() : 0)};
+      SectionLanes<AlongFlow<Field>, Queue> lanes(rhs, section, options, n, crossings < 0 ? -1 : 1, queue);
+      run(rhs, options, lanes);
     }
   }
 
   [[nodiscard]] std::unique_ptr<PlanarMap> stroboscopic_map(double phase,
                                                             const IntegrationOptions& options) const override {
-    if constexpr (n == 2) {
+    if constexpr (n == 2 && Field::forcings > 0) {
       if (period() > 0) return std::make_unique<StroboscopicMap<Field>>(field_, phase, options);
     }
     throw UsageError("a stroboscopic map needs a time-periodic flow of two dimensions");
@@ -110,36 +140,48 @@ class FlowOf final : public Flow {
 
   [[nodiscard]] std::unique_ptr<PlanarMap> section_map(const Section& section, double energy,
                                                        const IntegrationOptions& options) const override {
-    if constexpr (n == 3 || n == 4) return std::make_unique<SectionMap<Field>>(field_, section, energy, options);
+    if constexpr (has_section_maps) return std::make_unique<SectionMap<Field>>(field_, section, energy, options);
     throw UsageError("a return map needs a flow of three dimensions, or of four with a Hamiltonian");
   }
 
   [[nodiscard]] FlowState on_section(const Section& section, double energy, Point point) const override {
-    if constexpr (n == 3 || n == 4) {
+    if constexpr (has_section_maps) {
       typename SectionChart<Field>::State x;
-      return SectionChart<Field>(field_, section, energy).lift(point, x) ? widen(x) : lost_state();
+      return SectionChart<Field>(field_, section, energy).lift(point, x) ? widened(x.data()) : lost_state();
     }
     throw UsageError("a section needs a flow of three dimensions, or of four with a Hamiltonian");
   }
 
  private:
-  static constexpr std::size_t n = Field::dimension;
+  static constexpr int n = Field::dimension;
   static_assert(Field::dimension >= 1 && Field::dimension <= max_flow_dimension);
+  static constexpr bool has_section_maps = (n == 3 || n == 4) && Field::forcings == 0;
+
+  /// What the field depends on at a time.
+  struct Forcing {
+    double numbers[Field::forcings + 1]{};
+    Forcing(const Field& field, double time) { field.forcing(time, numbers); }
+  };
 
   void require_hamiltonian() const {
     if (field_.pairs().empty()) throw UsageError("the flow is not Hamiltonian");
   }
 
-  template <std::size_t N>
-  static std::array<double, N> narrow(const FlowState& state) {
-    std::array<double, N> result{};
-    std::copy_n(state.begin(), n, result.begin());
-    return result;
+  template <typename Rhs, typename Queue>
+  void follow(const Rhs& rhs, double from, double to, const IntegrationOptions& options, Queue& queue) const {
+    SpanLanes<Rhs, Field, Queue> lanes(rhs, field_, from, to, options, n, queue);
+    run(rhs, options, lanes);
   }
-  template <std::size_t N>
-  static FlowState widen(const std::array<double, N>& x) {
+  template <typename Rhs, typename Lanes>
+  static void run(const Rhs& rhs, const IntegrationOptions& options, Lanes& lanes) {
+    StepBlock<Rhs::size> block{};
+    block.tolerance = options.tolerance;
+    run_lanes(rhs, block, step_function<Rhs>(), lanes);
+  }
+
+  static FlowState widened(const double* x) {
     FlowState result{};
-    std::copy_n(x.begin(), n, result.begin());
+    std::copy_n(x, n, result.begin());
     return result;
   }
   static FlowState lost_state() {
@@ -147,14 +189,15 @@ class FlowOf final : public Flow {
     result.fill(std::numeric_limits<double>::quiet_NaN());
     return result;
   }
-  static void copy_with_unit_tangents(const FlowState& state, std::array<double, n*(1 + n)>& x) {
-    std::copy_n(state.begin(), n, x.begin());
-    for (std::size_t k = 0; k < n; ++k) x[n * (1 + k) + k] = 1;
+  static void copy_with_unit_tangents(const FlowState& state, double (&x)[n * (1 + n)]) {
+    std::fill(std::begin(x), std::end(x), 0.0);
+    std::copy_n(state.begin(), n, x);
+    for (int k = 0; k < n; ++k) x[n * (1 + k) + k] = 1;
   }
-  static FlowMatrix tangents(const std::array<double, n*(1 + n)>& x) {
+  static FlowMatrix tangents(const double (&x)[n * (1 + n)]) {
     FlowMatrix result{};
-    for (std::size_t k = 0; k < n; ++k) {
-      for (std::size_t i = 0; i < n; ++i) result[i][k] = x[n * (1 + k) + i];
+    for (int k = 0; k < n; ++k) {
+      for (int i = 0; i < n; ++i) result[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = x[n * (1 + k) + i];
     }
     return result;
   }

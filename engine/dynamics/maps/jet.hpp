@@ -2,72 +2,85 @@
 // number, yields its Jacobian and its variational equations in this way.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "kernels/trigonometric.hpp"
 
 namespace lober::detail {
 
-template <int M>
+/// V: double or Wide.
+template <int M, typename V = double>
 struct Jet {
-  double value = 0;
-  std::array<double, M> slope{};
+  V value;
+  V slope[M];
 
   Jet() = default;
-  Jet(double constant) : value(constant) {}  // NOLINT: a constant is a number without slope
+  LOBER_INLINE Jet(V constant) : value(constant) {  // NOLINT: a constant is a number without slope
+    for (int k = 0; k < M; ++k) slope[k] = V(0.0);
+  }
 
   /// The jet of g(*this), from g and its derivative.
-  [[nodiscard]] Jet through(double image, double derivative) const {
-    Jet result(image);
-    for (std::size_t k = 0; k < M; ++k) result.slope[k] = derivative * slope[k];
+  [[nodiscard]] LOBER_INLINE Jet through(V image, V derivative) const {
+    Jet result;
+    result.value = image;
+    for (int k = 0; k < M; ++k) result.slope[k] = derivative * slope[k];
     return result;
   }
 
-  friend Jet operator-(const Jet& a) { return a.through(-a.value, -1); }
-  friend Jet operator+(Jet a, const Jet& b) {
-    a.value += b.value;
-    for (std::size_t k = 0; k < M; ++k) a.slope[k] += b.slope[k];
-    return a;
-  }
-  friend Jet operator-(Jet a, const Jet& b) {
-    a.value -= b.value;
-    for (std::size_t k = 0; k < M; ++k) a.slope[k] -= b.slope[k];
-    return a;
-  }
-  friend Jet operator*(const Jet& a, const Jet& b) {
-    Jet result(a.value * b.value);
-    for (std::size_t k = 0; k < M; ++k) result.slope[k] = a.slope[k] * b.value + a.value * b.slope[k];
+  LOBER_INLINE friend Jet operator-(const Jet& a) {
+    Jet result;
+    result.value = -a.value;
+    for (int k = 0; k < M; ++k) result.slope[k] = -a.slope[k];
     return result;
   }
-  friend Jet operator/(const Jet& a, const Jet& b) {
-    Jet result(a.value / b.value);
-    for (std::size_t k = 0; k < M; ++k) result.slope[k] = (a.slope[k] - result.value * b.slope[k]) / b.value;
+  LOBER_INLINE friend Jet operator+(Jet a, const Jet& b) {
+    a.value = a.value + b.value;
+    for (int k = 0; k < M; ++k) a.slope[k] = a.slope[k] + b.slope[k];
+    return a;
+  }
+  LOBER_INLINE friend Jet operator-(Jet a, const Jet& b) {
+    a.value = a.value - b.value;
+    for (int k = 0; k < M; ++k) a.slope[k] = a.slope[k] - b.slope[k];
+    return a;
+  }
+  LOBER_INLINE friend Jet operator*(const Jet& a, const Jet& b) {
+    Jet result;
+    result.value = a.value * b.value;
+    for (int k = 0; k < M; ++k) result.slope[k] = a.slope[k] * b.value + a.value * b.slope[k];
     return result;
   }
-  // With constants, so that no products with slopes of zero are made.
-  friend Jet operator+(Jet a, double b) {
-    a.value += b;
+  LOBER_INLINE friend Jet operator/(const Jet& a, const Jet& b) {
+    const V inverse = V(1.0) / b.value;
+    Jet result;
+    result.value = a.value / b.value;
+    for (int k = 0; k < M; ++k) result.slope[k] = (a.slope[k] - result.value * b.slope[k]) * inverse;
+    return result;
+  }
+  // With constants, so that no products with slopes of zero are made. A double becomes a V.
+  LOBER_INLINE friend Jet operator+(Jet a, V b) {
+    a.value = a.value + b;
     return a;
   }
-  friend Jet operator+(double a, const Jet& b) { return b + a; }
-  friend Jet operator-(Jet a, double b) {
-    a.value -= b;
+  LOBER_INLINE friend Jet operator+(V a, const Jet& b) { return b + a; }
+  LOBER_INLINE friend Jet operator-(Jet a, V b) {
+    a.value = a.value - b;
     return a;
   }
-  friend Jet operator-(double a, const Jet& b) { return b.through(a - b.value, -1); }
-  friend Jet operator*(const Jet& a, double b) { return a.through(a.value * b, b); }
-  friend Jet operator*(double a, const Jet& b) { return b * a; }
-  friend Jet operator/(const Jet& a, double b) { return a * (1 / b); }
-  friend Jet operator/(double a, const Jet& b) {
-    const double quotient = a / b.value;
-    return b.through(quotient, -quotient / b.value);
+  LOBER_INLINE friend Jet operator-(V a, const Jet& b) {
+    Jet result = -b;
+    result.value = a - b.value;
+    return result;
   }
-  friend Jet sqrt(const Jet& a) {
-    const double root = std::sqrt(a.value);
-    return a.through(root, 0.5 / root);
+  LOBER_INLINE friend Jet operator*(const Jet& a, V b) { return a.through(a.value * b, b); }
+  LOBER_INLINE friend Jet operator*(V a, const Jet& b) { return b * a; }
+  LOBER_INLINE friend Jet operator/(V a, const Jet& b) {
+    const V inverse = V(1.0) / b.value, quotient = a * inverse;
+    return b.through(quotient, -quotient * inverse);
   }
-  friend Jet sin(const Jet& a) { return a.through(std::sin(a.value), std::cos(a.value)); }
-  friend Jet cos(const Jet& a) { return a.through(std::cos(a.value), -std::sin(a.value)); }
+  LOBER_INLINE friend Jet square_root(const Jet& a) {
+    const V root = square_root(a.value);
+    return a.through(root, V(0.5) / root);
+  }
+  LOBER_INLINE friend Jet sine(const Jet& a) { return a.through(sine(a.value), cosine(a.value)); }
+  LOBER_INLINE friend Jet cosine(const Jet& a) { return a.through(cosine(a.value), -sine(a.value)); }
 };
 
 }  // namespace lober::detail

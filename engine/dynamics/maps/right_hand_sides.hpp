@@ -2,16 +2,20 @@
 //
 // A Field is a value type:
 //   static constexpr int dimension;
-//   double period() const;                                        0 for autonomous fields
-//   template <typename T> void velocity(const T* x, T* dxdt, double t) const;      T = double or Jet<M>
-//   std::span<const ConjugatePair> pairs() const;                 empty when not Hamiltonian
-//   double hamiltonian(const double* x, double t) const;          called only when pairs() is not empty
+//   static constexpr std::size_t forcings;         how many numbers it depends on by time alone
+//   static constexpr bool in_lanes;                whether velocity takes any kind of number
+//   double period() const;                         0 for autonomous fields, which have no forcings
+//   void forcing(double t, double* force) const;   computes them
+//   template <typename T, typename V> void velocity(const T* x, T* dxdt, const V* force) const;
+//                                                  T = V or Jet<M, V>; V = double or Wide. LOBER_INLINE if in_lanes
+//   std::span<const ConjugatePair> pairs() const;                    empty when not Hamiltonian
+//   double hamiltonian(const double* x, const double* force) const;  called only when pairs() is not empty
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include "engine/dynamics/maps/jet.hpp"
+#include "kernels/inline.hpp"
 #include "lober/flow.hpp"
 
 namespace lober::detail {
@@ -19,29 +23,41 @@ namespace lober::detail {
 /// State: x.
 template <typename Field>
 struct AlongFlow {
-  static constexpr std::size_t size = Field::dimension;
+  static constexpr int size = Field::dimension;
+  static constexpr std::size_t forcings = Field::forcings;
+  static constexpr bool in_lanes = Field::in_lanes;
   const Field& field;
-  void operator()(const std::array<double, size>& x, std::array<double, size>& dxdt, double t) const {
-    field.velocity(x.data(), dxdt.data(), t);
+  template <typename V>
+  LOBER_INLINE void operator()(const V* x, V* dxdt, const V* force) const {
+    field.velocity(x, dxdt, force);
+  }
+  /// Field::steps, if there is one (lane_steps.hpp).
+  static auto own_steps()
+    requires requires { &Field::steps; }
+  {
+    return &Field::steps;
   }
 };
 
 /// State: x, then M tangent vectors; v' = (d velocity / dx) v.
 template <typename Field, int M>
 struct WithTangents {
-  static constexpr std::size_t n = Field::dimension;
-  static constexpr std::size_t size = n * (1 + M);
+  static constexpr int n = Field::dimension;
+  static constexpr int size = n * (1 + M);
+  static constexpr std::size_t forcings = Field::forcings;
+  static constexpr bool in_lanes = Field::in_lanes && M == 2;
   const Field& field;
-  void operator()(const std::array<double, size>& x, std::array<double, size>& dxdt, double t) const {
-    std::array<Jet<M>, n> point, speed;
-    for (std::size_t i = 0; i < n; ++i) {
+  template <typename V>
+  LOBER_INLINE void operator()(const V* x, V* dxdt, const V* force) const {
+    Jet<M, V> point[n], speed[n];
+    for (int i = 0; i < n; ++i) {
       point[i].value = x[i];
-      for (std::size_t k = 0; k < M; ++k) point[i].slope[k] = x[n * (1 + k) + i];
+      for (int k = 0; k < M; ++k) point[i].slope[k] = x[n * (1 + k) + i];
     }
-    field.velocity(point.data(), speed.data(), t);
-    for (std::size_t i = 0; i < n; ++i) {
+    field.velocity(point, speed, force);
+    for (int i = 0; i < n; ++i) {
       dxdt[i] = speed[i].value;
-      for (std::size_t k = 0; k < M; ++k) dxdt[n * (1 + k) + i] = speed[i].slope[k];
+      for (int k = 0; k < M; ++k) dxdt[n * (1 + k) + i] = speed[i].slope[k];
     }
   }
 };
@@ -49,18 +65,17 @@ struct WithTangents {
 /// State: x, then the integral of p dq, less that of `with_energy` * H dt.
 template <typename Field>
 struct WithAction {
-  static constexpr bool ends_in_integral = true;
-  static constexpr std::size_t n = Field::dimension;
-  static constexpr std::size_t size = n + 1;
+  static constexpr int n = Field::dimension;
+  static constexpr int size = n + 1;
+  static constexpr std::size_t forcings = Field::forcings;
+  static constexpr bool in_lanes = false;
   const Field& field;
   double with_energy;
-  void operator()(const std::array<double, size>& x, std::array<double, size>& dxdt, double t) const {
-    field.velocity(x.data(), dxdt.data(), t);
+  void operator()(const double* x, double* dxdt, const double* force) const {
+    field.velocity(x, dxdt, force);
     double sum = 0;
-    for (const ConjugatePair& pair : field.pairs()) {
-      sum += pair.factor * x[static_cast<std::size_t>(pair.p)] * dxdt[static_cast<std::size_t>(pair.q)];
-    }
-    dxdt[n] = with_energy != 0 ? sum - with_energy * field.hamiltonian(x.data(), t) : sum;
+    for (const ConjugatePair& pair : field.pairs()) sum += pair.factor * x[pair.p] * dxdt[pair.q];
+    dxdt[n] = with_energy != 0 ? sum - with_energy * field.hamiltonian(x, force) : sum;
   }
 };
 

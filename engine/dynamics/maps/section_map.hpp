@@ -2,13 +2,17 @@
 // Hamiltonian.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <utility>
+#include <optional>
+#include <span>
+#include <vector>
 
-#include "engine/dynamics/maps/crossing.hpp"
+#include "engine/dynamics/integration/section_lanes.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/maps/right_hand_sides.hpp"
 #include "lober/error.hpp"
@@ -21,6 +25,7 @@ class SectionChart {
  public:
   static constexpr std::size_t n = Field::dimension;
   using State = std::array<double, n>;
+  static_assert(Field::forcings == 0);
 
   /// Throws UsageError when the section does not fit the flow.
   SectionChart(const Field& field, const Section& section, double energy)
@@ -102,7 +107,7 @@ class SectionChart {
     double& v = x[at(section_.solved)];
     const auto excess = [&](double value) {
       v = value;
-      return field_.hamiltonian(x.data(), 0) - energy_;
+      return field_.hamiltonian(x.data(), x.data()) - energy_;
     };
     const double below = excess(-1), c = excess(0), above = excess(1);
     const double a = 0.5 * (above + below) - c, b = 0.5 * (above - below);
@@ -134,49 +139,99 @@ class SectionMap final : public PlanarMap {
       : field_(field), chart_(field, section, energy), options_(options) {}
 
   void iterate(std::span<Point> points, int iterates) const override {
-    const AlongFlow<Field> rhs{field_};
-    Integrator<n, AlongFlow<Field>> integrator(rhs, options_, n);
-    CrossingFinder finder(integrator, rhs, chart_.section(), options_.max_time);
-    const int forward = iterates < 0 ? -1 : 1;
-    for (Point& point : points) {
-      // Each return begins anew from the point, so that two returns are exactly twice one.
-      for (int k = 0; k != iterates; k += forward) {
-        State x;
-        if (!chart_.lift(point, x) || !finder.next(x, forward)) {
-          point = lost_point;
-          break;
+    // Each return begins anew from the point, so that two returns are exactly twice one.
+    struct Queue {
+      const SectionChart<Field>& chart;
+      std::span<Point> points;
+      int returns;
+      std::vector<int> left;
+      std::size_t begun = 0;
+
+      bool next(std::size_t& item, double* state) {
+        while (begun < points.size()) {
+          item = begun++;
+          if (lifted(item, state)) {
+            if (returns > 1) left[item] = returns;
+            return true;
+          }
         }
-        point = chart_.project(finder.state.data());
+        return false;
       }
-    }
-    add_work(integrator.evaluations());
+      bool arrived(std::size_t item, double* state, double /*time*/) {
+        points[item] = chart.project(state);
+        return returns > 1 && --left[item] > 0 && lifted(item, state);
+      }
+      void lost(std::size_t item) { points[item] = lost_point; }
+      bool lifted(std::size_t item, double* state) {
+        State x;
+        if (!chart.lift(points[item], x)) {
+          lost(item);
+          return false;
+        }
+        std::copy(x.begin(), x.end(), state);
+        return true;
+      }
+    };
+    if (iterates == 0) return;
+    const int returns = std::abs(iterates);
+    Queue queue{chart_, points, returns, std::vector<int>(returns > 1 ? points.size() : 0)};
+    add_tenths_of_work(tenths_each * follow(AlongFlow<Field>{field_}, options_, iterates < 0 ? -1 : 1, queue));
   }
 
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
-    const int forward = iterates < 0 ? -1 : 1;
-    derivative = {};
-    for (int k = 0; k != iterates; k += forward) {
-      Matrix2 step;
-      if (!derivative_of_return(point, forward, step)) return lost_point;
-      derivative = step * derivative;
-    }
+    iterate_with_derivatives({&point, 1}, iterates, {&derivative, 1});
     return point;
+  }
+
+  void iterate_with_derivatives(std::span<Point> points, int iterates, std::span<Matrix2> derivatives) const override {
+    struct Queue {
+      const SectionMap& map;
+      std::span<Point> points;
+      std::span<Matrix2> derivatives;
+      int returns;
+      std::vector<int> left;
+      std::size_t begun = 0;
+
+      bool next(std::size_t& item, double* state) {
+        while (begun < points.size()) {
+          item = begun++;
+          if (returns > 1) left[item] = returns;
+          if (begin_return(item, state)) return true;
+        }
+        return false;
+      }
+      bool arrived(std::size_t item, double* state, double /*time*/) {
+        points[item] = map.chart_.project(state);
+        derivatives[item] = map.derivative_on_section(state) * derivatives[item];
+        return returns > 1 && --left[item] > 0 && begin_return(item, state);
+      }
+      void lost(std::size_t item) { points[item] = lost_point; }
+      bool begin_return(std::size_t item, double* state) {
+        if (map.begin_with_tangents(points[item], state)) return true;
+        lost(item);
+        return false;
+      }
+    };
+    std::fill(derivatives.begin(), derivatives.end(), Matrix2{});
+    if (iterates == 0) return;
+    const int returns = std::abs(iterates);
+    Queue queue{*this, points, derivatives, returns, std::vector<int>(returns > 1 ? points.size() : 0)};
+    const IntegrationOptions options = options_.finer();
+    follow(WithTangents<Field, 2>{field_}, options, iterates < 0 ? -1 : 1, queue);
   }
 
   [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {
     const double factor = chart_.chart_factor();
     State x;
     if (factor == 0 || !chart_.lift(from, x)) return std::nullopt;
-    using Rhs = WithAction<Field>;
-    const Rhs rhs{field_, 0};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), n);
-    CrossingFinder finder(integrator, rhs, chart_.section(), options_.max_time);
-    std::array<double, Rhs::size> start{};
-    std::copy(x.begin(), x.end(), start.begin());
-    if (!finder.next(start, 1)) return std::nullopt;
-    const Point image = chart_.project(finder.state.data());
-    return finder.state[n] / static_cast<long double>(factor) +
-           static_cast<long double>(to.y) * (static_cast<long double>(to.x) - image.x);
+    double state[n + 1] = {};
+    std::copy(x.begin(), x.end(), state);
+    SingleTrajectory<n + 1> trajectory{state};
+    const IntegrationOptions options = options_.finer();
+    follow(WithAction<Field>{field_, 0}, options, 1, trajectory);
+    if (!trajectory.found) return std::nullopt;
+    return state[n] / static_cast<long double>(factor) +
+           static_cast<long double>(to.y) * (static_cast<long double>(to.x) - chart_.project(state).x);
   }
   [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
   [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
@@ -187,35 +242,42 @@ class SectionMap final : public PlanarMap {
   static constexpr std::size_t n = Field::dimension;
   using State = std::array<double, n>;
 
-  /// Carries the point to its next crossing, with the derivative of that return. False: lost.
-  bool derivative_of_return(Point& point, int forward, Matrix2& derivative) const {
-    using Rhs = WithTangents<Field, 2>;
-    const Rhs rhs{field_};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), n);
-    CrossingFinder finder(integrator, rhs, chart_.section(), options_.max_time);
+  /// The state of a point of the section, and the tangent vectors of the chart there. False: there is none.
+  bool begin_with_tangents(Point point, double* state) const {
     State x, v;
     if (!chart_.lift(point, x)) return false;
-    field_.velocity(x.data(), v.data(), 0);
-    std::array<double, Rhs::size> start{};
-    std::copy(x.begin(), x.end(), start.begin());
+    field_.velocity(x.data(), v.data(), x.data());
+    std::copy(x.begin(), x.end(), state);
     const auto frame = chart_.frame(v);
-    for (std::size_t k = 0; k < 2; ++k) {
-      std::copy(frame[k].begin(), frame[k].end(), start.begin() + static_cast<std::ptrdiff_t>(n * (1 + k)));
-    }
-    if (!finder.next(start, forward)) return false;
-    field_.velocity(finder.state.data(), v.data(), 0);
+    for (std::size_t k = 0; k < 2; ++k) std::copy(frame[k].begin(), frame[k].end(), state + n * (1 + k));
+    return true;
+  }
+  /// The derivative of a return, from the state and the tangent vectors where it ends.
+  Matrix2 derivative_on_section(double* state) const {
+    State v;
+    field_.velocity(state, v.data(), state);
     // Along the flow back onto the section.
     const auto axis = static_cast<std::size_t>(chart_.section().coordinate);
     std::array<Point, 2> column;
     for (std::size_t k = 0; k < 2; ++k) {
-      double* const w = finder.state.data() + n * (1 + k);
+      double* const w = state + n * (1 + k);
       const double share = w[axis] / v[axis];
       for (std::size_t i = 0; i < n; ++i) w[i] -= share * v[i];
       column[k] = chart_.project(w);
     }
-    derivative = {column[0].x, column[1].x, column[0].y, column[1].y};
-    point = chart_.project(finder.state.data());
-    return true;
+    return {column[0].x, column[1].x, column[0].y, column[1].y};
+  }
+
+  /// Of work (PlanarMap::work), for an evaluation of the field.
+  static constexpr std::uint64_t tenths_each = Field::in_lanes ? 1 : 10;
+
+  /// Evaluations of the field.
+  template <typename Rhs, typename Queue>
+  std::uint64_t follow(const Rhs& rhs, const IntegrationOptions& options, int forward, Queue& queue) const {
+    StepBlock<Rhs::size> block{};
+    block.tolerance = options.tolerance;
+    SectionLanes<Rhs, Queue> lanes(rhs, chart_.section(), options, n, forward, queue);
+    return (step_stages + 1) * run_lanes(rhs, block, step_function<Rhs>(), lanes);
   }
 
   Field field_;

@@ -1,13 +1,18 @@
 // The map over one period of a time-periodic flow of the plane.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "engine/dynamics/maps/integrator.hpp"
+#include "engine/dynamics/integration/period_lanes.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/maps/right_hand_sides.hpp"
 
@@ -19,62 +24,120 @@ class StroboscopicMap final : public PlanarMap {
 
  public:
   StroboscopicMap(Field field, double phase, const IntegrationOptions& options)
-      : field_(std::move(field)), period_(field_.period()), start_(phase * period_), options_(options) {}
+      : StroboscopicMap(std::make_shared<ForcingTable<Field>>(field, phase * field.period()), options) {}
 
   void iterate(std::span<Point> points, int iterates) const override {
-    const AlongFlow<Field> rhs{field_};
-    Integrator<2, AlongFlow<Field>> integrator(rhs, options_, 2);
-    const int forward = iterates < 0 ? -1 : 1;
-    for (Point& point : points) {
-      // Each period begins anew, so that two periods are exactly twice one.
-      for (int k = 0; k != iterates; k += forward) {
-        integrator.start({point.x, point.y}, start_, forward);
-        if (!integrator.advance(start_ + forward * period_)) {
-          point = lost_point;
-          break;
-        }
-        point = {integrator.x[0], integrator.x[1]};
+    // Each period begins anew, so that two periods are exactly twice one.
+    struct Queue {
+      std::span<Point> points;
+      int periods;
+      std::vector<int> left;
+      std::size_t begun = 0;
+
+      bool next(std::size_t& item, double* state) {
+        if (begun == points.size()) return false;
+        item = begun++;
+        state[0] = points[item].x;
+        state[1] = points[item].y;
+        if (periods > 1) left[item] = periods;
+        return true;
       }
-    }
-    add_work(integrator.evaluations());
+      bool arrived(std::size_t item, double* state) {
+        points[item] = {state[0], state[1]};
+        return periods > 1 && --left[item] > 0;
+      }
+      void lost(std::size_t item) { points[item] = lost_point; }
+    };
+    if (iterates == 0) return;
+    const int periods = std::abs(iterates);
+    Queue queue{points, periods, std::vector<int>(periods > 1 ? points.size() : 0)};
+    add_tenths_of_work(tenths_each * follow(AlongFlow<Field>{field()}, options_, iterates < 0 ? -1 : 1, queue));
   }
 
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
-    using Rhs = WithTangents<Field, 2>;
-    const Rhs rhs{field_};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), 2);
-    const int forward = iterates < 0 ? -1 : 1;
-    derivative = {};
-    for (int k = 0; k != iterates; k += forward) {
-      integrator.start({point.x, point.y, 1, 0, 0, 1}, start_, forward);
-      if (!integrator.advance(start_ + forward * period_)) return lost_point;
-      const auto& x = integrator.x;
-      point = {x[0], x[1]};
-      derivative = Matrix2{x[2], x[4], x[3], x[5]} * derivative;
-    }
+    iterate_with_derivatives({&point, 1}, iterates, {&derivative, 1});
     return point;
   }
 
+  void iterate_with_derivatives(std::span<Point> points, int iterates, std::span<Matrix2> derivatives) const override {
+    struct Queue {
+      std::span<Point> points;
+      std::span<Matrix2> derivatives;
+      int periods;
+      std::vector<int> left;
+      std::size_t begun = 0;
+
+      bool next(std::size_t& item, double* state) {
+        if (begun == points.size()) return false;
+        item = begun++;
+        if (periods > 1) left[item] = periods;
+        begin_period(item, state);
+        return true;
+      }
+      bool arrived(std::size_t item, double* state) {
+        points[item] = {state[0], state[1]};
+        derivatives[item] = Matrix2{state[2], state[4], state[3], state[5]} * derivatives[item];
+        if (periods == 1 || --left[item] == 0) return false;
+        begin_period(item, state);
+        return true;
+      }
+      void lost(std::size_t item) { points[item] = lost_point; }
+      void begin_period(std::size_t item, double* state) {
+        const double unit[4] = {1, 0, 0, 1};
+        state[0] = points[item].x;
+        state[1] = points[item].y;
+        std::copy(std::begin(unit), std::end(unit), state + 2);
+      }
+    };
+    std::fill(derivatives.begin(), derivatives.end(), Matrix2{});
+    if (iterates == 0) return;
+    const int periods = std::abs(iterates);
+    Queue queue{points, derivatives, periods, std::vector<int>(periods > 1 ? points.size() : 0)};
+    const IntegrationOptions options = options_.finer();
+    follow(WithTangents<Field, 2>{field()}, options, iterates < 0 ? -1 : 1, queue);
+  }
+
   [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {
-    const auto pairs = field_.pairs();
+    const auto pairs = field().pairs();
     if (pairs.size() != 1 || pairs[0].q != 0) return std::nullopt;
-    using Rhs = WithAction<Field>;
-    const Rhs rhs{field_, 1};
-    Integrator<Rhs::size, Rhs> integrator(rhs, options_.finer(), 2);
-    integrator.start({from.x, from.y, 0}, start_, 1);
-    if (!integrator.advance(start_ + period_)) return std::nullopt;
-    const long double along = integrator.x[2] / pairs[0].factor;
-    return along + static_cast<long double>(to.y) * (static_cast<long double>(to.x) - integrator.x[0]);
+    double state[3] = {from.x, from.y, 0};
+    if (!period(WithAction<Field>{field(), 1}, 1, state)) return std::nullopt;
+    const long double along = state[2] / pairs[0].factor;
+    return along + static_cast<long double>(to.y) * (static_cast<long double>(to.x) - state[0]);
   }
   [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
   [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
-    return std::make_unique<StroboscopicMap>(field_, start_ / period_, options_.finer());
+    return std::unique_ptr<PlanarMap>(new StroboscopicMap(forcing_, options_.finer()));
   }
 
  private:
-  Field field_;
-  double period_;
-  double start_;
+  StroboscopicMap(std::shared_ptr<const ForcingTable<Field>> forcing, const IntegrationOptions& options)
+      : forcing_(std::move(forcing)), options_(options) {}
+
+  [[nodiscard]] const Field& field() const { return forcing_->field(); }
+
+  /// Of work (PlanarMap::work), for an evaluation of the field.
+  static constexpr std::uint64_t tenths_each = Field::in_lanes ? 1 : 10;
+
+  /// Evaluations of the field.
+  template <typename Rhs, typename Queue>
+  std::uint64_t follow(const Rhs& rhs, const IntegrationOptions& options, int forward, Queue& queue) const {
+    StepBlock<Rhs::size> block{};
+    block.tolerance = options.tolerance;
+    PeriodLanes<Rhs, Field, Queue> lanes(*forcing_, options, 2, forward, queue);
+    return step_stages * run_lanes(rhs, block, step_function<Rhs>(), lanes);
+  }
+
+  /// Replaces the state by that after a period, to finer errors. False: it is lost.
+  template <typename Rhs>
+  bool period(const Rhs& rhs, int forward, double (&state)[Rhs::size]) const {
+    SingleTrajectory<Rhs::size> trajectory{state};
+    const IntegrationOptions options = options_.finer();
+    follow(rhs, options, forward, trajectory);
+    return trajectory.found;
+  }
+
+  std::shared_ptr<const ForcingTable<Field>> forcing_;
   IntegrationOptions options_;
 };
 

@@ -3,26 +3,10 @@
 
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
+#include "engine/dynamics/systems/fields/duffing.hpp"
 #include "engine/dynamics/systems/forced_oscillator.hpp"
 
 namespace lober::detail {
-
-namespace {
-
-/// x' = y, y' = x - x^3 - delta y + eps cos(omega t).
-struct Duffing : ForcedOscillator {
-  template <typename T>
-  void velocity(const T* x, T* dxdt, double t) const {
-    dxdt[0] = x[1];
-    dxdt[1] = x[0] - x[0] * x[0] * x[0] - delta * x[1] + eps * std::cos(omega * t);
-  }
-  double hamiltonian(const double* x, double t) const {
-    const double square = x[0] * x[0];
-    return 0.5 * x[1] * x[1] - 0.5 * square + 0.25 * square * square - eps * x[0] * std::cos(omega * t);
-  }
-};
-
-}  // namespace
 
 SystemEntry duffing_entry() {
   const SystemInfo info{"duffing",

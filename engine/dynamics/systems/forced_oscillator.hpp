@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <numbers>
 #include <span>
@@ -15,9 +17,12 @@ namespace lober::detail {
 /// Position and velocity under the force eps cos(omega t), with damping delta; Hamiltonian when delta is 0.
 struct ForcedOscillator {
   static constexpr int dimension = 2;
+  static constexpr std::size_t forcings = 1;
+  static constexpr bool in_lanes = true;
   double eps, omega, delta;
 
   [[nodiscard]] double period() const { return 2 * std::numbers::pi / omega; }
+  void forcing(double t, double* force) const { force[0] = eps * std::cos(omega * t); }
   [[nodiscard]] std::span<const ConjugatePair> pairs() const {
     static constexpr std::array<ConjugatePair, 1> pair{{{0, 1, 1}}};
     return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);

@@ -4,26 +4,10 @@
 
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
+#include "engine/dynamics/systems/fields/pendulum.hpp"
 #include "engine/dynamics/systems/forced_oscillator.hpp"
 
 namespace lober::detail {
-
-namespace {
-
-/// x' = y, y' = -sin x - delta y + eps cos(omega t); the angle x is lifted.
-struct Pendulum : ForcedOscillator {
-  template <typename T>
-  void velocity(const T* x, T* dxdt, double t) const {
-    using std::sin;
-    dxdt[0] = x[1];
-    dxdt[1] = eps * std::cos(omega * t) - sin(x[0]) - delta * x[1];
-  }
-  double hamiltonian(const double* x, double t) const {
-    return 0.5 * x[1] * x[1] - std::cos(x[0]) - eps * x[0] * std::cos(omega * t);
-  }
-};
-
-}  // namespace
 
 SystemEntry pendulum_entry() {
   const SystemInfo info{"pendulum",

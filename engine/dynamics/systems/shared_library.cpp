@@ -66,11 +66,13 @@ class LoadedMapWithAction : public LoadedMap {
   }
 };
 
-/// A flow of a library as a field (right_hand_sides.hpp).
-template <int N>
+/// A flow of a library as a field (right_hand_sides.hpp), which is told the time if it is periodic.
+template <int N, bool periodic>
 class LoadedField {
  public:
   static constexpr int dimension = N;
+  static constexpr std::size_t forcings = periodic ? 1 : 0;
+  static constexpr bool in_lanes = false;
 
   explicit LoadedField(Loaded loaded) : loaded_(std::make_shared<const Loaded>(std::move(loaded))) {
     const lober_flow& flow = *loaded_->system->flow;
@@ -82,49 +84,82 @@ class LoadedField {
   }
 
   [[nodiscard]] double period() const {
-    return loaded_->system->flow->period != nullptr ? loaded_->system->flow->period(parameters()) : 0;
+    if constexpr (!periodic) return 0;
+    return loaded_->system->flow->period(parameters());
+  }
+  void forcing(double t, double* force) const {
+    if constexpr (periodic) force[0] = t;
   }
   [[nodiscard]] std::span<const ConjugatePair> pairs() const { return pairs_; }
-  void velocity(const double* x, double* dxdt, double t) const {
-    if (loaded_->system->flow->velocity(parameters(), x, t, dxdt) != 0) std::fill_n(dxdt, N, nan);
+  void velocity(const double* x, double* dxdt, const double* force) const {
+    if (loaded_->system->flow->velocity(parameters(), x, time(force), dxdt) != 0) std::fill_n(dxdt, N, nan);
+  }
+  /// Of several points, by velocity_batch.
+  template <int elements, InstructionSet isa>
+  void velocity(const Wide<elements, isa>* x, Wide<elements, isa>* dxdt, const Wide<elements, isa>* force) const {
+    double from[N][elements], to[N][elements], t[elements] = {};
+    for (int i = 0; i < N; ++i) store_number(from[i], x[i]);
+    if constexpr (periodic) store_number(t, force[0]);
+    loaded_->system->flow->velocity_batch(parameters(), elements, from[0], t, to[0]);
+    for (int i = 0; i < N; ++i) dxdt[i] = load_number<Wide<elements, isa>>(to[i]);
   }
   template <int M>
-  void velocity(const Jet<M>* x, Jet<M>* dxdt, double t) const {
+  void velocity(const Jet<M, double>* x, Jet<M, double>* dxdt, const double* force) const {
     std::array<double, N> at{}, speed{};
     std::array<double, static_cast<std::size_t>(N * N)> jacobian{};
     for (std::size_t i = 0; i < N; ++i) at[i] = x[i].value;
-    velocity(at.data(), speed.data(), t);
-    if (loaded_->system->flow->jacobian(parameters(), at.data(), t, jacobian.data()) != 0) jacobian.fill(nan);
+    velocity(at.data(), speed.data(), force);
+    if (loaded_->system->flow->jacobian(parameters(), at.data(), time(force), jacobian.data()) != 0) jacobian.fill(nan);
     for (std::size_t i = 0; i < N; ++i) {
-      dxdt[i] = speed[i];
+      dxdt[i] = Jet<M>(speed[i]);
       for (std::size_t j = 0; j < N; ++j) {
-        for (std::size_t k = 0; k < M; ++k) dxdt[i].slope[k] += jacobian[i * N + j] * x[j].slope[k];
+        for (int k = 0; k < M; ++k) dxdt[i].slope[k] += jacobian[i * N + j] * x[j].slope[k];
       }
     }
   }
-  double hamiltonian(const double* x, double t) const { return loaded_->system->flow->hamiltonian(parameters(), x, t); }
+  /// Steps of trajectories: eight at a time if there is a velocity_batch, however many are wanted, so that each has the
+  /// same bits in any company.
+  static void steps(const AlongFlow<LoadedField>& rhs, StepBlock<N>& block, std::size_t count) {
+    const lober_system& system = *rhs.field.loaded_->system;
+    if (system.abi < 3 || system.flow->velocity_batch == nullptr) {
+      steps_one_by_one(rhs, block, count);
+    } else {
+      extrapolation_step<Wide<block_lanes, InstructionSet::baseline>>(rhs, block, 0);
+    }
+  }
+  double hamiltonian(const double* x, const double* force) const {
+    return loaded_->system->flow->hamiltonian(parameters(), x, time(force));
+  }
 
  private:
+  static double time(const double* force) {
+    if constexpr (!periodic) return 0;
+    return force[0];
+  }
   [[nodiscard]] const double* parameters() const { return loaded_->parameters.data(); }
 
   std::shared_ptr<const Loaded> loaded_;
   std::vector<ConjugatePair> pairs_;
 };
 
+template <bool periodic>
 std::shared_ptr<const Flow> make_flow(Loaded loaded) {
+  const auto of_dimension = [&]<int N>() -> std::shared_ptr<const Flow> {
+    return std::make_shared<FlowOf<LoadedField<N, periodic>>>(LoadedField<N, periodic>(std::move(loaded)));
+  };
   switch (loaded.system->flow->dimension) {
     case 1:
-      return std::make_shared<FlowOf<LoadedField<1>>>(LoadedField<1>(std::move(loaded)));
+      return of_dimension.template operator()<1>();
     case 2:
-      return std::make_shared<FlowOf<LoadedField<2>>>(LoadedField<2>(std::move(loaded)));
+      return of_dimension.template operator()<2>();
     case 3:
-      return std::make_shared<FlowOf<LoadedField<3>>>(LoadedField<3>(std::move(loaded)));
+      return of_dimension.template operator()<3>();
     case 4:
-      return std::make_shared<FlowOf<LoadedField<4>>>(LoadedField<4>(std::move(loaded)));
+      return of_dimension.template operator()<4>();
     case 5:
-      return std::make_shared<FlowOf<LoadedField<5>>>(LoadedField<5>(std::move(loaded)));
+      return of_dimension.template operator()<5>();
     default:
-      return std::make_shared<FlowOf<LoadedField<6>>>(LoadedField<6>(std::move(loaded)));
+      return of_dimension.template operator()<6>();
   }
 }
 
@@ -194,7 +229,7 @@ System make(const Library& library, const lober_system& system, std::span<const 
   made.lattice = {system.lattice[0], system.lattice[1]};
   set_connections(made, system, values);
   if (system.kind == LOBER_FLOW) {
-    made.flow = make_flow(loaded);
+    made.flow = system.flow->period != nullptr ? make_flow<true>(loaded) : make_flow<false>(loaded);
     set_map(made, system, values, options);
   } else if (system.map->action != nullptr) {
     made.map = std::make_shared<FormulaMap<LoadedMapWithAction>>(LoadedMapWithAction(loaded));

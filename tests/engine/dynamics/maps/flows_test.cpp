@@ -1,7 +1,11 @@
 // Vector fields against their Hamiltonians and Jacobians, trajectories, crossings of sections.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -122,6 +126,52 @@ TEST(Trajectories, OfTheShipsBrakeOrbit) {
   FlowMatrix m;
   end = ship.flow->integrate_with_derivative(start, 0, period, m, {.tolerance = 1e-15});
   EXPECT_NEAR(m[0][0] + m[1][1] + m[2][2] + m[3][3], 39.09601030324 + 1 / 39.09601030324 + 2, 1e-9);
+}
+
+// Boost.Odeint's Fehlberg 7(8) knows nothing of lanes, levels and tables.
+TEST(Trajectories, AreThoseOfAnotherIntegrator) {
+  namespace odeint = boost::numeric::odeint;
+  for (const std::string& name : flows) {
+    SCOPED_TRACE(name);
+    const System system = make_system(name);
+    const Flow& flow = *system.flow;
+    const double period = flow.period() > 0 ? flow.period() : 7;
+    const auto dimension = static_cast<std::size_t>(flow.dimension());
+    for (std::size_t k = 0; k < 5; ++k) {
+      FlowState expected = some_state(k);
+      if (name.find("ovp") == 0) expected[1] += 1.6;  // not too near a vortex
+      const FlowState start = expected;
+      std::vector<FlowState> state{start};
+      using State = std::vector<double>;  // of arrays GCC says that they may be uninitialised
+      const auto stepper = odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(1e-14, 1e-14);
+      const auto velocity = [&](const State& x, State& dxdt, double t) {
+        FlowState at{};
+        std::copy(x.begin(), x.end(), at.begin());
+        const FlowState v = flow.velocity(at, t);
+        std::copy_n(v.begin(), x.size(), dxdt.begin());
+      };
+      State followed(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(dimension));
+      odeint::integrate_adaptive(stepper, velocity, followed, 0.0, period, 1e-3);
+      std::copy(followed.begin(), followed.end(), expected.begin());
+      flow.integrate(state, 0, period, {.tolerance = 1e-14});
+      FlowMatrix stretch{};
+      flow.integrate_with_derivative(start, 0, period, stretch, {});
+      double size = 1, largest = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        largest = std::max(largest, std::fabs(expected[i]));
+        for (std::size_t j = 0; j < 4; ++j) size = std::max(size, std::fabs(stretch[i][j]));
+      }
+      if (!(largest < 100)) continue;  // it escapes
+      for (std::size_t i = 0; i < dimension; ++i) EXPECT_NEAR(state[0][i], expected[i], 1e-11 * size) << k;
+      if (flow.period() == 0) continue;
+      // The steps of the map are others again: whole fractions of the period.
+      const auto map = flow.stroboscopic_map(0, {.tolerance = 1e-14});
+      Point point{some_state(k)[0], some_state(k)[1] + (name.find("ovp") == 0 ? 1.6 : 0.0)};
+      map->iterate({&point, 1}, 1);
+      EXPECT_NEAR(point.x, expected[0], 1e-11 * size) << k;
+      EXPECT_NEAR(point.y, expected[1], 1e-11 * size) << k;
+    }
+  }
 }
 
 TEST(Trajectories, ErrFallsWithTheTolerance) {

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "engine/dynamics/dynamics.hpp"
 #include "kernels/box.hpp"
+#include "kernels/cpu.hpp"
 #include "lober/error.hpp"
 #include "tests/paths.hpp"
 
@@ -81,6 +83,44 @@ TEST_P(EveryMap, BatchesDoNotMatterInBits) {
   }
   EXPECT_EQ(together, apart);
   for (std::size_t k = 0; k < from.size(); ++k) EXPECT_EQ(image(map, from[k], 1), together[k]);
+}
+
+TEST_P(EveryMap, InstructionSetsDoNotMatterInBits) {
+  const InstructionSet before = instruction_set();
+  const auto results = [&] {
+    std::vector<Point> images = points(5), moved = points(5);
+    std::vector<Matrix2> derivatives(moved.size());
+    map.iterate(images, -1);
+    map.iterate_with_derivatives(moved, 2, derivatives);
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      const Matrix2& d = derivatives[k];
+      for (const double number : {images[k].x, images[k].y, moved[k].x, moved[k].y, d.xx, d.xy, d.yx, d.yy})
+        numbers.push_back(number);
+    }
+    return numbers;
+  };
+  const std::vector<double> best = results();
+  for (const InstructionSet isa : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    limit_instruction_set(isa);
+    const std::vector<double> here = results();
+    EXPECT_EQ(std::memcmp(best.data(), here.data(), best.size() * sizeof(double)), 0) << static_cast<int>(isa);
+  }
+  limit_instruction_set(before);
+}
+
+TEST_P(EveryMap, DerivativesTogetherAreThoseApartInBits) {
+  for (const int iterates : {-1, 1, 3}) {
+    const std::vector<Point> from = points(3);
+    std::vector<Point> together = from;
+    std::vector<Matrix2> derivatives(from.size());
+    map.iterate_with_derivatives(together, iterates, derivatives);
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      Matrix2 d;
+      EXPECT_EQ(map.iterate_with_derivative(from[k], iterates, d), together[k]);
+      EXPECT_EQ(std::memcmp(&d, &derivatives[k], sizeof d), 0);
+    }
+  }
 }
 
 TEST_P(EveryMap, DerivativeIsThatOfDifferences) {
