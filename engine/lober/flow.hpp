@@ -1,9 +1,9 @@
 // A flow: an autonomous or time-periodic vector field of at most six dimensions, its trajectories, and the planar maps
 // that it defines.
 //
-// Trajectories are integrated by Gragg's method with extrapolation, of order 12, several at a time in the vectors of the
-// processor, each with steps by its own errors: it has the same bits in whatever batch it comes and on every processor.
-// The components of the vector field are compiled into the integrator; calls are virtual once a batch.
+// Trajectories are integrated by Gragg's method with extrapolation, of order 12, several at a time in the vectors of
+// the processor, each with steps by its own errors: it has the same bits in whatever batch it comes and on every
+// processor. The components of the vector field are compiled into the integrator; calls are virtual once a batch.
 #pragma once
 
 #include <algorithm>

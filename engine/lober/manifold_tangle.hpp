@@ -31,7 +31,7 @@ struct ManifoldTangleOptions {
   /// Work that both manifolds may take in all, in evaluations of the vector field (PlanarMap::work; steps of the map
   /// where there is none); some ten million a second on one core of a machine of today,
   /// more of built-in systems. Not with `budget`.
-  double max_work = 2.5e8;
+  double max_work = 1e8;
   double budget = 0;  ///< seconds that growing may take, by the clock: results then depend on the machine; 0: max_work
   /// Called with a line of what is being done; return false to cancel.
   std::function<bool(const std::string&)> progress{};

@@ -17,9 +17,9 @@ double winding_product(const ClosedCurve& first, const ClosedCurve& second) {
   return std::fabs(sum);
 }
 
-ClosedCurve thinned(const ClosedCurve& curve, std::size_t step) {
+ClosedCurve every_nth(const ClosedCurve& curve, std::size_t n) {
   std::vector<Point> points;
-  for (std::size_t k = 0; k < curve.size(); k += step) points.push_back(curve.points()[k]);
+  for (std::size_t k = 0; k < curve.size(); k += n) points.push_back(curve.points()[k]);
   return ClosedCurve(std::move(points));
 }
 
@@ -27,8 +27,8 @@ ClosedCurve thinned(const ClosedCurve& curve, std::size_t step) {
 
 CommonArea common_area_by_winding(const ClosedCurve& first, const ClosedCurve& second) {
   const double fine = winding_product(first, second);
-  const double coarse = winding_product(thinned(first, 2), thinned(second, 2));
-  const double coarser = winding_product(thinned(first, 4), thinned(second, 4));
+  const double coarse = winding_product(every_nth(first, 2), every_nth(second, 2));
+  const double coarser = winding_product(every_nth(first, 4), every_nth(second, 4));
   // Richardson extrapolation; as error the whole difference, because curves that coarse do not quite obey h^2, and not
   // less than half of the one before: where windings are missing from all, the last one may be small by chance.
   const double error = std::max(std::fabs(fine - coarse), 0.5 * std::fabs(coarse - coarser));

@@ -16,7 +16,7 @@ struct SingleTrajectory {
   double (&state)[size];  ///< where it begins, then where it has arrived
   double time = 0;        ///< of the arrival at a section
   bool begun = false;
-  bool found = false;     ///< whether it has arrived
+  bool found = false;  ///< whether it has arrived
 
   bool next(std::size_t& item, double* start) {
     if (begun) return false;
@@ -36,9 +36,9 @@ struct SingleTrajectory {
 
 /// Control decides about steps, one lane at a time and by what is in that lane only, so that a trajectory has the same
 /// bits whatever runs beside it:
-///   bool begin(block, lane);           takes the next trajectory into the lane and sets its first step; false: none left
-///   bool judge(block, lane);           after a step; sets the next one. False: the trajectory has ended
-///   void move(block, from, to);        what the control knows of a lane; the block's part has moved, but for forcing
+///   bool begin(block, lane);           takes the next trajectory into the lane and sets its first step; false: none
+///   left bool judge(block, lane);           after a step; sets the next one. False: the trajectory has ended void
+///   move(block, from, to);        what the control knows of a lane; the block's part has moved, but for forcing
 /// Returns how many steps were computed. Throws Cancelled.
 template <typename Rhs, typename Control>
 std::uint64_t run_lanes(const Rhs& rhs, StepBlock<Rhs::size>& block, StepFunction<Rhs> steps, Control& control) {

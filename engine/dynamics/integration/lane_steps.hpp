@@ -24,7 +24,8 @@ void steps_one_by_one(const Rhs& rhs, StepBlock<Rhs::size>& block, std::size_t c
 template <InstructionSet isa, typename Rhs>
 void steps_in_vectors(const Rhs& rhs, StepBlock<Rhs::size>& block, std::size_t count);
 
-/// Rhs::in_lanes: whether steps_in_vectors is instantiated for it. A right-hand side may bring its own function instead.
+/// Rhs::in_lanes: whether steps_in_vectors is instantiated for it. A right-hand side may bring its own function
+/// instead.
 template <typename Rhs>
 StepFunction<Rhs> step_function() {
   if constexpr (requires { Rhs::own_steps(); }) {

@@ -28,7 +28,7 @@ struct alignas(64) StepBlock {
   Row error;        ///< estimated, over what is allowed: above 1, or NaN, the step is too long
   Row slope[size];  ///< dx/dt where it begins
   // For autonomous fields only:
-  Row end_slope[size];                   ///< dx/dt where it ends
+  Row end_slope[size];                  ///< dx/dt where it ends
   Row way[2 * step_columns - 1][size];  ///< the change of the state at equal distances over the step, to O(h^2 / 100)
 
   /// All but `forcing`, of which the caller knows where it lies.

@@ -36,8 +36,8 @@ struct StepFactors {
 };
 inline constexpr StepFactors step_factors;
 
-/// By how much to multiply a step whose error was `error` of what is allowed, or NaN. The error counts as the next power
-/// of two, so that no logarithm is taken.
+/// By how much to multiply a step whose error was `error` of what is allowed, or NaN. The error counts as the next
+/// power of two, so that no logarithm is taken.
 inline double step_factor(double error) {
   if (!std::isfinite(error)) return 0.125;
   if (error <= 0) return 4;

@@ -154,9 +154,14 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
   if (insertions.empty() || insertions.size() > max_points_ - std::min(max_points_, result_.points.size())) return {};
   if (result_.images > options_.max_images) return {};
   for_each_block(insertions.size(), trace_options_.batch, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      Insertion& insertion = insertions[i];
-      image(insertion.generation)({&insertion.parameter, 1}, {&insertion.point, 1});
+    for (std::size_t begin = first, end = first; begin < last; begin = end) {
+      const int generation = insertions[begin].generation;
+      std::vector<double> parameters;
+      for (; end < last && insertions[end].generation == generation; ++end)
+        parameters.push_back(insertions[end].parameter);
+      std::vector<Point> points(parameters.size());
+      image(generation)(parameters, points);
+      for (std::size_t i = begin; i < end; ++i) insertions[i].point = points[i - begin];
     }
   });
   for (const Insertion& insertion : insertions) {

@@ -32,11 +32,8 @@ struct AlongFlow {
     field.velocity(x, dxdt, force);
   }
   /// Field::steps, if there is one (lane_steps.hpp).
-  static auto own_steps()
-    requires requires { &Field::steps; }
-  {
-    return &Field::steps;
-  }
+  static auto own_steps() requires requires { &Field::steps; }
+  { return &Field::steps; }
 };
 
 /// State: x, then M tangent vectors; v' = (d velocity / dx) v.

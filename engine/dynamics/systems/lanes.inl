@@ -22,9 +22,9 @@ void steps_in_vectors(const Rhs& rhs, StepBlock<Rhs::size>& block, std::size_t c
   }
 }
 
-#define LOBER_STEPS_OF(...)                                              \
-  template void steps_in_vectors<LOBER_LANES_ISA>(const __VA_ARGS__& rhs, \
-                                                  StepBlock<__VA_ARGS__::size>& block, std::size_t count);
+#define LOBER_STEPS_OF(...)                                                                                    \
+  template void steps_in_vectors<LOBER_LANES_ISA>(const __VA_ARGS__& rhs, StepBlock<__VA_ARGS__::size>& block, \
+                                                  std::size_t count);
 #define LOBER_STEPS(Field)         \
   LOBER_STEPS_OF(AlongFlow<Field>) \
   LOBER_STEPS_OF(WithTangents<Field, 2>)

@@ -66,7 +66,7 @@ class LoadedMapWithAction : public LoadedMap {
   }
 };
 
-/// A flow of a library as a field (right_hand_sides.hpp), which is told the time if it is periodic.
+/// A flow of a library as a field (right_hand_sides.hpp), which gets the time if it is periodic.
 template <int N, bool periodic>
 class LoadedField {
  public:

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/manifolds/iterate_each.hpp"
 #include "lober/connecting_orbit.hpp"
 
 namespace lober::detail {
@@ -49,22 +51,38 @@ std::vector<Point> wrapped(const Cylinder& cylinder, const PlanarMap& map, const
       parts[k] = static_cast<std::uint32_t>(std::clamp(std::ceil(std::sqrt(bend / tolerance)), 1.0, max_parts));
     }
   });
+  // The points between vertices, all that are in a segment one after the other.
   std::vector<std::size_t> first(segments + 1);
-  for (std::size_t k = 0; k < segments; ++k) first[k + 1] = first[k] + parts[k];
-  std::vector<Point> points(first[segments] + 1);
+  for (std::size_t k = 0; k < segments; ++k) first[k + 1] = first[k] + parts[k] - 1;
+  std::vector<Point> between(first[segments]);
+  std::vector<int> iterates(between.size());
+  const auto share = [&](std::size_t k, std::uint32_t part) { return static_cast<double>(part) / parts[k]; };
+  const int steps = local.image().steps;
   for_each_block(segments, 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      points[first[k]] = grown.points[k];
       for (std::uint32_t part = 1; part < parts[k]; ++part) {
-        const double t = static_cast<double>(part) / parts[k];
-        const ManifoldPosition position = position_on(grown, local, {static_cast<std::uint32_t>(k), t});
-        Point at = local.at(position.parameter);
-        map.iterate({&at, 1}, position.images * local.image().steps);
-        const Point a = grown.points[k], b = grown.points[k + 1];
-        const Point chord{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+        const ManifoldPosition position = position_on(grown, local, {static_cast<std::uint32_t>(k), share(k, part)});
+        const std::size_t at = first[k] + part - 1;
+        between[at] = local.at(position.parameter);
+        iterates[at] = position.images * steps;
+      }
+    }
+  });
+  for_each_block(between.size(), 256, [&](std::size_t begin, std::size_t end) {
+    iterate_each(map, std::span(between).subspan(begin, end - begin), std::span(iterates).subspan(begin, end - begin));
+  });
+  std::vector<Point> points(segments + 1 + between.size());
+  for_each_block(segments, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Point a = grown.points[k], b = grown.points[k + 1];
+      Point* const here = points.data() + k + first[k];
+      here[0] = a;
+      for (std::uint32_t part = 1; part < parts[k]; ++part) {
+        const Point at = between[first[k] + part - 1];
+        const Point chord{a.x + share(k, part) * (b.x - a.x), a.y + share(k, part) * (b.y - a.y)};
         // Far out, where manifolds are followed coarsely, segments stay what they are.
         const bool near = distance(at, chord) <= 0.25 * distance(a, b);
-        points[first[k] + part] = near ? at : chord;
+        here[part] = near ? at : chord;
       }
     }
   });

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/manifolds/iterate_each.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/point.hpp"
 
@@ -49,21 +51,31 @@ double point_error(const PlanarMap& map, const LocalManifold& local, const Grown
   const auto finer = map.finer();
   if (!finer || grown.points.size() < 3) return rounding;
   const LocalManifold::Image image = local.image();
-  std::vector<double> off(samples, 0);
-  for_each_block(samples, 1, [&](std::size_t k, std::size_t) {
+  std::vector<std::size_t> chosen;
+  std::vector<Point> exact;
+  std::vector<int> iterates;
+  for (std::size_t k = 0; k < samples; ++k) {
     const std::size_t at = 1 + k * (grown.points.size() - 2) / samples;
-    if (!within(grown.points[at])) return;
+    if (!within(grown.points[at])) continue;
     const auto after = std::upper_bound(grown.generation_begin.begin(), grown.generation_begin.end(), at);
     const auto generation = static_cast<int>(after - grown.generation_begin.begin()) - 1;
-    Point exact = local.at(grown.parameters[at]);
-    finer->iterate({&exact, 1}, generation * image.steps);
+    chosen.push_back(at);
+    exact.push_back(local.at(grown.parameters[at]));
+    iterates.push_back(generation * image.steps);
+  }
+  for_each_block(chosen.size(), 16, [&](std::size_t begin, std::size_t end) {
+    iterate_each(*finer, std::span(exact).subspan(begin, end - begin), std::span(iterates).subspan(begin, end - begin));
+  });
+  double off = 0;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const std::size_t at = chosen[k];
     const Point before = grown.points[at - 1], next = grown.points[at + 1], here = grown.points[at];
     const Point along{next.x - before.x, next.y - before.y};
     const double size = length(along);
-    if (!(size > 0) || !is_finite(exact)) return;
-    off[k] = std::fabs(along.x * (exact.y - here.y) - along.y * (exact.x - here.x)) / size;
-  });
-  return rounding + 2 * *std::max_element(off.begin(), off.end());
+    if (!(size > 0) || !is_finite(exact[k])) continue;
+    off = std::max(off, std::fabs(along.x * (exact[k].y - here.y) - along.y * (exact[k].x - here.x)) / size);
+  }
+  return rounding + 2 * off;
 }
 
 void add_point_errors(ManifoldTangle& manifolds) {

@@ -113,8 +113,8 @@ class FirstOrderVortexPair {
     const T up2 = up * near * near;              // (y - 1) / I-^2
     const T down2 = down * far * far;
     const T g1 = (near + far - 2.0 * (up * up2 + down * down2)) * c1 + x[0] * ((up2 - down2) * s + strain) - 0.5;
-    const T g2 = x[0] * ((up2 + down2) * (2.0 * c1)) +
-                 (0.5 * (near - far) - square * (near * near - far * far)) * s - x[1] * strain;
+    const T g2 = x[0] * ((up2 + down2) * (2.0 * c1)) + (0.5 * (near - far) - square * (near * near - far * far)) * s -
+                 x[1] * strain;
     dxdt[0] = down * far - up * near - 0.5 + eps_ * g1;
     dxdt[1] = x[0] * (near - far) + eps_ * g2;
   }
