@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +42,7 @@ class ForcingTable {
   /// it is not tabulated.
   [[nodiscard]] const double* record(int forward, int level, std::int64_t position, double* own) const {
     if (level < tabulated_levels) {
-      return table(forward, level).data() + static_cast<std::size_t>(position) * record_size;
+      return table(forward, level) + static_cast<std::size_t>(position) * record_size;
     }
     fill(forward, level, position, own);
     return own;
@@ -49,12 +50,14 @@ class ForcingTable {
 
  private:
   struct Level {
+    std::atomic<const double*> ready{nullptr};
     std::once_flag once;
     std::vector<double> records;
   };
 
-  const std::vector<double>& table(int forward, int level) const {
+  const double* table(int forward, int level) const {
     Level& found = levels_[forward > 0 ? 1 : 0][static_cast<std::size_t>(level)];
+    if (const double* const ready = found.ready.load(std::memory_order_acquire)) return ready;
     std::call_once(found.once, [&] {
       const std::size_t steps = std::size_t{1} << static_cast<unsigned>(level);
       std::vector<double> records(steps * record_size);
@@ -62,8 +65,9 @@ class ForcingTable {
         fill(forward, level, static_cast<std::int64_t>(k), records.data() + k * record_size);
       }
       found.records = std::move(records);
+      found.ready.store(found.records.data(), std::memory_order_release);
     });
-    return found.records;
+    return found.records.data();
   }
 
   void fill(int forward, int level, std::int64_t position, double* record) const {

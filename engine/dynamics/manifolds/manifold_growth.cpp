@@ -22,6 +22,9 @@ constexpr double ulps_apart = 64;
 // A piece is stretched by no more than this in one image, but for a little.
 constexpr double stretching = 40;
 
+// A guide is not longer than this: the points that it is traced with are some times as many.
+constexpr std::size_t section_segments = std::size_t{1} << 13;
+
 // Points that the local manifold gives a piece to begin with.
 constexpr std::size_t fewest_in_piece = 17;
 
@@ -93,26 +96,42 @@ void ManifoldGrowth::grow_piece() {
   const double end = !local && (part + 1.0) / pieces_ > fraction ? local_.reach * std::pow(ratio_, fraction - 1)
                                                                  : part_begin(local ? pieces_ : part + 1);
   if (part == 0) length_before_ = result_.length;
-  Samples guide;
+  std::vector<Samples> guides;
   if (local) {
-    guide = first_guide(end);
+    guides.push_back(first_guide(end));
+  } else if (generation == 1) {
+    guides.push_back(part_of_local(previous_[0][0], part));
   } else {
-    Samples& source = previous_[static_cast<std::size_t>(generation == 1 ? 0 : part)];
-    guide = carried(generation == 1 ? part_of_local(source, part) : std::move(source), generation, end);
+    for (Samples& samples : previous_[static_cast<std::size_t>(part)]) split(std::move(samples), guides);
   }
-  std::optional<Trace> trace = traced_piece(std::move(guide), generation);
-  if (!trace) {
-    stop_ = GrowthStop::points;
-    return;
-  }
+  std::erase_if(guides, [&](const Samples& guide) { return guide.parameters.front() >= end; });
+  const Size before = size();
   if (part == 0) {
-    result_.generation_begin.resize(generations_++);
+    result_.generation_begin.resize(generations_);
     result_.generation_begin.push_back(result_.points.size());
   }
-  append(*trace, generation);
-  current_.push_back(std::move(trace->samples));
+  std::vector<Samples> sections;
+  bool out_of_points = false;
+  for (Samples& samples : guides) {
+    if (out_of_points || result_.length >= options_.length) break;
+    Samples guide = local ? std::move(samples) : carried(std::move(samples), generation, end);
+    std::optional<Trace> trace = traced_piece(std::move(guide), generation);
+    if (!trace) {
+      // As many for each guide that is left as for those so far.
+      points_needed_ += static_cast<double>(result_.points.size() - before.points);
+      points_needed_ *= static_cast<double>(guides.size()) / static_cast<double>(sections.size() + 1);
+      cut_back_to(before);
+      stop_ = GrowthStop::points;
+      return;
+    }
+    append(*trace, generation);
+    out_of_points = trace->out_of_points;
+    sections.push_back(std::move(trace->samples));
+  }
+  if (part == 0) ++generations_;
+  current_.push_back(std::move(sections));
   ++pieces_done_;
-  if (trace->out_of_points) {
+  if (out_of_points) {
     stop_ = GrowthStop::points;
   } else if (result_.length >= options_.length) {
     stop_ = GrowthStop::length;
@@ -121,9 +140,39 @@ void ManifoldGrowth::grow_piece() {
   }
 }
 
+// Long guides are traced section by section, so that what that takes stays in the caches.
+void ManifoldGrowth::split(Samples samples, std::vector<Samples>& guides) {
+  const std::size_t segments = samples.points.size() - 1, parts = (segments + section_segments - 1) / section_segments;
+  if (parts <= 1) {
+    guides.push_back(std::move(samples));
+    return;
+  }
+  for (std::size_t k = 0; k < parts; ++k) {
+    const auto begin = static_cast<std::ptrdiff_t>(segments * k / parts);
+    const auto end = static_cast<std::ptrdiff_t>(segments * (k + 1) / parts) + 1;
+    guides.push_back({{samples.parameters.begin() + begin, samples.parameters.begin() + end},
+                      {samples.points.begin() + begin, samples.points.begin() + end}});
+  }
+}
+
+ManifoldGrowth::Size ManifoldGrowth::size() const {
+  return {result_.points.size(), result_.diagnostics.size(), result_.generation_begin.size(), result_.length};
+}
+
+void ManifoldGrowth::cut_back_to(const Size& before) {
+  result_.points.resize(before.points);
+  result_.parameters.resize(before.points);
+  result_.diagnostics.resize(before.diagnostics);
+  result_.generation_begin.resize(before.generations);
+  result_.length = before.length;
+}
+
 void ManifoldGrowth::end_generation() {
   short_generations_ = result_.length - length_before_ < options_.tolerance ? short_generations_ + 1 : 0;
-  if (std::none_of(current_.begin(), current_.end(), [&](const Samples& samples) { return alive(samples); })) {
+  const auto goes_on = [&](const std::vector<Samples>& sections) {
+    return std::any_of(sections.begin(), sections.end(), [&](const Samples& samples) { return alive(samples); });
+  };
+  if (std::none_of(current_.begin(), current_.end(), goes_on)) {
     stop_ = GrowthStop::failed;
   } else if (short_generations_ >= 2) {
     stop_ = GrowthStop::ended;

@@ -46,6 +46,14 @@ class ManifoldGrowth {
   [[nodiscard]] double time_at(int pieces) const { return static_cast<double>(pieces - 1) / pieces_; }
   [[nodiscard]] double part_begin(int part) const;
   void grow_piece();
+  static void split(Samples samples, std::vector<Samples>& guides);
+  /// Of the result.
+  struct Size {
+    std::size_t points, diagnostics, generations;
+    double length;
+  };
+  [[nodiscard]] Size size() const;
+  void cut_back_to(const Size& before);
   void end_generation();
   [[nodiscard]] CurveFunction image(int generation) const;
   void count(std::size_t evaluations, int images);
@@ -70,10 +78,11 @@ class ManifoldGrowth {
 
   double limit_ = std::numeric_limits<double>::infinity();  // of time, from options.iterates
 
-  int pieces_done_ = 0;                      // the local manifold is the first
-  std::size_t generations_ = 0;              // begun
-  std::vector<Samples> previous_, current_;  // pieces of the generation before and of this one; parameters > 0
-  double length_before_ = 0;                 // of the polygon before this generation
+  int pieces_done_ = 0;          // the local manifold is the first
+  std::size_t generations_ = 0;  // begun
+  // Of each piece of the generation before and of this one the sections that it was traced in; parameters > 0.
+  std::vector<std::vector<Samples>> previous_, current_;
+  double length_before_ = 0;  // of the polygon before this generation
   int short_generations_ = 0;
   GrowthStop stop_ = GrowthStop::iterates;
   double points_needed_ = 0;

@@ -13,10 +13,10 @@ Coverage::Coverage(double width, double height, double cell)
       marked_(columns_ * rows_) {}
 
 bool Coverage::mark(Point a, Point b) {
-  const double steps = std::ceil(std::hypot(b.x - a.x, b.y - a.y) / cell_);
+  const auto steps = static_cast<std::size_t>(std::ceil(std::hypot(b.x - a.x, b.y - a.y) / cell_));
   bool any = false;
-  for (double k = 0; k <= steps; k += 1) {
-    const double t = steps > 0 ? k / steps : 0;
+  for (std::size_t k = 0; k <= steps; ++k) {
+    const double t = steps > 0 ? static_cast<double>(k) / static_cast<double>(steps) : 0;
     const double x = std::max(0.0, a.x + t * (b.x - a.x)) / cell_, y = std::max(0.0, a.y + t * (b.y - a.y)) / cell_;
     const std::size_t column = std::min(columns_ - 1, static_cast<std::size_t>(x));
     const std::size_t row = std::min(rows_ - 1, static_cast<std::size_t>(y));
