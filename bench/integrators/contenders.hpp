@@ -1,7 +1,9 @@
 // Everything that integrates: the methods in lanes, lober itself and Boost.Odeint.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,13 +24,15 @@ struct Contender {
   Integration<Field> integrate;
 };
 
-/// Through its interface, as a map or a flow with one call for all points.
+/// Through its interface, as a map or a flow with one call for all points. The system of a tolerance is made once, as
+/// its users do.
 template <typename Field>
 Integration<Field> by_lober(const Problem<Field>& problem) {
-  return [&problem](double tolerance, std::span<StateOf<Field>> points) {
+  return [&problem, systems = std::map<double, System>()](double tolerance, std::span<StateOf<Field>> points) mutable {
     IntegrationOptions options;
     options.tolerance = tolerance;
-    const System system = make_system(problem.name, {}, options);
+    if (!systems.contains(tolerance)) systems.emplace(tolerance, make_system(problem.name, {}, options));
+    const System& system = systems.at(tolerance);
     if constexpr (Field::forcings > 0) {
       std::vector<Point> moved;
       moved.reserve(points.size());

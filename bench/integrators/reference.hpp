@@ -45,7 +45,9 @@ PreciseState<Field> precise_end(const Field& field, const std::array<double, Fie
     for (std::size_t s = 0; s < Table::stages; ++s) {
       PreciseState<Field> at = x;
       for (std::size_t i = 0; i < size; ++i) {
-        for (std::size_t k = 0; k < s; ++k) at[i].v += h * Table::a[s][k] * slopes[k][i].v;
+        long double sum = 0;
+        for (std::size_t k = 0; k < s; ++k) sum += Table::a[s][k] * slopes[k][i].v;
+        at[i].v += h * sum;
       }
       double force[Field::forcings + 1];
       field.forcing(static_cast<double>((step + Table::nodes[s]) * h), force);
@@ -54,7 +56,9 @@ PreciseState<Field> precise_end(const Field& field, const std::array<double, Fie
       field.velocity(at.data(), slopes[s].data(), precise_force);
     }
     for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t s = 0; s < Table::stages; ++s) x[i].v += h * Table::b[s] * slopes[s][i].v;
+      long double sum = 0;
+      for (std::size_t s = 0; s < Table::stages; ++s) sum += Table::b[s] * slopes[s][i].v;
+      x[i].v += h * sum;
     }
   }
   return x;

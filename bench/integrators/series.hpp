@@ -8,6 +8,7 @@
 
 #include <cstddef>
 
+#include "bench/integrators/unrolled.hpp"
 #include "kernels/inline.hpp"
 #include "kernels/wide.hpp"
 
@@ -22,12 +23,13 @@ struct SeriesSheet {
   V inverse[series_rows];  ///< of rows that are divided by: 1 / leading coefficient, or what the operation needs
 };
 
-/// A row of the sheet, of which coefficient n is computed. `first`: whether n is 0.
-template <int order, typename V, bool first>
+/// A row of the sheet, of which coefficient n is computed. As n is known to the compiler, there are no loops left.
+template <int order, typename V, int n>
 struct Series {
+  static constexpr bool first = n == 0;
+
   struct Replay {
     SeriesSheet<order, V>* sheet;
-    int n;
     int next;  ///< the row of the next operation
 
     LOBER_INLINE Series result(V value) {
@@ -38,9 +40,8 @@ struct Series {
   Replay* replay;
   int row;
 
-  [[nodiscard]] LOBER_INLINE int n() const { return first ? 0 : replay->n; }
   [[nodiscard]] LOBER_INLINE const V* c() const { return replay->sheet->at[row]; }
-  [[nodiscard]] LOBER_INLINE V last() const { return c()[n()]; }
+  [[nodiscard]] LOBER_INLINE V last() const { return c()[n]; }
 
   LOBER_INLINE friend Series operator+(Series a, Series b) { return a.replay->result(a.last() + b.last()); }
   LOBER_INLINE friend Series operator-(Series a, Series b) { return a.replay->result(a.last() - b.last()); }
@@ -58,8 +59,8 @@ struct Series {
   LOBER_INLINE friend Series operator*(Series a, Series b) {
     const V* const p = a.c();
     const V* const q = b.c();
-    if (a.row == b.row) return a.replay->result(square_term(p, 0, a.n()));
-    return a.replay->result(product_terms(p, q, 0, a.n()));
+    if (a.row == b.row) return a.replay->result(square_terms<0>(p));
+    return a.replay->result(product_terms<0>(p, q));
   }
   /// r = a / b: b_0 r_n = a_n - sum b_k r_{n-k}.
   LOBER_INLINE friend Series operator/(double a, Series b) {
@@ -70,7 +71,7 @@ struct Series {
       sheet.inverse[row] = -1.0 / q[0];
       return b.replay->result(-a * sheet.inverse[row]);
     } else {
-      return b.replay->result(sheet.inverse[row] * product_terms(q, sheet.at[row], 1, b.n()));
+      return b.replay->result(sheet.inverse[row] * product_terms<1>(q, sheet.at[row]));
     }
   }
   /// r = sqrt(a): 2 r_0 r_n = a_n - sum r_k r_{n-k}, without the terms that hold r_n.
@@ -82,36 +83,50 @@ struct Series {
       sheet.inverse[row] = 0.5 / root;
       return a.replay->result(root);
     } else {
-      const V rest = a.last() - square_term(sheet.at[row], 1, a.n());
+      const V rest = a.last() - square_terms<1>(sheet.at[row]);
       return a.replay->result(sheet.inverse[row] * rest);
     }
   }
 
  private:
   /// The sum of p_k q_{n-k} for k = from ... n, in two parts so that no addition waits for the last one.
-  LOBER_INLINE static V product_terms(const V* p, const V* q, int from, int n) {
-    V even = p[from] * q[n - from], odd(0.0);
-    int k = from + 1;
-    for (; k < n; k += 2) {
-      odd += p[k] * q[n - k];
-      even += p[k + 1] * q[n - k - 1];
-    }
-    if (k == n) odd += p[k] * q[n - k];
-    return even + odd;
+  template <int from>
+  LOBER_INLINE static V product_terms(const V* p, const V* q) {
+    V parts[2] = {p[from] * q[n - from], V(0.0)};
+    unrolled<n - from>([&](auto index) __attribute__((always_inline)) {
+      constexpr int k = from + 1 + decltype(index)::value;
+      if constexpr (k == from + 1) {
+        parts[1] = p[k] * q[n - k];
+      } else {
+        parts[(k - from) % 2] += p[k] * q[n - k];
+      }
+    });
+    if constexpr (n == from) return parts[0];
+    return parts[0] + parts[1];
   }
-  /// The sum of p_k p_{n-k} for k = from ... n - from.
-  LOBER_INLINE static V square_term(const V* p, int from, int n) {
-    if constexpr (first) return p[0] * p[0];
-    V even(0.0), odd(0.0);
-    const int pairs = (n + 1) / 2;  // k and n - k give the same
-    int k = from;
-    for (; k + 1 < pairs; k += 2) {
-      even += p[k] * p[n - k];
-      odd += p[k + 1] * p[n - k - 1];
+  /// The sum of p_k p_{n-k} for k = from ... n - from, of which k and n - k give the same.
+  template <int from>
+  LOBER_INLINE static V square_terms(const V* p) {
+    constexpr int pairs = (n + 1) / 2 - from;
+    constexpr bool middle = n % 2 == 0 && n / 2 >= from;
+    V parts[2] = {V(0.0), V(0.0)};
+    unrolled<(pairs > 0 ? pairs : 0)>([&](auto index) __attribute__((always_inline)) {
+      constexpr int k = decltype(index)::value;
+      if constexpr (k < 2) {
+        parts[k] = p[from + k] * p[n - from - k];
+      } else {
+        parts[k % 2] += p[from + k] * p[n - from - k];
+      }
+    });
+    if constexpr (pairs <= 0) {
+      if constexpr (middle) return p[n / 2] * p[n / 2];
+      return parts[0];
     }
-    if (k < pairs) even += p[k] * p[n - k];
-    const V twice = 2.0 * (even + odd);
-    return n % 2 == 0 && n / 2 >= from ? twice + p[n / 2] * p[n / 2] : twice;
+    V sum = parts[0];
+    if constexpr (pairs > 1) sum += parts[1];
+    sum = 2.0 * sum;
+    if constexpr (middle) sum += p[n / 2] * p[n / 2];
+    return sum;
   }
 };
 

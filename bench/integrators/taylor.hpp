@@ -11,6 +11,7 @@
 #include "bench/integrators/forcing_series.hpp"
 #include "bench/integrators/lane_block.hpp"
 #include "bench/integrators/series.hpp"
+#include "bench/integrators/unrolled.hpp"
 #include "kernels/wide.hpp"
 
 namespace lober::bench {
@@ -38,8 +39,9 @@ struct Taylor {
     SeriesSheet<order, V> sheet;
     const V h = load_number<V>(block.h + lane);
     for (int i = 0; i < size; ++i) sheet.at[i][0] = load_number<V>(block.x[i] + lane);
-    next_order<true>(field, sheet, block.forcing + lane, h, 0);
-    for (int n = 1; n < order; ++n) next_order<false>(field, sheet, block.forcing + lane, h, n);
+    unrolled<order>([&](auto n) __attribute__((always_inline)) {
+      next_order<decltype(n)::value>(field, sheet, block.forcing + lane, h);
+    });
 
     V worst(0.0), all(0.0);
     for (int i = 0; i < size; ++i) {
@@ -62,12 +64,12 @@ struct Taylor {
 
  private:
   /// Rows 0 ... size - 1 are the state, those after them the forcing, then come the operations in their order.
-  template <bool first, typename V, typename Field>
+  template <int n, typename V, typename Field>
   LOBER_INLINE static void next_order(const Field& field, SeriesSheet<order, V>& sheet, const double* const* forcing,
-                                      V h, int n) {
+                                      V h) {
     constexpr int size = Field::dimension, forcings = static_cast<int>(Field::forcings);
-    using Number = Series<order, V, first>;
-    typename Number::Replay replay{&sheet, n, size + forcings};
+    using Number = Series<order, V, n>;
+    typename Number::Replay replay{&sheet, size + forcings};
     Number x[size], slope[size], force[forcings + 1];
     for (int i = 0; i < size; ++i) x[i] = {&replay, i};
     for (int f = 0; f < forcings; ++f) {
