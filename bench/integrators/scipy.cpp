@@ -22,7 +22,9 @@ std::vector<ScipyRun> run_scipy(const std::string& system, double span, std::spa
     }
   }
   std::ostringstream command;
-  command << std::setprecision(17) << "python3 '" LOBER_BENCH_SCIPY "' " << system << ' ' << span << ' ' << file;
+  // The one of the system's packages first: SciPy is one of them.
+  command << std::setprecision(17) << "PATH=/usr/bin:\"$PATH\" python3 '" LOBER_BENCH_SCIPY "' " << system << ' '
+          << span << ' ' << file;
   for (const double tolerance : tolerances) command << ' ' << tolerance;
   command << " 2>/dev/null";
 

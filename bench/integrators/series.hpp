@@ -8,7 +8,6 @@
 
 #include <cstddef>
 
-#include "bench/integrators/unrolled.hpp"
 #include "kernels/inline.hpp"
 #include "kernels/wide.hpp"
 
@@ -89,43 +88,25 @@ struct Series {
   }
 
  private:
+  // Bounds of the loops are constants: the compiler writes them out.
+
   /// The sum of p_k q_{n-k} for k = from ... n, in two parts so that no addition waits for the last one.
   template <int from>
   LOBER_INLINE static V product_terms(const V* p, const V* q) {
     V parts[2] = {p[from] * q[n - from], V(0.0)};
-    unrolled<n - from>([&](auto index) __attribute__((always_inline)) {
-      constexpr int k = from + 1 + decltype(index)::value;
-      if constexpr (k == from + 1) {
-        parts[1] = p[k] * q[n - k];
-      } else {
-        parts[(k - from) % 2] += p[k] * q[n - k];
-      }
-    });
-    if constexpr (n == from) return parts[0];
+#pragma GCC unroll 32
+    for (int k = from + 1; k <= n; ++k) parts[(k - from) % 2] += p[k] * q[n - k];
     return parts[0] + parts[1];
   }
   /// The sum of p_k p_{n-k} for k = from ... n - from, of which k and n - k give the same.
   template <int from>
   LOBER_INLINE static V square_terms(const V* p) {
-    constexpr int pairs = (n + 1) / 2 - from;
-    constexpr bool middle = n % 2 == 0 && n / 2 >= from;
     V parts[2] = {V(0.0), V(0.0)};
-    unrolled<(pairs > 0 ? pairs : 0)>([&](auto index) __attribute__((always_inline)) {
-      constexpr int k = decltype(index)::value;
-      if constexpr (k < 2) {
-        parts[k] = p[from + k] * p[n - from - k];
-      } else {
-        parts[k % 2] += p[from + k] * p[n - from - k];
-      }
-    });
-    if constexpr (pairs <= 0) {
-      if constexpr (middle) return p[n / 2] * p[n / 2];
-      return parts[0];
-    }
-    V sum = parts[0];
-    if constexpr (pairs > 1) sum += parts[1];
-    sum = 2.0 * sum;
-    if constexpr (middle) sum += p[n / 2] * p[n / 2];
+#pragma GCC unroll 32
+    for (int k = from; k < (n + 1) / 2; ++k) parts[k % 2] += p[k] * p[n - k];
+    V sum = parts[0] + parts[1];
+    sum += sum;
+    if constexpr (n % 2 == 0 && n / 2 >= from) sum += p[n / 2] * p[n / 2];
     return sum;
   }
 };
