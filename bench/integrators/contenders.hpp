@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
-#include "bench/integrators/lane_driver.hpp"
 #include "bench/integrators/methods.hpp"
 #include "bench/integrators/odeint.hpp"
+#include "bench/integrators/period_run.hpp"
 #include "bench/integrators/problem.hpp"
+#include "bench/integrators/span_run.hpp"
 #include "lober/systems.hpp"
 
 namespace lober::bench {
@@ -47,6 +50,15 @@ Integration<Field> by_lober(const Problem<Field>& problem) {
         std::copy_n(moved[k].begin(), points[k].size(), points[k].begin());
       }
     }
+  };
+}
+
+template <typename Method, typename Field>
+Integration<Field> in_lanes(const Problem<Field>& problem) {
+  using Run = std::conditional_t<Field::forcings == 0, SpanRun<Method, Field>, PeriodRun<Method, Field>>;
+  // Shared, so that tables are computed once.
+  return [run = std::make_shared<Run>(problem)](double tolerance, std::span<StateOf<Field>> points) {
+    (*run)(tolerance, points);
   };
 }
 
