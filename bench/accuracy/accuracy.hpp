@@ -49,7 +49,7 @@ struct AccuracyPanel {
   std::vector<AccuracyCurve> curves;
 };
 
-/// Log-log plots side by side, run time to the right, error upwards, one line a method.
-void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels);
+/// Log-log plots side by side, run time to the right, error upwards, one line a method. `caption`: below them.
+void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels, std::string_view caption);
 
 }  // namespace lober::bench

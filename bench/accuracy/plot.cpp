@@ -63,7 +63,7 @@ void write_panel(std::ostream& svg, const AccuracyPanel& data) {
 
 }  // namespace
 
-void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels) {
+void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels, std::string_view caption) {
   const auto count = static_cast<int>(panels.size());
   const int rows = (count + columns - 1) / columns;
   const double legend = 22.0 * static_cast<double>((panels.empty() ? 0 : panels[0].curves.size() + 1) / 2) + 20;
@@ -78,9 +78,7 @@ void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels) 
     stream << "</g>\n";
   }
   const double below = rows * (panel + top + bottom);
-  stream
-      << "<text x='" << width / 2 << "' y='" << below - 4 << "' text-anchor='middle'>"
-      << "run time in seconds (one thread) to the right, relative error upwards; each line N = 125 ... 64000</text>\n";
+  stream << "<text x='" << width / 2 << "' y='" << below - 4 << "' text-anchor='middle'>" << caption << "</text>\n";
   if (!panels.empty()) {
     for (std::size_t k = 0; k < panels[0].curves.size(); ++k) {
       const double x = gap + static_cast<double>(k % 2) * (panel + gap),

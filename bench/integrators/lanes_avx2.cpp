@@ -1,0 +1,2 @@
+#define LOBER_LANES_ISA InstructionSet::avx2
+#include "bench/integrators/lanes.inl"
