@@ -33,6 +33,13 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, at so many points a curve.'
   echo
   build/bin/bench_accuracy --svg docs/accuracy.svg
+  echo '## Integrators'
+  echo
+  echo 'One period of forced flows, a time of 7 of autonomous ones: what an error costs, method by method, all in the vectors of the processor'
+  echo 'with the same steps and the same control of errors, beside the plain loops of Odeint and SciPy (one point at a time). Written by'
+  echo '`bench_integrators --plot docs/integrators.svg`, which shows the same as a picture. Errors are against a long double reference.'
+  echo
+  build/bin/bench_integrators --plot docs/integrators.svg
   for suite in kernels reading interior densify tangle grow; do
     [ -x "build/bin/bench_$suite" ] || continue
     echo "### ${suite^}"

@@ -179,7 +179,8 @@ TEST_F(Interrupt, KeepsTheRowsOfTransport) {
   const Terminal terminal;
   const int keep_open = open(terminal.name().c_str(), O_RDWR | O_NOCTTY);
   const std::string command = std::string("exec ") + LOBER_PROGRAM +
-                              " transport duffing --iterates 20 --tolerance 1e-7 --budget 100 > out 2> " + terminal.name();
+                              " transport duffing --iterates 20 --tolerance 1e-7 --budget 100 > out 2> " +
+                              terminal.name();
   const pid_t process = start_in(folder(), {"sh", "-c", command});
   std::string seen;
   // The line of progress may begin with "n = 1: " too.

@@ -7,8 +7,8 @@
 
 namespace lober::detail {
 
-/// Replaces each point by its image under so many steps as iterates says for it. Neighbours with the same number are
-/// followed together, which maps do faster. Serial.
+/// Replaces each point by its image under the number of steps that iterates holds for it. Neighbours with the same
+/// number are followed together, which maps do faster. Serial.
 inline void iterate_each(const PlanarMap& map, std::span<Point> points, std::span<const int> iterates) {
   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
     while (end < points.size() && iterates[end] == iterates[begin]) ++end;
