@@ -94,7 +94,7 @@ void add_options(OptionParser& parser, Request& request, std::string& interpolat
            "dritschel).")
       .one_of({"linear", "spline", "dritschel"})
       .value("KIND");
-  parser.add("--max-points", steps.max_points, "The maximum number of points of the result (default: 1000000000).")
+  parser.add("--max-points", steps.max_points, "The maximum number of points of the result (default: 100000000).")
       .range(std::size_t{1}, std::size_t{2'147'483'647})
       .value("N");
   add_json_option(parser, request.json, "a report of the steps");

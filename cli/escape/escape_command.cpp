@@ -26,7 +26,8 @@ struct Request {
   std::vector<std::string> parameters, saddles;
   std::string section, direction, bound;
   EscapeOptions options;
-  std::uint64_t trajectories = 0, seed = 1;
+  std::uint64_t trajectories = 2000, seed = 1;
+  bool lists_counts = false;  ///< of trajectories, which were asked for
   std::string json, svg;
   int threads = 0;
 };
@@ -100,9 +101,9 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .value("SECONDS");
   const Option count = parser
                            .add("--monte-carlo", request.trajectories,
-                                "The number of trajectories to follow from each entrance, as a check of the table "
-                                "(default: none).")
-                           .range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000})
+                                "The number of trajectories to follow from each entrance, as a check of the table; "
+                                "given, their fractions are listed too (default: 2000, 0: none).")
+                           .range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000})
                            .value("N");
   parser.add("--seed", request.seed, "The seed of the random numbers of these trajectories (default: 1).")
       .needs(count)
@@ -113,7 +114,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   if (given.given()) request.energy = energy;
-  if (request.options.crossings == 0 && request.trajectories > 0) {
+  request.lists_counts = count.given() && request.trajectories > 0;
+  if (request.options.crossings == 0 && request.lists_counts) {
     throw UsageError("--monte-carlo checks the table, which --crossings 0 leaves out; give --crossings of at least 1");
   }
   return request;
@@ -263,10 +265,11 @@ void compute(const Request& request, bool print_at_once, EscapeReport& report, P
     compare_areas(report.result.bottlenecks, report.result.agreement);
   }
   report.escape_seconds = escape_watch.seconds();
-  if (request.trajectories == 0 || report.result.stop == EscapeStop::cancelled) return;
+  if (request.trajectories == 0 || report.result.crossings == 0 || report.result.stop == EscapeStop::cancelled) return;
 
   progress.phase("Monte Carlo", 0.5, 0.95);
   const detail::Stopwatch check_watch;
+  report.lists_counts = request.lists_counts;
   report.check_options.trajectories = request.trajectories;
   report.check_options.seed = request.seed;
   MonteCarloOptions check = report.check_options;
@@ -277,7 +280,9 @@ void compute(const Request& request, bool print_at_once, EscapeReport& report, P
   };
   report.check = monte_carlo(*system.flow, report.result, check);
   report.check_seconds = check_watch.seconds();
+  const bool agreed = report.result.agreement.agrees();
   compare(report.result, *report.check, report.result.agreement);
+  if (print_at_once && agreed) print(agreement_text(report.result.agreement));
 }
 
 void run(const Request& request) {
@@ -287,9 +292,9 @@ void run(const Request& request) {
   if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
   check_outputs(outputs, files_of_system(request.system));
   const bool printing = !takes_standard_output(outputs);
-  // Rows are printed as soon as they are known. But a count of trajectories may contradict any of them at the end, and
-  // then the first line has to say so.
-  const bool print_at_once = printing && request.trajectories == 0;
+  // Rows are printed as soon as they are known; where trajectories are asked for they may take long, and if they
+  // contradict a row the first line says so.
+  const bool print_at_once = printing && !request.lists_counts;
   EscapeReport report;
   std::optional<CancellationScope> shield;  // what is known is written, even after an interrupt
   {

@@ -17,6 +17,7 @@ struct EscapeReport {
   Escape result;  ///< without table when no crossings were asked for
   std::optional<MonteCarlo> check;
   MonteCarloOptions check_options;
+  bool lists_counts = false;  ///< of the check, beside its largest deviation
   double escape_seconds = 0, check_seconds = 0;
 };
 

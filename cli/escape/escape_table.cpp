@@ -82,8 +82,9 @@ std::string escape_summary(const EscapeReport& report) {
   text += fmt::format("\nlargest difference between two splits of one fraction: {:.0e} %\n",
                       100 * result.largest_split_difference);
   if (!report.check) return text;
-  text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "counted, %");
-  for (std::size_t k = 0; k < result.table.size(); ++k) {
+  if (report.lists_counts)
+    text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "counted, %");
+  for (std::size_t k = 0; report.lists_counts && k < result.table.size(); ++k) {
     const EscapeFraction& row = result.table[k];
     const MonteCarloFraction& counted = report.check->table[k];
     text += fmt::format("{:>4}  {:<10} {:<10} {:>28}\n", row.crossings, names[row.entry], names[row.exit],

@@ -77,7 +77,7 @@ struct DensifiedCurve {
 
 struct DensifyOptions {
   Interpolation interpolation = Interpolation::linear;
-  std::size_t max_points = 1'000'000'000;  ///< of the result; the last round is trimmed evenly to what fits
+  std::size_t max_points = 100'000'000;  ///< of the result; the last round is trimmed evenly to what fits
   std::uint32_t max_rounds = 32;
 };
 

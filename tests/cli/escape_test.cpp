@@ -87,6 +87,17 @@ TEST_F(EscapeProgram, OrbitsAndTubesOnly) {
   EXPECT_NEAR(bottleneck["entry_curves"][0]["area"].get<double>() / bottleneck["area"].get<double>(), 1, 1e-5);
 }
 
+// Sections that tubes meet more than once between two crossings that count: the table is wrong there.
+TEST_F(EscapeProgram, SaysWhereTheSectionDoesNotServe) {
+  const Outcome trajectories = run({"escape", "capsize", "--section", "x=0.3", "--crossings", "2"});
+  EXPECT_EQ(trajectories.status, 3) << trajectories.err;
+  EXPECT_NE(trajectories.out.find("DISAGREEMENT"), std::string::npos) << trajectories.out;
+  EXPECT_NE(trajectories.err.find("by trajectories"), std::string::npos) << trajectories.err;
+  const Outcome sums = run({"escape", "capsize", "--section", "x=0.25", "--crossings", "2", "--monte-carlo", "0"});
+  EXPECT_EQ(sums.status, 3) << sums.err;
+  EXPECT_NE(sums.err.find("what has entered"), std::string::npos) << sums.err;
+}
+
 TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {
   const auto fails = [&](std::vector<std::string> arguments, int status, std::string_view words) {
     arguments.insert(arguments.begin(), "escape");

@@ -209,6 +209,22 @@ class Builder {
                          "split " + split_text(row.other_forward, row.other_backward), row.fraction, row.other,
                          row.error + row.other_error});
       for (const EscapeSymmetry& symmetry : *symmetries_) compare_by(symmetry, row, agreement);
+      agreement.compare({name_of(row), "its curves", "what a fraction can be", row.fraction,
+                         std::clamp(row.fraction, 0.0, 1.0), row.error});
+    }
+    compare_sums(agreement);
+  }
+
+  // No more leaves than has entered: tubes that the section meets along the flow, or more than once on their way from
+  // one crossing to the next, give fractions that overlap.
+  void compare_sums(Agreement& agreement) const {
+    for (std::size_t entry = 0; entry < result_.bottlenecks.size(); ++entry) {
+      for (const Survival& step : survival(result_, entry)) {
+        const double left = 1 - step.remains;
+        agreement.compare({"the fraction from bottleneck " + std::to_string(entry + 1) +
+                               " that has left after crossing " + std::to_string(step.crossings),
+                           "the sum of all", "what has entered", left, std::min(left, 1.0), step.error});
+      }
     }
   }
 
