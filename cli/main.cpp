@@ -50,7 +50,7 @@ usage:
   lober escape SYSTEM --energy E         computes orbits and tubes of a potential well, and the fractions that leave it
                                          by crossing n
   lober systems [SYSTEM]                 lists the built-in systems; shows the parameters and manifolds of one
-  lober overlay --help                   lists the options of a command
+  lober overlay --help                   lists the options of a command, as lober help overlay
   lober --version                        prints the version
 
   lober <c1> <c2> <rslt> [-DENS p n]          runs overlay with the command line and files of Lober 1.8
@@ -68,6 +68,9 @@ exit status: 0 everything is done; 1 the data cannot be used, or a job of a batc
 understood; 3 two independent routes to one quantity disagree beyond their error bars (everything is printed);
 130 the command was interrupted
 )";
+
+constexpr std::array<std::string_view, 9> commands{"overlay",   "interior", "densify", "tangle", "grow",
+                                                   "transport", "batch",    "escape",  "systems"};
 
 // A misspelt name would quietly run the best copies.
 void check_instruction_set() {
@@ -100,8 +103,6 @@ std::size_t letters_between(std::string_view a, std::string_view b) {
 std::string command_meant(const std::string& word) {
   std::error_code ignored;
   if (word.empty() || word.front() == '-' || std::filesystem::exists(detail::file_of_curve(word), ignored)) return {};
-  constexpr std::array<std::string_view, 9> commands{"overlay",   "interior", "densify", "tangle", "grow",
-                                                     "transport", "batch",    "escape",  "systems"};
   for (const std::string_view command : commands) {
     const std::size_t most = command.size() > 4 ? 2 : 1;
     const bool begun = word.size() > 2 && command.starts_with(word);
@@ -115,8 +116,15 @@ void run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("no command is given (see lober --help)");
   const detail::InputGuard guard;
   const std::string& first = arguments[0];
-  if (first == "--help" || first == "-h") {
+  if (first == "--help" || first == "-h" || (first == "help" && arguments.size() == 1)) {
     print(usage);
+  } else if (first == "help" && !std::filesystem::exists(first)) {  // a file could be meant, in a published form
+    if (std::find(commands.begin(), commands.end(), arguments[1]) == commands.end()) {
+      throw UsageError("there is no command \"" + arguments[1] + "\" (see lober --help)");
+    }
+    std::vector<std::string> command(arguments.begin() + 1, arguments.end());
+    command.emplace_back("--help");
+    run(command);
   } else if (first == "--version") {
     print(std::string("lober ") + version() + "\n");
   } else if (first == "overlay") {

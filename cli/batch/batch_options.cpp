@@ -39,7 +39,7 @@ std::optional<BatchRequest> parse_batch(const std::vector<std::string>& argument
   std::string shard;
   std::uint64_t memory = 0;
   OptionParser parser(
-      "Runs the jobs of a manifest that have no result in the store yet. engine/batch/manifest.hpp lists the keys of a "
+      "Runs the jobs of a manifest that have no result in the store yet. lober batch manifest lists the keys of a "
       "manifest.",
       program);
   parser.add("MANIFEST", request.manifest, "The manifest, a TOML file that names the operation and the curves.")

@@ -64,8 +64,9 @@ ParameterValues parameter_values(const std::vector<std::string>& texts) {
   ParameterValues values;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
-    const std::optional<double> value = equals == std::string::npos ? std::nullopt : number_of(text.substr(equals + 1));
-    if (!value) throw UsageError("--param: \"" + text + "\" is not of the form NAME=VALUE");
+    if (equals == std::string::npos) throw UsageError("--param: \"" + text + "\" is not of the form NAME=VALUE");
+    const std::optional<double> value = number_of(text.substr(equals + 1));
+    if (!value) throw UsageError("--param NAME=VALUE: the value in \"" + text + "\" is not a number");
     values.emplace_back(text.substr(0, equals), *value);
   }
   return values;

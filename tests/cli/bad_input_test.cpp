@@ -181,7 +181,10 @@ TEST_F(BadInput, HelpAndVersionAreNoErrors) {
                                                     {"--version"},
                                                     {"overlay", "--help"},
                                                     {"interior", "--help"},
-                                                    {"tangle", "--help"}}) {
+                                                    {"tangle", "--help"},
+                                                    {"help"},
+                                                    {"help", "transport"},
+                                                    {"help", "batch", "run"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
