@@ -1,7 +1,5 @@
 #include "kernels/sine.hpp"
 
-#include <cstdint>
-
 #include "kernels/cpu.hpp"
 
 #include "kernels/sine.inl"

@@ -1,7 +1,7 @@
 // Sine and cosine of any kind of number (kernels/wide.hpp), with the same bits on every instruction set.
 //
-// Reduced to [-pi/2, pi/2] by pi in three parts, then Taylor's polynomial of degree 17, its last coefficients those of
-// the best approximation. Within 1.0 units in the last place for |x| < 1e5; arguments beyond 2^24 lose their meaning.
+// Cody & Waite reduction by multiples of pi in three parts, then a minimax polynomial of degree 17 (relative
+// error 3.4e-19 times x^2), without a branch. kernels/sine.hpp has the error that tests find.
 #pragma once
 
 #include "kernels/wide.hpp"

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <vector>
 
+#include "kernels/trigonometric.hpp"
 #include "tests/oracle/random.hpp"
 
 namespace lober::detail {
@@ -38,6 +40,22 @@ TEST(Sine, IsRightToTwoAndAHalfUlps) {
   EXPECT_LT(worst_error(2, 200000), 2.5);
   EXPECT_LT(worst_error(100, 200000), 2.5);
   EXPECT_LT(worst_error(1e8, 200000), 2.5);
+}
+
+// The one of trigonometric.hpp, which flows use.
+TEST(Cosine, IsRightToTwoAndAHalfUlps) {
+  for (const double range : {2.0, 100.0, 1e5}) {
+    oracle::Random random(6);
+    double worst = 0;
+    for (int k = 0; k < 200000; ++k) {
+      const double x = random.uniform(-range, range);
+      const long double exact = std::cos(static_cast<long double>(x));
+      const auto error = static_cast<double>(std::fabs(static_cast<long double>(cosine(x)) - exact));
+      worst = std::max(worst, error / ulp(static_cast<double>(exact)));
+    }
+    EXPECT_LT(worst, 2.5) << range;
+    std::printf("cosine, |x| < %g: at most %.2f ulp\n", range, worst);
+  }
 }
 
 TEST(Sine, KeepsItsDigitsNearMultiplesOfPi) {

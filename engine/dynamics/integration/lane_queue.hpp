@@ -4,11 +4,27 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "engine/dynamics/integration/lane_steps.hpp"
 #include "lober/cancellation.hpp"
 
 namespace lober::detail {
+
+/// How often each trajectory of a queue is still to arrive.
+class Arrivals {
+ public:
+  Arrivals(int each, std::size_t trajectories) : each_(each), left_(each > 1 ? trajectories : 0) {}
+  void begin(std::size_t item) {
+    if (each_ > 1) left_[item] = each_;
+  }
+  /// After an arrival: whether it goes on.
+  bool again(std::size_t item) { return each_ > 1 && --left_[item] > 0; }
+
+ private:
+  int each_;
+  std::vector<int> left_;
+};
 
 /// A queue of one trajectory, for PeriodLanes and the like.
 template <int size>
@@ -34,12 +50,14 @@ struct SingleTrajectory {
   void lost(std::size_t /*item*/) {}
 };
 
-/// Control decides about steps, one lane at a time and by what is in that lane only, so that a trajectory has the same
-/// bits whatever runs beside it:
-///   bool begin(block, lane);           takes the next trajectory into the lane and sets its first step; false: none
-///   left bool judge(block, lane);           after a step; sets the next one. False: the trajectory has ended void
-///   move(block, from, to);        what the control knows of a lane; the block's part has moved, but for forcing
-/// Returns how many steps were computed. Throws Cancelled.
+/// Returns how many steps were computed. Control decides about them, one lane at a time and by what is in that lane
+/// only, so that a trajectory has the same bits whatever runs beside it. Throws Cancelled.
+///
+///   bool begin(block, lane);      takes the next trajectory and sets its first step; false: none is left
+///
+///   bool judge(block, lane);      after a step; sets the next one; false: the trajectory has ended
+///
+///   void move(block, from, to);   all that it knows of a lane; the block's part has moved, but for forcing
 template <typename Rhs, typename Control>
 std::uint64_t run_lanes(const Rhs& rhs, StepBlock<Rhs::size>& block, StepFunction<Rhs> steps, Control& control) {
   std::uint64_t computed = 0;

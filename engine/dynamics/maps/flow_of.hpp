@@ -9,7 +9,6 @@
 #include <memory>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "engine/dynamics/integration/section_lanes.hpp"
 #include "engine/dynamics/integration/span_lanes.hpp"
@@ -88,29 +87,27 @@ class FlowOf final : public Flow {
 
   void to_section(std::span<FlowState> states, std::span<double> times, const Section& section, int crossings,
                   const IntegrationOptions& options) const override {
-    if (period() != 0) throw UsageError("crossings of a section are found for autonomous flows only");
     if (section.coordinate < 0 || section.coordinate >= Field::dimension) {
       throw UsageError("the section's coordinate does not exist");
     }
     struct Queue {
       std::span<FlowState> states;
       std::span<double> times;
-      int crossings;
-      std::vector<int> left;
+      Arrivals arrivals;
       std::size_t begun = 0;
 
       bool next(std::size_t& item, double* state) {
         if (begun == states.size()) return false;
         item = begun++;
         std::copy_n(states[item].begin(), n, state);
-        if (crossings > 1) left[item] = crossings;
+        arrivals.begin(item);
         if (!times.empty()) times[item] = 0;
         return true;
       }
       bool arrived(std::size_t item, const double* state, double time) {
         states[item] = widened(state);
         if (!times.empty()) times[item] += time;
-        return crossings > 1 && --left[item] > 0;
+        return arrivals.again(item);
       }
       void lost(std::size_t item) {
         states[item] = lost_state();
@@ -123,10 +120,11 @@ class FlowOf final : public Flow {
         return;
       }
       const AlongFlow<Field> rhs{field_};
-      const int count = std::abs(crossings);
-      Queue queue{states, times, count, std::vector<int>(count > 1 ? states.size() : 0)};
+      Queue queue{states, times, Arrivals(std::abs(crossings), states.size())};
       SectionLanes<AlongFlow<Field>, Queue> lanes(rhs, section, options, n, crossings < 0 ? -1 : 1, queue);
       run(rhs, options, lanes);
+    } else {
+      throw UsageError("crossings of a section are found for autonomous flows only");
     }
   }
 

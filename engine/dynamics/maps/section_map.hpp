@@ -10,7 +10,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "engine/dynamics/integration/section_lanes.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -143,15 +142,14 @@ class SectionMap final : public PlanarMap {
     struct Queue {
       const SectionChart<Field>& chart;
       std::span<Point> points;
-      int returns;
-      std::vector<int> left;
+      Arrivals arrivals;
       std::size_t begun = 0;
 
       bool next(std::size_t& item, double* state) {
         while (begun < points.size()) {
           item = begun++;
           if (lifted(item, state)) {
-            if (returns > 1) left[item] = returns;
+            arrivals.begin(item);
             return true;
           }
         }
@@ -159,7 +157,7 @@ class SectionMap final : public PlanarMap {
       }
       bool arrived(std::size_t item, double* state, double /*time*/) {
         points[item] = chart.project(state);
-        return returns > 1 && --left[item] > 0 && lifted(item, state);
+        return arrivals.again(item) && lifted(item, state);
       }
       void lost(std::size_t item) { points[item] = lost_point; }
       bool lifted(std::size_t item, double* state) {
@@ -173,8 +171,7 @@ class SectionMap final : public PlanarMap {
       }
     };
     if (iterates == 0) return;
-    const int returns = std::abs(iterates);
-    Queue queue{chart_, points, returns, std::vector<int>(returns > 1 ? points.size() : 0)};
+    Queue queue{chart_, points, Arrivals(std::abs(iterates), points.size())};
     add_tenths_of_work(tenths_each * follow(AlongFlow<Field>{field_}, options_, iterates < 0 ? -1 : 1, queue));
   }
 
@@ -188,14 +185,13 @@ class SectionMap final : public PlanarMap {
       const SectionMap& map;
       std::span<Point> points;
       std::span<Matrix2> derivatives;
-      int returns;
-      std::vector<int> left;
+      Arrivals arrivals;
       std::size_t begun = 0;
 
       bool next(std::size_t& item, double* state) {
         while (begun < points.size()) {
           item = begun++;
-          if (returns > 1) left[item] = returns;
+          arrivals.begin(item);
           if (begin_return(item, state)) return true;
         }
         return false;
@@ -203,7 +199,7 @@ class SectionMap final : public PlanarMap {
       bool arrived(std::size_t item, double* state, double /*time*/) {
         points[item] = map.chart_.project(state);
         derivatives[item] = map.derivative_on_section(state) * derivatives[item];
-        return returns > 1 && --left[item] > 0 && begin_return(item, state);
+        return arrivals.again(item) && begin_return(item, state);
       }
       void lost(std::size_t item) { points[item] = lost_point; }
       bool begin_return(std::size_t item, double* state) {
@@ -214,8 +210,7 @@ class SectionMap final : public PlanarMap {
     };
     std::fill(derivatives.begin(), derivatives.end(), Matrix2{});
     if (iterates == 0) return;
-    const int returns = std::abs(iterates);
-    Queue queue{*this, points, derivatives, returns, std::vector<int>(returns > 1 ? points.size() : 0)};
+    Queue queue{*this, points, derivatives, Arrivals(std::abs(iterates), points.size())};
     const IntegrationOptions options = options_.finer();
     follow(WithTangents<Field, 2>{field_}, options, iterates < 0 ? -1 : 1, queue);
   }

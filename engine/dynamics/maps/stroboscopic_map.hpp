@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "engine/dynamics/integration/period_lanes.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -30,8 +29,7 @@ class StroboscopicMap final : public PlanarMap {
     // Each period begins anew, so that two periods are exactly twice one.
     struct Queue {
       std::span<Point> points;
-      int periods;
-      std::vector<int> left;
+      Arrivals arrivals;
       std::size_t begun = 0;
 
       bool next(std::size_t& item, double* state) {
@@ -39,18 +37,17 @@ class StroboscopicMap final : public PlanarMap {
         item = begun++;
         state[0] = points[item].x;
         state[1] = points[item].y;
-        if (periods > 1) left[item] = periods;
+        arrivals.begin(item);
         return true;
       }
       bool arrived(std::size_t item, double* state) {
         points[item] = {state[0], state[1]};
-        return periods > 1 && --left[item] > 0;
+        return arrivals.again(item);
       }
       void lost(std::size_t item) { points[item] = lost_point; }
     };
     if (iterates == 0) return;
-    const int periods = std::abs(iterates);
-    Queue queue{points, periods, std::vector<int>(periods > 1 ? points.size() : 0)};
+    Queue queue{points, Arrivals(std::abs(iterates), points.size())};
     add_tenths_of_work(tenths_each * follow(AlongFlow<Field>{field()}, options_, iterates < 0 ? -1 : 1, queue));
   }
 
@@ -63,21 +60,20 @@ class StroboscopicMap final : public PlanarMap {
     struct Queue {
       std::span<Point> points;
       std::span<Matrix2> derivatives;
-      int periods;
-      std::vector<int> left;
+      Arrivals arrivals;
       std::size_t begun = 0;
 
       bool next(std::size_t& item, double* state) {
         if (begun == points.size()) return false;
         item = begun++;
-        if (periods > 1) left[item] = periods;
+        arrivals.begin(item);
         begin_period(item, state);
         return true;
       }
       bool arrived(std::size_t item, double* state) {
         points[item] = {state[0], state[1]};
         derivatives[item] = Matrix2{state[2], state[4], state[3], state[5]} * derivatives[item];
-        if (periods == 1 || --left[item] == 0) return false;
+        if (!arrivals.again(item)) return false;
         begin_period(item, state);
         return true;
       }
@@ -91,8 +87,7 @@ class StroboscopicMap final : public PlanarMap {
     };
     std::fill(derivatives.begin(), derivatives.end(), Matrix2{});
     if (iterates == 0) return;
-    const int periods = std::abs(iterates);
-    Queue queue{points, derivatives, periods, std::vector<int>(periods > 1 ? points.size() : 0)};
+    Queue queue{points, derivatives, Arrivals(std::abs(iterates), points.size())};
     const IntegrationOptions options = options_.finer();
     follow(WithTangents<Field, 2>{field()}, options, iterates < 0 ? -1 : 1, queue);
   }

@@ -229,7 +229,8 @@ System make(const Library& library, const lober_system& system, std::span<const 
   made.lattice = {system.lattice[0], system.lattice[1]};
   set_connections(made, system, values);
   if (system.kind == LOBER_FLOW) {
-    made.flow = system.flow->period != nullptr ? make_flow<true>(loaded) : make_flow<false>(loaded);
+    const bool periodic = system.flow->period != nullptr && system.flow->period(values.data()) != 0;
+    made.flow = periodic ? make_flow<true>(loaded) : make_flow<false>(loaded);
     set_map(made, system, values, options);
   } else if (system.map->action != nullptr) {
     made.map = std::make_shared<FormulaMap<LoadedMapWithAction>>(LoadedMapWithAction(loaded));
