@@ -10,9 +10,10 @@ namespace lober::detail {
 /// Twice the signed area between the segment p1 -> p2 and a cubic through both with the tangents of the parabolas
 /// (chordal parameter) through p0 p1 p2 and p1 p2 p3; positive when the curve bends to the right of the segment, i.e.
 /// outwards on a counter-clockwise curve. For a smooth curve the leading term kappa h^3 / 6 is right, the error is of
-/// order h^5. A vertex where the direction turns by more than 45 degrees is taken for a corner and gets no chord_area.
-/// An estimate in plain double: segments shorter than 1e-150 have none. With Hermite form z = m1 H10 + e H01 + m2 H11
-/// the area is (|m1 e| + |e m2|) / 10 - |m1 m2| / 60.
+/// order h^5. A vertex where the direction turns by more than 45 degrees, or where the curvature is more than eight
+/// times that at the other end of the segment, is taken for a corner: the cubic starts there along the segment. An
+/// estimate in plain double: segments shorter than 1e-150 have none. With Hermite form z = m1 H10 + e H01 + m2 H11 the
+/// area is (|m1 e| + |e m2|) / 10 - |m1 m2| / 60.
 [[nodiscard]] double twice_chord_area(Point p0, Point p1, Point p2, Point p3);
 
 /// The same bits for `count` segments in a row, in 10 ns each instead of 19: segment k runs from points[k + 1] to

@@ -139,6 +139,27 @@ void add_period_option(OptionParser& parser, std::uint32_t& period) {
       .range(1, 1'000'000);
 }
 
+void add_closure_option(OptionParser& parser, std::vector<double>& coordinates) {
+  constexpr int max_coordinates = 2000;
+  parser
+      .add("--closure", coordinates,
+           "The corners of the path that closes the boundary, from where S begins to where U begins, such as walls or "
+           "an axis that the map keeps (default: the straight line).")
+      .comma_separated()
+      .count(2, max_coordinates)
+      .value("X,Y,...");
+}
+
+std::vector<Point> closure_of(const std::vector<double>& coordinates) {
+  if (coordinates.size() % 2 != 0) {
+    throw UsageError("--closure takes two coordinates for each corner, not " + std::to_string(coordinates.size()) +
+                     " numbers");
+  }
+  std::vector<Point> corners;
+  for (std::size_t k = 0; k < coordinates.size(); k += 2) corners.push_back({coordinates[k], coordinates[k + 1]});
+  return corners;
+}
+
 Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help) {
   return parser.add("--memory", bytes, help).bytes().range(std::uint64_t{1}, std::uint64_t{1} << 60).value("SIZE");
 }

@@ -10,6 +10,7 @@
 
 #include "cli/program/option_parser.hpp"
 #include "lober/index.hpp"
+#include "lober/point.hpp"
 
 namespace lober::cli {
 
@@ -55,6 +56,10 @@ Option add_tolerance_option(OptionParser& parser, double& tolerance, const char*
 void add_max_points_option(OptionParser& parser, std::size_t& points, const char* help);
 /// --period P, of pips.
 void add_period_option(OptionParser& parser, std::uint32_t& period);
+/// --closure X1,Y1,X2,Y2,...: corners of the path that closes a boundary, and those points (UsageError for an odd
+/// number of coordinates).
+void add_closure_option(OptionParser& parser, std::vector<double>& coordinates);
+[[nodiscard]] std::vector<Point> closure_of(const std::vector<double>& coordinates);
 /// --memory SIZE: "4G", "500M", "64k" or bytes.
 Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help);
 /// --reverse u|s|both, of two manifolds U and S.

@@ -76,6 +76,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
           "a point X,Y near it (default: the middle pip).")
       .value("K|X,Y");
   add_period_option(parser, request.options.period);
+  std::vector<double> closure;
+  add_closure_option(parser, closure);
   parser.add_flag(
       "--smooth", request.options.smooth,
       "Compute the pips and areas of smooth curves through the points, with error bars, instead of those of "
@@ -88,6 +90,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   if (!bip.empty()) set_bip(bip, request.options);
+  request.options.closure = closure_of(closure);
   request.options.check_simple = !no_check;
   return request;
 }

@@ -78,10 +78,13 @@ Json bip_json(const Tangle& result) {
 
 Json boundary_json(const Tangle& result) {
   if (!result.boundary) return nullptr;
+  Json closure = Json::array();
+  for (const Point corner : result.closure) closure.push_back(point_json(corner));
   return {{"area", result.boundary->area},
           {"points", boundary_outline(result).size()},
           {"orientation", result.boundary->orientation > 0 ? "counter_clockwise" : "clockwise"},
-          {"crosses_itself", result.boundary->crosses_itself}};
+          {"crosses_itself", result.boundary->crosses_itself},
+          {"closure", std::move(closure)}};
 }
 
 Json images_json(const Images& images) {
@@ -103,8 +106,8 @@ Json turnstile_json(const Images& images) {
     reason = "fewer pips before the bip than from a pip to its image";
   }
   return {{"lobes", std::move(lobes)},
-          {"area12", known ? Json(images.area12) : Json()},
-          {"area21", known ? Json(images.area21) : Json()},
+          {"lobe_area12", known ? Json(images.lobe_area12) : Json()},
+          {"lobe_area21", known ? Json(images.lobe_area21) : Json()},
           {"reason", std::move(reason)}};
 }
 

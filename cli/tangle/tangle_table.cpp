@@ -39,7 +39,7 @@ void add_boundary(std::string& text, const TangleReport& report) {
                           : std::string(),
                       boundary.bip, bip.x, bip.y);
   if (boundary.crosses_itself) {
-    text += "           the chord that closes it meets the manifolds: inside is where it winds\n";
+    text += "           the path that closes it meets the manifolds: inside is where it winds\n";
   }
 }
 
@@ -50,7 +50,7 @@ void add_turnstile(std::string& text, const Images& images) {
   }
   if (images.turnstile_begin < images.turnstile_end) {
     text += fmt::format("turnstile  lobes {} to {}: L12 {:.16g}, L21 {:.16g}\n", images.turnstile_begin,
-                        images.turnstile_end - 1, images.area12, images.area21);
+                        images.turnstile_end - 1, images.lobe_area12, images.lobe_area21);
   } else {
     text += fmt::format("turnstile  its first pips, {} before the bip, are not there\n", images.period);
   }

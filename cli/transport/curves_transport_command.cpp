@@ -22,6 +22,7 @@ struct Request {
   std::uint32_t period = 0;
   int iterates = 1000, threads = 0;
   std::array<bool, 2> reverse{};
+  std::vector<double> closure;
   bool no_check = false;
   std::string json;
 };
@@ -48,6 +49,7 @@ void run(const Request& request) {
     options.smooth = true;
     options.period = request.period;
     options.check_simple = !request.no_check;
+    options.closure = closure_of(request.closure);
     if (!request.bip.empty()) options.bip_near = Point{request.bip[0], request.bip[1]};
     options.progress = [&](double fraction) { return progress.advance(fraction); };
     found = tangle_of(report.inputs[0], report.inputs[1], options);
@@ -93,6 +95,7 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
            "The number of iterates n up to which the table goes (default: as far as the curves reach).")
       .range(1, 1000)
       .value("N");
+  add_closure_option(parser, request.closure);
   add_reverse_option(parser, request.reverse);
   add_manifold_check_option(parser, request.no_check);
   add_json_option(parser, request.json);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "cli/report/json_file.hpp"
 #include "cli/report/plot.hpp"
@@ -22,6 +23,17 @@ std::string fixed_text(const SweepReport& report) {
     if (parameter.name != report.range.name) fixed.info.parameters.push_back(parameter);
   }
   return system_text(fixed);
+}
+
+// The remarks of rows, each once, with the first value that has it.
+std::string remarks_text(const SweepReport& report) {
+  std::string text;
+  std::set<std::string> said;
+  for (const SweepRow& row : report.result.rows) {
+    if (row.remark.empty() || !said.insert(row.remark).second) continue;
+    text += fmt::format("no flux at {} = {:.6g}: {}\n", report.range.name, row.value, row.remark);
+  }
+  return text;
 }
 
 double largest_difference(const SweepRow& row) {
@@ -43,10 +55,15 @@ Json row_json(const SweepRow& row) {
           {"areas", row.areas},
           {"errors", row.errors},
           {"actions", row.areas_by_action},
-          {"flux12", row.flux12},
-          {"flux21", row.flux21},
-          {"action12", row.action12},
-          {"action21", row.action21},
+          {"flux12", row.flux12.value},
+          {"flux12_error", row.flux12.error},
+          {"flux21", row.flux21.value},
+          {"flux21_error", row.flux21.error},
+          {"lobe_area12", row.lobe_area12.value},
+          {"lobe_area21", row.lobe_area21.value},
+          {"lobe_area12_by_action", row.lobe_area12_by_action},
+          {"lobe_area21_by_action", row.lobe_area21_by_action},
+          {"remark", row.remark.empty() ? Json() : Json(row.remark)},
           {"difference", row.difference}};
 }
 
@@ -93,17 +110,22 @@ SweepRange sweep_range(const std::string& text) {
 
 std::string sweep_table(const SweepReport& report) {
   std::string text = fixed_text(report) + "\n\n";
-  text += fmt::format("{:>10} {:>16} {:>15} {:>7} {:>18} {:>18} {:>18} {:>10}\n", report.range.name, "eigenvalue",
-                      "saddle x", "lobes", "flux by geometry", "flux by action", "W(q) - W(q')", "worst lobe");
+  text += fmt::format("{:>10} {:>16} {:>15} {:>7} {:>18} {:>8} {:>18} {:>18} {:>18} {:>10}\n", report.range.name,
+                      "eigenvalue", "saddle x", "lobes", "flux a21(1)", "+-", "lobes by geometry", "lobes by action",
+                      "W(q) - W(q')", "worst lobe");
   for (const SweepRow& row : report.result.rows) {
     if (!row.failure.empty()) {
       text += fmt::format("{:>10.6g} failed: {}\n", row.value, row.failure);
       continue;
     }
-    text += fmt::format("{:>10.6g} {:>16.10g} {:>15.10g} {:>7} {:>18.13g} {:>18.13g} {:>18.13g} {:>10.1e}\n", row.value,
-                        row.multiplier, row.from.x, row.period, row.flux21, row.action21, row.difference,
-                        largest_difference(row));
+    const bool flux = row.remark.empty();
+    text += fmt::format(
+        "{:>10.6g} {:>16.10g} {:>15.10g} {:>7} {:>18} {:>8} {:>18.13g} {:>18.13g} {:>18.13g} {:>10.1e}\n", row.value,
+        row.multiplier, row.from.x, row.period, flux ? fmt::format("{:.13g}", row.flux21.value) : "-",
+        flux ? fmt::format("{:.1e}", row.flux21.error) : "-", row.lobe_area21.value, row.lobe_area21_by_action,
+        row.difference, largest_difference(row));
   }
+  text += remarks_text(report);
   for (const SweepZero& zero : report.result.zeros) {
     text +=
         fmt::format("\nW(q) - W(q') changes sign at {} = {:.12g} +- {:.1e}", report.range.name, zero.value, zero.width);
@@ -136,17 +158,17 @@ void write_sweep_json(const std::string& path, const SweepReport& report,
 void write_sweep_curve(const std::string& path, const SweepReport& report) {
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   PlotSeries difference{"W(q) - W(q'), by action", "#1f5fa8", {}, true, false};
-  PlotSeries flux{"flux, sum of the lobes of one sign, by action", "#3f8f6b", {}, true, false};
-  PlotSeries geometry{"flux by geometry", "#c8701e", {}, false, true};
+  PlotSeries lobes{"area of the lobes that enter, by action", "#3f8f6b", {}, true, false};
+  PlotSeries flux{"flux a21(1)", "#c8701e", {}, false, true};
   for (const SweepRow& row : report.result.rows) {
     const bool there = row.failure.empty();
     difference.points.push_back({row.value, there ? row.difference : gap});
-    flux.points.push_back({row.value, there ? row.action21 : gap});
-    geometry.points.push_back({row.value, there ? row.flux21 : gap});
+    lobes.points.push_back({row.value, there ? row.lobe_area21_by_action : gap});
+    flux.points.push_back({row.value, there ? row.flux21.value : gap});
   }
   Plot plot{"Areas of the turnstile of " + fixed_text(report),
             report.range.name + "; " + fixed_text(report),
-            {std::move(geometry), std::move(flux), std::move(difference)},
+            {std::move(flux), std::move(lobes), std::move(difference)},
             {}};
   for (const SweepZero& zero : report.result.zeros) plot.marks.push_back(zero.value);
   write_plot(path, plot);

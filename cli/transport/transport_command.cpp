@@ -138,7 +138,7 @@ void run_sweep(const Request& request) {
     report.result = sweep(
         [&](double value) -> FamilyMember {
           const System system = member(value);
-          return {system.map, connection_of(request.system, system)};
+          return {system.map, connection_of(request.system, system), system.lattice};
         },
         report.range.values, options);
     if (!request.svg.empty()) write_sweep_curve(request.svg, report);

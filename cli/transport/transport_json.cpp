@@ -45,12 +45,16 @@ Json regions_json(std::span<const Region> regions) {
 
 Json all_turnstile_json(const TransportBoundary& boundary) {
   Json json = turnstile_json(*boundary.manifolds);
-  json["area12"] = boundary.area12.value;
-  json["area21"] = boundary.area21.value;
-  json["area12_error"] = boundary.area12.error;
-  json["area21_error"] = boundary.area21.error;
-  json["action12"] = boundary.action12;
-  json["action21"] = boundary.action21;
+  json["flux12"] = boundary.flux12.value;
+  json["flux21"] = boundary.flux21.value;
+  json["flux12_error"] = boundary.flux12.error;
+  json["flux21_error"] = boundary.flux21.error;
+  json["lobe_area12"] = boundary.lobe_area12.value;
+  json["lobe_area21"] = boundary.lobe_area21.value;
+  json["lobe_area12_error"] = boundary.lobe_area12.error;
+  json["lobe_area21_error"] = boundary.lobe_area21.error;
+  json["lobe_area12_by_action"] = boundary.lobe_area12_by_action;
+  json["lobe_area21_by_action"] = boundary.lobe_area21_by_action;
   return json;
 }
 
@@ -64,7 +68,7 @@ Json boundaries_json(const Transport& result) {
   return list;
 }
 
-Json error_json(std::span<const TransportStep> steps, Measured area12, Measured area21) {
+Json error_json(std::span<const TransportStep> steps, Measured flux12, Measured flux21) {
   double discretisation = 0, boundaries = 0, consistency = 0;
   for (const TransportStep& step : steps) {
     const Measured lobes = step.total(1, 0), other = step.by_boundaries(1, 0);
@@ -76,12 +80,12 @@ Json error_json(std::span<const TransportStep> steps, Measured area12, Measured 
       {"discretisation", discretisation},
       {"boundaries", boundaries},
       {"consistency", consistency},
-      {"area_conservation", std::abs(area12.value - area21.value)},
+      {"area_conservation", std::abs(flux12.value - flux21.value)},
       {"meaning",
        {{"discretisation", "estimate of |T - true T| by lobes, integration and rounding included; of the worst step"},
         {"boundaries", "the same by boundaries"},
         {"consistency", "|T by lobes - T by boundaries|; of the worst step"},
-        {"area_conservation", "|area12 - area21| of the turnstile, by geometry"}}}};
+        {"area_conservation", "|flux12 - flux21| of the turnstile, by geometry"}}}};
 }
 
 Json statistics_json(const TransportReport& report) {
@@ -150,7 +154,7 @@ void write_transport_json(const std::string& path, const TransportReport& report
   json.list("steps", result.steps.size(),
             [&](std::string& text, std::size_t k) { format_step(text, result.steps[k]); });
   json.member("remarks", result.remarks);
-  json.member("error", error_json(result.steps, first.area12, first.area21));
+  json.member("error", error_json(result.steps, first.flux12, first.flux21));
   json.member("statistics", statistics_json(report));
   json.finish({{"transport", report.timing.transport}, {"write", report.timing.write}, {"total", seconds_so_far()}});
 }
@@ -166,11 +170,14 @@ void write_transport_json(const std::string& path, const CurvesTransportReport& 
   json.member("inputs", inputs);
   json.member("period", report.tangle->images.period);
   json.member("regions", regions_json(result.regions));
-  json.member("turnstile", Json{{"area12", measured_json(result.area12)}, {"area21", measured_json(result.area21)}});
+  json.member("turnstile", Json{{"flux12", measured_json(result.flux12)},
+                                {"flux21", measured_json(result.flux21)},
+                                {"lobe_area12", measured_json(result.lobe_area12)},
+                                {"lobe_area21", measured_json(result.lobe_area21)}});
   json.list("steps", result.steps.size(),
             [&](std::string& text, std::size_t k) { format_step(text, result.steps[k]); });
   json.member("remarks", result.remarks);
-  json.member("error", error_json(result.steps, result.area12, result.area21));
+  json.member("error", error_json(result.steps, result.flux12, result.flux21));
   json.finish({{"total", seconds_so_far()}});
 }
 

@@ -112,9 +112,9 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
                    "boundary, area " + rounded(report.result.regions.front().area.value));
   add_legend_entry(svg, view, 1, 1, "<circle cx=\"13\" r=\"4\" fill=\"#222222\"/>", "pips of the turnstile");
   add_legend_entry(svg, view, 0, 2, filled_swatch(palette::leaving),
-                   "L12(1), area " + rounded(report.result.boundaries.front().area12.value) + ", and pre-images");
+                   "L12(1), area " + rounded(report.result.boundaries.front().flux12.value) + ", and pre-images");
   add_legend_entry(svg, view, 1, 2, filled_swatch(palette::entering),
-                   "L21(1), area " + rounded(report.result.boundaries.front().area21.value) + ", and images");
+                   "L21(1), area " + rounded(report.result.boundaries.front().flux21.value) + ", and images");
   add_legend_entry(svg, view, 0, 3, filled_swatch(palette::common), "what they have in common");
   add_legend_entry(svg, view, 1, 3, "", system_text(report.system));
   end_picture(svg);

@@ -104,8 +104,8 @@ std::string transport_table(const CurvesTransportReport& report) {
   const TransportOfCurves& result = report.result;
   std::string text = agreement_text(result.agreement);
   text += fmt::format("turnstile  {} a period; L12(1) {:.15g} +- {:.1e}, L21(1) {:.15g} +- {:.1e}\n",
-                      counted(report.tangle->images.period, "lobe", "lobes"), result.area12.value, result.area12.error,
-                      result.area21.value, result.area21.error);
+                      counted(report.tangle->images.period, "lobe", "lobes"), result.flux12.value, result.flux12.error,
+                      result.flux21.value, result.flux21.error);
   text += regions_text(result.regions);
   text += result.steps.empty() ? std::string("no row: the curves do not reach f(q)\n")
                                : transport_steps_table(result.steps);

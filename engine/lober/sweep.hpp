@@ -11,6 +11,7 @@
 
 #include "lober/export.hpp"
 #include "lober/manifold_tangle.hpp"
+#include "lober/transport.hpp"
 
 namespace lober {
 
@@ -18,6 +19,7 @@ namespace lober {
 struct FamilyMember {
   std::shared_ptr<const PlanarMap> map;
   Connection connection;
+  Point lattice{};  ///< as in System
 };
 /// Called from several threads; may throw Error, which is recorded for that value.
 using Family = std::function<FamilyMember(double)>;
@@ -32,9 +34,14 @@ struct SweepRow {
   std::vector<double> areas;            ///< of the lobes from f^-1(q) to q by geometry, signed as in Lobe::area
   std::vector<double> errors;           ///< estimates for them
   std::vector<double> areas_by_action;  ///< likewise; empty if the map has no action
-  double flux12 = 0, flux21 = 0;        ///< sums of the lobes of one sign, by geometry: out of R1, into R1
-  /// The same by action; NaN without one.
-  double action12 = 0, action21 = 0;
+  /// mu(L12(1)), mu(L21(1)): of what leaves and what enters in one iterate, by geometry, as in TransportBoundary. NaN
+  /// where the boundary has none: then `remark` says why.
+  Measured flux12{}, flux21{};
+  std::string remark;
+  /// Sums of the areas of the lobes that leave and that enter, each counted fully: more than the flux where they
+  /// overlap. By geometry, and by action (NaN if the map has none).
+  Measured lobe_area12{}, lobe_area21{};
+  double lobe_area12_by_action = 0, lobe_area21_by_action = 0;
   /// W(q) - W(q'), q' the pip half an iterate before q: of a reversible map the other symmetric pip, so that this
   /// crosses zero where the two sides of the turnstile change places. It is the area of a lobe only as long as there
   /// are two pips an iterate. NaN without an action.

@@ -12,8 +12,8 @@
 //   lobe      its signed area is (D(q_k+1) - D(q_k)) / 2: U_k and S_k never meet but in the pips.
 //   overlap   of lobes i and j, with orientations o_i, o_j: o_i o_j / 2 times the sum of rho(x) D(x) over the crossings
 //             of U_i with S_j and of U_j with S_i. One pass over the crossings gives all overlaps of all lobes.
-//   boundary  B(q_b) = U[p-, q_b] and S[q_b, p+], closed by the chord p+ p-. The part of a lobe inside it is a sum of
-//             the same kind.
+//   boundary  B(q_b) = U[p-, q_b] and S[q_b, p+], closed by a path from p+ to p-: by the chord unless another one is
+//             given. The part of a lobe inside it is a sum of the same kind.
 //
 //   lober::Tangle found = lober::tangle(u, s);
 //   for (const lober::Lobe& lobe : found.lobes) use(lobe.area, lobe.inside);
@@ -58,18 +58,18 @@ struct Lobe {
   /// Whether U_k and S_k meet nowhere but at the pips. They cannot cross there; where they touch or share an arc the
   /// lobe falls into pieces.
   bool simple = true;
-  bool meets_chord = false;  ///< the chord that closes the boundary meets U_k or S_k
+  bool meets_closure = false;  ///< the path that closes the boundary meets U_k or S_k
   [[nodiscard]] int orientation() const { return area > 0 ? 1 : -1; }
 };
 
-/// B(q): U from p- to the bip and S on to p+, closed by the chord from p+ to p- (of no length when homoclinic and both
-/// curves begin at the same point).
+/// B(q): U from p- to the bip and S on to p+, closed by a path from p+ to p- (of no length when homoclinic and both
+/// curves begin at the same point; TangleOptions::closure).
 struct Boundary {
   std::size_t bip = 0;          ///< number of the pip
   double area = 0;              ///< of what it encloses
   double smooth_error = 0;      ///< with TangleOptions::smooth, as Lobe::smooth_error
   int orientation = 1;          ///< +1: U[p-, q] runs counter-clockwise round it
-  bool crosses_itself = false;  ///< the chord meets the rest of it; areas are then those of nonzero winding number
+  bool crosses_itself = false;  ///< the closure meets the rest of it; areas are then those of nonzero winding number
 };
 
 /// What lobe k is to the map: lobe k of L_from,to(n) lies in region `from` and is in region `to` n iterates later (n <=
@@ -94,15 +94,17 @@ struct Images {
 
   /// The lobes between f^-1(q) and q, `turnstile_begin` to `turnstile_end`, if they are all there.
   std::size_t turnstile_begin = 0, turnstile_end = 0;
-  double area12 = 0, area21 = 0;  ///< of the turnstile lobes by direction, each lobe counted fully
+  double lobe_area12 = 0, lobe_area21 = 0;  ///< sums of the turnstile lobes by direction, each lobe counted fully
 };
 
 struct TangleOptions {
   IndexKind index = IndexKind::automatic;
   std::optional<std::size_t> bip{};  ///< number of the pip; default floor(n / 2)
   std::optional<Point> bip_near{};   ///< or the pip nearest to this point
-  std::uint32_t period = 0;          ///< pips from one to its image; 0: infer it
-  bool check_simple = true;          ///< refuse manifolds that cross themselves
+  /// Corners of the path from p+ to p- that closes the boundary, without p+ and p-: walls, an axis; none: the chord.
+  std::vector<Point> closure{};
+  std::uint32_t period = 0;  ///< pips from one to its image; 0: infer it
+  bool check_simple = true;  ///< refuse manifolds that cross themselves
   /// Areas, of lobes, boundary and overlaps, and pips are those of smooth curves through the points, with errors of
   /// order h^6 (engine/lober/smooth.hpp). Which crossings there are the polygons decide.
   bool smooth = false;
@@ -124,6 +126,7 @@ struct Tangle {
   std::vector<Pip> pips;
   std::vector<Lobe> lobes;
   std::optional<Boundary> boundary;  ///< none without a pip
+  std::vector<Point> closure;        ///< as in TangleOptions
   Images images;
   std::vector<std::string> remarks;  ///< what is unusual about the input, one sentence each
   IndexKind index = IndexKind::tree;
@@ -138,7 +141,8 @@ struct Tangle {
   [[nodiscard]] LOBER_API double rounding(double area) const;
 };
 
-/// The tangle of two manifolds. The result keeps alive what they own. Throws DataError (validate), NotSimpleError,
+/// The tangle of two manifolds. The result keeps alive what they own. Throws DataError (validate; a closure that is not
+/// finite), NotSimpleError,
 /// UsageError (a bip that does not exist), Cancelled. The time of the crossing search and of the sums
 /// up to the pips and to those crossings that the boundary has with lobes; parallel; the same bits for any number of
 /// threads and any index.
@@ -176,13 +180,14 @@ struct LobeOverlap {
 [[nodiscard]] LOBER_API std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe);
 /// Length of a closed polygon such as that.
 [[nodiscard]] LOBER_API double perimeter(const std::vector<Point>& polygon);
-/// The boundary from p- along U to the bip and along S to p+: an open polyline; its chord closes it.
+/// U[p-, q] and S[q, p+], q a pip, as an open polyline. O(its vertices).
+[[nodiscard]] LOBER_API std::vector<Point> boundary_arcs(const Tangle& tangle, std::size_t pip);
+/// The boundary as a closed polygon: from p- along U to the bip, along S to p+ and along the closure back to p-.
+/// O(its vertices).
 [[nodiscard]] LOBER_API std::vector<Point> boundary_outline(const Tangle& tangle);
-/// The same for another pip.
-[[nodiscard]] LOBER_API std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t bip);
-/// Signed area of what U[p-, q], S[q, p+] and the chord from p+ to p- enclose, q a pip, each part counted with its
+/// Signed area of what U[p-, q], S[q, p+] and the closure from p+ to p- enclose, q a pip, each part counted with its
 /// winding number; of the smooth curves if that is what the tangle is made of. The error is as Lobe::smooth_error.
-/// O(1).
+/// O(corners of the closure).
 struct SweptArea {
   double area = 0, error = 0;
 };
@@ -200,7 +205,7 @@ struct LobeShape {
 };
 /// One pass over the arcs of all lobes, parallel.
 [[nodiscard]] LOBER_API std::vector<LobeShape> lobe_shapes(const Tangle& tangle);
-/// The same estimate for the area of the boundary: its chord is straight. O(its vertices).
+/// The same estimate for the area of the boundary: its closure consists of straight lines. O(its vertices).
 [[nodiscard]] LOBER_API double boundary_discretisation(const Tangle& tangle);
 
 }  // namespace lober

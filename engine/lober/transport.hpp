@@ -99,10 +99,13 @@ struct TransportOptions {
 struct TransportBoundary {
   Connection connection;
   std::unique_ptr<ManifoldTangle> manifolds;
-  double point_error = 0;             ///< how far the manifolds may lie from the true ones by integration and rounding
-  Measured enclosed;                  ///< area of what the boundary encloses; on a cylinder down to its lower end
-  Measured area12, area21;            ///< of what leaves and what enters in a step, by geometry
-  double action12 = 0, action21 = 0;  ///< sums of the lobes' areas by action; NaN without one
+  double point_error = 0;   ///< how far the manifolds may lie from the true ones by integration and rounding
+  Measured enclosed;        ///< area of what the boundary encloses; on a cylinder down to its lower end
+  Measured flux12, flux21;  ///< mu(L12(1)), mu(L21(1)): of what leaves and what enters in one step
+  /// Sums of the areas of the lobes from f^-1(q) to q that leave and that enter, each counted fully: more than the flux
+  /// where they overlap one another. By geometry, and by action (NaN if the map has none).
+  Measured lobe_area12, lobe_area21;
+  double lobe_area12_by_action = 0, lobe_area21_by_action = 0;
 };
 
 struct Transport {
@@ -126,7 +129,8 @@ struct Transport {
 /// are no particles and no integration error.
 struct TransportOfCurves {
   std::vector<Region> regions;
-  Measured enclosed, area12, area21;
+  Measured enclosed;
+  Measured flux12, flux21, lobe_area12, lobe_area21;  ///< as in TransportBoundary
   std::vector<TransportStep> steps;
   std::vector<std::string> remarks;
   Agreement agreement;

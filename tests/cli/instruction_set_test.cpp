@@ -44,7 +44,7 @@ TEST_F(InstructionSets, OverlayHasTheSameBytes) {
 
 TEST_F(InstructionSets, TransportHasTheSameBytes) {
   expect_same_bytes({"transport", "ovp", "--param", "gamma=0.5", "--iterates", "3", "--tolerance", "1e-4"},
-                    "\"area21\"");
+                    "\"flux21\"");
 }
 
 TEST_F(InstructionSets, EscapeHasTheSameBytes) {

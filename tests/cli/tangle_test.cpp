@@ -69,8 +69,8 @@ TEST_F(TangleProgram, TakesAPeriod) {
   EXPECT_EQ(result["images"]["period"], 2);
   EXPECT_EQ(result["images"]["given"], true);
   EXPECT_EQ(result["turnstile"]["lobes"], Json::array({0, 1}));
-  EXPECT_EQ(result["turnstile"]["area12"], 1.0);
-  EXPECT_EQ(result["turnstile"]["area21"], 1.0);
+  EXPECT_EQ(result["turnstile"]["lobe_area12"], 1.0);
+  EXPECT_EQ(result["turnstile"]["lobe_area21"], 1.0);
   const double mean = 2.75 / 3;
   EXPECT_DOUBLE_EQ(result["error"]["consistency"]["area_change"], 0.25 / mean);
   EXPECT_DOUBLE_EQ(result["error"]["consistency"]["turnstile_sum"], 0.25 / mean);

@@ -41,8 +41,8 @@ TEST_F(TransportCommand, HenonMap) {
   EXPECT_EQ(found["command"], "transport");
   EXPECT_EQ(found["system"], nlohmann::json({{"name", "henon"}, {"parameters", {{"k", 0.5}}}}));
   EXPECT_NEAR(found["region"]["area"].get<double>(), 9.5886920061239648399055, 1e-8);
-  EXPECT_NEAR(found["turnstile"]["action12"].get<double>(), henon_lobe, 1e-14);
-  EXPECT_NEAR(found["turnstile"]["area21"].get<double>(), henon_lobe, 1e-9);
+  EXPECT_NEAR(found["turnstile"]["lobe_area12_by_action"].get<double>(), henon_lobe, 1e-14);
+  EXPECT_NEAR(found["turnstile"]["flux21"].get<double>(), henon_lobe, 1e-9);
   const std::array<double, 8> fluxes{henon_lobe,         henon_lobe,         henon_lobe,         0.9589873456950768,
                                      0.5826983180488817, 0.4718224531769735, 0.4449562082011657, 0.3472857694532555};
   ASSERT_EQ(found["steps"].size(), fluxes.size());
@@ -67,7 +67,7 @@ TEST_F(TransportCommand, VortexPairFromItsEquations) {
   const nlohmann::json found = nlohmann::json::parse(read("t.json"));
   EXPECT_NEAR(found["saddles"]["unstable"]["at"][0].get<double>(), 1.451260038107551142, 1e-9);
   EXPECT_NEAR(found["saddles"]["unstable"]["eigenvalue"].get<double>(), 5.075684315001539492, 1e-8);
-  EXPECT_NEAR(found["turnstile"]["action21"].get<double>(), vortex_lobe, 1e-10);
+  EXPECT_NEAR(found["turnstile"]["lobe_area21_by_action"].get<double>(), vortex_lobe, 1e-10);
   EXPECT_NEAR(found["steps"][2]["a"].get<double>(), 0.238144168406064, 1e-7);
   EXPECT_NE(read("t.svg").find("T(n)"), std::string::npos);
   EXPECT_NE(read("p.svg").find("L21(1)"), std::string::npos);
@@ -155,7 +155,7 @@ TEST_F(TransportCommand, SweepKeepsWhatWorks) {
   EXPECT_EQ(found["rows"][1]["value"], -0.75);
   EXPECT_TRUE(found["rows"][2]["failure"].is_null());
   EXPECT_EQ(found["rows"][2]["period"], 2);
-  EXPECT_NEAR(found["rows"][2]["action21"].get<double>(), henon_lobe, 1e-14);
+  EXPECT_NEAR(found["rows"][2]["lobe_area21_by_action"].get<double>(), henon_lobe, 1e-14);
   EXPECT_NEAR(found["rows"][2]["flux12"].get<double>(), henon_lobe, 1e-5);
 }
 

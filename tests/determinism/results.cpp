@@ -82,7 +82,7 @@ void add(Hash& hash, const Tangle& found) {
       hash.add(number);
     }
     hash.add(lobe.simple);
-    hash.add(lobe.meets_chord);
+    hash.add(lobe.meets_closure);
   }
   if (found.boundary) {
     hash.add(found.boundary->bip);

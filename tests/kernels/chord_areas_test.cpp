@@ -36,5 +36,33 @@ TEST(SagittaAreas, ManyAtOnceHaveTheBitsOfOneByOne) {
   }
 }
 
+// Two arcs of circles that meet in corners, as the manifolds of a boundary do in a pip: polygons lose what lies between
+// the arcs and their chords, and nothing at the corners, however little these turn.
+TEST(SagittaAreas, CornersAmongDensePointsHaveNone) {
+  for (const double turn : {1e-3, 0.02, 0.1, 0.35, 0.7, 1.2}) {
+    for (const double uneven : {1.0, 3.0}) {
+      constexpr int segments = 200;
+      const double half = 0.5;  // angle that each arc turns by
+      std::vector<Point> points;
+      for (const int side : {0, 1}) {
+        const double direction = side == 0 ? 0 : half + turn;
+        const Point begin = points.empty() ? Point{0, 0} : points.back();
+        for (int k = side; k <= segments; ++k) {
+          const double t = (k + (k % 2 == 1 ? 0.5 - 0.5 / uneven : 0)) / segments, angle = half * t;
+          points.push_back({begin.x + std::sin(direction + angle) - std::sin(direction),
+                            begin.y - std::cos(direction + angle) + std::cos(direction)});
+        }
+      }
+      double lost = 0, estimate = 0;
+      for (std::size_t k = 1; k + 2 < points.size(); ++k) {
+        const double chord = distance(points[k], points[k + 1]), angle = 2 * std::asin(chord / 2);
+        lost += angle - std::sin(angle);
+        estimate += twice_chord_area(points[k - 1], points[k], points[k + 1], points[k + 2]);
+      }
+      EXPECT_NEAR(estimate / lost, 1, 0.02) << turn << ' ' << uneven;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lober::detail

@@ -33,8 +33,8 @@ Result run(JobCurves curves, const Options& options) {
   count(found.images.period);
   count(found.images.compared);
   real(bounded ? found.boundary->area : NAN);
-  real(paired ? found.images.area12 : NAN);
-  real(paired ? found.images.area21 : NAN);
+  real(paired ? found.images.lobe_area12 : NAN);
+  real(paired ? found.images.lobe_area21 : NAN);
   real(paired ? found.images.turnstile_sum : NAN);
   real(paired ? found.images.area_change : NAN);
   record.lists.resize(4);
@@ -76,7 +76,7 @@ Operation tangle_operation() {
        {"crossings", "touches", "shared_arcs", "pips", "lobes", "bip", "period", "lobes_compared"}) {
     operation.columns.push_back({name, Column::Kind::count});
   }
-  for (const char* const name : {"boundary", "area12", "area21", "turnstile_sum", "area_change"}) {
+  for (const char* const name : {"boundary", "lobe_area12", "lobe_area21", "turnstile_sum", "area_change"}) {
     operation.columns.push_back({name, Column::Kind::real});
   }
   // Signed areas of the lobes, their parts inside the boundary, error bars if smooth; overlaps as i, j, area, i, ...

@@ -35,10 +35,12 @@ Result run(JobCurves curves, const Options& options) {
   }
   Result record;
   record.values = {found.regions.front().area.value,
-                   first.area12.value,
-                   first.area21.value,
-                   first.action12,
-                   first.action21,
+                   first.flux12.value,
+                   first.flux21.value,
+                   first.lobe_area12.value,
+                   first.lobe_area21.value,
+                   first.lobe_area12_by_action,
+                   first.lobe_area21_by_action,
                    static_cast<double>(manifolds.period()),
                    static_cast<double>(manifolds.u.points.size()),
                    static_cast<double>(manifolds.s.points.size())};
@@ -75,14 +77,15 @@ Operation transport_operation() {
       {"iterates", std::int64_t{7}, "number of iterates n of a(n) and T(n)", {}, 1, 100},
       {"tolerance", 1e-5, "largest distance between the manifolds and their polygons", {}, 1e-15},
       {"integration_tolerance", 1e-12, "error of a step of the integration of a flow", {}, 1e-16, 1e-2}};
-  for (const char* const name : {"region", "area12", "area21", "action12", "action21"}) {
+  for (const char* const name :
+       {"region", "flux12", "flux21", "lobe_area12", "lobe_area21", "lobe_area12_by_action", "lobe_area21_by_action"}) {
     operation.columns.push_back({name, Column::Kind::real});
   }
   for (const char* const name : {"period", "points_u", "points_s"}) {
     operation.columns.push_back({name, Column::Kind::count});
   }
-  // a(n), T(n), estimated error of T(n), and T(n) by the boundary method, n = 1, 2, ...
-  operation.lists = {"flux", "total", "error", "total_by_boundaries"};
+  // a21(n), T21(n), estimated error of T21(n), and T21(n) by the boundary method, n = 1, 2, ...
+  operation.lists = {"a21", "total21", "total21_error", "total21_by_boundaries"};
   operation.check = check_options;
   operation.requirements = [](const Options&) { return Requirements{}; };
   operation.run = run;

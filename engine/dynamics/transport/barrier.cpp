@@ -14,14 +14,6 @@
 namespace lober::detail {
 namespace {
 
-// The path that closes the boundary, from p+ to p-.
-std::vector<Point> closing_path(const Barrier& barrier) {
-  std::vector<Point> path{barrier.tangle->s().points[0]};
-  path.insert(path.end(), barrier.closure.begin(), barrier.closure.end());
-  path.push_back(barrier.tangle->u().points[0]);
-  return path;
-}
-
 // Length of the segments of a closed polygon that meet a box.
 double length_in(const std::vector<Point>& polygon, const Box& box) {
   double length = 0;
@@ -95,19 +87,21 @@ Measured by_overlay(const std::vector<Point>& first, const std::vector<Point>& s
 
 std::vector<Point> outline_of(const Barrier& barrier, int k) {
   const std::size_t pip = barrier.pip(k);
-  std::vector<Point> points = boundary_outline(*barrier.tangle, pip);
+  std::vector<Point> points = boundary_arcs(*barrier.tangle, pip);
   // The corner is where the smooth curves cross, if they do, not where their polygons do.
   const Point corner = barrier.tangle->nodes[barrier.tangle->pips[pip].node].begin;
   const auto at = std::find(points.begin() + barrier.tangle->pips[pip].u.segment, points.end(), corner);
   if (at != points.end()) *at = barrier.tangle->pips[pip].at;
-  points.insert(points.end(), barrier.closure.begin(), barrier.closure.end());
+  points.insert(points.end(), barrier.tangle->closure.begin(), barrier.tangle->closure.end());
   return points;
 }
 
 bool closure_is_crossed(const Barrier& barrier, int k) {
-  const std::vector<Point> path = closing_path(barrier);
+  std::vector<Point> path{barrier.tangle->s().points[0]};
+  path.insert(path.end(), barrier.tangle->closure.begin(), barrier.tangle->closure.end());
+  path.push_back(barrier.tangle->u().points[0]);
   if (path.size() == 2 && path[0] == path[1]) return false;
-  const std::vector<Point> line = boundary_outline(*barrier.tangle, barrier.pip(k));
+  const std::vector<Point> line = boundary_arcs(*barrier.tangle, barrier.pip(k));
   const Point start = path.back(), end = path.front();
   const IndexedCurve closing(OpenCurve::borrow(path)), manifolds(OpenCurve::borrow(line));
   const std::vector<CommonPoint> common = common_points(closing, manifolds);
@@ -119,17 +113,10 @@ bool closure_is_crossed(const Barrier& barrier, int k) {
 Measured enclosed_area(const Barrier& barrier, int k) {
   const Tangle& tangle = *barrier.tangle;
   const SweptArea swept = swept_area(tangle, barrier.pip(k));
-  // The path in place of the chord.
-  const std::vector<Point> path = closing_path(barrier);
-  double twice = 0;
-  for (std::size_t j = 1; j + 1 < path.size(); ++j) {
-    const Point o = path[0], a = path[j], b = path[j + 1];
-    twice += (a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y);
-  }
-  const std::vector<Point> line = boundary_outline(tangle, barrier.pip(k));
+  const std::vector<Point> line = boundary_arcs(tangle, barrier.pip(k));
   double length = 0;
   for (std::size_t j = 1; j < line.size(); ++j) length += distance(line[j - 1], line[j]);
-  return {std::fabs(swept.area + twice / 2), swept.error + barrier.curve_error * length};
+  return {std::fabs(swept.area), swept.error + barrier.curve_error * length};
 }
 
 Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error) {

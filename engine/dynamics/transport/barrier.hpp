@@ -11,13 +11,12 @@
 namespace lober::detail {
 
 /// B(q) = U[p-, q] u S[q, p+], closed by a path from p+ back to p- that the map keeps: walls, an axis, nothing when
-/// homoclinic. The curve f^k(B(q)) consists of the same manifolds and the same path, with the pip f^k(q) for q. The
-/// tangle must outlive it.
+/// homoclinic (Tangle::closure). The curve f^k(B(q)) consists of the same manifolds and the same path, with the pip
+/// f^k(q) for q. The tangle must outlive it.
 struct Barrier {
   const Tangle* tangle = nullptr;
-  std::size_t bip = 0;           ///< number of the pip q
-  std::size_t period = 0;        ///< pips from one to its image
-  std::vector<Point> closure{};  ///< corners of the path from p+ to p-, without either; none: the straight chord
+  std::size_t bip = 0;     ///< number of the pip q
+  std::size_t period = 0;  ///< pips from one to its image
   /// How far the manifolds may lie from the true ones, beside what their polygons leave open: what the integration and
   /// rounding err by. An area is wrong by no more than that times the length of its boundary.
   double curve_error = 0;

@@ -32,7 +32,7 @@ void TransportSeries::extend(std::vector<Barrier> barriers) {
   drift_.clear();
   for (const Turnstile& turnstile : turnstiles_) {
     enclosed_.push_back(enclosed_area(turnstile.barrier(), 0));
-    const Measured leaving = turnstile.area12(), entering = turnstile.area21();
+    const Measured leaving = turnstile.flux12(), entering = turnstile.flux21();
     drift_.push_back({leaving.value - entering.value, std::max(leaving.error, entering.error)});
   }
 }
@@ -54,7 +54,7 @@ void TransportSeries::advance() {
   for_each_block(count * count, 1, [&](std::size_t k, std::size_t) {
     const Turnstile &c = turnstiles_[k / count], &d = turnstiles_[k % count];
     if (n_ == 0) {
-      gains_[k] = &c == &d ? -1 * c.area21() : first_gain(c, d);
+      gains_[k] = &c == &d ? -1 * c.flux21() : first_gain(c, d);
     } else {
       gains_[k] = gains_[k] - (&c == &d ? balance(c.overlaps(n_)) : balance(c, d, n_));
     }

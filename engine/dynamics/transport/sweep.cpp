@@ -1,6 +1,7 @@
 #include "lober/sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -10,6 +11,9 @@
 #include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/transport/area_preservation.hpp"
+#include "engine/dynamics/transport/turnstile.hpp"
+#include "engine/dynamics/transport/wrapped_tangle.hpp"
 #include "lober/error.hpp"
 
 namespace lober {
@@ -26,26 +30,49 @@ void fill(SweepRow& row, const ManifoldTangle& found) {
   row.period = found.period();
   row.areas_by_action = found.areas_by_action;
   const bool with_action = !row.areas_by_action.empty();
-  if (!with_action) row.action12 = row.action21 = row.difference = unknown;
+  if (!with_action) row.lobe_area12_by_action = row.lobe_area21_by_action = row.difference = unknown;
   for (std::size_t k = 0; k < row.period; ++k) {
     const std::size_t number = found.image_of_bip(-1) + k;
     const Lobe& lobe = tangle.lobes[number];
     row.areas.push_back(lobe.area);
     row.errors.push_back(lobe.smooth_error);
     const bool leaves = tangle.images.labels[number].from == 1;
-    (leaves ? row.flux12 : row.flux21) += std::fabs(lobe.area);
+    Measured& side = leaves ? row.lobe_area12 : row.lobe_area21;
+    side = side + Measured{std::fabs(lobe.area), lobe.smooth_error};
     if (!with_action) continue;
-    (leaves ? row.action12 : row.action21) += std::fabs(row.areas_by_action[k]);
+    (leaves ? row.lobe_area12_by_action : row.lobe_area21_by_action) += std::fabs(row.areas_by_action[k]);
     if (k >= row.period / 2) row.difference -= row.areas_by_action[k];
   }
 }
 
-SweepRow row_at(const Family& family, double value, const ManifoldTangleOptions& options) {
+// By the turnstile of the boundary, where it crosses itself as in the plane or on the cylinder.
+void fill_fluxes(SweepRow& row, const FamilyMember& member, const ManifoldTangle& found) {
+  try {
+    require_areas_preserved(*member.map, found.local_u.saddle);
+    WrappedTangle wrapped;
+    Barrier barrier = barrier_of(found);
+    if (!(member.lattice == Point{})) {
+      const std::array<const ManifoldTangle*, 1> tangles{&found};
+      wrapped = wrapped_tangle(cylinder_of(member.lattice, tangles), *member.map, found, 1, 0);
+      barrier = barrier_of(found, wrapped);
+    }
+    const Turnstile turnstile(barrier);
+    row.flux12 = turnstile.flux12();
+    row.flux21 = turnstile.flux21();
+  } catch (const DataError& error) {
+    row.flux12 = row.flux21 = {unknown, unknown};
+    row.remark = error.what();
+  }
+}
+
+SweepRow row_at(const Family& family, double value, const ManifoldTangleOptions& options, bool with_fluxes) {
   SweepRow row;
   row.value = value;
   try {
     const FamilyMember member = family(value);
-    fill(row, *grow_tangle(*member.map, member.connection, options));
+    const std::unique_ptr<ManifoldTangle> found = grow_tangle(*member.map, member.connection, options);
+    fill(row, *found);
+    if (with_fluxes) fill_fluxes(row, member, *found);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {
@@ -70,7 +97,7 @@ SweepZero refined(const Family& family, const SweepRow& first, const SweepRow& l
   const End from = low, to = high;
   const double least_end = std::min(std::fabs(from.difference), std::fabs(to.difference));
   const auto difference_at = [&](double value) {
-    const SweepRow row = row_at(family, value, options.tangle);
+    const SweepRow row = row_at(family, value, options.tangle, false);
     ++zero.evaluations;
     if (!row.failure.empty() || std::isnan(row.difference)) {
       zero.failure = row.failure;
@@ -122,7 +149,7 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
     return !cancelled;
   };
   for_each_block(values.size(), 1, [&](std::size_t k, std::size_t) {
-    result.rows[k] = row_at(family, values[k], inner.tangle);
+    result.rows[k] = row_at(family, values[k], inner.tangle, true);
     ++done;
   });
   for (std::size_t k = 0; k + 1 < result.rows.size(); ++k) {

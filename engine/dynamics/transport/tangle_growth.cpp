@@ -14,15 +14,18 @@
 namespace lober::detail {
 namespace {
 
-// How often both are grown anew to a tenth of the tolerance: because of thin lobes, and because of trouble.
-constexpr int max_refinements_if_thin = 2, max_refinements = 4;
+// How often both are grown anew to a tenth of the tolerance: because the lobes are coarse, and because of trouble.
+constexpr int max_refinements_if_coarse = 4, max_refinements = 4;
 // Tolerances end at this number of roundings of the largest coordinate.
 constexpr double finest_roundings = 32;
 
 }  // namespace
 
 TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options)
-    : map_(map), options_(options), bip_near_(options.bip_near ? options.bip_near : connection.bip) {
+    : map_(map),
+      options_(options),
+      bip_near_(options.bip_near ? options.bip_near : connection.bip),
+      closure_(connection.closure) {
   u_.local = local_manifold(map, connection.from, ManifoldSide::unstable);
   s_.local = local_manifold(map, connection.to, ManifoldSide::stable);
   // Of a homoclinic tangle both begin in one point, to the bit: else they might cross there.
@@ -47,7 +50,7 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
   }
 
   double tolerance = options.tolerance;
-  int refined_if_thin = 0, refined = 0;
+  int refined_if_coarse = 0, refined = 0;
   for (;;) {
     begin(tolerance);
     std::string trouble;
@@ -64,8 +67,16 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
       if (box_is_too_small()) continue;
       trouble = trouble_with_pips();
       if (trouble.empty()) {
-        if (refined_if_thin >= max_refinements_if_thin || tolerance_ / 10 < finest_ || !lobes_are_thin()) break;
-        ++refined_if_thin;
+        const bool last = refined_if_coarse >= max_refinements_if_coarse || tolerance_ / 10 < finest_;
+        if (last || !lobes_are_thin()) {
+          // From here on the bip is this one, whatever other pips further images show nearer to the point that was
+          // asked for.
+          near_ = orbits_.back().at;
+          require_bip_near();
+          finish();
+          if (last || agreement_of(*result_).agrees()) return;
+        }
+        ++refined_if_coarse;
         tolerance = tolerance_ / 10;
         continue;
       }
@@ -73,17 +84,16 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
     if (++refined > max_refinements || tolerance_ / 10 < finest_) throw DataError(trouble + by_action());
     tolerance = tolerance_ / 10;
   }
-  // From here on the bip is this one, whatever other pips further images show nearer to the point that was asked for.
-  near_ = orbits_.back().at;
+}
+
+void TangleGrowth::require_bip_near() const {
   constexpr double meant = 0.3;  // relative to how far the bip is from its saddles
   const double far = std::max(distance(*near_, u_.local.saddle), distance(*near_, s_.local.saddle));
-  if (options_.bip_near && distance(*near_, *options_.bip_near) > meant * far) {
-    std::string pips;
-    for (std::size_t k = 1; k < orbits_.size(); ++k) pips += (k == 1 ? "" : ", ") + format_point(orbits_[k].at);
-    throw DataError("no pip was found near the bip asked for, " + format_point(*options_.bip_near) +
-                    "; pips of one period are " + pips);
-  }
-  finish();
+  if (!options_.bip_near || distance(*near_, *options_.bip_near) <= meant * far) return;
+  std::string pips;
+  for (std::size_t k = 1; k < orbits_.size(); ++k) pips += (k == 1 ? "" : ", ") + format_point(orbits_[k].at);
+  throw DataError("no pip was found near the bip asked for, " + format_point(*options_.bip_near) +
+                  "; pips of one period are " + pips);
 }
 
 void TangleGrowth::begin(double tolerance) {
@@ -240,6 +250,7 @@ void TangleGrowth::finish() {
   options.bip = bip_;
   options.period = period_;
   options.smooth = options_.smooth;
+  options.closure = closure_;
   try {
     result->tangle = tangle(OpenCurve::borrow(result->u.points), OpenCurve::borrow(result->s.points), options);
   } catch (const NotSimpleError& error) {
@@ -252,8 +263,9 @@ void TangleGrowth::finish() {
                       ": arcs lie closer to each other there than polygons show; areas are those of winding numbers");
   }
   if (tolerance_ < options_.tolerance) {
-    result->tangle.remarks.push_back("grown to the tolerance " + format_number(tolerance_) +
-                                     ", because lobes of the turnstile are thin");
+    result->tangle.remarks.push_back("grown to the tolerance " + format_rounded(tolerance_) +
+                                     ", because lobes of the turnstile are thin or coarsely drawn to " +
+                                     format_rounded(options_.tolerance));
   }
   result->orbits = orbits_;
   for (std::size_t k = 0; k + 1 < orbits_.size(); ++k) {

@@ -78,6 +78,7 @@ class TangleGrowth {
   [[nodiscard]] bool lobes_are_thin() const;
   [[nodiscard]] std::string by_action() const;
   [[nodiscard]] bool grow_between(int before, int after);
+  void require_bip_near() const;
   void lend();
   void finish();
   void report();
@@ -85,6 +86,7 @@ class TangleGrowth {
   const PlanarMap& map_;
   ManifoldTangleOptions options_;
   std::optional<Point> bip_near_, near_;
+  std::vector<Point> closure_;  // of the connection
   Side u_, s_;
   Box box_;  // where manifolds are followed exactly
   int enlargements_ = 0;

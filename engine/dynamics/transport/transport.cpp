@@ -7,11 +7,13 @@
 
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/transport/area_preservation.hpp"
 #include "engine/dynamics/transport/comparisons.hpp"
 #include "engine/dynamics/transport/cylinder.hpp"
 #include "engine/dynamics/transport/particles.hpp"
 #include "engine/dynamics/transport/series.hpp"
 #include "engine/dynamics/transport/tangle_growth.hpp"
+#include "engine/dynamics/transport/wrapped_tangle.hpp"
 #include "kernels/box.hpp"
 #include "lober/error.hpp"
 
@@ -21,16 +23,12 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// The formulas hold for maps that preserve area. The determinant of the derivative at a saddle tells, to what its
-// cancellation leaves of it.
-void require_areas_preserved(const PlanarMap& map, Point saddle) {
-  Matrix2 a;
-  map.iterate_with_derivative(saddle, 1, a);
-  const double largest = std::max({std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
-  const double factor = std::fabs(a.xx * a.yy - a.xy * a.yx);
-  if (std::fabs(factor - 1) <= 1e-3 + 1e-10 * largest * largest) return;
-  throw DataError("transport: the map does not preserve area, it multiplies it by " + format_number(factor) +
-                  " at the saddle " + format_point(saddle) + "; lober tangle lists its lobes");
+// Where lobes of the turnstile that leave overlap such as enter, the flux is less than their areas in all.
+std::string overlap_remark(const TransportBoundary& boundary) {
+  const double counted_twice = boundary.lobe_area12.value - boundary.flux12.value;
+  if (!(counted_twice > boundary.lobe_area12.error + boundary.flux12.error)) return {};
+  return "lobes of the turnstile overlap: those that leave have the area " + format_number(boundary.lobe_area12.value) +
+         " in all, and " + format_number(boundary.flux12.value) + " leaves R1 in one iterate";
 }
 
 class Builder {
@@ -58,10 +56,9 @@ class Builder {
   }
 
  private:
-  // A boundary as the series sees it; on a cylinder both curves there, and their tangle.
+  // A boundary as the series sees it.
   struct SeriesBoundary {
-    std::vector<Point> wrapped_u, wrapped_s;
-    std::unique_ptr<Tangle> wrapped;
+    WrappedTangle wrapped;  // on a cylinder
     Barrier barrier;
   };
 
@@ -160,27 +157,19 @@ class Builder {
   }
 
   void set_barriers(int n) {
-    if (!(options_.lattice == Point{})) set_cylinder();
+    if (!(options_.lattice == Point{})) {
+      std::vector<const ManifoldTangle*> tangles;
+      for (const std::unique_ptr<TangleGrowth>& growth : growths_) tangles.push_back(&growth->current());
+      cylinder_.emplace(cylinder_of(options_.lattice, tangles));
+    }
     for (std::size_t c = 0; c < growths_.size(); ++c) {
       SeriesBoundary& boundary = boundaries_[c];
       const ManifoldTangle& manifolds = growths_[c]->current();
-      Barrier& barrier = boundary.barrier;
-      barrier.tangle = &manifolds.tangle;
-      barrier.bip = manifolds.bip;
-      barrier.period = manifolds.period();
-      barrier.closure = result_.boundaries[c].connection.closure;
-      barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
-      barrier.lobes_include_it = !cylinder_;
-      if (!cylinder_) {
-        barrier.fine = box_of(manifolds.fine);
-        barrier.true_size = box_of(manifolds.true_size);
-      }
       if (cylinder_) {
-        // Points that are added where circles bend lie unevenly, and the smooth curves through them are worse than
-        // their error estimates: by up to a thousandth of the tolerance, measured on the standard map for K = 0.4 to 5.
-        constexpr double unevenness = 2e-3;
-        barrier.curve_error += unevenness * manifolds.tolerance;
-        wrap(boundary, manifolds, n);
+        boundary.wrapped = wrapped_tangle(*cylinder_, map_, manifolds, images_before(n), images_after(n));
+        boundary.barrier = barrier_of(manifolds, boundary.wrapped);
+      } else {
+        boundary.barrier = barrier_of(manifolds);
       }
     }
   }
@@ -190,75 +179,6 @@ class Builder {
     return list;
   }
 
-  // Deep enough for all that was grown.
-  void set_cylinder() {
-    double low = 0, high = 0;
-    for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
-      for (const GrownManifold* grown : {&growth->current().u, &growth->current().s}) {
-        for (const Point& point : grown->points) {
-          const double height = Cylinder::height(options_.lattice, point);
-          low = std::min(low, height);
-          high = std::max(high, height);
-        }
-      }
-    }
-    const double period = std::hypot(options_.lattice.x, options_.lattice.y);
-    cylinder_.emplace(options_.lattice, -low + std::max(0.25 * (high - low), 0.25 * period));
-  }
-
-  // The tangle on the cylinder, as fine as it takes for polygons to have the pips there that the plane has.
-  void wrap(SeriesBoundary& boundary, const ManifoldTangle& manifolds, int n) {
-    constexpr int max_refinements = 5;
-    for (int k = 0; k <= max_refinements; ++k) {
-      wrap_to(boundary, manifolds, manifolds.tolerance / std::pow(10, k));
-      if (has_pips_of_plane(boundary, manifolds, n)) return;
-    }
-    throw DataError(
-        "transport: on the cylinder manifolds cross elsewhere than in the plane, by those of the neighbouring "
-        "cells or because they lie too close to each other: the bip " +
-        format_point(manifolds.orbits.back().at) + " bounds no region of it");
-  }
-
-  [[nodiscard]] bool has_pips_of_plane(const SeriesBoundary& boundary, const ManifoldTangle& manifolds, int n) const {
-    const Tangle& there = *boundary.wrapped;
-    const Barrier& barrier = boundary.barrier;
-    if (barrier.images_before() < images_before(n) || barrier.images_after() < images_after(n)) return false;
-    const auto first = static_cast<std::ptrdiff_t>(barrier.period) * -images_before(n);
-    const auto last = static_cast<std::ptrdiff_t>(barrier.period) * images_after(n);
-    for (std::ptrdiff_t k = first; k <= last; ++k) {
-      const auto number = [&](std::size_t bip) {
-        return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(bip) + k);
-      };
-      const Point there_too = cylinder_->wrap(manifolds.tangle.pips[number(manifolds.bip)].at);
-      if (!(distance(there.pips[number(barrier.bip)].at, there_too) <= 1e3 * manifolds.tolerance)) return false;
-    }
-    return true;
-  }
-
-  void wrap_to(SeriesBoundary& boundary, const ManifoldTangle& manifolds, double tolerance) {
-    const Cylinder& cylinder = *cylinder_;
-    boundary.wrapped_u = wrapped(cylinder, map_, manifolds.local_u, manifolds.u, tolerance);
-    boundary.wrapped_s = wrapped(cylinder, map_, manifolds.local_s, manifolds.s, tolerance);
-    // One and the same saddle, to the bit: else they might cross there.
-    if (distance(boundary.wrapped_u[0], boundary.wrapped_s[0]) <= 1e-8 * (1 + std::fabs(boundary.wrapped_u[0].x))) {
-      boundary.wrapped_s[0] = boundary.wrapped_u[0];
-    }
-    TangleOptions options;
-    options.bip_near = cylinder.wrap(manifolds.orbits.back().at);
-    options.period = static_cast<std::uint32_t>(manifolds.period());
-    options.smooth = true;
-    const OpenCurve u = OpenCurve::borrow(boundary.wrapped_u), s = OpenCurve::borrow(boundary.wrapped_s);
-    try {
-      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
-    } catch (const NotSimpleError&) {  // arcs closer to each other than polygons show
-      options.check_simple = false;
-      boundary.wrapped = std::make_unique<Tangle>(tangle(u, s, options));
-    }
-    if (!boundary.wrapped->boundary) throw DataError("transport: the manifolds do not cross on the cylinder");
-    boundary.barrier.tangle = boundary.wrapped.get();
-    boundary.barrier.bip = boundary.wrapped->boundary->bip;
-  }
-
   void finish(const TransportSeries& series) {
     result_.regions = series.partition().regions();
     const std::vector<Barrier> last = barriers();
@@ -266,15 +186,20 @@ class Builder {
       TransportBoundary& boundary = result_.boundaries[c];
       boundary.point_error = last[c].curve_error;
       boundary.enclosed = enclosed_area(last[c], 0);
-      boundary.area12 = series.turnstiles()[c].area12();
-      boundary.area21 = series.turnstiles()[c].area21();
+      const Turnstile& turnstile = series.turnstiles()[c];
+      boundary.flux12 = turnstile.flux12();
+      boundary.flux21 = turnstile.flux21();
+      boundary.lobe_area12 = turnstile.lobe_area12();
+      boundary.lobe_area21 = turnstile.lobe_area21();
       boundary.manifolds = growths_[c]->take();
       const ManifoldTangle& manifolds = *boundary.manifolds;
       result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
-      boundary.action12 = boundary.action21 = manifolds.areas_by_action.empty() ? unknown : 0;
+      if (const std::string remark = overlap_remark(boundary); !remark.empty()) result_.remarks.push_back(remark);
+      boundary.lobe_area12_by_action = boundary.lobe_area21_by_action = manifolds.areas_by_action.empty() ? unknown : 0;
       for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
         const bool leaves = manifolds.tangle.images.labels[manifolds.image_of_bip(-1) + k].from == 1;
-        (leaves ? boundary.action12 : boundary.action21) += std::fabs(manifolds.areas_by_action[k]);
+        (leaves ? boundary.lobe_area12_by_action : boundary.lobe_area21_by_action) +=
+            std::fabs(manifolds.areas_by_action[k]);
       }
     }
     if (options_.particles > 0) {

@@ -52,8 +52,11 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
   TransportOfCurves result;
   result.regions = series.partition().regions();
   result.enclosed = enclosed_area(barrier, 0);
-  result.area12 = series.turnstiles()[0].area12();
-  result.area21 = series.turnstiles()[0].area21();
+  const Turnstile& turnstile = series.turnstiles()[0];
+  result.flux12 = turnstile.flux12();
+  result.flux21 = turnstile.flux21();
+  result.lobe_area12 = turnstile.lobe_area12();
+  result.lobe_area21 = turnstile.lobe_area21();
   while (static_cast<int>(result.steps.size()) < iterates && series.reaches_next()) {
     result.steps.push_back(series.next());
     compare_routes(result.agreement, series.partition(), result.steps.back());

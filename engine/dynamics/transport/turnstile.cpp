@@ -96,16 +96,20 @@ TurnstileOverlaps Turnstile::overlaps(int m) const {
   return sums;
 }
 
-Measured Turnstile::area12() const {
-  const Measured square = balance(overlaps(0));
+Measured Turnstile::lobe_area(bool leaving) const {
   Measured sum{};
-  for (const std::size_t k : lobes_[0]) sum = sum + area(k);
-  for (const std::size_t k : lobes_[1]) sum = sum - area(k);
+  for (const std::size_t k : lobes(leaving)) sum = sum + area(k);
+  return sum;
+}
+
+Measured Turnstile::flux12() const {
+  const Measured square = balance(overlaps(0));
+  const Measured sum = lobe_area12() - lobe_area21();
   return {(square.value + sum.value) / 2, std::max(square.error, sum.error)};
 }
 
-Measured Turnstile::area21() const {
-  const Measured square = balance(overlaps(0)), leaving = area12();
+Measured Turnstile::flux21() const {
+  const Measured square = balance(overlaps(0)), leaving = flux12();
   return {square.value - leaving.value, leaving.error};
 }
 

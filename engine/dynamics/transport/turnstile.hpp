@@ -29,8 +29,11 @@ class Turnstile {
 
   [[nodiscard]] const Barrier& barrier() const { return barrier_; }
   /// mu(L12(1)) and mu(L21(1)).
-  [[nodiscard]] Measured area12() const;
-  [[nodiscard]] Measured area21() const;
+  [[nodiscard]] Measured flux12() const;
+  [[nodiscard]] Measured flux21() const;
+  /// Sums of the areas of the lobes that leave and that enter, each counted fully.
+  [[nodiscard]] Measured lobe_area12() const { return lobe_area(true); }
+  [[nodiscard]] Measured lobe_area21() const { return lobe_area(false); }
   /// Numbers of the lobes of L12(1) (leaving) or L21(1).
   [[nodiscard]] const std::vector<std::size_t>& lobes(bool leaving) const { return lobes_[leaving ? 0 : 1]; }
   [[nodiscard]] std::size_t moved(std::size_t lobe, int images) const {
@@ -46,6 +49,7 @@ class Turnstile {
  private:
   [[nodiscard]] Measured common(std::size_t i, std::size_t j) const;
   [[nodiscard]] Measured area(std::size_t lobe) const;
+  [[nodiscard]] Measured lobe_area(bool leaving) const;
   [[nodiscard]] double area_here(std::size_t lobe) const;
   [[nodiscard]] Measured within_reason(Measured common, std::size_t i, std::size_t j) const;
 

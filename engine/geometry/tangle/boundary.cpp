@@ -7,16 +7,17 @@
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
+#include "kernels/shoelace.hpp"
 #include "lober/regions.hpp"
 
 namespace lober::detail {
 namespace {
 
-// Where the chord from p+ to p- meets a manifold, but where the manifold begins.
-std::vector<Position> chord_meetings(const IndexedCurve& chord, const IndexedCurve& curve) {
+// Where the closure meets a manifold, but where the manifold begins.
+std::vector<Position> closure_meetings(const IndexedCurve& closure, const IndexedCurve& curve) {
   const Point start = curve.view().points[0];
   std::vector<Position> meetings;
-  const ContactList contacts = find_contacts(chord, curve, IndexKind::tree).list;
+  const ContactList contacts = find_contacts(closure, curve, IndexKind::tree).list;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact contact = contacts[k];
     const auto points = curve.view().points.first(contact.segment2 + 1);
@@ -27,17 +28,17 @@ std::vector<Position> chord_meetings(const IndexedCurve& chord, const IndexedCur
   return meetings;
 }
 
-// What the chord cuts.
-struct ChordCuts {
+// What the closure cuts.
+struct ClosureCuts {
   bool boundary = false;
   std::vector<bool> lobes;
 };
-ChordCuts cuts_of_chord(const Tangle& tangle) {
-  ChordCuts cuts{false, std::vector<bool>(tangle.lobes.size())};
+ClosureCuts cuts_of_closure(const Tangle& tangle) {
+  ClosureCuts cuts{false, std::vector<bool>(tangle.lobes.size())};
   const TangleCurves& curves = *tangle.curves;
-  const std::array<Point, 2> ends{curves.s().view().points[0], curves.u().view().points[0]};
-  if (ends[0] == ends[1]) return cuts;
-  const IndexedCurve chord({ends, false});
+  const std::vector<Point> path = closing_path(tangle);
+  if (path.size() == 2 && path[0] == path[1]) return cuts;
+  const IndexedCurve closure({path, false});
   // Parameters are rounded: what lies that near to a pip counts for both sides.
   constexpr double uncertainty = 1e-12;
   const auto not_after = [](Position x, Position y) {
@@ -61,8 +62,8 @@ ChordCuts cuts_of_chord(const Tangle& tangle) {
       for (std::size_t k = from; k < to; ++k) cuts.lobes[k] = true;
     }
   };
-  mark(chord_meetings(chord, curves.u()), &Pip::u);
-  mark(chord_meetings(chord, curves.s()), &Pip::s);
+  mark(closure_meetings(closure, curves.u()), &Pip::u);
+  mark(closure_meetings(closure, curves.s()), &Pip::s);
   return cuts;
 }
 
@@ -116,14 +117,30 @@ std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& option
   return static_cast<std::size_t>(nearest - pips.begin());
 }
 
+std::vector<Point> closing_path(const Tangle& tangle) {
+  const TangleCurves& curves = *tangle.curves;
+  std::vector<Point> path{curves.s().view().points[0]};
+  for (const Point corner : tangle.closure)
+    path.push_back({std::ldexp(corner.x, curves.exponent), std::ldexp(corner.y, curves.exponent)});
+  path.push_back(curves.u().view().points[0]);
+  return path;
+}
+
+DD twice_swept(const Tangle& tangle, std::size_t pip) {
+  DD twice = gap_of(tangle.pips.at(pip));  // about p-, so that a chord adds nothing
+  const std::vector<Point> path = closing_path(tangle);
+  for (std::size_t k = 1; k < path.size(); ++k) twice += shoelace(path[k - 1], path[k], tangle.curves->origin());
+  return twice;
+}
+
 void bound_lobes(Tangle& tangle) {
   Boundary& boundary = *tangle.boundary;
   const TangleCurves& curves = *tangle.curves;
   const std::size_t bip = boundary.bip;
-  const DD twice_area = gap_of(tangle.pips[bip]);  // p- is the origin, so the chord adds nothing
+  const DD twice_area = twice_swept(tangle, bip);
   boundary.orientation = twice_area.hi < 0 ? -1 : 1;
-  const ChordCuts chord = cuts_of_chord(tangle);
-  boundary.crosses_itself = chord.boundary;
+  const ClosureCuts closure = cuts_of_closure(tangle);
+  boundary.crosses_itself = closure.boundary;
   std::vector<Point> outline;  // made when it is needed
   const auto polygon = [&]() -> const std::vector<Point>& {
     if (outline.empty()) outline = boundary_outline(tangle);
@@ -147,8 +164,8 @@ void bound_lobes(Tangle& tangle) {
   for (std::size_t m = 0; m < tangle.lobes.size(); ++m) {
     Lobe& lobe = tangle.lobes[m];
     const double area = std::fabs(lobe.area);
-    lobe.meets_chord = chord.lobes[m];
-    if (boundary.crosses_itself || lobe.meets_chord || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
+    lobe.meets_closure = closure.lobes[m];
+    if (boundary.crosses_itself || lobe.meets_closure || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
       const double common = common_area(lobe_outline(tangle, m), polygon());
       const bool speck = common <= tangle.rounding(area);  // corners of outlines are rounded
       lobe.inside = speck ? 0 : std::min(area, common);

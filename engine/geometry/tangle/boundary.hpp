@@ -8,6 +8,13 @@ namespace lober::detail {
 /// The number of the pip that the options ask for. Throws UsageError if it does not exist. There must be a pip.
 [[nodiscard]] std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& options);
 
+/// The path that closes the boundary, from p+ to p-, at the scale of TangleCurves.
+[[nodiscard]] std::vector<Point> closing_path(const Tangle& tangle);
+
+/// Twice the signed area of what U[p-, q], S[q, p+] and the closure enclose, q the pip of this number, at the scale of
+/// TangleCurves.
+[[nodiscard]] DD twice_swept(const Tangle& tangle, std::size_t pip);
+
 /// Fills in `boundary` for its bip, and `inside` and `outside` of every lobe. Exact decisions only: a lobe that the
 /// boundary does not cross lies inside or outside by the side on which it is, with no area computed.
 ///
@@ -15,8 +22,8 @@ namespace lober::detail {
 /// cross U[p-, q_b]. With o_m, o_B the orientations, it lies inside along the shared arc if o_m = -o_B (m >= b) or
 /// o_m = o_B (m < b); then
 ///   2 inside = [inside along the shared arc] 2 |area| -+ o_m o_B sum of rho D over those crossings.
-/// This holds if neither p- nor p+ lies in the lobe and the chord meets neither the lobe nor the rest of the boundary.
-/// Otherwise polygons are overlaid.
+/// This holds if neither p- nor p+ lies in the lobe and the closure meets neither the lobe nor the rest of the
+/// boundary. Otherwise polygons are overlaid.
 void bound_lobes(Tangle& tangle);
 
 }  // namespace lober::detail

@@ -86,7 +86,7 @@ Images detail::find_images(const Tangle& tangle, std::uint32_t given_period) {
     images.turnstile_begin = bip - period;
     images.turnstile_end = bip;
     for (std::size_t k = images.turnstile_begin; k < bip; ++k) {
-      (images.labels[k].from == 1 ? images.area12 : images.area21) += std::fabs(lobes[k].area);
+      (images.labels[k].from == 1 ? images.lobe_area12 : images.lobe_area21) += std::fabs(lobes[k].area);
     }
   }
   return images;

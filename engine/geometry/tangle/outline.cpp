@@ -1,6 +1,6 @@
 // Lobes and boundary as polygons.
 
-#include "engine/geometry/tangle/curves.hpp"
+#include "engine/geometry/tangle/boundary.hpp"
 #include "lober/regions.hpp"
 
 namespace lober {
@@ -42,10 +42,12 @@ std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe) {
 }
 
 std::vector<Point> boundary_outline(const Tangle& tangle) {
-  return boundary_outline(tangle, tangle.boundary->bip);
+  std::vector<Point> points = boundary_arcs(tangle, tangle.boundary->bip);
+  points.insert(points.end(), tangle.closure.begin(), tangle.closure.end());
+  return points;
 }
 
-std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t number) {
+std::vector<Point> boundary_arcs(const Tangle& tangle, std::size_t number) {
   const Pip& bip = tangle.pips.at(number);
   const auto u = tangle.u().points.first(bip.u.segment + 1);
   const auto s = tangle.s().points.first(bip.s.segment + 1);
@@ -56,9 +58,8 @@ std::vector<Point> boundary_outline(const Tangle& tangle, std::size_t number) {
 }
 
 SweptArea swept_area(const Tangle& tangle, std::size_t number) {
-  const Pip& pip = tangle.pips.at(number);  // p- is the origin of D, so that the chord adds nothing
-  const double area = tangle.curves->area(gap_of(pip));
-  return {area, tangle.curves->area({pip.gap_error, 0}) + tangle.rounding(area)};
+  const double area = tangle.curves->area(twice_swept(tangle, number));
+  return {area, tangle.curves->area({tangle.pips.at(number).gap_error, 0}) + tangle.rounding(area)};
 }
 
 std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe) {

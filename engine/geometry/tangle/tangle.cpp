@@ -93,6 +93,11 @@ Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptio
   // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): copies of an index share it
   const IndexedCurve u(given_u), s(given_s);
   result.curves = scaled_curves(u, s, options.smooth);
+  result.closure = options.closure;
+  for (const Point corner : result.closure) {
+    if (!std::isfinite(corner.x) || !std::isfinite(corner.y))
+      throw DataError("tangle: a corner of the closure is not finite");
+  }
   const TangleCurves& curves = *result.curves;
   result.timing.index = watch.seconds();
   if (options.check_simple) {
@@ -149,8 +154,9 @@ Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptio
 }  // namespace
 
 double Tangle::rounding(double area) const {
-  const Box box = union_of(curves->u().tree().box(), curves->s().tree().box());
-  const double lost = lost_in_sums(box.extent(), nodes.size(), u().segments() + s().segments());
+  Box box = union_of(curves->u().tree().box(), curves->s().tree().box());
+  for (const Point corner : closing_path(*this)) box = union_of(box, Box::of(corner, corner));
+  const double lost = lost_in_sums(box.extent(), nodes.size(), u().segments() + s().segments() + closure.size());
   if (curves->exponent == 0) return std::fabs(area) * 0x1p-53 + lost;
   return std::fabs(area) * 0x1p-53 + scaled_bound(lost, -2 * curves->exponent);
 }

@@ -175,7 +175,7 @@ grid = { parameters.K = [0.9, 1.2] }
   how.further = system.further;
   const Transport direct = transport(*system.map, *system.connection, how);
   EXPECT_EQ(found.at(1).values[0], direct.regions[0].area.value);
-  EXPECT_EQ(found.at(1).values[3], direct.boundaries[0].action12);
+  EXPECT_EQ(found.at(1).values[5], direct.boundaries[0].lobe_area12_by_action);
   ASSERT_EQ(found.at(1).lists[0].size(), 3U);
   EXPECT_EQ(found.at(1).lists[1][2], direct.steps[2].total(1, 0).value);
   EXPECT_NE(found.at(0).values[0], found.at(1).values[0]);

@@ -7,6 +7,7 @@
 
 #include "lober/error.hpp"
 #include "lober/systems.hpp"
+#include "lober/transport.hpp"
 
 namespace lober {
 namespace {
@@ -56,6 +57,45 @@ TEST(Sweep, SaysWhyAZeroIsNotRefined) {
   ASSERT_EQ(jumping.zeros.size(), 1U);
   EXPECT_NEAR(jumping.zeros[0].value, 1.4321, 2e-3);
   EXPECT_NE(jumping.zeros[0].failure.find("jumps"), std::string::npos) << jumping.zeros[0].failure;
+}
+
+// One definition: what a sweep calls the flux is a(1) of transport, also where lobes of the turnstile overlap, on a
+// cylinder, and where more boundaries bound R1.
+TEST(Sweep, FluxIsThatOfTransport) {
+  for (const char* const name : {"pcr3bp", "standard", "ovp", "double-gyre"}) {
+    const System system = make_system(name);
+    TransportOptions one;
+    one.iterates = 1;
+    one.lattice = system.lattice;
+    const Transport direct = transport(*system.map, *system.connection, one);
+    const Sweep swept = sweep(
+        [&](double) -> FamilyMember {
+          return {system.map, *system.connection, system.lattice};
+        },
+        std::array{1.0});
+    const SweepRow& row = swept.rows[0];
+    ASSERT_EQ(row.failure + row.remark, "") << name;
+    const TransportBoundary& boundary = direct.boundaries[0];
+    EXPECT_NEAR(row.flux12.value, boundary.flux12.value, row.flux12.error + boundary.flux12.error) << name;
+    EXPECT_NEAR(row.flux21.value, boundary.flux21.value, row.flux21.error + boundary.flux21.error) << name;
+    EXPECT_LT(row.flux21.error, 1e-4 * row.flux21.value) << name;
+    EXPECT_NEAR(row.lobe_area12.value, row.lobe_area12_by_action, row.lobe_area12.error) << name;
+  }
+}
+
+// Without area preservation there are lobes and no flux.
+TEST(Sweep, SaysWhyThereIsNoFlux) {
+  const Sweep swept = sweep(
+      [](double delta) -> FamilyMember {
+        const System system = make_system("pendulum", {{"delta", delta}});
+        return {system.map, *system.connection, system.lattice};
+      },
+      std::array{1e-3});
+  const SweepRow& row = swept.rows[0];
+  ASSERT_EQ(row.failure, "");
+  EXPECT_TRUE(std::isnan(row.flux21.value));
+  EXPECT_NE(row.remark.find("does not preserve area"), std::string::npos) << row.remark;
+  EXPECT_GT(row.lobe_area21.value, 0.1);
 }
 
 }  // namespace

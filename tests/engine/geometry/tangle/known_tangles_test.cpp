@@ -47,9 +47,46 @@ TEST(KnownTangle, ZigzagOnALine) {
   EXPECT_EQ(found.images.turnstile_sum, 0);
   EXPECT_EQ(found.images.turnstile_begin, 0U);
   EXPECT_EQ(found.images.turnstile_end, 2U);
-  EXPECT_EQ(found.images.area12, 0.5);
-  EXPECT_EQ(found.images.area21, 0.5);
+  EXPECT_EQ(found.images.lobe_area12, 0.5);
+  EXPECT_EQ(found.images.lobe_area21, 0.5);
   for (const Lobe& lobe : found.lobes) EXPECT_TRUE(lobe.simple);
+}
+
+// The path that closes the boundary decides what is inside: below the axis, above it, or where it winds.
+TEST(KnownTangle, ClosedByAPath) {
+  struct Case {
+    Polyline closure;
+    double area;  // of what U up to (3, 0), the axis and the path enclose
+    std::vector<double> inside;
+    int first_from;  // region of lobe 0
+    bool crosses;
+  };
+  const std::vector<Case> cases{{{{6, -3}, {0.5, -3}}, 16.25, {0.5, 0, 0}, 1, false},
+                                {{{6, 3}, {0, 3}, {0, -1}}, 18.75, {0, 0.5, 0.5}, 2, false},
+                                {{{6, -3}, {2.25, 3}, {0.5, -3}}, 0, {}, 0, true}};
+  for (const Case& one : cases) {
+    for (const double scale : {1.0, 0x1p-600}) {
+      const auto scaled_line = [&](Polyline line) {
+        for (Point& p : line) p = {p.x * scale, p.y * scale};
+        return line;
+      };
+      const Polyline u = scaled_line(zigzag), s = scaled_line(axis);
+      TangleOptions options;
+      options.closure = scaled_line(one.closure);
+      options.bip = 2;
+      const Tangle found = tangle(open(u), open(s), options);
+      const std::vector<Point> outline = scaled_line(boundary_outline(found));
+      EXPECT_EQ(found.boundary->crosses_itself, one.crosses);
+      if (one.crosses) continue;
+      EXPECT_EQ(found.boundary->area, one.area * scale * scale);
+      EXPECT_EQ(std::fabs(swept_area(found, 2).area), one.area * scale * scale);
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(found.lobes[k].inside, one.inside[k] * scale * scale) << k;
+      EXPECT_EQ(found.images.labels[0].from, one.first_from);
+    }
+  }
+  TangleOptions infinite;
+  infinite.closure = {{1, INFINITY}};
+  EXPECT_THROW((void)tangle(open(zigzag), open(axis), infinite), DataError);
 }
 
 TEST(KnownTangle, SameBitsOfIndexedCurves) {
@@ -159,7 +196,7 @@ TEST(KnownTangle, TwoLobesDoNotTellThePeriod) {
   EXPECT_EQ(given.images.period, 2U);
   EXPECT_TRUE(given.images.given);
   EXPECT_EQ(given.images.compared, 0U);
-  EXPECT_EQ(given.images.area12 + given.images.area21, 1);
+  EXPECT_EQ(given.images.lobe_area12 + given.images.lobe_area21, 1);
 }
 
 TEST(KnownTangle, BothBeginAtTheSameFixedPoint) {
