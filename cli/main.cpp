@@ -23,6 +23,7 @@
 #include "cli/systems/systems_command.hpp"
 #include "cli/tangle/tangle_command.hpp"
 #include "cli/transport/transport_command.hpp"
+#include "cli/winding/winding_command.hpp"
 #include "engine/base/input_guard.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "kernels/cpu.hpp"
@@ -40,6 +41,7 @@ usage:
   lober overlay C1 C2 [options]          computes crossings, lobes and areas of two closed curves
   lober interior C1 C2 [options]         computes their areas by the interior function (Q1, Q2, Q3), an independent
                                          method
+  lober winding CURVE --at POINTS        computes winding numbers and J of a closed curve about points, or on a --grid
   lober densify CURVE [AGAINST] -o FILE  inserts points where the curve is coarse or meets another one, or removes them
   lober tangle U S [options]             finds pips, lobes, boundary and turnstile of two manifolds, or of those of
                                          --system NAME
@@ -69,8 +71,8 @@ understood; 3 two independent routes to one quantity disagree beyond their error
 130 the command was interrupted
 )";
 
-constexpr std::array<std::string_view, 9> commands{"overlay",   "interior", "densify", "tangle", "grow",
-                                                   "transport", "batch",    "escape",  "systems"};
+constexpr std::array<std::string_view, 10> commands{"overlay", "interior",  "winding", "densify", "tangle",
+                                                    "grow",    "transport", "batch",   "escape",  "systems"};
 
 // A misspelt name would quietly run the best copies.
 void check_instruction_set() {
@@ -131,6 +133,8 @@ void run(const std::vector<std::string>& arguments) {
     run_overlay({arguments.begin() + 1, arguments.end()});
   } else if (first == "interior") {
     run_interior({arguments.begin() + 1, arguments.end()});
+  } else if (first == "winding") {
+    run_winding({arguments.begin() + 1, arguments.end()});
   } else if (first == "densify") {
     run_densify({arguments.begin() + 1, arguments.end()});
   } else if (first == "tangle") {

@@ -129,6 +129,7 @@ template Option OptionParser::add(const char*, std::uint64_t&, const char*);
 template Option OptionParser::add(const char*, double&, const char*);
 template Option OptionParser::add(const char*, std::string&, const char*);
 template Option OptionParser::add(const char*, std::vector<double>&, const char*);
+template Option OptionParser::add(const char*, std::vector<int>&, const char*);
 template Option OptionParser::add(const char*, std::vector<std::string>&, const char*);
 template Option OptionParser::add(const char*, std::pair<int, int>&, const char*);
 template Option Option::range(int, int);

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 
 #include "engine/base/finite.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
+#include "engine/files/binary_file.hpp"
 #include "engine/files/tecplot.hpp"
 #include "lober/files.hpp"
 
@@ -58,6 +60,23 @@ std::string_view bytes_of(std::span<const Point> points) {
 
 }  // namespace
 
+std::string detail::npy_head(std::span<const std::size_t> shape) {
+  constexpr std::size_t before_header = 10;  // magic string, version, length of the header
+  constexpr std::size_t alignment = 64;
+  const char order = std::endian::native == std::endian::little ? '<' : '>';
+  std::string header = std::string("{'descr': '") + order + "f8', 'fortran_order': False, 'shape': (";
+  for (const std::size_t& size : shape) header += std::to_string(size) + (&size == &shape.back() ? "" : ", ");
+  header += "), }";
+  const std::size_t unpadded = before_header + header.size() + 1;
+  header.append((alignment - unpadded % alignment) % alignment, ' ');
+  header += '\n';
+  // Version 1.0; the length has two bytes, the low one first.
+  std::string head("\x93NUMPY\x01\x00", 8);
+  head += static_cast<char>(header.size() & 0xFF);
+  head += static_cast<char>(header.size() >> 8);
+  return head + header;
+}
+
 void write_file(const std::string& path, std::string_view content) {
   OutputFile file(path);
   file.write(content);
@@ -91,20 +110,8 @@ void write_tecplot(const std::string& path, std::span<const Zone> zones, ZoneLin
 
 void write_npy(const std::string& path, std::span<const Point> points) {
   require_finite(path, points);
-  constexpr std::size_t before_header = 10;  // magic string, version, length of the header
-  constexpr std::size_t alignment = 64;
-  const char order = std::endian::native == std::endian::little ? '<' : '>';
-  std::string header = std::string("{'descr': '") + order + "f8', 'fortran_order': False, 'shape': (" +
-                       std::to_string(points.size()) + ", 2), }";
-  const std::size_t unpadded = before_header + header.size() + 1;
-  header.append((alignment - unpadded % alignment) % alignment, ' ');
-  header += '\n';
   OutputFile file(path);
-  // Version 1.0; the length has two bytes, the low one first.
-  std::string prefix("\x93NUMPY\x01\x00", 8);
-  prefix += static_cast<char>(header.size() & 0xFF);
-  prefix += static_cast<char>(header.size() >> 8);
-  file.write(prefix + header);
+  file.write(npy_head(std::array{points.size(), std::size_t{2}}));
   file.write(bytes_of(points));
   file.commit();
 }

@@ -1,15 +1,24 @@
-// Curves and lobes for pictures: fewer points that look the same, cells that are drawn on once, lobes on a grid.
+// Curves and lobes for pictures: fewer points that look the same, cells that are drawn on once, points and lobes on a
+// grid.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "lober/buffer.hpp"
 #include "lober/export.hpp"
 #include "lober/point.hpp"
 #include "lober/tangle.hpp"
 
 namespace lober {
+
+/// The rectangle with `fraction` of its width more on the left and on the right, and of its height below and above.
+[[nodiscard]] LOBER_API Rectangle widened(const Rectangle& rectangle, double fraction);
+
+/// The centres of the cells of a grid that divides the window into columns x rows, row by row from below, each from the
+/// left. O(columns rows), parallel.
+[[nodiscard]] LOBER_API Buffer<Point> cell_centres(const Rectangle& window, std::size_t columns, std::size_t rows);
 
 /// Some of the points of a line, first and last among them, such that the others lie no further than sqrt(2) times
 /// `tolerance` from the line through those (sideways no further than `tolerance`). O(N), in one pass: from each point

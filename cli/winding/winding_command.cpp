@@ -1,0 +1,238 @@
+// `lober winding CURVE`: reads the curve and the points, asks the engine, and hands what it found to those who show it.
+
+#include "cli/winding/winding_command.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "cli/program/command_line.hpp"
+#include "cli/program/output_names.hpp"
+#include "cli/program/progress.hpp"
+#include "cli/report/agreement_report.hpp"
+#include "cli/report/report.hpp"
+#include "cli/report/svg.hpp"
+#include "cli/winding/winding_report.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "lober/drawing.hpp"
+#include "lober/threads.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr std::size_t max_cells = 100'000'000;
+constexpr std::size_t block_points = std::size_t{1} << 18;  // between two reports of progress
+
+struct Request {
+  std::string curve;
+  std::vector<std::string> at;
+  std::vector<int> grid;
+  std::vector<double> box;
+  std::string output, json, svg;
+  int threads = 0;
+};
+
+void add_options(OptionParser& parser, Request& request) {
+  parser
+      .add("CURVE", request.curve,
+           "The closed curve, which may cross itself: FILE, or FILE#ZONE for one zone of it (by number from 0, or by "
+           "title).")
+      .required();
+  const Option at = parser
+                        .add("--at", request.at,
+                             "A point X,Y, in the coordinates of the curve, or a FILE of points, all zones of it; "
+                             "several may follow. One of --at and --grid has to be given.")
+                        .value("X,Y|FILE");
+  const Option grid = parser
+                          .add("--grid", request.grid,
+                               "The numbers of columns and rows of a grid; the points are the centres of its cells.")
+                          .comma_separated()
+                          .count(2)
+                          .range(1, 1'000'000)
+                          .value("NX,NY")
+                          .excludes(at);
+  parser
+      .add("--box", request.box,
+           "Two corners of the grid, X0 < X1 and Y0 < Y1 (default: the curve's box, widened by a twentieth on each "
+           "side).")
+      .comma_separated()
+      .count(4)
+      .value("X0,Y0,X1,Y1")
+      .needs(grid);
+  parser
+      .add("-o,--output", request.output,
+           "Write x, y, winding, on and j of each point to FILE, whose ending .npy, .csv, .txt, .dat (Tecplot) or .raw "
+           "is its format; with --grid the array in an NPY file is rows x columns x 5; - is text on standard output "
+           "(default: no file).")
+      .value("FILE");
+  parser
+      .add("--svg", request.svg,
+           "Draw the winding numbers of the cells and the curve as an SVG picture in FILE (default: no file).")
+      .value("FILE")
+      .needs(grid);
+  add_json_option(parser, request.json);
+  add_threads_option(parser, request.threads);
+}
+
+// Checks that the parser cannot make.
+void check(const Request& request) {
+  if (request.at.empty() && request.grid.empty()) {
+    throw UsageError("the points are missing; give --at or --grid (see lober winding --help)");
+  }
+  if (!request.grid.empty() &&
+      static_cast<std::size_t>(request.grid[0]) * static_cast<std::size_t>(request.grid[1]) > max_cells) {
+    throw UsageError("--grid: at most 100000000 cells; take fewer columns or rows");
+  }
+  if (!request.box.empty() && !(request.box[0] < request.box[2] && request.box[1] < request.box[3])) {
+    throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");
+  }
+  if (!request.output.empty()) (void)format_of(request.output);
+}
+
+// "X,Y" as a point; a file of that name is ./X,Y.
+std::optional<Point> point_of(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return std::nullopt;
+  const std::optional<double> x = number_of(text.substr(0, comma)), y = number_of(text.substr(comma + 1));
+  if (!x || !y) return std::nullopt;
+  if (!std::isfinite(*x) || !std::isfinite(*y)) throw UsageError("--at: " + text + " is not a finite point");
+  return Point{*x, *y};
+}
+
+std::vector<std::string> inputs_of(const Request& request) {
+  std::vector<std::string> inputs{request.curve};
+  for (const std::string& at : request.at) {
+    if (!point_of(at)) inputs.push_back(at);
+  }
+  return inputs;
+}
+
+WindingGrid grid_of(const Request& request, CurveView curve) {
+  WindingGrid grid{{}, static_cast<std::size_t>(request.grid[0]), static_cast<std::size_t>(request.grid[1])};
+  if (!request.box.empty()) {
+    grid.window = Rectangle::of({request.box[0], request.box[1]}, {request.box[2], request.box[3]});
+  } else {
+    grid.window = widened(include({}, curve.points), 0.05);
+  }
+  return grid;
+}
+
+Buffer<Point> points_of(const Request& request) {
+  Buffer<Point> points;
+  for (const std::string& at : request.at) {
+    if (const std::optional<Point> point = point_of(at)) {
+      points.push_back(*point);
+      continue;
+    }
+    for (const Zone& zone : read_curve_file(at, {.hash = false}).zones) {
+      points.insert(points.end(), zone.points.begin(), zone.points.end());
+    }
+  }
+  return points;
+}
+
+// J comes from angles and the winding number from crossings of a ray: two routes. A curve has at most as many angles as
+// segments, each right to 2^-51 of a turn (engine/lober/interior.hpp).
+void compare(WindingReport& report) {
+  report.bar = std::ldexp(static_cast<double>(report.input.curve.points.size() + 8), -51);
+  const auto compare_at = [&](std::size_t k, double turns) {
+    report.agreement.compare(
+        {"the winding number about (" + rounded(report.points[k].x) + ", " + rounded(report.points[k].y) + ")",
+         "crossings of a ray", "J", static_cast<double>(report.windings[k].number), turns, report.bar});
+  };
+  for (std::size_t k = 0; k < report.points.size(); ++k) {
+    if (report.windings[k].on) continue;
+    const double turns = report.values[k].j / (2 * std::numbers::pi);
+    const double difference = std::fabs(turns - report.windings[k].number);
+    report.difference = std::max(report.difference, difference);
+    if (!(difference <= report.bar)) compare_at(k, turns);
+  }
+}
+
+void count(WindingReport& report) {
+  std::map<int, std::size_t> counts;
+  for (const Winding& winding : report.windings) {
+    if (winding.on) {
+      ++report.on;
+    } else {
+      ++counts[winding.number];
+    }
+  }
+  for (const auto& [winding, points] : counts) report.counts.push_back({winding, points});
+}
+
+WindingReport compute(const Request& request, Progress& progress) {
+  WindingReport report;
+  progress.phase("reading", 0, 0.2);
+  const detail::Stopwatch read_watch;
+  report.input = read_curve(request.curve, true);
+  report.points = points_of(request);
+  report.read_seconds = read_watch.seconds();
+  const detail::Stopwatch index_watch;
+  const IndexedCurve curve(report.input.curve);
+  report.signed_area = signed_area(report.input.curve);
+  report.index_seconds = index_watch.seconds();
+  if (!request.grid.empty()) {
+    report.grid = grid_of(request, report.input.curve);
+    report.points = cell_centres(report.grid->window, report.grid->columns, report.grid->rows);
+  }
+  const std::span<const Point> points(report.points);
+  progress.of(static_cast<double>(points.size()), "points");
+  progress.phase("winding numbers", 0.2, 0.8);
+  const detail::Stopwatch winding_watch;
+  report.windings.reserve(points.size());
+  report.values.reserve(points.size());
+  for (std::size_t begin = 0; begin < points.size(); begin += block_points) {
+    const auto block = points.subspan(begin, std::min(block_points, points.size() - begin));
+    const std::vector<Winding> windings = lober::windings(curve, block);
+    const std::vector<InteriorValue> values = interior_function(curve, block);
+    report.windings.insert(report.windings.end(), windings.begin(), windings.end());
+    report.values.insert(report.values.end(), values.begin(), values.end());
+    if (!progress.advance(static_cast<double>(begin + block.size()) / static_cast<double>(points.size())))
+      throw Cancelled();
+  }
+  report.winding_seconds = winding_watch.seconds();
+  count(report);
+  compare(report);
+  return report;
+}
+
+void run(const Request& request) {
+  const detail::Stopwatch watch;
+  std::vector<Output> outputs;
+  for (const auto& [option, path] :
+       {std::pair{"-o", request.output}, {"--json", request.json}, {"--svg", request.svg}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  check_outputs(outputs, inputs_of(request));
+  WindingReport report;
+  {
+    Progress progress;
+    report = compute(request, progress);
+    progress.phase("writing", 0.8, 1);
+    const detail::Stopwatch write_watch;
+    if (!request.output.empty()) write_winding_columns(request.output, report);
+    if (!request.svg.empty()) write_winding_picture(request.svg, report);
+    report.write_seconds = write_watch.seconds();
+    if (!request.json.empty()) write_winding_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (!takes_standard_output(outputs)) print(winding_table(report));
+  require_agreement(report.agreement);
+}
+
+}  // namespace
+
+void run_winding(const std::vector<std::string>& arguments) {
+  Request request;
+  OptionParser parser(
+      "Computes how often a closed curve, which may cross itself, winds round points, and the interior function J.",
+      "lober winding");
+  add_options(parser, request);
+  if (!parser.parse(arguments)) return;
+  check(request);
+  run_with_threads(request.threads, [&] { run(request); });
+}
+
+}  // namespace lober::cli

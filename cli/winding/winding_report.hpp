@@ -1,0 +1,54 @@
+// Everything that `lober winding` found, for the table, the JSON, the files and the picture to show.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lober/agreement.hpp"
+#include "lober/buffer.hpp"
+#include "lober/files.hpp"
+#include "lober/interior.hpp"
+
+namespace lober::cli {
+
+/// The cells whose centres are the points, row by row from below.
+struct WindingGrid {
+  Rectangle window;
+  std::size_t columns = 0, rows = 0;
+};
+
+/// A winding number and the number of points that have it.
+struct WindingCount {
+  int winding = 0;
+  std::size_t points = 0;
+};
+
+struct WindingReport {
+  NamedCurve input;
+  double signed_area = 0;
+  std::optional<WindingGrid> grid;
+  Buffer<Point> points;
+  std::vector<Winding> windings;      ///< of each point
+  std::vector<InteriorValue> values;  ///< J at each point
+  std::vector<WindingCount> counts;   ///< ascending; of points that are not on the curve
+  std::size_t on = 0;                 ///< points on the curve
+  double difference = 0;              ///< the largest | J / 2 pi - winding number |
+  double bar = 0;                     ///< what it may be
+  Agreement agreement;                ///< the points where it is more
+  double read_seconds = 0, index_seconds = 0, winding_seconds = 0, write_seconds = 0;
+};
+
+/// The short table for people.
+[[nodiscard]] std::string winding_table(const WindingReport& report);
+/// x, y, winding, on, j of each point, into a file whose ending says the format.
+void write_winding_columns(const std::string& path, const WindingReport& report);
+/// The field of winding numbers on the grid, and the curve.
+void write_winding_picture(const std::string& path, const WindingReport& report);
+/// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
+void write_winding_json(const std::string& path, const WindingReport& report,
+                        const std::function<double()>& seconds_so_far);
+
+}  // namespace lober::cli
