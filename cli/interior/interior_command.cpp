@@ -11,6 +11,7 @@
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/report/agreement_report.hpp"
+#include "cli/report/regions_parts.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/overlay.hpp"
 #include "lober/threads.hpp"
@@ -22,6 +23,7 @@ struct Request {
   std::array<std::string, 2> curves;
   std::string json;
   InteriorOptions options;
+  std::optional<FillRule> rule;
   int threads = 0;
   bool verify = false;
   bool verbose = false;
@@ -32,8 +34,11 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   Request request;
   bool no_densify = false, no_check = false;
   std::pair<int, int> densify;
-  OptionParser parser("Computes the areas of two simple closed curves by the interior function: Q1, Q2, Q3.",
-                      "lober interior");
+  std::string rule;
+  OptionParser parser(
+      "Computes the areas of two closed curves, which have to be simple unless --rule is given, by the interior "
+      "function: Q1, Q2, Q3.",
+      "lober interior");
   add_curve_arguments(parser, request.curves);
   const Option insert =
       parser
@@ -43,34 +48,50 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
                "(default: segments are split).")
           .value("P N")
           .range(0, 1'000'000);
-  parser.add_flag("--no-densify", no_densify, "Neither split segments nor insert points, as -DENS 0 of Lober 1.8 does.")
-      .excludes(insert);
+  const Option unsplit = parser.add_flag("--no-densify", no_densify,
+                                         "Neither split segments nor insert points, as -DENS 0 of Lober 1.8 does.");
+  Option(unsplit).excludes(insert);
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
-  add_simple_check_option(parser, no_check);
-  parser.add_flag("--verify", request.verify,
-                  "Compute the areas by the overlay too, and report how far the two results differ.");
+  const Option unchecked = add_simple_check_option(parser, no_check);
+  const Option verify = parser.add_flag("--verify", request.verify,
+                                        "Compute the areas by the overlay too, and report how far the two results "
+                                        "differ.");
+  parser.add("--rule", rule, rule_help)
+      .value("RULE")
+      .one_of({"nonzero", "evenodd", "positive", "negative"})
+      .excludes(insert)
+      .excludes(unsplit)
+      .excludes(unchecked)
+      .excludes(verify);
   add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   request.options.check_simple = !no_check;
   if (no_densify || insert.given()) request.options.method = InteriorMethod::ends;
   std::tie(request.options.passes, request.options.points) = densify;
+  for (const FillRule any : all_fill_rules) {
+    if (name(any) == rule) request.rule = any;
+  }
   return request;
+}
+
+std::array<NamedCurve, 2> read_inputs(const Request& request, Progress& progress) {
+  progress.phase("reading", 0, 0.25);
+  std::array<NamedCurve, 2> inputs;
+  for (std::size_t k = 0; k < 2; ++k) {
+    inputs[k] = read_curve(request.curves[k], true);
+    progress.advance(0.5 * static_cast<double>(k + 1));
+  }
+  progress.of(static_cast<double>(inputs[0].curve.points.size() + inputs[1].curve.points.size()), "points");
+  return inputs;
 }
 
 InteriorReport compute(const Request& request, Progress& progress) {
   InteriorReport report;
   report.options = request.options;
-  progress.phase("reading", 0, 0.25);
   const detail::Stopwatch read_watch;
-  for (std::size_t k = 0; k < 2; ++k) {
-    report.inputs[k] = read_curve(request.curves[k], true);
-    progress.advance(0.5 * static_cast<double>(k + 1));
-  }
+  report.inputs = read_inputs(request, progress);
   report.read_seconds = read_watch.seconds();
-
-  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
-              "points");
   progress.phase("interior", 0.25, 0.95);
   const detail::Stopwatch index_watch;
   const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
@@ -82,7 +103,8 @@ InteriorReport compute(const Request& request, Progress& progress) {
     report.result = std::move(measured.result);
     report.splitting = measured.splitting;
   } catch (const NotSimpleError& error) {
-    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
+    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what() +
+                    " (--rule takes such curves)");
   }
   if (request.verify) {
     const detail::Stopwatch verify_watch;
@@ -102,11 +124,41 @@ InteriorReport compute(const Request& request, Progress& progress) {
   return report;
 }
 
-void run(const Request& request) {
-  const detail::Stopwatch watch;
+void check_outputs_of(const Request& request) {
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   check_outputs(outputs, request.curves);
+}
+
+void run_by_rule(const Request& request) {
+  const detail::Stopwatch watch;
+  check_outputs_of(request);
+  RuledInteriorReport report;
+  report.rule = *request.rule;
+  {
+    Progress progress;
+    const detail::Stopwatch read_watch;
+    report.inputs = read_inputs(request, progress);
+    report.read_seconds = read_watch.seconds();
+    progress.phase("regions", 0.25, 0.95);
+    RegionOptions options;
+    options.progress = [&](double fraction) { return progress.advance(fraction); };
+    report.result = regions(ClosedCurve::borrow(report.inputs[0].curve.points),
+                            ClosedCurve::borrow(report.inputs[1].curve.points), options);
+    progress.phase("writing", 0.95, 1);
+    if (!request.json.empty()) write_ruled_interior_json(request.json, report, [&] { return watch.seconds(); });
+  }
+  if (request.json != "-") print(ruled_interior_table(report));
+  const RegionTiming& timing = report.result.timing();
+  log_info(fmt::format(
+      "seconds: read {:.4f}, index {:.4f}, search {:.4f}, nodes {:.4f}, graph {:.4f}, faces {:.4f}, "
+      "total {:.4f}",
+      report.read_seconds, timing.index, timing.search, timing.nodes, timing.graph, timing.faces, watch.seconds()));
+}
+
+void run(const Request& request) {
+  const detail::Stopwatch watch;
+  check_outputs_of(request);
   InteriorReport report;
   {
     Progress progress;
@@ -130,7 +182,7 @@ void run_interior(const std::vector<std::string>& arguments) {
   const std::optional<Request> request = parse(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();
-  run_with_threads(request->threads, [&] { run(*request); });
+  run_with_threads(request->threads, [&] { request->rule ? run_by_rule(*request) : run(*request); });
 }
 
 }  // namespace lober::cli

@@ -9,6 +9,7 @@
 #include "cli/report/report.hpp"
 #include "lober/agreement.hpp"
 #include "lober/interior.hpp"
+#include "lober/regions.hpp"
 
 namespace lober::cli {
 
@@ -34,6 +35,17 @@ struct MeasuredAreas {
 
 /// The short aligned table for people.
 [[nodiscard]] std::string interior_table(const InteriorReport& report);
+
+/// What `lober interior --rule` found, of curves that may cross themselves.
+struct RuledInteriorReport {
+  std::array<NamedCurve, 2> inputs;
+  FillRule rule = FillRule::nonzero;
+  Regions result;
+  double read_seconds = 0;
+};
+[[nodiscard]] std::string ruled_interior_table(const RuledInteriorReport& report);
+void write_ruled_interior_json(const std::string& path, const RuledInteriorReport& report,
+                               const std::function<double()>& seconds_so_far);
 
 /// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
 void write_interior_json(const std::string& path, const InteriorReport& report,

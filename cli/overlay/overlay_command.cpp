@@ -14,6 +14,7 @@
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/report/agreement_report.hpp"
+#include "cli/report/regions_parts.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/interior.hpp"
 #include "lober/threads.hpp"
@@ -65,11 +66,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
                       "Compute the areas by the interior method too, and report how far the two results differ.");
   const Option smooth = parser.add_flag(
       "--smooth", request.smooth, "Compute the areas between smooth curves through the points too, with error bars.");
-  parser
-      .add("--rule", rule,
-           "The fill rule for curves that may cross themselves: a point is inside where the winding number of the "
-           "curve is not zero (nonzero), odd (evenodd), positive or negative; a counter-clockwise turn counts +1 "
-           "(default: the curves have to be simple).")
+  parser.add("--rule", rule, rule_help)
       .value("RULE")
       .one_of({"nonzero", "evenodd", "positive", "negative"})
       .excludes(crossings)

@@ -22,13 +22,6 @@ struct RegionsReport {
   [[nodiscard]] const RegionPieces& pieces_of(Pairing pairing) const {
     return pieces[static_cast<std::size_t>(pairing)];
   }
-  /// Signs of the signed areas.
-  [[nodiscard]] std::array<Orientation, 2> orientations() const {
-    const auto sign = [](double area) {
-      return area > 0 ? Orientation::counter_clockwise : area < 0 ? Orientation::clockwise : Orientation::degenerate;
-    };
-    return {sign(result.signed_areas()[0]), sign(result.signed_areas()[1])};
-  }
 };
 
 /// The short aligned table for people.

@@ -186,7 +186,8 @@ void run_published_form(const std::vector<std::string>& arguments) {
     const IndexedCurve c1(inputs[0].curve), c2(inputs[1].curve);
     result = request.light ? by_interior(c1, c2, request.densification, advance) : by_overlay(c1, c2, advance);
   } catch (const NotSimpleError& error) {
-    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what());
+    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what() + " (lober " +
+                    (request.light ? "interior" : "overlay") + " --rule takes such curves)");
   }
   progress.phase("writing", 0.8, 1);
   const EndsDensification densification = request.densification.value_or(EndsDensification{});

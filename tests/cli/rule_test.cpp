@@ -104,7 +104,54 @@ TEST_F(OverlayRule, RefusesWhatDoesNotCombine) {
   EXPECT_NE(unknown.err.find("odd"), std::string::npos);
 }
 
+TEST_F(OverlayRule, OfTheInteriorMethodGivesTheSameAreas) {
+  write_curve("c1", flower(3000, 31, 1.5, {0, 0}));  // so deep that the petals cross
+  write_curve("c2", flower(2000, 17, 1.2, {0.05, 0.02}));
+  for (const char* rule : {"nonzero", "evenodd", "positive", "negative"}) {
+    for (const auto& [first, second] : {std::pair{"eight", "box"}, {"c1", "c2"}, {"c1", "eight"}}) {
+      const Json found = interior({first, second, "--rule", rule}), other = overlay({first, second, "--rule", rule});
+      for (const char* member : {"areas", "winding", "arrangement", "inputs"}) {
+        EXPECT_EQ(found[member], other[member]) << rule << ' ' << first << ' ' << member;
+      }
+      EXPECT_EQ(found["q1"], found["areas"]["symmetric_difference"]);
+      EXPECT_EQ(found["q2"], found["areas"]["union"]);
+      EXPECT_EQ(found["q3"], found["areas"]["intersection"]);
+      EXPECT_EQ(found["rule"], rule);
+    }
+  }
+  const Outcome text = run({"interior", "eight", "box", "--rule", "nonzero"});
+  EXPECT_NE(text.out.find("Q1 9, Q2 10.5, Q3 1.5"), std::string::npos) << text.out;
+  // Simple curves: by the integrals along both curves, and by faces of the arrangement.
+  write_curve("s1", flower(3000, 31, 0.1, {0, 0}));
+  write_curve("s2", flower(2000, 17, 0.2, {0.05, 0.02}));
+  const Json integrals = interior({"s1", "s2"}), faces = interior({"s1", "s2", "--rule", "positive"});
+  for (const auto& [name, area] : integrals["areas"].items()) {
+    EXPECT_NEAR(area.get<double>(), faces["areas"][name].get<double>(),
+                integrals["error"]["rounding"][name].get<double>() + faces["error"]["rounding"][name].get<double>());
+  }
+}
+
+TEST_F(OverlayRule, OfTheInteriorMethodTakesNoOptionsOfTheIntegrals) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--no-densify"}, {"--densify", "2", "3"}, {"--verify"}, {"--no-simple-check"}}) {
+    std::vector<std::string> arguments{"interior", "eight", "box", "--rule", "nonzero"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("--rule"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(more[0]), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(run({"interior", "eight", "box", "--rule", "odd"}).status, 2);
+}
+
 TEST_F(OverlayRule, IsNamedWhenACurveIsNotSimple) {
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"interior", "eight", "box"},
+                                                  {"eight", "box", "out"},
+                                                  {"-light", "eight", "box", "out"}}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("--rule"), std::string::npos) << outcome.err;
+  }
   const Outcome outcome = run({"overlay", "eight", "box"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("--rule"), std::string::npos);
