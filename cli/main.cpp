@@ -13,6 +13,7 @@
 #include "cli/densify/densify_command.hpp"
 #include "cli/escape/escape_command.hpp"
 #include "cli/grow/grow_command.hpp"
+#include "cli/image/image_command.hpp"
 #include "cli/interior/interior_command.hpp"
 #include "cli/overlay/overlay_command.hpp"
 #include "cli/program/command_line.hpp"
@@ -46,6 +47,7 @@ usage:
   lober tangle U S [options]             finds pips, lobes, boundary and turnstile of two manifolds, or of those of
                                          --system NAME
   lober grow SYSTEM [options]            grows a stable or unstable manifold of a saddle from the system's equations
+  lober image SYSTEM CURVE [options]     computes images and pre-images of a curve, a circle, a rectangle or a boundary
   lober transport SYSTEM [options]       computes lobes, turnstile and fluxes a(n) and T(n) from equations, or with
                                          --manifolds FILE as far as two given curves reach; sweeps over a parameter
   lober batch run MANIFEST               computes many curves and pairs; also batch check, status, export, merge
@@ -141,6 +143,8 @@ void run(const std::vector<std::string>& arguments) {
     run_tangle({arguments.begin() + 1, arguments.end()});
   } else if (first == "grow") {
     run_grow({arguments.begin() + 1, arguments.end()});
+  } else if (first == "image") {
+    run_image({arguments.begin() + 1, arguments.end()});
   } else if (first == "transport") {
     run_transport({arguments.begin() + 1, arguments.end()});
   } else if (first == "batch") {

@@ -19,6 +19,7 @@ figures='
 docs/demo.svg                       cheap   overlay examples/resonance.dat examples/resonance_image.dat --svg
 docs/tangle.svg                     cheap   tangle examples/manifolds.dat --smooth --overlaps --svg
 docs/winding.svg                    cheap   winding examples/loops.csv --grid 300,300 --svg
+docs/figures/boundary-images-0.5.svg cheap  image ovp --boundary --param gamma=0.5 --iterates -3:0 --tolerance 1e-4 --svg
 docs/figures/manifolds-0.5.svg      costly  tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --svg
 docs/figures/manifolds-1.81.svg     costly  tangle --system ovp --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --svg
 docs/figures/turnstile-0.5.svg      costly  transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --picture
@@ -28,7 +29,7 @@ docs/escape.svg                     costly  escape capsize --energy 0.25307 --cr
 docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --crossings 0 --saddle 2 --svg
 '
 # Documents with blocks; those of the costly kind are only made with all.
-documents='README.md docs/figures.md docs/winding.md docs/escape.md docs/published-forms.md'
+documents='README.md docs/figures.md docs/winding.md docs/images.md docs/escape.md docs/published-forms.md'
 costly_blocks='escape-table'
 
 stale=0

@@ -76,6 +76,10 @@ struct ManifoldTangle {
 [[nodiscard]] LOBER_API std::unique_ptr<ManifoldTangle> grow_tangle(const PlanarMap& map, const Connection& connection,
                                                                     const ManifoldTangleOptions& options = {});
 
+/// The boundary B(q) = U[p-, q] u S[q, p+], followed by the corners of Tangle::closure: a closed polygon, or, where p+
+/// is p- on a cylinder, an open one. O(its vertices).
+[[nodiscard]] LOBER_API std::vector<Point> boundary_curve(const ManifoldTangle& manifolds);
+
 /// What two routes say of it: the areas of the lobes of the turnstile by geometry and by action, what leaves and what
 /// enters in one step (of maps with an action, which preserve area), and the number of pips a period by polygons and by
 /// the splitting.

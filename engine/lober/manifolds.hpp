@@ -103,7 +103,7 @@ struct GrownManifold {
 [[nodiscard]] LOBER_API GrownManifold grow(const PlanarMap& map, const LocalManifold& local, Branch branch,
                                            const GrowthOptions& options);
 
-// ------------------------------------------------------------------------------------ images of closed curves
+// ------------------------------------------------------------------------------------------- images of curves
 
 /// Writes the point of each parameter. Called for several batches at the same time, so it must be safe to call from
 /// several threads and must give a parameter the same point whatever batch it comes in. What it throws passes through.
@@ -121,6 +121,8 @@ struct CurveImage {
   Buffer<Point> points;
   Buffer<double> parameters;  ///< of each point; of a polygon: number of the segment + fraction
   bool closed = true;
+  int iterate = 0;  ///< set by `images_of` from `first` to `last`
+  /// In order. Where the map fails at the first point of a closed curve, the last one is of the closing segment.
   std::vector<GrowthDiagnostic> diagnostics;
   GrowthStop stop = GrowthStop::iterates;
   std::uint64_t images = 0;
@@ -137,6 +139,23 @@ struct CurveImage {
 /// F^iterates of a polygon, open or closed. Its vertices stay; new ones are images of points on its segments.
 [[nodiscard]] LOBER_API CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve,
                                             const ImageOptions& options);
+
+/// F^first, ..., F^last of a curve, first <= last, one of which may be negative, each of them what `image_of` gives.
+/// The curve is traced once in each direction. Where points run out (`stop`), images further out are left out.
+[[nodiscard]] LOBER_API std::vector<CurveImage> images_of(const PlanarMap& map, int first, int last,
+                                                          const CurveFunction& curve, std::span<const double> corners,
+                                                          const ImageOptions& options);
+[[nodiscard]] LOBER_API std::vector<CurveImage> images_of(const PlanarMap& map, int first, int last, CurveView curve,
+                                                          const ImageOptions& options);
+
+/// A curve of at least two points.
+struct ImagePart {
+  Buffer<Point> points;
+  bool closed = false;
+};
+/// The image without the segments that join points over what has no image: one curve where the map fails nowhere, else
+/// open curves in order. O(N).
+[[nodiscard]] LOBER_API std::vector<ImagePart> parts_of(const CurveImage& image);
 
 /// Writes the points of curve k = 0, 1, ... of a sequence at the parameters; safe to call from several threads.
 using CurveSequence = std::function<void(int curve, std::span<const double> parameters, std::span<Point> points)>;

@@ -1,4 +1,4 @@
-// Images of closed curves, by the same machinery as manifolds.
+// Images of curves, by the same machinery as manifolds.
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/manifolds/outcome.hpp"
 #include "engine/dynamics/manifolds/trace.hpp"
+#include "engine/dynamics/maps/plane.hpp"
 #include "lober/error.hpp"
 
 namespace lober {
@@ -32,12 +33,23 @@ TraceOptions options_for_tracing(const ImageOptions& given, const Samples& guide
   return options;
 }
 
+// The last sample repeats the first. Where they have no image, there is a gap.
+void close(CurveImage& image, bool ends_have_images) {
+  if (image.stop == GrowthStop::points || image.points.size() < 2) return;
+  if (ends_have_images) {
+    image.points.pop_back();
+    image.parameters.pop_back();
+  } else {
+    image.diagnostics.push_back({image.points.size() - 1, 1, GrowthDiagnosticCause::failed});
+  }
+}
+
 // Each curve of a sequence in turn: the points of one, carried on, show where the next one needs points. `at` gives
 // curve k at parameters, `onward` turns points of curve k - 1 into those of curve k; a point of curve k costs
 // `steps(k)` steps of the map. `finished` takes each curve and says whether to go on.
 template <typename Steps, typename Finished>
-void trace_in_turn(const ImageOptions& given, Samples guide, std::vector<std::uint32_t> kept, const CurveSequence& at,
-                   const CurveSequence& onward, const Steps& steps, const Finished& finished) {
+void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::vector<std::uint32_t> kept,
+                   const CurveSequence& at, const CurveSequence& onward, const Steps& steps, const Finished& finished) {
   TraceOptions options = options_for_tracing(given, guide);
   std::uint64_t images = 0;
   for (int done = 0;; ++done) {
@@ -54,6 +66,8 @@ void trace_in_turn(const ImageOptions& given, Samples guide, std::vector<std::ui
     result.images = images;
     if (trace.out_of_points) result.stop = GrowthStop::points;
     append_finite(trace, 0, result.points, result.parameters, result.diagnostics);
+    result.closed = closed;
+    if (closed) close(result, is_finite(trace.samples.points.front()) && is_finite(trace.samples.points.back()));
     if (!finished(done, std::move(result)) || trace.out_of_points) return;
     guide = std::move(trace.samples);
     kept = std::move(trace.kept);
@@ -65,9 +79,10 @@ void trace_in_turn(const ImageOptions& given, Samples guide, std::vector<std::ui
   }
 }
 
-CurveImage traced_image(const PlanarMap& map, int iterates, const ImageOptions& given, Samples guide,
-                        std::vector<std::uint32_t> kept, const CurveFunction& curve) {
-  const int direction = iterates < 0 ? -1 : 1;
+// The images under 1, 2, ... steps in one direction, from the curve itself on.
+void trace_images(const PlanarMap& map, int direction, const ImageOptions& given, bool closed, Samples guide,
+                  std::vector<std::uint32_t> kept, const CurveFunction& curve,
+                  const std::function<bool(int done, CurveImage&&)>& finished) {
   const CurveSequence at = [&](int done, std::span<const double> parameters, std::span<Point> points) {
     curve(parameters, points);
     if (done != 0) map.iterate(points, done * direction);
@@ -75,29 +90,54 @@ CurveImage traced_image(const PlanarMap& map, int iterates, const ImageOptions& 
   const CurveSequence onward = [&](int, std::span<const double>, std::span<Point> points) {
     map.iterate(points, direction);
   };
-  CurveImage last;
   trace_in_turn(
-      given, std::move(guide), std::move(kept), at, onward, [](int done) { return done; },
-      [&](int done, CurveImage&& image) {
-        last = std::move(image);
-        return done != std::abs(iterates);
-      });
+      given, closed, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, finished);
+}
+
+// A curve by its function, and what the first trace of it starts from.
+struct GivenCurve {
+  CurveFunction function;
+  Samples guide;
+  std::vector<std::uint32_t> kept;
+  bool closed = true;
+};
+
+CurveImage last_image(const PlanarMap& map, int iterates, const ImageOptions& options, GivenCurve curve) {
+  CurveImage last;
+  trace_images(map, iterates < 0 ? -1 : 1, options, curve.closed, std::move(curve.guide), std::move(curve.kept),
+               curve.function, [&](int done, CurveImage&& image) {
+                 last = std::move(image);
+                 return done != std::abs(iterates);
+               });
   return last;
+}
+
+std::vector<CurveImage> all_images(const PlanarMap& map, int first, int last, const ImageOptions& options,
+                                   const GivenCurve& curve) {
+  if (first > last) throw UsageError("images: the first iterate has to come before the last one");
+  std::vector<CurveImage> images;
+  const auto add = [&](int direction, int from, int to) {
+    trace_images(map, direction, options, curve.closed, curve.guide, curve.kept, curve.function,
+                 [&](int done, CurveImage&& image) {
+                   image.iterate = done * direction;
+                   if (done >= from) images.push_back(std::move(image));
+                   return done != to;
+                 });
+  };
+  if (first < 0) {
+    add(-1, std::max(0, -last), -first);
+    std::reverse(images.begin(), images.end());
+  }
+  // The backward trace has brought the curve itself, unless points ran out there.
+  if (last > 0) add(1, std::max(first < 0 ? 1 : 0, first), last);
+  if (first == 0 && last == 0) add(1, 0, 0);
+  return images;
 }
 
 void require_sensible(const ImageOptions& options) {
   if (!(options.tolerance > 0)) throw UsageError("image: the tolerance has to be positive");
   if (!(options.max_length > 0)) throw UsageError("image: the maximum length of a segment has to be positive");
   if (options.max_points < 3) throw UsageError("image: there has to be room for three points");
-}
-
-// The last sample repeats the first.
-void close(CurveImage& image) {
-  image.closed = true;
-  if (image.stop != GrowthStop::points && image.points.size() > 1) {
-    image.points.pop_back();
-    image.parameters.pop_back();
-  }
 }
 
 // A few points between any two corners; the corners are kept.
@@ -123,16 +163,52 @@ Samples first_guide(std::span<const double> corners, const CurveFunction& curve,
   return guide;
 }
 
+GivenCurve by_function(const CurveFunction& curve, std::span<const double> corners, const ImageOptions& options) {
+  require_sensible(options);
+  GivenCurve given{curve, {}, {}, true};
+  given.guide = first_guide(corners, curve, given.kept);
+  return given;
+}
+
+// `curve` has to outlive it.
+GivenCurve by_polygon(CurveView curve, const ImageOptions& options) {
+  require_sensible(options);
+  validate(curve, "image");
+  const std::size_t size = curve.segments() + 1;
+  const auto vertex = [curve](std::size_t k) { return curve.points[k < curve.points.size() ? k : 0]; };
+  GivenCurve given;
+  given.closed = curve.closed;
+  given.function = [vertex](std::span<const double> parameters, std::span<Point> points) {
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const double number = std::floor(parameters[k]), t = parameters[k] - number;
+      const Point a = vertex(static_cast<std::size_t>(number));
+      if (t == 0) {
+        points[k] = a;
+      } else {
+        const Point b = vertex(static_cast<std::size_t>(number) + 1);
+        points[k] = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+      }
+    }
+  };
+  given.guide = {Buffer<double>(size), Buffer<Point>(size)};
+  given.kept.resize(size);
+  for (std::size_t k = 0; k < size; ++k) {
+    given.guide.parameters[k] = static_cast<double>(k);
+    given.guide.points[k] = vertex(k);
+    given.kept[k] = static_cast<std::uint32_t>(k);
+  }
+  return given;
+}
+
 }  // namespace
 
 CurveImage image_of(const PlanarMap& map, int iterates, const CurveFunction& curve, std::span<const double> corners,
                     const ImageOptions& options) {
-  require_sensible(options);
-  std::vector<std::uint32_t> kept;
-  Samples guide = first_guide(corners, curve, kept);
-  CurveImage result = traced_image(map, iterates, options, std::move(guide), std::move(kept), curve);
-  close(result);
-  return result;
+  return last_image(map, iterates, options, by_function(curve, corners, options));
+}
+std::vector<CurveImage> images_of(const PlanarMap& map, int first, int last, const CurveFunction& curve,
+                                  std::span<const double> corners, const ImageOptions& options) {
+  return all_images(map, first, last, options, by_function(curve, corners, options));
 }
 
 std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
@@ -158,9 +234,8 @@ std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const d
   }
   std::vector<CurveImage> results;
   trace_in_turn(
-      options, std::move(samples), std::move(kept), curves, curves, [](int done) { return done + 1; },
+      options, true, std::move(samples), std::move(kept), curves, curves, [](int done) { return done + 1; },
       [&](int, CurveImage&& image) {
-        close(image);
         results.push_back(std::move(image));
         return goes_on(results.back());
       });
@@ -168,36 +243,40 @@ std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const d
 }
 
 CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve, const ImageOptions& options) {
-  require_sensible(options);
-  validate(curve, "image");
-  const std::size_t size = curve.segments() + 1;
-  const auto vertex = [&](std::size_t k) { return curve.points[k < curve.points.size() ? k : 0]; };
-  const CurveFunction on_segments = [&](std::span<const double> parameters, std::span<Point> points) {
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-      const double number = std::floor(parameters[k]), t = parameters[k] - number;
-      const Point a = vertex(static_cast<std::size_t>(number));
-      if (t == 0) {
-        points[k] = a;
-      } else {
-        const Point b = vertex(static_cast<std::size_t>(number) + 1);
-        points[k] = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-      }
-    }
+  return last_image(map, iterates, options, by_polygon(curve, options));
+}
+std::vector<CurveImage> images_of(const PlanarMap& map, int first, int last, CurveView curve,
+                                  const ImageOptions& options) {
+  return all_images(map, first, last, options, by_polygon(curve, options));
+}
+
+std::vector<ImagePart> parts_of(const CurveImage& image) {
+  std::vector<ImagePart> parts(1);
+  std::size_t next = 0;
+  const auto take_to = [&](std::size_t end) {
+    Buffer<Point>& points = parts.back().points;
+    points.insert(points.end(), image.points.begin() + static_cast<std::ptrdiff_t>(next),
+                  image.points.begin() + static_cast<std::ptrdiff_t>(end));
+    next = end;
   };
-  Samples guide{Buffer<double>(size), Buffer<Point>(size)};
-  std::vector<std::uint32_t> kept(size);
-  for (std::size_t k = 0; k < size; ++k) {
-    guide.parameters[k] = static_cast<double>(k);
-    guide.points[k] = vertex(k);
-    kept[k] = static_cast<std::uint32_t>(k);
+  for (const GrowthDiagnostic& diagnostic : image.diagnostics) {
+    if (diagnostic.cause != GrowthDiagnosticCause::failed) continue;
+    for (std::size_t k = 0; k < diagnostic.count; ++k) {
+      take_to(diagnostic.first + k + 1);
+      parts.emplace_back();
+    }
   }
-  CurveImage result = traced_image(map, iterates, options, std::move(guide), std::move(kept), on_segments);
-  if (curve.closed) {
-    close(result);
-  } else {
-    result.closed = false;
+  take_to(image.points.size());
+  parts.front().closed = image.closed && image.stop != GrowthStop::points && parts.size() == 1;
+  // The last part of a closed curve goes on as the first one, through the first point.
+  if (image.closed && image.stop != GrowthStop::points && parts.size() > 1) {
+    Buffer<Point> joined = std::move(parts.back().points);
+    joined.insert(joined.end(), parts.front().points.begin(), parts.front().points.end());
+    parts.front().points = std::move(joined);
+    parts.pop_back();
   }
-  return result;
+  std::erase_if(parts, [](const ImagePart& part) { return part.points.size() < 2; });
+  return parts;
 }
 
 }  // namespace lober

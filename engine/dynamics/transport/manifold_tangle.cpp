@@ -18,6 +18,10 @@ std::unique_ptr<ManifoldTangle> grow_tangle(const PlanarMap& map, const Connecti
   return growth.take();
 }
 
+std::vector<Point> boundary_curve(const ManifoldTangle& manifolds) {
+  return outline_of({.tangle = &manifolds.tangle, .bip = manifolds.bip, .period = manifolds.period()}, 0);
+}
+
 Agreement agreement_of(const ManifoldTangle& manifolds) {
   Agreement agreement;
   Measured leaving, entering;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/maps/plane.hpp"
 #include "engine/geometry/views.hpp"
 #include "lober/error.hpp"
 #include "lober/manifolds.hpp"
@@ -70,6 +71,69 @@ TEST(ImageOf, PolygonsKeepTheirVertices) {
   EXPECT_EQ(few.stop, GrowthStop::points);
   EXPECT_LE(few.points.size(), 51U);
   EXPECT_THROW((void)image_of(map, 1, CurveView{square}, {.tolerance = 0}), UsageError);
+}
+
+TEST(ImagesOf, AreThoseOfImageOf) {
+  const StandardMap map(1.2);
+  const std::vector<Point> square{{1, -1}, {4, -1}, {4, 1}, {1, 1}};
+  const ImageOptions options{.tolerance = 1e-4};
+  for (const auto& [first, last] : {std::pair{-3, 2}, {-2, -1}, {1, 3}, {0, 0}, {0, 1}, {-1, 0}, {2, 2}}) {
+    for (const bool closed : {true, false}) {
+      const std::vector<CurveImage> images = images_of(map, first, last, CurveView{square, closed}, options);
+      ASSERT_EQ(images.size(), static_cast<std::size_t>(last - first + 1)) << first << ' ' << last;
+      for (int n = first; n <= last; ++n) {
+        const CurveImage& image = images[static_cast<std::size_t>(n - first)];
+        EXPECT_EQ(image.iterate, n);
+        EXPECT_EQ(image.closed, closed);
+        EXPECT_EQ(image.points, image_of(map, n, CurveView{square, closed}, options).points) << n;
+      }
+    }
+  }
+  const std::vector<CurveImage> same = images_of(map, 0, 0, CurveView{square}, options);
+  EXPECT_TRUE(std::equal(square.begin(), square.end(), same[0].points.begin(), same[0].points.end()));
+  EXPECT_THROW((void)images_of(map, 2, 1, CurveView{square}, options), UsageError);
+}
+
+// The shear (x, y) -> (x, y + x) of the half-planes x < 1 and x > 2; nothing between them has an image.
+class ShearWithGap final : public PlanarMap {
+ public:
+  void iterate(std::span<Point> points, int iterates) const override {
+    for (Point& point : points) {
+      for (int k = 0; k < std::abs(iterates); ++k) {
+        point = point.x > 1 && point.x < 2 ? lost_point : Point{point.x, point.y + (iterates < 0 ? -1 : 1) * point.x};
+      }
+    }
+  }
+  Point iterate_with_derivative(Point, int, Matrix2&) const override { throw UsageError("no derivative"); }
+};
+
+TEST(ImagesOf, PartsEndWhereTheMapFails) {
+  const ShearWithGap map;
+  const auto parts = [&](std::vector<Point> curve, bool closed) {
+    return parts_of(image_of(map, 1, CurveView{curve, closed}, {.tolerance = 1e-3}));
+  };
+  const auto expect_within = [](const std::vector<ImagePart>& found, std::size_t count) {
+    ASSERT_EQ(found.size(), count);
+    for (const ImagePart& part : found) {
+      EXPECT_FALSE(part.closed);
+      // No segment spans the gap, and both sides reach to its edge.
+      const auto [low, high] =
+          std::minmax_element(part.points.begin(), part.points.end(), [](Point a, Point b) { return a.x < b.x; });
+      EXPECT_TRUE(high->x <= 1 || low->x >= 2) << low->x << ' ' << high->x;
+      EXPECT_NEAR(high->x <= 1 ? high->x : low->x, high->x <= 1 ? 1 : 2, 1e-4);
+    }
+  };
+  // A rectangle across the gap, from a corner on the left, on the right, and from two corners in it.
+  expect_within(parts({{0, 0}, {3, 0}, {3, 1}, {0, 1}}, true), 2);
+  expect_within(parts({{3, 0}, {3, 1}, {0, 1}, {0, 0}}, true), 2);
+  expect_within(parts({{1.5, 0}, {3, 0}, {3, 1}, {1.5, 1}, {0, 1}, {0, 0}}, true), 2);
+  expect_within(parts({{0, 0}, {3, 0}, {3, 1}, {0, 1}}, false), 3);
+  expect_within(parts({{1.5, 0}, {3, 0}}, false), 1);
+  const std::vector<ImagePart> whole = parts({{0, 0}, {0.5, 0}, {0.5, 1}}, true);
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_TRUE(whole[0].closed);
+  EXPECT_EQ(whole[0].points.size(), 3U);
+  EXPECT_TRUE(parts({{1.2, 0}, {1.5, 0}, {1.5, 1}}, true).empty());
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+// The picture of a curve with its images and pre-images.
+
+#include <cmath>
+#include <cstdlib>
+
+#include "cli/image/image_report.hpp"
+#include "cli/report/palette.hpp"
+#include "cli/report/svg.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr std::size_t max_points = 200'000;
+
+const char* colour_of(int iterate) {
+  return iterate < 0 ? palette::stable : iterate > 0 ? palette::unstable : "#222222";
+}
+
+// The nearer to the curve, the wider.
+double width_of(int iterate) {
+  return iterate == 0 ? 2.2 : std::max(0.5, 1.6 - 0.3 * (std::abs(iterate) - 1));
+}
+
+std::string parts_path(const View& view, const std::vector<ImagePart>& parts) {
+  return path_of(view, max_points, [&](PathWriter& writer) {
+    for (const ImagePart& part : parts) {
+      std::vector<Point> line(part.points.begin(), part.points.end());
+      if (part.closed) line.push_back(line.front());
+      writer.add_line(line);
+    }
+  });
+}
+
+}  // namespace
+
+void write_image_picture(const std::string& path, const ImageReport& report) {
+  // What lies in the box, where the curves meet the tolerance.
+  const Rectangle& box = report.options.box;
+  Rectangle window;
+  for (const std::vector<ImagePart>& parts : report.parts) {
+    for (const ImagePart& part : parts) {
+      for (const Point& point : part.points) {
+        if (point.x >= box.min_x && point.x <= box.max_x && point.y >= box.min_y && point.y <= box.max_y) {
+          window.add(point);
+        }
+      }
+    }
+  }
+  if (window.empty()) window = box;
+  const View view(window);
+  std::string svg;
+  begin_picture(svg, view, "A curve, its images and pre-images", static_cast<int>(1 + (report.images.size() + 1) / 2));
+  // The outermost first, so that the curve itself is on top.
+  int furthest = 0;
+  for (const CurveImage& image : report.images) furthest = std::max(furthest, std::abs(image.iterate));
+  for (int distance = furthest; distance >= 0; --distance) {
+    for (std::size_t k = 0; k < report.images.size(); ++k) {
+      const int iterate = report.images[k].iterate;
+      if (std::abs(iterate) != distance) continue;
+      add_stroked(svg, colour_of(iterate), width_of(iterate), parts_path(view, report.parts[k]));
+    }
+  }
+  begin_legend(svg);
+  add_legend_entry(svg, view, 0, 0, line_swatch(colour_of(0), width_of(0)), report.curve);
+  for (std::size_t k = 0; k < report.images.size(); ++k) {
+    const int iterate = report.images[k].iterate;
+    std::string text = image_name(iterate) + ": " + std::to_string(report.images[k].points.size()) + " points";
+    if (report.parts[k].size() > 1) text += " in " + std::to_string(report.parts[k].size()) + " parts";
+    add_legend_entry(svg, view, static_cast<int>(k % 2), static_cast<int>(1 + k / 2),
+                     line_swatch(colour_of(iterate), width_of(iterate)), text);
+  }
+  end_picture(svg);
+  write_file(path, svg);
+}
+
+}  // namespace lober::cli
