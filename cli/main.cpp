@@ -12,6 +12,7 @@
 #include "cli/batch/batch_command.hpp"
 #include "cli/densify/densify_command.hpp"
 #include "cli/escape/escape_command.hpp"
+#include "cli/fixed_points/fixed_points_command.hpp"
 #include "cli/grow/grow_command.hpp"
 #include "cli/image/image_command.hpp"
 #include "cli/interior/interior_command.hpp"
@@ -53,6 +54,7 @@ usage:
   lober batch run MANIFEST               computes many curves and pairs; also batch check, status, export, merge
   lober escape SYSTEM --energy E         computes orbits and tubes of a potential well, and the fractions that leave it
                                          by crossing n
+  lober fixed-points SYSTEM [options]    finds fixed and periodic points, with multipliers, residues and types
   lober systems [SYSTEM]                 lists the built-in systems; shows the parameters and manifolds of one
   lober overlay --help                   lists the options of a command, as lober help overlay
   lober --version                        prints the version
@@ -73,8 +75,9 @@ understood; 3 two independent routes to one quantity disagree beyond their error
 130 the command was interrupted
 )";
 
-constexpr std::array<std::string_view, 10> commands{"overlay", "interior",  "winding", "densify", "tangle",
-                                                    "grow",    "transport", "batch",   "escape",  "systems"};
+constexpr std::array<std::string_view, 12> commands{"overlay", "interior", "winding",      "densify",
+                                                    "tangle",  "grow",     "image",        "transport",
+                                                    "batch",   "escape",   "fixed-points", "systems"};
 
 // A misspelt name would quietly run the best copies.
 void check_instruction_set() {
@@ -151,6 +154,8 @@ void run(const std::vector<std::string>& arguments) {
     run_batch_command({arguments.begin() + 1, arguments.end()});
   } else if (first == "escape") {
     run_escape({arguments.begin() + 1, arguments.end()});
+  } else if (first == "fixed-points") {
+    run_fixed_points({arguments.begin() + 1, arguments.end()});
   } else if (first == "systems") {
     run_systems({arguments.begin() + 1, arguments.end()});
   } else if (const std::string meant = command_meant(first); !meant.empty()) {

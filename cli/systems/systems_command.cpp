@@ -9,6 +9,7 @@
 #include "cli/program/option_parser.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/json_file.hpp"
+#include "lober/fixed_points.hpp"
 #include "lober/systems.hpp"
 
 namespace lober::cli {
@@ -21,7 +22,7 @@ std::string text_of(Point point) {
 // The commands that take a system.
 std::vector<std::string> commands_for(const System& system) {
   std::vector<std::string> commands;
-  if (system.map) commands.emplace_back("grow");
+  if (system.map) commands.insert(commands.end(), {"grow", "image", "fixed-points"});
   if (system.map && system.connection) {
     commands.emplace_back("tangle --system");
     commands.emplace_back("transport");
@@ -58,10 +59,25 @@ std::string list_text(std::span<const SystemInfo> infos) {
   return text + "`lober systems NAME` lists the parameters of one; a name with a slash or .so is a shared library.\n";
 }
 
-std::string details_text(const System& system) {
+// "; above 0", "; 0 to 0.5"; empty for any number.
+std::string range_text(const Parameter& parameter) {
+  const bool low = std::isfinite(parameter.min), high = std::isfinite(parameter.max);
+  if (low && high) return fmt::format("; {} to {}", parameter.min, parameter.max);
+  if (low) return fmt::format("; {} {}", parameter.min_excluded ? "above" : "at least", parameter.min);
+  return "";
+}
+
+// Those in the window; none where the system has no map or no such point.
+std::vector<FixedPoint> fixed_points_of(const System& system) {
+  if (!system.map || !(system.window.width() > 0 && system.window.height() > 0)) return {};
+  return search_fixed_points(*system.map, system.window, {}, FixedPointOptions{}.grid).points;
+}
+
+std::string details_text(const System& system, std::span<const FixedPoint> points) {
   std::string text = system.info.name + "  " + system.info.summary + "\n";
   for (const Parameter& parameter : system.info.parameters) {
-    text += fmt::format("  {:<8} {:<16} {}\n", parameter.name, parameter.value, parameter.meaning);
+    text +=
+        fmt::format("  {:<8} {:<18} {}{}\n", parameter.name, parameter.value, parameter.meaning, range_text(parameter));
   }
   text += fmt::format("kind       {}\n", system.flow ? system.map ? "flow, with a planar map" : "flow" : "map");
   const Rectangle& window = system.window;
@@ -77,6 +93,9 @@ std::string details_text(const System& system) {
                         text_of(connection.u_direction), text_of(connection.to), text_of(connection.s_direction),
                         connection.bip ? ", bip near " + text_of(*connection.bip) : "");
   }
+  for (const FixedPoint& point : points) {
+    text += fmt::format("point      {} {}, residue {:.6g}\n", text_of(point.at), name_of(point.kind), residue(point));
+  }
   for (const Symmetry& symmetry : system.symmetries) text += "symmetry   " + symmetry_text(symmetry) + "\n";
   for (const FlowState& saddle : system.saddles) {
     text +=
@@ -87,9 +106,15 @@ std::string details_text(const System& system) {
 }
 
 Json parameters_json(const SystemInfo& info) {
+  const auto limit = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   Json list = Json::array();
   for (const Parameter& parameter : info.parameters) {
-    list.push_back({{"name", parameter.name}, {"value", parameter.value}, {"meaning", parameter.meaning}});
+    list.push_back({{"name", parameter.name},
+                    {"value", parameter.value},
+                    {"meaning", parameter.meaning},
+                    {"min", limit(parameter.min)},
+                    {"max", limit(parameter.max)},
+                    {"min_excluded", parameter.min_excluded}});
   }
   return list;
 }
@@ -98,7 +123,7 @@ Json info_json(const SystemInfo& info) {
   return {{"name", info.name}, {"summary", info.summary}, {"parameters", parameters_json(info)}};
 }
 
-Json details_json(const System& system) {
+Json details_json(const System& system, std::span<const FixedPoint> points) {
   Json json = info_json(system.info);
   json["flow"] = system.flow != nullptr;
   json["map"] = system.map != nullptr;
@@ -119,6 +144,11 @@ Json details_json(const System& system) {
   Json saddles = Json::array();
   for (const FlowState& saddle : system.saddles) saddles.push_back(saddle);
   json["saddles"] = std::move(saddles);
+  Json fixed_points = Json::array();
+  for (const FixedPoint& point : points) {
+    fixed_points.push_back({{"at", point_json(point.at)}, {"type", name_of(point.kind)}, {"residue", residue(point)}});
+  }
+  json["fixed_points"] = std::move(fixed_points);
   Json symmetries = Json::array();
   for (const Symmetry& symmetry : system.symmetries) {
     const Matrix2& linear = symmetry.linear;
@@ -137,7 +167,9 @@ void run_systems(const std::vector<std::string>& arguments) {
   SystemRequest request;
   std::string json_path;
   OptionParser parser(
-      "Lists the built-in systems; with a name, shows the equations, parameters, saddles and manifolds of that system.",
+      "Lists the built-in systems; with a name, shows the equations, parameters, fixed points, saddles and manifolds "
+      "of "
+      "that system.",
       "lober systems");
   parser.add("SYSTEM", request.name, "The name of a system, or a shared library (lober_system.h).");
   add_parameter_option(parser, request.parameters);
@@ -157,8 +189,9 @@ void run_systems(const std::vector<std::string>& arguments) {
     for (const SystemInfo& info : infos) json.push_back(info_json(info));
   } else {
     const System system = make_system(request.name, parameter_values(request.parameters));
-    text = details_text(system);
-    json = details_json(system);
+    const std::vector<FixedPoint> points = fixed_points_of(system);
+    text = details_text(system, points);
+    json = details_json(system, points);
   }
   if (!json_path.empty()) write_listing(json_path, "systems", "systems", std::move(json));
   if (json_path != "-") print(text);

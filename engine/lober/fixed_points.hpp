@@ -3,6 +3,8 @@
 
 #include <array>
 #include <complex>
+#include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -58,5 +60,32 @@ struct FixedPointOptions {
 /// among them. Throws DataError, with the point of the smallest displacement, when there is none.
 [[nodiscard]] LOBER_API std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
                                                                   const FixedPointOptions& options = {});
+
+/// Greene's residue (2 - trace of the derivative) / 4 (J. Math. Phys. 20, 1979): of a map that preserves area negative
+/// for a saddle, between 0 and 1 for a centre, above 1 for an inverse saddle.
+[[nodiscard]] LOBER_API double residue(const FixedPoint& point);
+
+/// The index of the point as a zero of f^period(z) - z - shift: the sign of det(1 - D f^period), +1 or -1; 0 where that
+/// is 0 to rounding. `period` has to be a multiple of the point's.
+[[nodiscard]] LOBER_API int index_of(const FixedPoint& point, int period);
+
+struct FixedPointSearch {
+  std::vector<FixedPoint> points;  ///< as find_fixed_points; may be empty
+  int grid = 0;                    ///< of the last scan
+  bool settled = false;            ///< the last scan found what the one before had found, and no index contradicts it
+  int index_sum = 0;               ///< of the points inside the box
+  /// How often f^period(z) - z - shift turns round while z runs round the box: the sum of the indices of all points
+  /// inside, where the map is continuous there. None where a point lies next to the edge of the box, is degenerate, or
+  /// some point of the box has no image.
+  std::optional<int> index_of_box;
+};
+
+/// The points in a box, by scans on grids of options.grid, twice as many, ... points a side, until two in a row find
+/// the same and the sum of their indices is that of the box; the last scan has max_grid points a side at most.
+/// `progress` takes the grid of the scan that begins; false cancels. Throws UsageError, Cancelled. Parallel; the same
+/// bits for any number of threads.
+[[nodiscard]] LOBER_API FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
+                                                             const FixedPointOptions& options = {}, int max_grid = 384,
+                                                             const std::function<bool(int)>& progress = {});
 
 }  // namespace lober

@@ -1,6 +1,7 @@
 // Systems by name: the built-in ones and those that a user adds from a shared library.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,6 +22,10 @@ struct Parameter {
   std::string name;
   double value = 0;  ///< the default in a SystemInfo, the chosen value in a System
   std::string meaning;
+  /// The values that make sense: min to max, without min where it is excluded. Shared libraries declare none.
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_excluded = false;
 };
 
 /// What a system is, before its parameters are chosen.

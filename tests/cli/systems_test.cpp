@@ -1,4 +1,7 @@
 // The list of systems, and what it says of one.
+#include <cmath>
+
+#include "lober/error.hpp"
 #include "lober/systems.hpp"
 #include "tests/cli/program.hpp"
 
@@ -24,6 +27,36 @@ TEST_F(SystemsProgram, ListsThemAll) {
     const Json details = Json::parse(one.out)["systems"];
     EXPECT_EQ(details["name"], known[k].name);
     EXPECT_FALSE(details["commands"].empty()) << known[k].name;
+  }
+}
+
+// Fixed points, and ranges that are those that commands accept.
+TEST_F(SystemsProgram, KnowsFixedPointsAndRanges) {
+  const Json standard = Json::parse(run({"systems", "standard", "--json", "-"}).out)["systems"];
+  ASSERT_EQ(standard["fixed_points"].size(), 2U);
+  EXPECT_EQ(standard["fixed_points"][0]["type"], "saddle");
+  EXPECT_NEAR(standard["fixed_points"][0]["residue"].get<double>(), -0.3, 1e-12);
+  EXPECT_EQ(standard["parameters"][0]["min"], nullptr);
+  EXPECT_NE(run({"systems", "ovp"}).out.find("above 0"), std::string::npos);
+  for (const SystemInfo& info : list_systems()) {
+    for (const Parameter& parameter : info.parameters) {
+      const auto accepted = [&](double value) {
+        try {
+          static_cast<void>(make_system(info.name, {{parameter.name, value}}));
+          return true;
+        } catch (const UsageError&) {
+          return false;
+        }
+      };
+      if (std::isfinite(parameter.min)) {
+        EXPECT_EQ(accepted(parameter.min), !parameter.min_excluded) << info.name << ' ' << parameter.name;
+        EXPECT_FALSE(accepted(parameter.min - 1)) << info.name << ' ' << parameter.name;
+      }
+      if (std::isfinite(parameter.max)) {
+        EXPECT_TRUE(accepted(parameter.max)) << info.name << ' ' << parameter.name;
+        EXPECT_FALSE(accepted(parameter.max + 1)) << info.name << ' ' << parameter.name;
+      }
+    }
   }
 }
 

@@ -44,6 +44,11 @@ class DisplacementGrid {
     return result;
   }
 
+  /// Whether every grid point has an image.
+  [[nodiscard]] bool all_have_images() const {
+    return std::all_of(gaps_.begin(), gaps_.end(), [](Point gap) { return is_finite(gap); });
+  }
+
   /// The diagonal of a cell.
   [[nodiscard]] double cell() const { return std::hypot(box_.width(), box_.height()) / static_cast<double>(side_ - 1); }
 

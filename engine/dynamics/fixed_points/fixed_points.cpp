@@ -12,6 +12,7 @@
 #include "engine/dynamics/fixed_points/classify.hpp"
 #include "engine/dynamics/fixed_points/displacement_grid.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
+#include "engine/dynamics/fixed_points/scan.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/error.hpp"
 
@@ -81,11 +82,8 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
   return describe(map, end.at, options);
 }
 
-std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
-                                          const FixedPointOptions& options) {
-  require(options);
-  if (!(box.width() > 0 && box.height() > 0)) throw UsageError("the box of a scan for fixed points is empty");
-  const DisplacementGrid grid(map, box, options);
+std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
+                                     const DisplacementGrid& grid) {
   const std::vector<Point> seeds = grid.seeds();
   std::vector<std::optional<FixedPoint>> found(seeds.size());
   for_each_block(seeds.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -106,6 +104,22 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle&
       *same = *point;
     }
   }
+  std::sort(result.begin(), result.end(), [](const FixedPoint& a, const FixedPoint& b) {
+    return std::tuple(a.period, a.at.x, a.at.y) < std::tuple(b.period, b.at.x, b.at.y);
+  });
+  return result;
+}
+
+void detail::require_scan(const Rectangle& box, const FixedPointOptions& options) {
+  require(options);
+  if (!(box.width() > 0 && box.height() > 0)) throw UsageError("the box of a scan for fixed points is empty");
+}
+
+std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
+                                          const FixedPointOptions& options) {
+  require_scan(box, options);
+  const DisplacementGrid grid(map, box, options);
+  std::vector<FixedPoint> result = scan(map, box, options, grid);
   if (result.empty()) {
     const auto [point, least] = grid.nearest();
     throw DataError(
@@ -114,9 +128,6 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle&
         (std::isnan(least) ? "no point of the box has an image"
                            : "the displacement is least, " + format_number(least) + ", at " + format_point(point)));
   }
-  std::sort(result.begin(), result.end(), [](const FixedPoint& a, const FixedPoint& b) {
-    return std::tuple(a.period, a.at.x, a.at.y) < std::tuple(b.period, b.at.x, b.at.y);
-  });
   return result;
 }
 

@@ -13,11 +13,9 @@ SystemEntry capsize_entry() {
       "capsize",
       "Ship capsize: roll x'' = -x + 2 x y, pitch y'' = -R^2 y + R^2 x^2 / 2; return map to x = 0, vx > 0 "
       "in (y, vy)",
-      {{"R", 1.6, "ratio of the natural frequencies of pitch and roll"},
-       {"energy", 0.25307, "total energy; saddles are at 0.25"}}};
-  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
-            require_positive(info, "R", values[0]);
-            require_positive(info, "energy", values[1]);
+      {positive("R", 1.6, "ratio of the natural frequencies of pitch and roll"),
+       positive("energy", 0.25307, "total energy; saddles are at 0.25")}};
+  return {info, [](std::span<const double> values, const IntegrationOptions& options) {
             System system;
             const double reach = std::sqrt(values[1]);
             system.window = window(-reach, -values[0] * reach, reach, values[0] * reach);

@@ -14,10 +14,9 @@ SystemEntry double_gyre_entry() {
                         "Double gyre (Shadden, Lekien & Marsden 2005) in [0, 2] x [0, 1]; period map",
                         {{"A", 0.1, "amplitude of the stream function"},
                          {"eps", 0.1, "amplitude of the wall's motion"},
-                         {"omega", 2 * std::numbers::pi / 10, "frequency of the wall's motion"},
+                         positive("omega", 2 * std::numbers::pi / 10, "frequency of the wall's motion"),
                          {"phase", 0, "of the section, as a fraction of the period"}}};
-  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
-            require_positive(info, "omega", values[2]);
+  return {info, [](std::span<const double> values, const IntegrationOptions& options) {
             System system;
             system.window = window(0, 0, 2, 1);
             // The left gyre: its other sides are walls.

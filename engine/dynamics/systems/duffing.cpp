@@ -12,11 +12,10 @@ SystemEntry duffing_entry() {
   const SystemInfo info{"duffing",
                         "Duffing oscillator x'' = x - x^3 - delta x' + eps cos(omega t); period map in (x, x')",
                         {{"eps", 0.1, "amplitude of the force"},
-                         {"omega", 1, "frequency of the force"},
+                         positive("omega", 1, "frequency of the force"),
                          {"delta", 0, "damping; 0 for a Hamiltonian system"},
                          {"phase", 0, "of the section, as a fraction of the period"}}};
-  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
-            require_positive(info, "omega", values[1]);
+  return {info, [](std::span<const double> values, const IntegrationOptions& options) {
             System system;
             system.window = window(-2, -1.5, 2, 1.5);
             const Duffing flow{{values[0], values[1], values[2]}};

@@ -25,8 +25,10 @@ SystemEntry double_gyre_entry();
 SystemEntry capsize_entry();
 SystemEntry three_body_entry();
 
-/// Throws UsageError unless `value` > 0.
-void require_positive(const SystemInfo& info, std::string_view name, double value);
+/// A parameter that has to be above 0.
+inline Parameter positive(const char* name, double value, const char* meaning) {
+  return {name, value, meaning, 0, std::numeric_limits<double>::infinity(), true};
+}
 
 /// The system of an entry with values by name.
 System make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options);

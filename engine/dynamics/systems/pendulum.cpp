@@ -13,11 +13,10 @@ SystemEntry pendulum_entry() {
   const SystemInfo info{"pendulum",
                         "Forced pendulum x'' = -sin x - delta x' + eps cos(omega t), x lifted; period map in (x, x')",
                         {{"eps", 0.1, "amplitude of the torque"},
-                         {"omega", 1, "frequency of the torque"},
+                         positive("omega", 1, "frequency of the torque"),
                          {"delta", 0, "damping; 0 for a Hamiltonian system"},
                          {"phase", 0, "of the section, as a fraction of the period"}}};
-  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
-            require_positive(info, "omega", values[1]);
+  return {info, [](std::span<const double> values, const IntegrationOptions& options) {
             System system;
             system.window = window(-4, -2.5, 4, 2.5);
             system.lattice = {2 * std::numbers::pi, 0};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/text.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/shared_library.hpp"
 #include "lober/error.hpp"
@@ -27,14 +28,21 @@ std::string joined(const Things& things, const Name& name) {
   return text;
 }
 
+void require_in_range(const std::string& system, const Parameter& parameter, double value) {
+  const bool above = parameter.min_excluded ? value > parameter.min : value >= parameter.min;
+  if (above && value <= parameter.max) return;
+  const bool half_line = parameter.max == std::numeric_limits<double>::infinity();
+  const std::string range = half_line && parameter.min == 0 && parameter.min_excluded ? "be positive"
+                            : half_line
+                                ? "be at least " + format_number(parameter.min)
+                                : "lie in [" + format_number(parameter.min) + ", " + format_number(parameter.max) + "]";
+  throw UsageError("system " + system + ": parameter " + parameter.name + " must " + range);
+}
+
 }  // namespace
 
 Point Symmetry::operator()(Point z) const {
   return {linear.xx * z.x + linear.xy * z.y + shift.x, linear.yx * z.x + linear.yy * z.y + shift.y};
-}
-
-void detail::require_positive(const SystemInfo& info, std::string_view name, double value) {
-  if (!(value > 0)) throw UsageError("system " + info.name + ": parameter " + std::string(name) + " must be positive");
 }
 
 System detail::make_system(const SystemEntry& entry, const ParameterValues& values, const IntegrationOptions& options) {
@@ -52,6 +60,7 @@ System detail::make_system(const SystemEntry& entry, const ParameterValues& valu
     const auto at = static_cast<std::size_t>(found - info.parameters.begin());
     if (given[at]) throw UsageError("system " + info.name + ": parameter " + name + " is given twice");
     if (!std::isfinite(value)) throw UsageError("system " + info.name + ": parameter " + name + " is not finite");
+    require_in_range(info.name, *found, value);
     given[at] = true;
     found->value = value;
   }

@@ -11,9 +11,8 @@ namespace lober::detail {
 SystemEntry three_body_entry() {
   const SystemInfo info{"pcr3bp",
                         "Planar circular restricted three-body problem; return map to y = 0, x < -1, y' > 0 in (x, x')",
-                        {{"mu", 9.537e-4, "mass ratio"}, {"energy", -1.525, "H, the Jacobi constant is -2 H"}}};
-  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
-            if (!(values[0] >= 0 && values[0] <= 0.5)) throw UsageError("system pcr3bp: mu must be in [0, 0.5]");
+                        {{"mu", 9.537e-4, "mass ratio", 0, 0.5}, {"energy", -1.525, "H, the Jacobi constant is -2 H"}}};
+  return {info, [](std::span<const double> values, const IntegrationOptions& options) {
             System system;
             system.window = window(-3, -0.5, -1.05, 0.5);
             // The inner branch; its pip on the axis of the reversor.

@@ -13,13 +13,11 @@ template <typename Field>
 SystemEntry entry(const char* name, const char* summary) {
   SystemInfo info{name,
                   summary,
-                  {{"gamma", 0.5, "dimensionless period of the strain over 2 pi"},
-                   {"eps", 0.1, "amplitude of the strain"},
+                  {positive("gamma", 0.5, "dimensionless period of the strain over 2 pi"),
+                   // Forty terms of the vortices' motion are kept: more than enough up to 8.
+                   {"eps", 0.1, "amplitude of the strain", -8, 8},
                    {"phase", 0, "of the section, as a fraction of the period"}}};
-  return {info, [info](std::span<const double> values, const IntegrationOptions& options) {
-            require_positive(info, "gamma", values[0]);
-            // Forty terms of the vortices' motion are kept: more than enough up to here.
-            if (std::abs(values[1]) > 8) throw UsageError("system " + info.name + ": |eps| must be at most 8");
+  return {info, [](std::span<const double> values, const IntegrationOptions& options) {
             System system;
             system.window = window(-2.2, -0.1, 2.2, 0.1);
             // The upper boundary of the fluid that travels with the pair.

@@ -118,6 +118,44 @@ TEST(FixedPoints, OfTheShipAreNotOnTheEdgeOfTheChart) {
   }
 }
 
+// Of the Henon map the periodic points are known in number: 2^n of f^n for large k, where it is a horseshoe.
+TEST(FixedPointSearch, FindsAllOfAHorseshoe) {
+  const System system = make_system("henon", {{"k", 6}});
+  for (const int period : {1, 2, 3, 4, 5}) {
+    const FixedPointSearch search = search_fixed_points(*system.map, system.window, {.period = period});
+    EXPECT_EQ(search.points.size(), std::size_t{1} << period) << period;
+    EXPECT_TRUE(search.settled) << period;
+    for (const FixedPoint& point : search.points) EXPECT_EQ(period % point.period, 0);
+  }
+}
+
+TEST(FixedPointSearch, ComparesWithTheIndexOfTheBox) {
+  const System standard = make_system("standard", {{"K", 1.2}});
+  const FixedPointSearch both = search_fixed_points(*standard.map, standard.window);
+  EXPECT_EQ(both.index_of_box, 0);  // a saddle and a centre
+  EXPECT_TRUE(both.settled);
+  const FixedPointSearch centre = search_fixed_points(*standard.map, Box::of({2, -1}, {4, 1}));
+  EXPECT_EQ(centre.index_of_box, 1);
+  ASSERT_EQ(centre.points.size(), 1U);
+  EXPECT_EQ(index_of(centre.points[0], 1), 1);
+  EXPECT_NEAR(residue(centre.points[0]), 0.3, 1e-12);  // K / 4
+  const FixedPointSearch saddle = search_fixed_points(*standard.map, Box::of({-1, -1}, {1, 1}));
+  EXPECT_EQ(saddle.index_of_box, -1);
+  EXPECT_NEAR(residue(saddle.points[0]), -0.3, 1e-12);
+  const FixedPointSearch none = search_fixed_points(*standard.map, Box::of({1, 1}, {2, 2}));
+  EXPECT_EQ(none.index_of_box, 0);
+  EXPECT_TRUE(none.points.empty());
+  // A point on the edge: nothing can be said.
+  EXPECT_FALSE(search_fixed_points(*standard.map, Box::of({0, -1}, {1, 1})).index_of_box);
+  // A grid that sees nothing at first is made finer until the indices agree.
+  const System henon = make_system("henon", {{"k", 6}});
+  const FixedPointSearch fine = search_fixed_points(*henon.map, henon.window, {.period = 5, .grid = 3}, 768);
+  EXPECT_GT(fine.grid, 3);
+  EXPECT_EQ(fine.points.size(), 32U);
+  EXPECT_THROW((void)search_fixed_points(*henon.map, henon.window, {.grid = 10}, 5), UsageError);
+  EXPECT_THROW((void)search_fixed_points(*henon.map, henon.window, {}, 96, [](int) { return false; }), Cancelled);
+}
+
 TEST(FixedPoints, NoneIsSaidClearly) {
   const System system = make_system("henon");
   try {

@@ -1,0 +1,132 @@
+// Scans on finer and finer grids, and the index of the box, which tells whether points are missing.
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "engine/dynamics/fixed_points/newton.hpp"
+#include "engine/dynamics/fixed_points/scan.hpp"
+#include "lober/error.hpp"
+
+namespace lober {
+using namespace detail;
+namespace {
+
+// Where z is on its way round the box, for 0 <= t <= 4, counter-clockwise from the lower left corner.
+Point on_edge(const Rectangle& box, double t) {
+  const auto between = [](double low, double high, double f) { return low * (1 - f) + high * f; };
+  if (t <= 1) return {between(box.min_x, box.max_x, t), box.min_y};
+  if (t <= 2) return {box.max_x, between(box.min_y, box.max_y, t - 1)};
+  if (t <= 3) return {between(box.max_x, box.min_x, t - 2), box.max_y};
+  return {box.min_x, between(box.max_y, box.min_y, t - 3)};
+}
+
+// A point of the edge and its displacement.
+struct Sample {
+  double t;
+  Point gap;
+};
+
+double turn(Point a, Point b) {
+  return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+}
+
+// Samples are put in until neighbouring displacements differ by less than `most` in direction.
+std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options) {
+  constexpr std::size_t first_samples = 512;  // a side
+  constexpr double most = 0.5;
+  constexpr int rounds = 24;
+  const auto displaced = [&](const std::vector<double>& ts) {
+    std::vector<Point> points(ts.size());
+    for_each_block(ts.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) points[k] = on_edge(box, ts[k]);
+      map.iterate(std::span(points).subspan(begin, end - begin), options.period);
+    });
+    std::vector<Sample> samples(ts.size());
+    for (std::size_t k = 0; k < ts.size(); ++k) {
+      const Point z = on_edge(box, ts[k]);
+      samples[k] = {ts[k], {points[k].x - z.x - options.shift.x, points[k].y - z.y - options.shift.y}};
+    }
+    return samples;
+  };
+  std::vector<double> ts;
+  for (std::size_t k = 0; k <= 4 * first_samples; ++k) ts.push_back(static_cast<double>(k) / first_samples);
+  std::vector<Sample> samples = displaced(ts);
+  for (int round = 0;; ++round) {
+    const auto usable = [](const Sample& s) { return is_finite(s.gap) && length(s.gap) > 0; };
+    if (!std::all_of(samples.begin(), samples.end(), usable)) return std::nullopt;
+    ts.clear();
+    for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+      if (std::fabs(turn(samples[k].gap, samples[k + 1].gap)) > most) {
+        ts.push_back(0.5 * (samples[k].t + samples[k + 1].t));
+      }
+    }
+    if (ts.empty()) break;
+    if (round == rounds) return std::nullopt;  // a point lies on the edge, or the map is not continuous there
+    const std::vector<Sample> more = displaced(ts);
+    samples.insert(samples.end(), more.begin(), more.end());
+    std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
+  }
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < samples.size(); ++k) sum += turn(samples[k].gap, samples[k + 1].gap);
+  return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
+}
+
+bool same_points(const std::vector<FixedPoint>& a, const std::vector<FixedPoint>& b) {
+  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const FixedPoint& point) {
+           return std::any_of(b.begin(), b.end(), [&](const FixedPoint& other) {
+             return length({other.at.x - point.at.x, other.at.y - point.at.y}) <= 1e-6 * size_at(other.at);
+           });
+         });
+}
+
+bool inside(const Rectangle& box, Point z) {
+  return box.min_x < z.x && z.x < box.max_x && box.min_y < z.y && z.y < box.max_y;
+}
+
+}  // namespace
+
+double residue(const FixedPoint& point) {
+  return 0.25 * (2 - (point.derivative.xx + point.derivative.yy));
+}
+
+int index_of(const FixedPoint& point, int period) {
+  if (period < 1 || period % point.period != 0) {
+    throw UsageError("the period of an index has to be a multiple of the point's");
+  }
+  std::complex<double> product = 1;
+  for (const std::complex<double>& eigenvalue : point.eigenvalues) {
+    product *= 1.0 - std::pow(eigenvalue, period / point.period);
+  }
+  return product.real() > 1e-7 ? 1 : product.real() < -1e-7 ? -1 : 0;
+}
+
+FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
+                                     int max_grid, const std::function<bool(int)>& progress) {
+  require_scan(box, options);
+  if (max_grid < options.grid) throw UsageError("the last grid of a search must not be coarser than the first one");
+  FixedPointSearch search;
+  const std::optional<int> edge = index_of_edge(map, box, options);
+  FixedPointOptions each = options;
+  for (bool first = true;; first = false, each.grid = std::min(2 * each.grid, max_grid)) {
+    if (progress && !progress(each.grid)) throw Cancelled();
+    const DisplacementGrid grid(map, box, each);
+    std::vector<FixedPoint> found = scan(map, box, each, grid);
+    const bool same = !first && same_points(found, search.points);
+    search.points = std::move(found);
+    search.grid = each.grid;
+    search.index_sum = 0;
+    bool degenerate = false;
+    for (const FixedPoint& point : search.points) {
+      if (!inside(box, point.at)) continue;
+      search.index_sum += index_of(point, options.period);
+      degenerate = degenerate || index_of(point, options.period) == 0;
+    }
+    search.index_of_box = degenerate || !grid.all_have_images() ? std::nullopt : edge;
+    search.settled = same && (!search.index_of_box || *search.index_of_box == search.index_sum);
+    if (search.settled || each.grid == max_grid) return search;
+  }
+}
+
+}  // namespace lober
