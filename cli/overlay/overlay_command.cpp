@@ -30,6 +30,7 @@ struct Request {
   int threads = 0;
   bool verify = false;
   bool smooth = false;
+  bool classes = false;
   bool verbose = false;
 };
 
@@ -66,6 +67,10 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
                       "Compute the areas by the interior method too, and report how far the two results differ.");
   const Option smooth = parser.add_flag(
       "--smooth", request.smooth, "Compute the areas between smooth curves through the points too, with error bars.");
+  const Option classes = parser.add_flag("--classes", request.classes,
+                                         "Compute rho, A, gamma, sigma, class and S of every crossing, for C1 \\ C2 "
+                                         "and C2 \\ C1 (Naik, Lekien & Ross 2017, "
+                                         "Tables 1 to 4); --json and --crossings have them too.");
   parser.add("--rule", rule, rule_help)
       .value("RULE")
       .one_of({"nonzero", "evenodd", "positive", "negative"})
@@ -73,7 +78,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .excludes(svg)
       .excludes(unchecked)
       .excludes(verify)
-      .excludes(smooth);
+      .excludes(smooth)
+      .excludes(classes);
   add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   request.options.pieces = !areas_only;
@@ -115,6 +121,27 @@ void compare_with_smooth(OverlayReport& report) {
     report.agreement.compare({std::string("area of ") + area.label, "polygons", "smooth curves", polygons, smooth,
                               report.result.rounding.*member + 4 * discretisation + report.smooth->error.*member});
     discretisation = std::max(discretisation, std::fabs(smooth - polygons));
+  }
+}
+
+// Half the sum of S is the area, whatever the origin. Crossings are rounded there, which moves the boundary by an ulp
+// of the coordinates over two segments at most.
+void add_classes(OverlayReport& report) {
+  const Overlay& result = report.result;
+  report.steps = {sigma_steps(result, Pairing::c1_minus_c2), sigma_steps(result, Pairing::c2_minus_c1)};
+  if (result.nodes.crossings() == 0) return;  // then no class has an area
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    double sum = 0, size = 0;
+    for (const SigmaStep& step : (*report.steps)[k]) {
+      sum += 0.5 * step.s;
+      size += std::fabs(step.s);
+    }
+    const double moved =
+        static_cast<double>(result.nodes.crossings()) * result.largest_coordinate * result.longest_segment;
+    const double additions = static_cast<double>((*report.steps)[k].size() + 4) * size;
+    report.agreement.compare({k == 0 ? "area of C1 \\ C2" : "area of C2 \\ C1", "overlay", "half the sum of S",
+                              k == 0 ? result.areas.c1_minus_c2 : result.areas.c2_minus_c1, sum,
+                              0x1p-51 * (moved + additions)});
   }
 }
 
@@ -175,6 +202,7 @@ OverlayReport compute(const Request& request, Progress& progress) {
     }
     timing.verify = verify_watch.seconds();
   }
+  if (request.classes) add_classes(report);
   if (request.smooth) {
     const detail::Stopwatch smooth_watch;
     report.smooth = smooth_areas(report.result);

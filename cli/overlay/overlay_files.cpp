@@ -23,9 +23,12 @@ constexpr const char* crossings_header =
     "# class     equivalence class of a crossing under sigma; empty if it has none or totals only were asked "
     "for\n"
     "# order2    its place along C2, from 0\n"
-    "# end_...   where a shared arc ends along C1; empty for points\n"
-    "index,x,y,rho,kind,segment1,t1,segment2,t2,class,order2,end_x,end_y,end_segment1,end_t1,end_segment2,"
-    "end_t2\n";
+    "# end_...   where a shared arc ends along C1; empty for points\n";
+constexpr const char* sigma_header =
+    "# next1,next2 sigma class s   of A1 \\ A2 (_12) and A2 \\ A1 (_21): the next crossing along C1 and C2 in the "
+    "direction of the pairing, sigma, its class, and the integral of x dy - y dx to it\n";
+constexpr const char* crossings_columns =
+    "index,x,y,rho,kind,segment1,t1,segment2,t2,class,order2,end_x,end_y,end_segment1,end_t1,end_segment2,end_t2";
 
 void format_crossing(std::string& text, const OverlayReport& report, std::size_t k) {
   const Overlay& result = report.result;
@@ -35,11 +38,13 @@ void format_crossing(std::string& text, const OverlayReport& report, std::size_t
   if (!result.classes.empty() && result.classes[k] != Overlay::no_class) append(text, result.classes[k]);
   append_all(text, ",", result.nodes.rank2(k));
   if (node.shared == 0) {
-    text += ",,,,,,\n";
+    text += ",,,,,,";
   } else {
     append_all(text, ",", node.end.x, ",", node.end.y, ",", node.end1.segment, ",", node.end1.t, ",", node.end2.segment,
-               ",", node.end2.t, "\n");
+               ",", node.end2.t);
   }
+  if (report.steps) append_sigma(text, report, k);
+  text += "\n";
 }
 
 // The zones of one piece: its outer polygon, then its holes.
@@ -91,6 +96,8 @@ void write_region_lobes(const std::string& path, const RegionsReport& report) {
 void write_crossings(const std::string& path, const OverlayReport& report) {
   detail::OutputFile file(path);
   file.write(crossings_header);
+  if (report.steps) file.write(sigma_header);
+  file.write(crossings_columns + (report.steps ? sigma_columns() : std::string()) + "\n");
   std::string text;
   for (std::size_t k = 0; k < report.result.nodes.size(); ++k) {
     format_crossing(text, report, k);

@@ -114,9 +114,11 @@ void write_overlay_json(const std::string& path, OverlayReport& report, const st
                           {"areas_only", !report.options.pieces},
                           {"check_simple", report.options.check_simple},
                           {"verify", report.consistency.has_value()},
-                          {"smooth", report.smooth.has_value()}});
+                          {"smooth", report.smooth.has_value()},
+                          {"classes", report.steps.has_value()}});
   write_crossings_member(json.file(), report);
-  if (report.consistency || report.smooth) {
+  if (report.steps) json.member("sigma", sigma_json(report));
+  if (report.consistency || report.smooth || report.steps) {
     add_agreement(json, report.agreement);
   }
   json.member("areas", areas_json(result.areas));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
 #include "lober/agreement.hpp"
 #include "lober/overlay.hpp"
@@ -31,6 +32,8 @@ struct OverlayReport {
   std::optional<Areas> consistency;  ///< |overlay - interior method|, when that was asked for
   Agreement agreement;               ///< of those two, then
   std::optional<SmoothAreas> smooth;
+  /// sigma of A1 \ A2 and of A2 \ A1, when asked for.
+  std::optional<std::array<std::vector<SigmaStep>, 2>> steps;
   // By Pairing. Empty for totals only, and for pairings that no output shows; centroids without JSON, too.
   std::array<std::vector<Point>, 4> centroids;
   std::array<Slivers, 4> slivers;
@@ -52,6 +55,14 @@ struct OverlayReport {
 
 /// The short aligned table for people.
 [[nodiscard]] std::string overlay_table(const OverlayReport& report);
+
+/// rho, A, gamma, sigma, class and S of the crossings, for both pairings; empty unless they were asked for.
+[[nodiscard]] std::string classes_text(const OverlayReport& report);
+/// The member `sigma` of the JSON.
+[[nodiscard]] Json sigma_json(const OverlayReport& report);
+/// Names of the columns that `sigma` adds to the crossings, each after a comma, and those of one node.
+[[nodiscard]] std::string sigma_columns();
+void append_sigma(std::string& text, const OverlayReport& report, std::size_t node);
 
 /// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began
 /// and is asked when all but the timing is written.

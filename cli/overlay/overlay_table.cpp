@@ -69,7 +69,7 @@ std::string overlay_table(const OverlayReport& report) {
     add_pieces(text, report, Pairing::c1_minus_c2, "C1 \\ C2");
     add_pieces(text, report, Pairing::c2_minus_c1, "C2 \\ C1");
   }
-  return text;
+  return text + classes_text(report);
 }
 
 }  // namespace lober::cli

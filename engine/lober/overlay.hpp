@@ -203,6 +203,23 @@ struct Overlay {
 [[nodiscard]] LOBER_API std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing,
                                                                 std::size_t piece);
 
+/// A crossing p, and what follows it on the boundary of A1 \ A2 or A2 \ A1 (Naik, Lekien & Ross 2017, section 3;
+/// docs/conventions.md, section 4). Both curves are taken counter-clockwise.
+struct SigmaStep {
+  std::uint32_t crossing = 0;  ///< number of the node
+  int rho = 0;
+  std::uint32_t along1 = 0;  ///< the next crossing along C1: forward for A1 \ A2 (A+_C1 is 1), backward for A2 \ A1
+  std::uint32_t along2 = 0;  ///< the next crossing along C2: backward for A1 \ A2 (A-_C2 is 1), forward for A2 \ A1
+  std::uint32_t sigma = 0;   ///< along1 if rho = +1, along2 if rho = -1: where gamma is 1
+  std::uint32_t class_number = 0;  ///< of the classes of this pairing, from 0 in order along C1
+  double s = 0;                    ///< S(p), the integral of x dy - y dx from p to sigma(p); it depends on the origin
+};
+
+/// The steps of all crossings in order along C1; touches are left out. Half the sum of S over a class does not depend
+/// on the origin: it is the area of the piece that the class bounds, or of several where touches split it. Throws
+/// UsageError for another pairing. O(N).
+[[nodiscard]] LOBER_API std::vector<SigmaStep> sigma_steps(const Overlay& result, Pairing pairing);
+
 /// Centroids of all pieces of a pairing, in double-double, so that thin pieces keep theirs. One pass over the points
 /// of both curves, parallel.
 [[nodiscard]] LOBER_API std::vector<Point> centroids(const Overlay& result, Pairing pairing);

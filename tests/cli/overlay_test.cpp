@@ -6,6 +6,7 @@
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/paths.hpp"
 
 namespace lober::cli {
 using namespace lober::detail;
@@ -137,6 +138,33 @@ TEST_F(OverlayProgram, LeavesNoTemporaryFiles) {
   for (const auto& entry : std::filesystem::directory_iterator(folder())) names.push_back(entry.path().filename());
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (std::vector<std::string>{".streams", "c", "c1", "c2", "j", "l", "s"}));
+}
+
+// Tables 1 to 4 of Naik, Lekien & Ross (2017), on the curves of examples/.
+TEST_F(ProgramTest, OverlayTellsClasses) {
+  const std::string curves = std::string(LOBER_SOURCE_DIR) + "/examples/six-crossings.dat";
+  const Outcome text =
+      run({"overlay", curves + "#C1", curves + "#C2", "--classes", "--crossings", "table.csv", "--json", "table.json"});
+  ASSERT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("C1 \\ C2: 2 classes; half the sum of S is 6\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("C2 \\ C1: 2 classes; half the sum of S is 29\n"), std::string::npos) << text.out;
+  // The row of p3 in the table of gamma.
+  EXPECT_NE(text.out.find("   gamma   0   1   2   3   4   5\n       0   0   1   0   0   0   0\n"), std::string::npos)
+      << text.out;
+  const nlohmann::json result = nlohmann::json::parse(read("table.json"));
+  EXPECT_EQ(result["sigma"]["c1_minus_c2"]["classes"], 2);
+  EXPECT_EQ(result["sigma"]["c1_minus_c2"]["list"][3],
+            nlohmann::json::parse(R"({"crossing":3,"rho":-1,"next1":4,"next2":4,"sigma":4,"class":1,"s":-2.0})"));
+  EXPECT_EQ(result["sigma"]["c2_minus_c1"]["half_sum"], 29.0);
+  EXPECT_EQ(result["agreement"], true);
+  const std::string table = read("table.csv");
+  EXPECT_NE(table.find(",end_t2,next1_12,next2_12,sigma_12,class_12,s_12,next1_21,next2_21,sigma_21,class_21,s_21\n"),
+            std::string::npos);
+  EXPECT_NE(table.find("\n3,4,0,-1,crossing,0,0.5714285714285714,5,0.5,1,2,,,,,,,4,4,4,1,-2,2,2,2,1,-2\n"),
+            std::string::npos)
+      << table;
+  EXPECT_FALSE(overlay({curves + "#C1", curves + "#C2"}).contains("sigma"));
+  EXPECT_EQ(run({"overlay", curves + "#C1", curves + "#C2", "--classes", "--rule", "nonzero"}).status, 2);
 }
 
 }  // namespace
