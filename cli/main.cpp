@@ -22,6 +22,7 @@
 #include "cli/program/log.hpp"
 #include "cli/published/published_form.hpp"
 #include "cli/published/published_tangle.hpp"
+#include "cli/section/section_command.hpp"
 #include "cli/systems/systems_command.hpp"
 #include "cli/tangle/tangle_command.hpp"
 #include "cli/transport/transport_command.hpp"
@@ -55,6 +56,7 @@ usage:
   lober escape SYSTEM --energy E         computes orbits and tubes of a potential well, and the fractions that leave it
                                          by crossing n
   lober fixed-points SYSTEM [options]    finds fixed and periodic points, with multipliers, residues and types
+  lober section SYSTEM [options]         follows orbits and draws their points: a Poincare section
   lober systems [SYSTEM]                 lists the built-in systems; shows the parameters and manifolds of one
   lober overlay --help                   lists the options of a command, as lober help overlay
   lober --version                        prints the version
@@ -75,9 +77,9 @@ understood; 3 two independent routes to one quantity disagree beyond their error
 130 the command was interrupted
 )";
 
-constexpr std::array<std::string_view, 12> commands{"overlay", "interior", "winding",      "densify",
-                                                    "tangle",  "grow",     "image",        "transport",
-                                                    "batch",   "escape",   "fixed-points", "systems"};
+constexpr std::array<std::string_view, 13> commands{"overlay",      "interior", "winding",   "densify", "tangle",
+                                                    "grow",         "image",    "transport", "batch",   "escape",
+                                                    "fixed-points", "section",  "systems"};
 
 // A misspelt name would quietly run the best copies.
 void check_instruction_set() {
@@ -156,6 +158,8 @@ void run(const std::vector<std::string>& arguments) {
     run_escape({arguments.begin() + 1, arguments.end()});
   } else if (first == "fixed-points") {
     run_fixed_points({arguments.begin() + 1, arguments.end()});
+  } else if (first == "section") {
+    run_section({arguments.begin() + 1, arguments.end()});
   } else if (first == "systems") {
     run_systems({arguments.begin() + 1, arguments.end()});
   } else if (const std::string meant = command_meant(first); !meant.empty()) {

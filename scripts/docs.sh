@@ -18,6 +18,7 @@ export LOBER=$lober
 figures='
 docs/demo.svg                       cheap   overlay examples/resonance.dat examples/resonance_image.dat --svg
 docs/tangle.svg                     cheap   tangle examples/manifolds.dat --smooth --overlaps --svg
+docs/section.svg                    cheap   section pendulum --orbits 40 --iterates 120 --svg
 docs/winding.svg                    cheap   winding examples/loops.csv --grid 300,300 --svg
 docs/figures/boundary-images-0.5.svg cheap  image ovp --boundary --param gamma=0.5 --iterates -3:0 --tolerance 1e-4 --svg
 docs/figures/manifolds-0.5.svg      costly  tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --svg
@@ -29,7 +30,7 @@ docs/escape.svg                     costly  escape capsize --energy 0.25307 --cr
 docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --crossings 0 --saddle 2 --svg
 '
 # Documents with blocks; those of the costly kind are only made with all.
-documents='README.md docs/figures.md docs/winding.md docs/images.md docs/escape.md docs/published-forms.md'
+documents='README.md docs/figures.md docs/winding.md docs/images.md docs/sections.md docs/escape.md docs/published-forms.md'
 costly_blocks='escape-table'
 
 stale=0

@@ -22,7 +22,7 @@ std::string text_of(Point point) {
 // The commands that take a system.
 std::vector<std::string> commands_for(const System& system) {
   std::vector<std::string> commands;
-  if (system.map) commands.insert(commands.end(), {"grow", "image", "fixed-points"});
+  if (system.map) commands.insert(commands.end(), {"grow", "image", "fixed-points", "section"});
   if (system.map && system.connection) {
     commands.emplace_back("tangle --system");
     commands.emplace_back("transport");

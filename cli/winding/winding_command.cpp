@@ -10,6 +10,7 @@
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/output_names.hpp"
+#include "cli/program/point_arguments.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/report.hpp"
@@ -91,21 +92,9 @@ void check(const Request& request) {
   if (!request.output.empty()) (void)format_of(request.output);
 }
 
-// "X,Y" as a point; a file of that name is ./X,Y.
-std::optional<Point> point_of(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos) return std::nullopt;
-  const std::optional<double> x = number_of(text.substr(0, comma)), y = number_of(text.substr(comma + 1));
-  if (!x || !y) return std::nullopt;
-  if (!std::isfinite(*x) || !std::isfinite(*y)) throw UsageError("--at: " + text + " is not a finite point");
-  return Point{*x, *y};
-}
-
 std::vector<std::string> inputs_of(const Request& request) {
-  std::vector<std::string> inputs{request.curve};
-  for (const std::string& at : request.at) {
-    if (!point_of(at)) inputs.push_back(at);
-  }
+  std::vector<std::string> inputs = point_files("--at", request.at);
+  inputs.insert(inputs.begin(), request.curve);
   return inputs;
 }
 
@@ -117,20 +106,6 @@ WindingGrid grid_of(const Request& request, CurveView curve) {
     grid.window = widened(include({}, curve.points), 0.05);
   }
   return grid;
-}
-
-Buffer<Point> points_of(const Request& request) {
-  Buffer<Point> points;
-  for (const std::string& at : request.at) {
-    if (const std::optional<Point> point = point_of(at)) {
-      points.push_back(*point);
-      continue;
-    }
-    for (const Zone& zone : read_curve_file(at, {.hash = false}).zones) {
-      points.insert(points.end(), zone.points.begin(), zone.points.end());
-    }
-  }
-  return points;
 }
 
 // J comes from angles and the winding number from crossings of a ray: two routes. A curve has at most as many angles as
@@ -168,7 +143,7 @@ WindingReport compute(const Request& request, Progress& progress) {
   progress.phase("reading", 0, 0.2);
   const detail::Stopwatch read_watch;
   report.input = read_curve(request.curve, true);
-  report.points = points_of(request);
+  report.points = points_of("--at", request.at);
   report.read_seconds = read_watch.seconds();
   const detail::Stopwatch index_watch;
   const IndexedCurve curve(report.input.curve);

@@ -1,0 +1,48 @@
+#include "cli/program/point_arguments.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "cli/program/option_parser.hpp"
+#include "lober/error.hpp"
+#include "lober/files.hpp"
+
+namespace lober::cli {
+namespace {
+
+std::optional<Point> point_of(const char* option, const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return std::nullopt;
+  const std::optional<double> x = number_of(text.substr(0, comma)), y = number_of(text.substr(comma + 1));
+  if (!x || !y) return std::nullopt;
+  if (!std::isfinite(*x) || !std::isfinite(*y)) {
+    throw UsageError(std::string(option) + ": " + text + " is not a finite point");
+  }
+  return Point{*x, *y};
+}
+
+}  // namespace
+
+std::vector<std::string> point_files(const char* option, const std::vector<std::string>& texts) {
+  std::vector<std::string> files;
+  for (const std::string& text : texts) {
+    if (!point_of(option, text)) files.push_back(text);
+  }
+  return files;
+}
+
+Buffer<Point> points_of(const char* option, const std::vector<std::string>& texts) {
+  Buffer<Point> points;
+  for (const std::string& text : texts) {
+    if (const std::optional<Point> point = point_of(option, text)) {
+      points.push_back(*point);
+      continue;
+    }
+    for (const Zone& zone : read_curve_file(text, {.hash = false}).zones) {
+      points.insert(points.end(), zone.points.begin(), zone.points.end());
+    }
+  }
+  return points;
+}
+
+}  // namespace lober::cli

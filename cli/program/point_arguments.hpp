@@ -1,0 +1,19 @@
+// Points on the command line: X,Y, or the files that hold them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lober/buffer.hpp"
+#include "lober/point.hpp"
+
+namespace lober::cli {
+
+/// Those of the texts that are not X,Y and so name files; a file called X,Y is ./X,Y. Throws UsageError, with the name
+/// of the option, for a point that is not finite.
+[[nodiscard]] std::vector<std::string> point_files(const char* option, const std::vector<std::string>& texts);
+
+/// The points in the order of the texts, all zones of each file. Throws UsageError, DataError.
+[[nodiscard]] Buffer<Point> points_of(const char* option, const std::vector<std::string>& texts);
+
+}  // namespace lober::cli

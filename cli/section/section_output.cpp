@@ -1,0 +1,140 @@
+#include "cli/section/section_output.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "cli/program/output_names.hpp"
+#include "cli/report/svg.hpp"
+#include "cli/report/text.hpp"
+#include "engine/files/binary_file.hpp"
+#include "lober/error.hpp"
+#include "lober/files.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr std::array<const char*, 6> colours{"#b5c8dc", "#93b0d0", "#6b93bf", "#3f6fa5", "#224b7d", "#0d2749"};
+
+// One level of counts is twice the one before, up to the last.
+std::size_t level_of(std::uint32_t count, std::uint32_t largest) {
+  const int levels = std::bit_width(largest);
+  const int level = std::bit_width(count) - 1;
+  return static_cast<std::size_t>(level) * colours.size() / static_cast<std::size_t>(levels);
+}
+
+std::string cells_path(const View& view, const Density& density, std::size_t level) {
+  const Rectangle& window = density.window();
+  const auto corner = [&](std::size_t column, std::size_t row) {
+    const auto along = [](double low, double high, std::size_t k, std::size_t cells) {
+      const double t = static_cast<double>(k) / static_cast<double>(cells);
+      return low * (1 - t) + high * t;
+    };
+    return view({along(window.min_x, window.max_x, column, density.columns()),
+                 along(window.min_y, window.max_y, row, density.rows())});
+  };
+  const std::uint32_t largest = density.largest();
+  const auto has = [&](std::size_t column, std::size_t row) {
+    const std::uint32_t count = density.count(column, row);
+    return count > 0 && level_of(count, largest) == level;
+  };
+  std::string path;
+  for (std::size_t row = 0; row < density.rows(); ++row) {
+    for (std::size_t column = 0; column < density.columns(); ++column) {
+      if (!has(column, row)) continue;
+      const std::size_t first = column;
+      while (column < density.columns() && has(column, row)) ++column;
+      const Pixel low = corner(first, row), high = corner(column, row + 1);
+      const int x = subpixel(low.x), y = subpixel(low.y), width = subpixel(high.x) - x;
+      append_all(path, "M", x, " ", y, "h", width, "v", subpixel(high.y) - y, "h", -width, "z");
+    }
+  }
+  return path;
+}
+
+}  // namespace
+
+Density::Density(const Rectangle& window, std::size_t columns, std::size_t rows)
+    : window_(window), columns_(columns), rows_(rows), counts_(columns * rows) {}
+
+void Density::add(std::span<const Point> points) {
+  for (const Point& point : points) {
+    const double x = (point.x - window_.min_x) / window_.width(), y = (point.y - window_.min_y) / window_.height();
+    if (std::isnan(x) || std::isnan(y)) continue;
+    if (!(x >= 0 && x < 1 && y >= 0 && y < 1)) {
+      ++outside_;
+      continue;
+    }
+    ++inside_;
+    const auto column = std::min(columns_ - 1, static_cast<std::size_t>(x * static_cast<double>(columns_)));
+    const auto row = std::min(rows_ - 1, static_cast<std::size_t>(y * static_cast<double>(rows_)));
+    std::uint32_t& count = counts_[row * columns_ + column];
+    if (count != 0xffffffff) ++count;
+  }
+}
+
+std::uint32_t Density::largest() const {
+  return *std::max_element(counts_.begin(), counts_.end());
+}
+
+void OrbitFile::require_name(const std::string& path) {
+  const PointFormat format = path == "-" ? PointFormat::csv : format_of(path);
+  if (format == PointFormat::npy || format == PointFormat::csv) return;
+  throw UsageError("-o " + path + ": orbits are written as .npy or .csv; use one of these endings");
+}
+
+OrbitFile::OrbitFile(const std::string& path, std::size_t orbits, std::size_t iterates)
+    : file_(path), each_(iterates + 1), npy_(path != "-" && format_of(path) == PointFormat::npy) {
+  file_.write(npy_ ? detail::npy_head(std::array{orbits, each_, std::size_t{2}}) : "orbit,iterate,x,y\n");
+}
+
+void OrbitFile::add(std::size_t first, std::span<const Point> points) {
+  if (npy_) return file_.write({reinterpret_cast<const char*>(points.data()), points.size_bytes()});
+  std::string text;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!std::isfinite(points[k].x) || !std::isfinite(points[k].y)) continue;
+    append_all(text, first + k / each_, ",", k % each_, ",", points[k].x, ",", points[k].y, "\n");
+    if (text.size() < (std::size_t{1} << 20)) continue;
+    file_.write(text);
+    text.clear();
+  }
+  file_.write(text);
+}
+
+void write_section_picture(const std::string& path, const Density& density, const std::string& title) {
+  const View view(density.window());
+  std::string svg;
+  begin_picture(svg, view, title, 4);
+  for (std::size_t level = 0; level < colours.size() && density.inside() > 0; ++level) {
+    append_all(svg, "<path fill=\"", colours[level], "\" d=\"", cells_path(view, density, level), "\"/>\n");
+  }
+  begin_legend(svg);
+  const Rectangle& window = density.window();
+  add_legend_entry(svg, view, 0, 0, "", title);
+  add_legend_entry(svg, view, 1, 0, "",
+                   "[" + rounded(window.min_x) + ", " + rounded(window.max_x) + "] x [" + rounded(window.min_y) + ", " +
+                       rounded(window.max_y) + "]");
+  // The least and the largest count of each level.
+  const std::uint32_t largest = density.inside() > 0 ? density.largest() : 0;
+  int entries = 0;
+  for (std::size_t level = 0; level < colours.size(); ++level) {
+    std::uint64_t low = 0, high = 0;
+    for (std::uint64_t power = 1; power <= largest; power *= 2) {
+      if (level_of(static_cast<std::uint32_t>(power), largest) != level) continue;
+      if (low == 0) low = power;
+      high = std::min<std::uint64_t>(2 * power - 1, largest);
+    }
+    if (low == 0) continue;
+    const std::string swatch =
+        std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colours[level] + "\"/>";
+    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, swatch,
+                     (low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high)) +
+                         (high == 1 ? " point a cell" : " points a cell"));
+    ++entries;
+  }
+  end_picture(svg);
+  write_file(path, svg);
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,66 @@
+#include "lober/orbits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "lober/error.hpp"
+
+namespace lober {
+using namespace detail;
+namespace {
+
+constexpr std::size_t group = 16;  // orbits that are followed together: the lanes of the integrator, twice
+constexpr std::size_t block_points = std::size_t{1} << 22;
+
+}  // namespace
+
+Buffer<Point> spread_points(const Rectangle& rectangle, std::size_t count) {
+  constexpr double root = 1.32471795724474602596;
+  constexpr double step_x = 1 / root, step_y = 1 / (root * root);
+  const auto between = [](double low, double high, double t) { return low * (1 - t) + high * t; };
+  Buffer<Point> points(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = 0.5 + static_cast<double>(k) * step_x, y = 0.5 + static_cast<double>(k) * step_y;
+    points[k] = {between(rectangle.min_x, rectangle.max_x, x - std::floor(x)),
+                 between(rectangle.min_y, rectangle.max_y, y - std::floor(y))};
+  }
+  return points;
+}
+
+Point folded(Point point, Point lattice, Point origin) {
+  const double square = lattice.x * lattice.x + lattice.y * lattice.y;
+  if (!(square > 0)) return point;
+  const double along = ((point.x - origin.x) * lattice.x + (point.y - origin.y) * lattice.y) / square;
+  const double turns = std::floor(along);
+  return {point.x - turns * lattice.x, point.y - turns * lattice.y};
+}
+
+void follow_orbits(const PlanarMap& map, std::span<const Point> starts, const OrbitOptions& options,
+                   const std::function<bool(std::size_t first, std::span<const Point> points)>& take) {
+  const std::size_t each = options.iterates + 1;
+  const std::size_t at_once = std::clamp<std::size_t>(block_points / each, group, std::max(group, starts.size()));
+  Buffer<Point> points;
+  for (std::size_t first = 0; first < starts.size(); first += at_once) {
+    const std::size_t count = std::min(at_once, starts.size() - first);
+    points.resize(count * each);
+    for_each_block(count, group, [&](std::size_t begin, std::size_t end) {
+      std::array<Point, group> state;
+      const std::size_t size = end - begin;
+      for (std::size_t k = 0; k < size; ++k)
+        state[k] = folded(starts[first + begin + k], options.lattice, options.origin);
+      for (std::size_t n = 0; n < each; ++n) {
+        if (n > 0) map.iterate(std::span(state).first(size), 1);
+        for (std::size_t k = 0; k < size; ++k) {
+          if (n > 0) state[k] = folded(state[k], options.lattice, options.origin);
+          points[(begin + k) * each + n] = state[k];
+        }
+        if (n % 1024 == 1023) throw_if_cancelled();
+      }
+    });
+    if (!take(first, points)) throw Cancelled();
+  }
+}
+
+}  // namespace lober

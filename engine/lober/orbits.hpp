@@ -1,0 +1,37 @@
+// Orbits of many points under a planar map: Poincare sections.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "lober/buffer.hpp"
+#include "lober/export.hpp"
+#include "lober/planar_map.hpp"
+#include "lober/point.hpp"
+
+namespace lober {
+
+/// Points spread evenly over a rectangle, the same first ones for any count: an additive recurrence with the powers of
+/// 1 / 1.3247..., the real root of x^3 = x + 1. O(count).
+[[nodiscard]] LOBER_API Buffer<Point> spread_points(const Rectangle& rectangle, std::size_t count);
+
+/// The point shifted by a whole number of times the lattice, so that it lies less than one shift past `origin` along
+/// it; unchanged where the lattice is (0, 0). To rounding.
+[[nodiscard]] LOBER_API Point folded(Point point, Point lattice, Point origin);
+
+struct OrbitOptions {
+  std::size_t iterates = 0;
+  /// Shift of the plane after which the map repeats itself: points are folded after every step, to what lies past
+  /// `origin`; (0, 0): they are left as they come.
+  Point lattice{}, origin{};
+};
+
+/// Follows every point and hands over the orbits, in order, some at a time: the numbers of the first of them, and of
+/// each iterates + 1 points, the point itself first. From where an orbit cannot be followed, its points are NaN. false
+/// cancels. About 64 MiB of memory, more for orbits of more than 200 000 points. Throws Cancelled. Parallel; the same
+/// bits for any number of threads.
+LOBER_API void follow_orbits(const PlanarMap& map, std::span<const Point> starts, const OrbitOptions& options,
+                             const std::function<bool(std::size_t first, std::span<const Point> points)>& take);
+
+}  // namespace lober

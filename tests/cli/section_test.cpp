@@ -1,0 +1,95 @@
+// `lober section`: orbits as a file and as a picture.
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+using Json = nlohmann::json;
+using SectionProgram = ProgramTest;
+
+TEST_F(SectionProgram, WritesOrbits) {
+  const Outcome outcome = run({"section", "henon", "--start", "0.5,0", "-0.2,0.1", "--iterates", "2", "--param",
+                               "k=0.25", "-o", "orbits.npy", "--json", "-"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["options"]["orbits"], 2);
+  EXPECT_EQ(json["points"], 6);
+  EXPECT_EQ(json["lost_orbits"], 0);
+  const std::string npy = read("orbits.npy");
+  EXPECT_NE(npy.find("'shape': (2, 3, 2), }"), std::string::npos) << npy.substr(10, 100);
+  ASSERT_EQ(npy.size(), 128U + 2 * 3 * 2 * 8);
+  std::vector<double> numbers(12);
+  std::memcpy(numbers.data(), npy.data() + 128, 96);
+  // (x, y) -> (x^2 - k - y, x)
+  EXPECT_EQ(numbers, (std::vector<double>{0.5, 0, 0, 0.5, -0.75, 0, -0.2, 0.1, -0.2 * -0.2 - 0.25 - 0.1, -0.2,
+                                          numbers[10], numbers[8]}));
+  ASSERT_EQ(
+      run({"section", "henon", "--start", "0.5,0", "--iterates", "2", "--param", "k=0.25", "-o", "orbits.csv"}).status,
+      0);
+  EXPECT_EQ(read("orbits.csv"), "orbit,iterate,x,y\n0,0,0.5,0\n0,1,0,0.5\n0,2,-0.75,0\n");
+}
+
+TEST_F(SectionProgram, FoldsAnglesUnlessLifted) {
+  const auto largest = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"section", "pendulum", "--start", "0,2.4", "--iterates", "20", "-o", "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    double most = 0;
+    std::istringstream lines(outcome.out);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line))
+      most = std::max(most, std::stod(line.substr(line.find(',', line.find(',') + 1) + 1)));
+    return most;
+  };
+  EXPECT_LT(largest({}), 4);
+  EXPECT_GT(largest({"--lifted"}), 50);
+}
+
+TEST_F(SectionProgram, DrawsTheDensity) {
+  const Outcome outcome = run({"section", "standard", "--orbits", "50", "--iterates", "200", "--svg", "section.svg"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("points     10050"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("folded     by shifts of (6.28318"), std::string::npos) << outcome.out;
+  EXPECT_NE(read("section.svg").find("1 point a cell"), std::string::npos);
+  const Outcome escapes = run({"section", "capsize", "--orbits", "30", "--iterates", "100"});
+  EXPECT_NE(escapes.out.find("lost "), std::string::npos) << escapes.out;
+}
+
+TEST_F(SectionProgram, HasTheSameBytesForAnyNumberOfThreads) {
+  std::set<std::string> seen;
+  for (const char* threads : {"1", "2", "7"}) {
+    const Outcome outcome = run({"section", "duffing", "--orbits", "100", "--iterates", "30", "--threads", threads,
+                                 "-o", "orbits.npy", "--svg", "section.svg", "--json", "-"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    seen.insert(without_timing(outcome.out) + read("orbits.npy") + read("section.svg"));
+  }
+  EXPECT_EQ(seen.size(), 1U);
+}
+
+TEST_F(SectionProgram, RefusesWhatMakesNoSense) {
+  const auto refused = [&](std::vector<std::string> arguments, int status, const std::string& words) {
+    arguments.insert(arguments.begin(), "section");
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  };
+  refused({"henon", "--orbits", "0"}, 2, "--orbits");
+  refused({"henon", "--iterates", "0"}, 2, "--iterates");
+  refused({"henon", "--orbits", "5", "--start", "0,0"}, 2, "excludes");
+  refused({"henon", "--start", "nan,0"}, 2, "--start: nan,0 is not a finite point");
+  refused({"henon", "--start", "nowhere"}, 1, "nowhere: ");
+  refused({"henon", "--box", "0,0,1,0"}, 2, "X0 < X1");
+  refused({"henon", "-o", "orbits.dat"}, 2, "use one of these endings");
+  refused({"nosuch"}, 2, "nosuch");
+}
+
+}  // namespace
+}  // namespace lober::cli
