@@ -8,7 +8,11 @@
 
    All functions get the values of the parameters, in the order in which they are listed, and must be pure: the same
    arguments give the same result, and several threads call them at the same time. Those that return int return 0
-   for success; otherwise the point counts as lost. They must not throw. */
+   for success; otherwise the point counts as lost. They must not throw.
+
+   When a system is made, some points of its window are checked: the inverse of a map, its derivative and its action, the
+   Jacobian of a flow, its Hamiltonian and velocity_batch, with finite differences where that is needed. A system whose
+   functions do not belong together is refused, with the place and both numbers. */
 #ifndef LOBER_SYSTEM_H
 #define LOBER_SYSTEM_H
 

@@ -10,6 +10,7 @@
 #include "engine/base/input_guard.hpp"
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/maps/formula_map.hpp"
+#include "engine/dynamics/systems/library_checks.hpp"
 #include "lober/error.hpp"
 #include "lober/lober_system.h"
 
@@ -237,6 +238,7 @@ System make(const Library& library, const lober_system& system, std::span<const 
   } else {
     made.map = std::make_shared<FormulaMap<LoadedMap>>(LoadedMap(loaded));
   }
+  check_library(system, made, values);
   return made;
 }
 

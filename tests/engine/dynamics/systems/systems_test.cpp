@@ -158,5 +158,24 @@ TEST(Systems, LibrariesThatCannotBeUsedAreRefusedWithTheReason) {
   EXPECT_TRUE(mentions(refusal<DataError>(folder + "no_backward.so"), "the map has no backward"));
 }
 
+// Functions that do not belong together are found before they give wrong results.
+TEST(Systems, LibrariesAreChecked) {
+  const auto slip = [](const char* kind, int number) {
+    return std::string(LOBER_TEST_LIBRARIES "/wrong_") + kind + "_" + std::to_string(number) + ".so";
+  };
+  EXPECT_NE(make_system(slip("map", 0)).map, nullptr);
+  EXPECT_NE(make_system(slip("flow", 0)).map, nullptr);
+  const auto expect = [&](const char* kind, int number, std::initializer_list<const char*> words) {
+    const std::string message = refusal<DataError>(slip(kind, number));
+    for (const char* word : words) EXPECT_TRUE(mentions(message, word)) << message;
+  };
+  expect("map", 1, {"the derivative dx'/dy is wrong at (", "it is 1, but finite differences of forward give -"});
+  expect("map", 2, {"backward is not the inverse of forward"});
+  expect("map", 3, {"the action L(x, x') is wrong at (", "dL/dx is ", "-y is "});
+  expect("flow", 1, {"the Jacobian d(velocity 1)/d(x 0) is wrong at (", "it is 1, but finite differences of velocity"});
+  expect("flow", 2, {"the Hamiltonian, or the velocity 1, is wrong at (", "t = "});
+  expect("flow", 3, {"velocity_batch, component 1, is wrong at ("});
+}
+
 }  // namespace
 }  // namespace lober::detail

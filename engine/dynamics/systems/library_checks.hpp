@@ -1,0 +1,17 @@
+// Whether the functions of a shared library belong together (private to systems/).
+#pragma once
+
+#include <span>
+
+#include "lober/lober_system.h"
+#include "lober/systems.hpp"
+
+namespace lober::detail {
+
+/// Compares, at some points of the window, the inverse of a map with the map, its derivative and its action with finite
+/// differences; the Jacobian of a flow, what its Hamiltonian says of the velocity, and velocity_batch with the
+/// velocity. Points where a function fails are left out. Throws DataError that names the first discrepancy, its place
+/// and both numbers. Takes microseconds.
+void check_library(const lober_system& system, const System& made, std::span<const double> parameters);
+
+}  // namespace lober::detail
