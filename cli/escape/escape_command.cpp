@@ -28,7 +28,7 @@ struct Request {
   EscapeOptions options;
   std::uint64_t trajectories = 2000, seed = 1;
   bool lists_counts = false;  ///< of trajectories, which were asked for
-  std::string json, svg;
+  std::string json, svg, curves;
   int threads = 0;
 };
 
@@ -110,6 +110,12 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .value("S");
   add_json_option(parser, request.json);
   parser.add("--svg", request.svg, "Draw the curves on the section as an SVG picture in FILE (default: no file).")
+      .value("FILE");
+  parser
+      .add("--curves", request.curves,
+           "Write the curves of all tubes on the section, their images and pre-images to FILE as Tecplot zones "
+           "(default: "
+           "no file).")
       .value("FILE");
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
@@ -290,6 +296,7 @@ void run(const Request& request) {
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
+  if (!request.curves.empty()) outputs.push_back({"--curves", request.curves});
   check_outputs(outputs, files_of_system(request.system));
   const bool printing = !takes_standard_output(outputs);
   // Rows are printed as soon as they are known; where trajectories are asked for they may take long, and if they
@@ -306,6 +313,7 @@ void run(const Request& request) {
       progress.phase("writing", 0.95, 1);
     }
     if (!request.svg.empty()) write_escape_picture(request.svg, report);
+    if (!request.curves.empty()) write_escape_curves(request.curves, report);
     if (!request.json.empty()) write_escape_json(request.json, report, [&] { return watch.seconds(); });
   }
   const Escape& result = report.result;

@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, PointFormat>, 6> point_endings{
 
 constexpr std::array<std::string_view, 2> json_options{"--json", "--graph"};
 constexpr std::array<std::string_view, 2> picture_options{"--svg", "--picture"};
-constexpr std::array<std::string_view, 3> zone_options{"--lobes", "--boundary", "--pips"};
+constexpr std::array<std::string_view, 4> zone_options{"--lobes", "--boundary", "--pips", "--curves"};
 constexpr std::array<std::string_view, 2> table_options{"--crossings", "--csv"};
 constexpr std::array<std::string_view, 6> published_options{"<rslt>",     "<lobefile>",  "<manifile>",
                                                             "<pipsfile>", "<lobebfile>", "<lobeseq>"};

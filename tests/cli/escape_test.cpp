@@ -36,6 +36,24 @@ TEST_F(EscapeProgram, WritesTheTable) {
   EXPECT_TRUE(read("curves.svg").starts_with("<svg"));
 }
 
+// The overlap of an image of the entrance with a pre-image of the exit is the fraction, whichever two are taken.
+TEST_F(EscapeProgram, WritesCurvesThatGiveTheTable) {
+  const Outcome outcome = run({"escape", "capsize", "--energy", "0.25307", "--crossings", "3", "--tolerance", "1e-5",
+                               "--monte-carlo", "0", "--curves", "curves.dat"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto fraction = [&](const std::string& from, const std::string& to) {
+    const Json areas = overlay({"curves.dat#" + from, "curves.dat#" + to, "--areas-only"})["areas"];
+    return areas["intersection"].get<double>() / areas["c1"].get<double>();
+  };
+  EXPECT_NEAR(fraction("entrance left f^2", "exit right f^-2"), 0.111522124886, 1e-4);
+  EXPECT_NEAR(fraction("entrance left f^3", "exit right f^-1"), 0.111522124886, 1e-4);
+  EXPECT_NEAR(fraction("entrance left f^2", "exit left f^-3"), 0.029905210198, 1e-4);
+  EXPECT_EQ(fraction("entrance left", "exit right"), 0);
+  const Outcome refused = run({"escape", "capsize", "--curves", "curves.csv"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("--curves writes Tecplot zones"), std::string::npos) << refused.err;
+}
+
 // The potential of Henon & Heiles is symmetric in x: what enters by one of two mirrored bottlenecks leaves by either as
 // what enters by the other.
 TEST_F(EscapeProgram, TakesASystemOfTheUser) {

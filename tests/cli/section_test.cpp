@@ -57,8 +57,8 @@ TEST_F(SectionProgram, DrawsTheDensity) {
   EXPECT_NE(outcome.out.find("points     10050"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("folded     by shifts of (6.28318"), std::string::npos) << outcome.out;
   EXPECT_NE(read("section.svg").find("1 point a cell"), std::string::npos);
-  const Outcome escapes = run({"section", "capsize", "--orbits", "30", "--iterates", "100"});
-  EXPECT_NE(escapes.out.find("lost "), std::string::npos) << escapes.out;
+  const Outcome leaving = run({"section", "capsize", "--orbits", "30", "--iterates", "100"});
+  EXPECT_NE(leaving.out.find("lost "), std::string::npos) << leaving.out;
 }
 
 TEST_F(SectionProgram, HasTheSameBytesForAnyNumberOfThreads) {

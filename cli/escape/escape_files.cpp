@@ -1,0 +1,34 @@
+// The curves of an escape as Tecplot zones.
+
+#include "cli/escape/escape_report.hpp"
+#include "cli/report/text.hpp"
+#include "lober/files.hpp"
+
+namespace lober::cli {
+namespace {
+
+void add_zones(std::vector<Zone>& zones, const std::string& title, const char* map,
+               const std::vector<TubeCurve>& curves) {
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const TubeCurve& curve = curves[k];
+    std::string full = title;
+    if (k > 0) append_all(full, " ", map, k);
+    if (curve.cut) full += " cut";
+    if (!curve.image.closed || (!curve.complete && !curve.cut)) full += " open";
+    zones.push_back({full, {curve.image.points.begin(), curve.image.points.end()}});
+  }
+}
+
+}  // namespace
+
+void write_escape_curves(const std::string& path, const EscapeReport& report) {
+  const std::vector<std::string> names = bottleneck_names(report.result);
+  std::vector<Zone> zones;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    add_zones(zones, "entrance " + names[k], "f^", report.result.bottlenecks[k].entry);
+    add_zones(zones, "exit " + names[k], "f^-", report.result.bottlenecks[k].exit);
+  }
+  write_tecplot(path, zones, ZoneLines::always);
+}
+
+}  // namespace lober::cli
