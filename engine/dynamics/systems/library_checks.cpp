@@ -170,7 +170,7 @@ class FlowChecks {
     for (std::size_t k = 0; k < dimension_; ++k) largest = std::max(largest, std::fabs(x[k]));
     return largest;
   }
-  [[nodiscard]] std::string place(const FlowState& x, double t) const {
+  [[nodiscard]] std::string position_text(const FlowState& x, double t) const {
     std::string text = "(";
     for (std::size_t k = 0; k < dimension_; ++k) text += (k == 0 ? "" : ", ") + format_number(x[k]);
     return text + "), t = " + format_number(t);
@@ -193,7 +193,7 @@ class FlowChecks {
         const double given = jacobian[i * dimension_ + j];
         if (differs(given, slope, largest)) {
           report(system_, "the Jacobian d(velocity " + std::to_string(i) + ")/d(x " + std::to_string(j) + ")",
-                 place(x, t), {"it is", given}, {"finite differences of velocity give", slope.value});
+                 position_text(x, t), {"it is", given}, {"finite differences of velocity give", slope.value});
         }
       }
     }
@@ -219,7 +219,7 @@ class FlowChecks {
         expected.value *= sign;
         const double given = factor * speed[static_cast<std::size_t>(moving)];
         if (differs(given, expected, std::fabs(factor) * size(speed))) {
-          report(system_, "the Hamiltonian, or the velocity " + std::to_string(moving) + ",", place(x, t),
+          report(system_, "the Hamiltonian, or the velocity " + std::to_string(moving) + ",", position_text(x, t),
                  {sign > 0 ? "dH/dp is" : "-dH/dq is", expected.value}, {"the velocity times its factor is", given});
         }
       };
@@ -239,8 +239,8 @@ class FlowChecks {
     flow_.velocity_batch(parameters_, 2, from.data(), times.data(), to.data());
     for (std::size_t k = 0; k < dimension_; ++k) {
       if (std::fabs(to[2 * k + 1] - speed[k]) <= 1e-9 * (1 + size(speed))) continue;
-      report(system_, "velocity_batch, component " + std::to_string(k) + ",", place(x, t), {"it is", to[2 * k + 1]},
-             {"velocity gives", speed[k]});
+      report(system_, "velocity_batch, component " + std::to_string(k) + ",", position_text(x, t),
+             {"it is", to[2 * k + 1]}, {"velocity gives", speed[k]});
     }
   }
 
