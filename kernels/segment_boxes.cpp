@@ -22,8 +22,13 @@ void segment_boxes(const Point* points, SegmentBoxes& boxes) {
   } else {
     boxes_of(points, boxes);
     group_boxes(boxes);
-    fit_slab(points, boxes);
+    boxes.slab = slab_of(points);
   }
+}
+
+Slab leaf_slab_avx2(const Point* points);
+Slab leaf_slab(const Point* points) {
+  return has_avx2() ? leaf_slab_avx2(points) : slab_of(points);
 }
 
 std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,

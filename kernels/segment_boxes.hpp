@@ -10,6 +10,12 @@
 
 namespace lober::detail {
 
+/// low <= normal . p <= high.
+struct Slab {
+  Point normal;
+  double low, high;
+};
+
 /// Boxes of the leaf_size segments of a leaf, by coordinate, so that four are compared at once, the same of each
 /// group of four segments, and a slab that holds the leaf.
 struct alignas(64) SegmentBoxes {
@@ -22,12 +28,13 @@ struct alignas(64) SegmentBoxes {
   double group_max_x[groups];
   double group_min_y[groups];
   double group_max_y[groups];
-  /// All points of the leaf lie in the slab low <= normal . p <= high, which is normal to the leaf's chord,
-  /// whatever rounding does to such products with points of this leaf. Where folds run side by side and slanted their
-  /// boxes overlap, but not their slabs.
-  Point normal;
-  double low, high;
+  /// Holds all points of the leaf. Where folds run side by side and slanted their boxes overlap, but not their slabs.
+  Slab slab;
 };
+
+/// The slab of the leaf_size + 1 points of a leaf that is normal to its chord; it holds them whatever rounding does to
+/// the products. Where that normal is not finite, all of the plane.
+[[nodiscard]] Slab leaf_slab(const Point* points);
 
 /// Fills `boxes` from the leaf_size + 1 points of a leaf.
 void segment_boxes(const Point* points, SegmentBoxes& boxes);

@@ -59,25 +59,27 @@ inline void distances_of(const Point* points, Point normal, SignedDistances& dis
   distances.uncertainty = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
 }
 
-inline void fit_slab(const Point* points, SegmentBoxes& boxes) {
-  boxes.normal = {points[0].y - points[leaf_size].y, points[leaf_size].x - points[0].x};
-  if (!__builtin_isfinite(boxes.normal.x) || !__builtin_isfinite(boxes.normal.y)) boxes.normal = {0, 0};  // a slab of everything
+inline Slab slab_of(const Point* points) {
+  Slab slab;
+  slab.normal = {points[0].y - points[leaf_size].y, points[leaf_size].x - points[0].x};
+  if (!__builtin_isfinite(slab.normal.x) || !__builtin_isfinite(slab.normal.y)) slab.normal = {0, 0};
   SignedDistances distances;
-  distances_of(points, boxes.normal, distances);
+  distances_of(points, slab.normal, distances);
   Lanes low = load(distances.of + leaf_size), high = low;
   for (std::size_t i = 0; i < leaf_size; i += lanes) {
     low = min(low, load(distances.of + i));
     high = max(high, load(distances.of + i));
   }
-  boxes.low = least(low) - distances.uncertainty;
-  boxes.high = greatest(high) + distances.uncertainty;
+  slab.low = least(low) - distances.uncertainty;
+  slab.high = greatest(high) + distances.uncertainty;
+  return slab;
 }
 
 // Bit j is set unless segment j of leaf b lies wholly on one side of the slab of leaf a.
 inline std::uint32_t meeting_slab(const SegmentBoxes& a, const Point* b) {
   SignedDistances distances;
-  distances_of(b, a.normal, distances);
-  const Lanes low = splat(a.low - distances.uncertainty), high = splat(a.high + distances.uncertainty);
+  distances_of(b, a.slab.normal, distances);
+  const Lanes low = splat(a.slab.low - distances.uncertainty), high = splat(a.slab.high + distances.uncertainty);
   std::uint64_t above = 0, below = 0;  // of the points
   for (std::size_t i = 0; i < leaf_size + lanes; i += lanes) {
     const Lanes distance = load(distances.of + i);

@@ -77,6 +77,8 @@ class SelfChecker final : public PairConsumer {
     const auto [a, b] = curve_.segment(pair.first);
     const auto [c, d] = curve_.segment(pair.second);
     if (a == b || c == d) return false;  // repeated vertices carry no segment
+    // Most pairs that come here are neighbours: with d off the line through a and b they share b alone.
+    if (pair.second == pair.first + 1 && orient2d(a, b, d, counts) != 0) return false;
     const int side_c = orient2d(a, b, c, counts), side_d = orient2d(a, b, d, counts);
     if (side_c * side_d > 0) return false;
     const int side_a = orient2d(c, d, a, counts), side_b = orient2d(c, d, b, counts);

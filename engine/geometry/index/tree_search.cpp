@@ -2,15 +2,18 @@
 //
 // The walk goes down the first tree in curve order and carries along the list of nodes of the second tree whose boxes
 // meet the present one, always split to about its size. So everything found for a leaf is found together and comes
-// out in curve order, which makes sorting the crossings nearly free.
+// out in curve order, which makes sorting the crossings nearly free. Where folds run side by side, nodes are held
+// against each other by slanted rectangles too (node_frames.hpp).
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/index/index.hpp"
+#include "engine/geometry/index/node_frames.hpp"
 #include "engine/geometry/index/search.hpp"
 #include "kernels/box_pyramid.hpp"
 #include "lober/buffer.hpp"
@@ -59,6 +62,7 @@ class TreeSearch {
     for (std::size_t i = 0; i < present; ++i) {
       const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
       if (self_) drop_apart(child, carried.met[i], carried.count[i]);
+      if (frames1_ != nullptr) drop_beside(child, carried.met[i], carried.count[i], counts);
       if (carried.count[i] > 0) split_to_size(child, carried.met[i], carried.count[i], counts);
     }
   }
@@ -100,7 +104,18 @@ class TreeSearch {
     }
   }
 
+  // From now on. They must outlive the search.
+  void use_frames(const NodeFrames& first, const NodeFrames& second) {
+    frames1_ = &first;
+    frames2_ = &second;
+  }
+
  private:
+  void drop_beside(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    counts.boxes_tested += count;
+    count = keep_near(frames1_->of(node), frames2_->pyramid(), list.data(), count);
+  }
+
   static void ensure_size(Buffer<TreeNode>& buffer, std::size_t size) {
     if (buffer.size() < size) buffer.resize(2 * size);
   }
@@ -130,6 +145,7 @@ class TreeSearch {
       waiting.swap(split);
       waiting_count = refined.split;
       if (self_) drop_apart(node, waiting, waiting_count);
+      if (frames1_ != nullptr) drop_beside(node, waiting, waiting_count, counts);
     }
     count = kept;
   }
@@ -185,6 +201,8 @@ class TreeSearch {
   const BoxTree& first_;
   const BoxTree& second_;
   bool self_;
+  const NodeFrames* frames1_ = nullptr;
+  const NodeFrames* frames2_ = nullptr;
 };
 
 // A node of the first tree with the nodes of the second that it meets.
@@ -211,15 +229,40 @@ void collect(const TreeSearch& search, const Meeting& from, std::uint32_t level,
   }
 }
 
+// Whether the walk tests so many boxes for a leaf, as a few leaves show, that frames pay. Of one curve nothing of what
+// boxes propose is there; two curves may well cross where their boxes meet.
+bool needs_frames(const TreeSearch& search, const std::vector<Meeting>& tasks, bool self, SearchCounts& counts) {
+  const std::size_t samples = std::min<std::size_t>(4, tasks.size() / 4);  // a small part of the walk
+  const double worth = self ? 16 : 100;
+  SearchCounts sampled;
+  std::size_t leaves = 0;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const Meeting& task = tasks[(2 * k + 1) * tasks.size() / (2 * samples)];
+    std::vector<Meeting> blocks, met;
+    collect(search, task, block_level, blocks, sampled);
+    if (blocks.empty()) continue;
+    collect(search, blocks[blocks.size() / 2], 0, met, sampled);
+    leaves += std::size_t{1} << block_level;
+  }
+  counts.boxes_tested += sampled.boxes_tested;
+  return static_cast<double>(sampled.boxes_tested) > worth * static_cast<double>(leaves);
+}
+
 SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self, PairConsumer& consumer) {
   constexpr std::uint32_t task_level =
       block_level + 2;  // a task is four blocks: what lies above is walked by one thread
   static_assert(block_level % 2 == 0, "the walk passes through even levels");
-  const TreeSearch search(first, second, self);
+  TreeSearch search(first, second, self);
   SearchCounts counts;
   std::vector<Meeting> tasks;
   collect(search, {first.root(), search.start(counts)}, task_level, tasks, counts);
 
+  std::optional<NodeFrames> frames1, frames2;
+  if (needs_frames(search, tasks, self, counts)) {
+    frames1.emplace(first);
+    if (!self) frames2.emplace(second);
+    search.use_frames(*frames1, self ? *frames1 : *frames2);
+  }
   std::vector<SearchCounts> task_counts(tasks.size());
   for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {
     std::vector<Meeting> blocks;
