@@ -22,13 +22,17 @@ void segment_boxes(const Point* points, SegmentBoxes& boxes) {
   } else {
     boxes_of(points, boxes);
     group_boxes(boxes);
-    boxes.slab = slab_of(points);
+    fit_slab(points, boxes.slab);
   }
 }
 
-Slab leaf_slab_avx2(const Point* points);
-Slab leaf_slab(const Point* points) {
-  return has_avx2() ? leaf_slab_avx2(points) : slab_of(points);
+void leaf_slab_avx2(const Point* points, Slab& slab);
+void leaf_slab(const Point* points, Slab& slab) {
+  if (has_avx2()) {
+    leaf_slab_avx2(points, slab);
+  } else {
+    fit_slab(points, slab);
+  }
 }
 
 std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,

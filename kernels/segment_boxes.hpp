@@ -32,9 +32,9 @@ struct alignas(64) SegmentBoxes {
   Slab slab;
 };
 
-/// The slab of the leaf_size + 1 points of a leaf that is normal to its chord; it holds them whatever rounding does to
-/// the products. Where that normal is not finite, all of the plane.
-[[nodiscard]] Slab leaf_slab(const Point* points);
+/// Fills `slab` with that of the leaf_size + 1 points of a leaf that is normal to its chord; it holds them whatever
+/// rounding does to the products. Where that normal is not finite, it is all of the plane.
+void leaf_slab(const Point* points, Slab& slab);
 
 /// Fills `boxes` from the leaf_size + 1 points of a leaf.
 void segment_boxes(const Point* points, SegmentBoxes& boxes);

@@ -59,8 +59,7 @@ inline void distances_of(const Point* points, Point normal, SignedDistances& dis
   distances.uncertainty = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
 }
 
-inline Slab slab_of(const Point* points) {
-  Slab slab;
+inline void fit_slab(const Point* points, Slab& slab) {
   slab.normal = {points[0].y - points[leaf_size].y, points[leaf_size].x - points[0].x};
   if (!__builtin_isfinite(slab.normal.x) || !__builtin_isfinite(slab.normal.y)) slab.normal = {0, 0};
   SignedDistances distances;
@@ -72,7 +71,6 @@ inline Slab slab_of(const Point* points) {
   }
   slab.low = least(low) - distances.uncertainty;
   slab.high = greatest(high) + distances.uncertainty;
-  return slab;
 }
 
 // Bit j is set unless segment j of leaf b lies wholly on one side of the slab of leaf a.

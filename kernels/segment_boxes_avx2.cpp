@@ -11,11 +11,11 @@ namespace lober::detail {
 void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes) {
   boxes_of(points, boxes);
   group_boxes(boxes);
-  boxes.slab = slab_of(points);
+  fit_slab(points, boxes.slab);
 }
 
-Slab leaf_slab_avx2(const Point* points) {
-  return slab_of(points);
+void leaf_slab_avx2(const Point* points, Slab& slab) {
+  fit_slab(points, slab);
 }
 
 std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,

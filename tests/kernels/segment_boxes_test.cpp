@@ -119,7 +119,7 @@ TEST(MeetingSegments, BothCopiesGiveTheSame) {
     SegmentBoxes plain, wide;
     boxes_of(a.data(), plain);
     group_boxes(plain);
-    plain.slab = slab_of(a.data());
+    fit_slab(a.data(), plain.slab);
     segment_boxes_avx2(a.data(), wide);
     ASSERT_EQ(std::memcmp(&plain, &wide, offsetof(SegmentBoxes, slab) + sizeof plain.slab), 0);  // padding differs
     std::vector<SegmentPair> from_plain(leaf_size * leaf_size), from_wide(leaf_size * leaf_size);

@@ -30,7 +30,8 @@ Frame frame_of(const Box& box, Point along, double length, double low, double hi
 }
 
 Frame frame_of_leaf(const Box& box, const Point* points) {
-  const Slab slab = leaf_slab(points);
+  Slab slab;
+  leaf_slab(points, slab);
   const double length = std::sqrt(slab.normal.x * slab.normal.x + slab.normal.y * slab.normal.y), part = 1 / length;
   return frame_of(box, {slab.normal.y * part, -slab.normal.x * part}, length, slab.low * part, slab.high * part);
 }

@@ -229,7 +229,7 @@ void collect(const TreeSearch& search, const Meeting& from, std::uint32_t level,
   }
 }
 
-// Whether the walk tests so many boxes for a leaf, as a few leaves show, that frames pay. Of one curve nothing of what
+// Whether frames pay: a few leaves show how many boxes the walk tests for each. Of one curve nothing of what
 // boxes propose is there; two curves may well cross where their boxes meet.
 bool needs_frames(const TreeSearch& search, const std::vector<Meeting>& tasks, bool self, SearchCounts& counts) {
   const std::size_t samples = std::min<std::size_t>(4, tasks.size() / 4);  // a small part of the walk

@@ -1,4 +1,4 @@
-// Slanted rectangles never part what meets, and they part the strands of a fold.
+// Slanted rectangles never part what meets, and they part the two sides of a fold.
 #include "engine/geometry/index/node_frames.hpp"
 
 #include <gtest/gtest.h>
@@ -45,19 +45,19 @@ TEST_P(Frames, KeepWhatMeets) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Frames, ::testing::ValuesIn(scene_kinds()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
-// Strands along a slanted line, `apart` from each other, at any place: up to roundings of the coordinates.
-TEST(NodeFrames, TellStrandsApart) {
+// Lines along a slanted direction, `apart` from each other, at any place: up to roundings of the coordinates.
+TEST(NodeFrames, TellLinesApart) {
   for (const double far : {0.0, 1e6}) {
     for (const double apart : {1e-2, 1e-6, far == 0 ? 1e-12 : 1e-6}) {
-      Curve strands[2];
+      Curve lines[2];
       for (int which = 0; which < 2; ++which) {
-        strands[which].closed = false;
+        lines[which].closed = false;
         for (int k = 0; k <= 320; ++k) {
           const double t = k / 320.0;
-          strands[which].points.push_back({far + 0.8 * t - 0.6 * apart * which, far + 0.6 * t + 0.8 * apart * which});
+          lines[which].points.push_back({far + 0.8 * t - 0.6 * apart * which, far + 0.6 * t + 0.8 * apart * which});
         }
       }
-      const BoxTree first{CurveView(strands[0])}, second{CurveView(strands[1])};
+      const BoxTree first{CurveView(lines[0])}, second{CurveView(lines[1])};
       const NodeFrames frames1(first), frames2(second);
       ASSERT_TRUE(meet(first.box(), second.box()));
       EXPECT_FALSE(kept(frames1, first.root(), frames2, second.root())) << far << ' ' << apart;
@@ -86,7 +86,7 @@ TEST(NodeFrames, BothCopiesKeepTheSame) {
   }
 }
 
-// Hairs side by side, so many that the search takes to frames, one of which is bent into its neighbours.
+// Hairs side by side, enough of them for the search to use frames; one is bent into its neighbours.
 TEST(FoldedCurve, IsSearchedCompletely) {
   constexpr int hairs = 256, along = 80;
   Curve curve;
