@@ -4,6 +4,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <filesystem>
+#include <optional>
+
 #include "cli/batch/batch_options.hpp"
 #include "cli/batch/batch_report.hpp"
 #include "cli/batch/operations_list.hpp"
@@ -142,13 +145,20 @@ void merge_stores(const Arguments& arguments) {
   parser.add("TARGET", target, "The store that takes the results, which is created if it does not exist.").required();
   parser.add("STORES", sources, "The stores whose results are copied.").required();
   if (!parser.parse(arguments)) return;
-  detail::Store store = detail::Store::create(target);
-  for (const std::string& source : sources) {
-    const detail::Store other = detail::Store::open(source);
-    store.merge(other);
-    warn_of(survey(other).counts.damaged);
+  std::vector<detail::Store> others;
+  for (const std::string& source : sources) others.push_back(detail::Store::open(source));
+  const bool is_new = !std::filesystem::exists(target);
+  std::optional<detail::Store> store(detail::Store::create(target));
+  try {
+    store->merge(others);
+  } catch (...) {
+    const bool is_empty = store->runs().empty();  // another process may have begun one there
+    store.reset();                                // and SQLite removes its log
+    if (is_new && is_empty) std::filesystem::remove(target);
+    throw;
   }
-  const ExportCounts counts = survey(store).counts;
+  for (const detail::Store& other : others) warn_of(survey(other).counts.damaged);
+  const ExportCounts counts = survey(*store).counts;
   print(how_far(counts));
   warn_of(counts.damaged);
 }

@@ -35,6 +35,7 @@ Keys, at the top for all groups or in a [[group]] for that group:
              "product"      each of `curves` with each of `with`, but none with itself
              "single"       each curve alone
              [["a", "b"], ...]  these pairs, by name; `curves` is then not needed
+             (default: "all"; "product" where there is `with`; "single" for operations on one curve)
   options    a table of options of the operation; those of a group count before those at the top
   grid       a table of lists of values of options: the jobs are repeated for each combination
 

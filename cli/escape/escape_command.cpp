@@ -7,12 +7,14 @@
 
 #include "cli/escape/escape_report.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/error.hpp"
+#include "lober/files.hpp"
 #include "lober/threads.hpp"
 
 namespace lober::cli {
@@ -53,7 +55,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
           "--crossings", request.options.crossings,
           "The number of crossings of the section up to which the table goes (default: 4). With 0 only the orbits, the "
           "tubes and their first crossings are computed.")
-      .range(0, 100)
+      .range(0, max_iterates)
       .value("N");
   add_parameter_option(parser, request.parameters);
   parser
@@ -96,7 +98,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .add(
           "--budget", request.options.budget,
           "The processor time of all threads together, in seconds (default: 30). The table ends before images that are "
-          "expected to end later.")
+          "expected to end later; those that do not end as expected are broken off.")
       .positive()
       .value("SECONDS");
   const Option count = parser
@@ -291,6 +293,18 @@ void compute(const Request& request, bool print_at_once, EscapeReport& report, P
   if (print_at_once && agreed) print(agreement_text(report.result.agreement));
 }
 
+// After all numbers are out: a picture that cannot be drawn costs none of them.
+void draw(const std::string& path, const EscapeReport& report) {
+  std::string picture;
+  try {
+    picture = escape_picture(report);
+  } catch (const DataError& error) {
+    log_warning("--svg: no picture is drawn: " + std::string(error.what()));
+    return;
+  }
+  write_file(path, picture);
+}
+
 void run(const Request& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs;
@@ -312,7 +326,6 @@ void run(const Request& request) {
     } else {
       progress.phase("writing", 0.95, 1);
     }
-    if (!request.svg.empty()) write_escape_picture(request.svg, report);
     if (!request.curves.empty()) write_escape_curves(request.curves, report);
     if (!request.json.empty()) write_escape_json(request.json, report, [&] { return watch.seconds(); });
   }
@@ -323,6 +336,7 @@ void run(const Request& request) {
     for (int n = 1; n <= result.crossings; ++n) print(escape_rows(result, n));
   }
   if (printing) print(escape_summary(report));
+  if (!request.svg.empty()) draw(request.svg, report);
   if (result.stop == EscapeStop::cancelled) throw Cancelled();
   require_agreement(result.agreement);
 }

@@ -94,7 +94,8 @@ Json stop_json(const EscapeReport& report) {
       break;
     case EscapeStop::budget:
       stop["reason"] = "budget";
-      stop["seconds_ahead"] = result.seconds_ahead;
+      stop["seconds_spent"] = result.seconds_spent;
+      stop["seconds_ahead"] = result.seconds_ahead == 0 ? Json() : Json(result.seconds_ahead);  // null: broken off
       break;
     case EscapeStop::lost:
       stop["reason"] = "lost";

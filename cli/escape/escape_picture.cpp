@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include "cli/escape/escape_report.hpp"
 #include "cli/report/svg.hpp"
-#include "lober/files.hpp"
+#include "lober/error.hpp"
 #include "lober/overlay.hpp"
+#include "lober/regions.hpp"
 
 namespace lober::cli {
 namespace {
@@ -39,12 +41,31 @@ std::vector<Drawn> curves_on_section(const Escape& result) {
   return curves;
 }
 
-void add_overlap(std::string& path, const View& view, const ClosedCurve& first, const ClosedCurve& second) {
-  const Overlay common = overlay(first, second);
-  path += path_of(view, max_points, [&](PathWriter& writer) {
+using Polygons = std::vector<std::vector<Point>>;
+
+// Cut images cross themselves, and so do curves of a section that tubes meet more than once: what both wind
+// about is common.
+Polygons common_polygons(const ClosedCurve& first, const ClosedCurve& second) {
+  Polygons polygons;
+  const auto add = [&](Polygons piece) {
+    polygons.insert(polygons.end(), std::make_move_iterator(piece.begin()), std::make_move_iterator(piece.end()));
+  };
+  try {
+    const Overlay common = overlay(first, second);
     for (std::size_t k = 0; k < common.pieces(Pairing::intersection).size(); ++k) {
-      for (const std::vector<Point>& polygon : outline(common, Pairing::intersection, k)) writer.add_polygon(polygon);
+      add(outline(common, Pairing::intersection, k));
     }
+  } catch (const NotSimpleError&) {
+    const RegionPieces pieces = regions(first, second).pieces(FillRule::nonzero, Pairing::intersection);
+    for (std::size_t k = 0; k < pieces.size(); ++k) add(pieces.outline(k));
+  }
+  return polygons;
+}
+
+void add_overlap(std::string& path, const View& view, const ClosedCurve& first, const ClosedCurve& second) {
+  const Polygons polygons = common_polygons(first, second);
+  path += path_of(view, max_points, [&](PathWriter& writer) {
+    for (const std::vector<Point>& polygon : polygons) writer.add_polygon(polygon);
   });
 }
 
@@ -84,7 +105,7 @@ std::string curve_path(const View& view, const CurveView& curve) {
 
 }  // namespace
 
-void write_escape_picture(const std::string& path, const EscapeReport& report) {
+std::string escape_picture(const EscapeReport& report) {
   const std::vector<Drawn> curves = curves_on_section(report.result);
   if (curves.empty()) throw DataError("no curve crosses the section in its direction");
   Rectangle window;
@@ -103,7 +124,7 @@ void write_escape_picture(const std::string& path, const EscapeReport& report) {
   add_legend_entry(svg, view, 1, 0, line_swatch(exit_colour, 2), "stable tubes and their pre-images");
   add_legend_entry(svg, view, 0, 1, filled_swatch(common_colour), "what goes from one to the other");
   end_picture(svg);
-  write_file(path, svg);
+  return svg;
 }
 
 }  // namespace lober::cli

@@ -4,6 +4,7 @@
 
 #include "cli/grow/grow_report.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
@@ -42,7 +43,7 @@ void add_options(OptionParser& parser, Request& request) {
   parser
       .add("--period", request.period,
            "The least period of the saddle, in iterates of the map (default: 1, a fixed point).")
-      .range(1, 1000)
+      .range(1, max_iterates)
       .value("P");
   const Option unstable = parser.add_flag("--unstable", request.unstable, "Grow the unstable manifold.");
   parser.add_flag("--stable", request.stable, "Grow the stable manifold.").excludes(unstable);
@@ -215,6 +216,7 @@ void run(const Request& request) {
   }
   if (!takes_standard_output(outputs)) print(grow_summary(report));
   if (report.manifold.stop == GrowthStop::cancelled) throw Cancelled();
+  if (!ends_as_asked(report)) log_warning("growing ended " + end_of_growth(report));
 }
 
 }  // namespace

@@ -16,6 +16,20 @@ namespace {
 constexpr std::array causes{GrowthDiagnosticCause::failed, GrowthDiagnosticCause::spacing,
                             GrowthDiagnosticCause::max_rounds, GrowthDiagnosticCause::left_box};
 
+std::string_view meaning_of(GrowthDiagnosticCause cause) {
+  switch (cause) {
+    case GrowthDiagnosticCause::failed:
+      return "the map fails between their ends, which are joined by a straight line";
+    case GrowthDiagnosticCause::spacing:
+      return "the tolerance is not met, and their ends lie as close as rounding allows";
+    case GrowthDiagnosticCause::max_rounds:
+      return "the tolerance is not met";
+    case GrowthDiagnosticCause::left_box:
+      return "outside of the box, where the manifold is followed coarsely";
+  }
+  return {};
+}
+
 // Segments with a diagnostic of this cause.
 std::size_t with_diagnostic(const GrownManifold& manifold, GrowthDiagnosticCause cause) {
   std::size_t sum = 0;
@@ -62,6 +76,7 @@ Json result_json(const GrownManifold& manifold) {
   }
   return {{"points", manifold.points.size()},
           {"length", manifold.length},
+          {"iterates", manifold.generation_begin.size() - 2},
           {"stop", name(manifold.stop)},
           {"generations", generations},
           {"images", manifold.images}};
@@ -89,10 +104,36 @@ void write_diagnostics(detail::OutputFile& file, const GrownManifold& manifold) 
 
 }  // namespace
 
+bool ends_as_asked(const GrowReport& report) {
+  return report.manifold.stop == GrowthStop::iterates || report.manifold.stop == GrowthStop::length;
+}
+
+std::string end_of_growth(const GrowReport& report) {
+  switch (report.manifold.stop) {
+    case GrowthStop::iterates:
+      return "after the iterates asked for";
+    case GrowthStop::length:
+      return "at the length asked for";
+    case GrowthStop::points:
+      return "at a limit, of --max-points or --memory, before what was asked for";
+    case GrowthStop::ended:
+      return "in another fixed point: two iterates added less than the tolerance";
+    case GrowthStop::failed:
+      return "early: no point of the last iterate has an image in the box";
+    case GrowthStop::cancelled:
+      return "early: it was interrupted";
+  }
+  return {};
+}
+
 std::string grow_summary(const GrowReport& report) {
   const LocalManifold& local = report.local;
   const GrownManifold& manifold = report.manifold;
-  std::string text = fmt::format("saddle               ({:.15g}, {:.15g})\n", local.saddle.x, local.saddle.y);
+  std::string text = system_text(report.system) + "\n";
+  text += fmt::format("manifold             {}, branch {}\n",
+                      local.side == ManifoldSide::unstable ? "unstable" : "stable",
+                      report.branch == Branch::plus ? "+" : "-");
+  text += fmt::format("saddle               ({:.15g}, {:.15g})\n", local.saddle.x, local.saddle.y);
   text += fmt::format("multiplier           {:.15g}\n", local.multiplier);
   if (local.multiplier < 0) {
     text += fmt::format(
@@ -100,16 +141,18 @@ std::string grow_summary(const GrowReport& report) {
         std::abs(local.image().steps));
   }
   text += fmt::format("local manifold       reach {:.4g}, defect {:.2g}\n", local.reach, local.defect);
-  text +=
-      fmt::format("grown                {} points, length {:.10g}, {} generations, stopped by {}\n",
-                  manifold.points.size(), manifold.length, manifold.generation_begin.size() - 1, name(manifold.stop));
+  text += fmt::format("grown                {} points, length {:.10g}: the local manifold and {}\n",
+                      manifold.points.size(), manifold.length,
+                      counted(manifold.generation_begin.size() - 2, "image of it", "images of it"));
+  text += fmt::format("growing ended        {}\n", end_of_growth(report));
   for (const GrowthDiagnosticCause cause : causes) {
     const std::size_t count = with_diagnostic(manifold, cause);
     if (count == 0) continue;
     const auto first = std::find_if(manifold.diagnostics.begin(), manifold.diagnostics.end(),
                                     [&](const GrowthDiagnostic& diagnostic) { return diagnostic.cause == cause; });
     const Point at = manifold.points[first->first];
-    text += fmt::format("{:<20} {} segments, the first at ({:.6g}, {:.6g})\n", name(cause), count, at.x, at.y);
+    text += fmt::format("{:<20} {}, the first at ({:.6g}, {:.6g}): {}\n", name(cause),
+                        counted(count, "segment", "segments"), at.x, at.y, meaning_of(cause));
   }
   return text;
 }

@@ -21,6 +21,10 @@ struct GrowReport {
   } timing;
 };
 
+/// Whether growing went as far as the options ask, and how it ended, in words.
+[[nodiscard]] bool ends_as_asked(const GrowReport& report);
+[[nodiscard]] std::string end_of_growth(const GrowReport& report);
+
 /// A few lines for people.
 [[nodiscard]] std::string grow_summary(const GrowReport& report);
 

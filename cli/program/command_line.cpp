@@ -134,7 +134,8 @@ void add_max_points_option(OptionParser& parser, std::size_t& points, const char
 void add_period_option(OptionParser& parser, std::uint32_t& period) {
   parser
       .add("--period", period,
-           "The number of pips from a pip to its image under the map (default: inferred from the areas of the lobes).")
+           "The number of pips from a pip to its image under the map, at most that of the lobes, and even where the "
+           "lobes alternate (default: inferred from the areas of the lobes).")
       .value("P")
       .range(1, 1'000'000);
 }
@@ -158,6 +159,10 @@ std::vector<Point> closure_of(const std::vector<double>& coordinates) {
   std::vector<Point> corners;
   for (std::size_t k = 0; k < coordinates.size(); k += 2) corners.push_back({coordinates[k], coordinates[k + 1]});
   return corners;
+}
+
+void require_period_fits(const Images& images) {
+  if (!images.misfit.empty()) throw UsageError("--period: " + images.misfit);
 }
 
 Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help) {

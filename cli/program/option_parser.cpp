@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -11,6 +12,97 @@
 #include "lober/error.hpp"
 
 namespace lober::cli {
+namespace {
+
+// CLI11's own sentences are of its making; these say what is wrong with which option. One function for all of them.
+
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
+
+// Levenshtein's distance.
+std::size_t edits_between(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, changed}));
+    }
+  }
+  return row.back();
+}
+
+// What the command does not know, and the option that is spelled nearly like it.
+std::string about_unknown(const CLI::App& app, const std::string& argument) {
+  const bool number = std::isdigit(static_cast<unsigned char>(argument[argument.size() > 1 ? 1 : 0])) != 0;
+  if (!argument.starts_with('-') || argument.size() < 2 || number) return "unexpected argument " + quoted(argument);
+  const std::string name = argument.substr(0, argument.find('='));
+  std::string nearest;
+  std::size_t fewest = std::max<std::size_t>(name.size() / 4, 1);
+  for (const CLI::Option* const option : app.get_options()) {
+    for (const std::string& known : option->get_lnames()) {
+      const std::size_t edits = edits_between(name, "--" + known);
+      if (edits >= fewest && !(edits == fewest && nearest.empty())) continue;
+      fewest = edits;
+      nearest = "--" + known;
+    }
+  }
+  return "there is no option " + name + (nearest.empty() ? std::string() : "; is " + nearest + " meant?");
+}
+
+// The option that a sentence of CLI11's begins with; null if none.
+const CLI::Option* subject_of(const CLI::App& app, const std::string& sentence) {
+  const std::string name = sentence.substr(0, sentence.find_first_of(": "));
+  return app.get_option_no_throw(name);
+}
+
+std::string about_values(const CLI::Option& option) {
+  const std::string form = option.get_type_name();
+  const int least = option.get_items_expected_min(), most = option.get_items_expected_max();
+  const auto given = static_cast<int>(option.count());
+  if (given == 0) return option.get_name() + " needs a value" + (form.empty() ? "" : ", " + form);
+  if (most == 1) return option.get_name() + " is given " + (given == 2 ? "twice" : std::to_string(given) + " times");
+  std::string wanted = std::to_string(least);
+  if (most > least) wanted += most < CLI::detail::expected_max_vector_size ? " to " + std::to_string(most) : " or more";
+  return option.get_name() + " takes " + wanted + " values, " + form + ", not " + std::to_string(given);
+}
+
+std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string sentence = error.what();
+  const auto names_around = [&](const std::string& word, const std::string& between) {
+    const std::size_t at = sentence.find(word);
+    return at == std::string::npos ? sentence : sentence.substr(0, at) + between + sentence.substr(at + word.size());
+  };
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::vector<std::string> unknown = app.remaining();
+    return unknown.empty() ? sentence : about_unknown(app, unknown.front());
+  }
+  if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+    return names_around(" excludes ", " and ") + " cannot be given together";
+  }
+  if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return names_around(" requires ", " needs ");
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return names_around(" is required", " is missing");
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    const CLI::Option* const option = subject_of(app, sentence);
+    return option == nullptr ? sentence : about_values(*option);
+  }
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
+    const std::string before = "Could not convert: ", between = " = ";
+    const std::size_t at = sentence.find(between);
+    if (!sentence.starts_with(before) || at == std::string::npos) return sentence;
+    const std::string name = sentence.substr(before.size(), at - before.size());
+    const CLI::Option* const option = app.get_option_no_throw(name);
+    if (option != nullptr && option->get_items_expected_max() == 0) return name + " takes no value";
+    const std::string form = option == nullptr ? std::string() : option->get_type_name();
+    return name + ": " + quoted(sentence.substr(at + between.size())) + " cannot be read as " +
+           (form.find(',') == std::string::npos ? "a number" : form);
+  }
+  return sentence;
+}
+
+}  // namespace
 
 Option Option::value(const char* name) {
   option_->type_name(name);
@@ -64,11 +156,30 @@ Option Option::range(T first, T last) {
   return limited<T>([first, last](T value) { return value >= first && value <= last; }, kind + limits, limits);
 }
 Option Option::one_of(std::initializer_list<const char*> values) {
-  option_->check(CLI::IsMember(std::vector<std::string>(values.begin(), values.end())));
+  std::string list;
+  for (const char* const* value = values.begin(); value != values.end(); ++value) {
+    list += (value == values.begin() ? "" : value + 1 == values.end() ? " or " : ", ") + std::string(*value);
+  }
+  const std::vector<std::string> allowed(values.begin(), values.end());
+  option_->check(
+      [allowed, list](const std::string& text) {
+        const bool good = std::find(allowed.begin(), allowed.end(), text) != allowed.end();
+        return good ? std::string() : quoted(text) + " is not " + list;
+      },
+      "");
   return *this;
 }
 Option Option::bytes() {
-  option_->transform(CLI::AsSizeValue(false));
+  option_->transform(CLI::Validator(
+      [](std::string& text) {
+        const std::string given = text;
+        try {
+          if (!given.starts_with('-') && CLI::AsSizeValue(false)(text).empty()) return std::string();
+        } catch (const CLI::ParseError&) {  // a unit that it does not know
+        }
+        return quoted(given) + " is not a size such as 4G, 500M or 64k";
+      },
+      ""));
   return *this;
 }
 bool Option::given() const {
@@ -107,7 +218,7 @@ bool OptionParser::parse(const std::vector<std::string>& arguments) {
     print(app_->help());
     return false;
   } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + " (see " + app_->get_name() + " --help)");
+    throw UsageError(message_of(*app_, error) + " (see " + app_->get_name() + " --help)");
   }
   for (const CLI::Option* option : app_->get_options()) {
     const auto& values = option->results();

@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
+
 #include "lober/error.hpp"
 
 namespace lober::cli {
@@ -9,6 +11,12 @@ namespace {
 
 Point point_of(const std::vector<double>& numbers) {
   return {numbers[0], numbers[1]};
+}
+
+// To what the coordinates of saddles, which may have been computed, are rounded.
+bool is_period_apart(const Connection& connection, Point period) {
+  const double x = connection.to.x - connection.from.x - period.x, y = connection.to.y - connection.from.y - period.y;
+  return !(period == Point{}) && std::hypot(x, y) <= 1e-9 * std::hypot(period.x, period.y);
 }
 
 }  // namespace
@@ -45,7 +53,7 @@ void add_system_options(OptionParser& parser, SystemRequest& request, bool posit
             "A point near the saddle of the unstable manifold, in the coordinates of the map (default: the system's).");
   add_point("--to", request.to,
             "A point near the saddle of the stable manifold, in the coordinates of the map (default: that of --from, "
-            "or the system's).");
+            "a period of the plane farther where the system's own saddles are so, or the system's).");
   add_point("--u-direction", request.u_direction,
             "A vector roughly along the unstable manifold, away from its saddle (default: the system's).");
   add_point("--s-direction", request.s_direction,
@@ -88,6 +96,10 @@ Connection connection_of(const SystemRequest& request, const System& system) {
     need(request.from, "--from");
     need(request.u_direction, "--u-direction");
     need(request.s_direction, "--s-direction");
+    if (!missing.empty() && !system.no_connection.empty()) {
+      throw UsageError("system " + system.info.name + " has no tangle of its own at these parameters: " +
+                       system.no_connection + "; give other parameters, or " + missing);
+    }
     if (!missing.empty()) {
       throw UsageError("system " + system.info.name + " does not name the saddles of a tangle; give " + missing);
     }
@@ -98,7 +110,14 @@ Connection connection_of(const SystemRequest& request, const System& system) {
     connection.bip.reset();
     connection.closure.clear();
   }
-  if (!request.from.empty()) connection.from = connection.to = point_of(request.from);
+  if (!request.from.empty()) {
+    // The system's own tangle may join a saddle to itself a period of the plane farther, which its directions fit.
+    const Point from = point_of(request.from), period = system.lattice;
+    const bool own_directions = request.u_direction.empty() && request.s_direction.empty();
+    const bool next_cell = own_directions && is_period_apart(connection, period);
+    connection.from = connection.to = from;
+    if (next_cell) connection.to = {from.x + period.x, from.y + period.y};
+  }
   if (!request.to.empty()) connection.to = point_of(request.to);
   if (!request.u_direction.empty()) connection.u_direction = point_of(request.u_direction);
   if (!request.s_direction.empty()) connection.s_direction = point_of(request.s_direction);

@@ -96,6 +96,7 @@ std::string details_text(const System& system, std::span<const FixedPoint> point
   for (const FixedPoint& point : points) {
     text += fmt::format("point      {} {}, residue {:.6g}\n", text_of(point.at), name_of(point.kind), residue(point));
   }
+  if (!system.no_connection.empty()) text += "manifolds  none: " + system.no_connection + "\n";
   for (const Symmetry& symmetry : system.symmetries) text += "symmetry   " + symmetry_text(symmetry) + "\n";
   for (const FlowState& saddle : system.saddles) {
     text +=
@@ -141,6 +142,7 @@ Json details_json(const System& system, std::span<const FixedPoint> points) {
   if (system.connection) add(*system.connection);
   std::for_each(system.further.begin(), system.further.end(), add);
   json["connections"] = std::move(connections);
+  json["no_connection"] = system.no_connection.empty() ? Json() : Json(system.no_connection);
   Json saddles = Json::array();
   for (const FlowState& saddle : system.saddles) saddles.push_back(saddle);
   json["saddles"] = std::move(saddles);

@@ -86,12 +86,12 @@ void run_system_tangle(const std::vector<std::string>& arguments) {
   parser
       .add("--before", request.options.before,
            "The number of pre-images of the bip up to which manifolds are grown (default: 1).")
-      .range(1, 1000)
+      .range(1, max_iterates)
       .value("N");
   parser
       .add("--after", request.options.after,
            "The number of images of the bip up to which manifolds are grown (default: 0).")
-      .range(0, 1000)
+      .range(0, max_iterates)
       .value("N");
   add_max_points_option(parser, request.options.max_points, manifold_points_help);
   parser

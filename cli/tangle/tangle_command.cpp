@@ -124,6 +124,7 @@ TangleReport compute(const Request& request, Progress& progress) {
   TangleOptions options = request.options;
   options.progress = [&](double fraction) { return progress.advance(fraction); };
   report.result = tangle_of(report.inputs[0], report.inputs[1], options);
+  require_period_fits(report.result.images);
   progress.phase("measuring lobes", 0.8, 0.9);
   measure_lobes(request.outputs, report);
   report.agreement = agreement_of_images(report);

@@ -20,7 +20,8 @@ struct Request {
   std::vector<std::string> files;
   std::vector<double> bip;
   std::uint32_t period = 0;
-  int iterates = 1000, threads = 0;
+  int iterates = max_iterates, threads = 0;
+  bool iterates_given = false;
   std::array<bool, 2> reverse{};
   std::vector<double> closure;
   bool no_check = false;
@@ -53,7 +54,9 @@ void run(const Request& request) {
     if (!request.bip.empty()) options.bip_near = Point{request.bip[0], request.bip[1]};
     options.progress = [&](double fraction) { return progress.advance(fraction); };
     found = tangle_of(report.inputs[0], report.inputs[1], options);
+    require_period_fits(found.images);
     report.tangle = &found;
+    if (request.iterates_given) report.iterates = request.iterates;
     progress.phase("transport", 0.8, 1);
     report.result = transport(found, request.iterates);
     if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
@@ -90,17 +93,20 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
       .comma_separated()
       .count(2)
       .value("X,Y");
-  parser
-      .add("--iterates", request.iterates,
-           "The number of iterates n up to which the table goes (default: as far as the curves reach).")
-      .range(1, 1000)
-      .value("N");
+  const Option iterates =
+      parser
+          .add("--iterates", request.iterates,
+               "The number of iterates n up to which the table goes, or as far as the curves reach: n takes n images of "
+               "the bip on them (default: as far as the curves reach).")
+          .range(1, max_iterates)
+          .value("N");
   add_closure_option(parser, request.closure);
   add_reverse_option(parser, request.reverse);
   add_manifold_check_option(parser, request.no_check);
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
+  request.iterates_given = iterates.given();
   run_with_threads(request.threads, [&] { run(request); });
 }
 

@@ -2,7 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -65,6 +67,30 @@ Json row_json(const SweepRow& row) {
           {"lobe_area21_by_action", row.lobe_area21_by_action},
           {"remark", row.remark.empty() ? Json() : Json(row.remark)},
           {"difference", row.difference}};
+}
+
+// The known differences next to the ends of the range.
+std::string no_zero_text(const SweepReport& report) {
+  const auto known = [](const SweepRow& row) { return row.failure.empty() && !std::isnan(row.difference); };
+  const auto& rows = report.result.rows;
+  const auto first = std::find_if(rows.begin(), rows.end(), known);
+  if (first == rows.end()) {
+    return "no zero of W(q) - W(q') was found: it is not known at any value (only maps with an action have it)";
+  }
+  const auto last = std::find_if(rows.rbegin(), rows.rend(), known);
+  const std::string& name = report.range.name;
+  if (std::next(first) == last.base()) {
+    return fmt::format(
+        "no zero of W(q) - W(q') was looked for: it is known at one value only, {} = {:.12g}, where it is {:.6g}; give "
+        "a range of more values",
+        name, first->value, first->difference);
+  }
+  const bool gaps = !std::all_of(first, last.base(), known);
+  return fmt::format(
+      "no zero of W(q) - W(q') was found: it does not change sign between {} = {:.12g}, where it is {:.6g}, and {} = "
+      "{:.12g}, where it is {:.6g}{}; give another range, or a smaller step",
+      name, first->value, first->difference, name, last->value, last->difference,
+      gaps ? ", as far as it is known in between" : "");
 }
 
 Json zero_json(const SweepZero& zero) {
@@ -135,6 +161,7 @@ std::string sweep_table(const SweepReport& report) {
     if (!zero.failure.empty()) text += ": " + zero.failure;
     text += "\n";
   }
+  if (report.find_zeros && report.result.zeros.empty()) text += "\n" + no_zero_text(report) + "\n";
   return text;
 }
 
@@ -151,6 +178,7 @@ void write_sweep_json(const std::string& path, const SweepReport& report,
   json.list("rows", report.result.rows.size(),
             [&](std::string& text, std::size_t k) { text += dumped(row_json(report.result.rows[k])); });
   json.member("zeros", zeros);
+  json.member("no_zero", report.find_zeros && report.result.zeros.empty() ? Json(no_zero_text(report)) : Json());
   json.member("failures", report.result.failures());
   json.finish({{"total", seconds_so_far()}});
 }

@@ -22,6 +22,7 @@ struct SweepReport {
   System system;  ///< for the first value
   IntegrationOptions integration;
   double tolerance = 0;
+  bool find_zeros = false;
   SweepRange range;
   Sweep result;
 };

@@ -116,6 +116,7 @@ void run_sweep(const Request& request) {
   SweepReport report;
   report.range = sweep_range(request.sweep);
   report.tolerance = request.options.tolerance;
+  report.find_zeros = request.find_zero;
   report.integration = request.system.integration;
   const ParameterValues fixed = parameter_values(request.system.parameters);
   const auto member = [&](double value) {
@@ -124,7 +125,7 @@ void run_sweep(const Request& request) {
     return system_of(request.system, values);
   };
   report.system = member(report.range.values.front());  // also so that wrong names are reported at once
-  (void)connection_of(request.system, report.system);
+  if (report.system.no_connection.empty()) (void)connection_of(request.system, report.system);
   SweepOptions options;
   options.tangle.tolerance = request.options.tolerance;
   options.tangle.max_points = request.options.max_points;
@@ -168,7 +169,7 @@ void run_transport(const std::vector<std::string>& arguments) {
   const Option iterates = parser
                               .add("--iterates", request.options.iterates,
                                    "The number of iterates n up to which the table goes (default: 7).")
-                              .range(1, 1000)
+                              .range(1, max_iterates)
                               .value("N");
   add_tolerance_option(parser, request.options.tolerance, manifold_tolerance_help);
   add_max_points_option(parser, request.options.max_points, manifold_points_help);

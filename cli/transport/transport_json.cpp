@@ -176,6 +176,9 @@ void write_transport_json(const std::string& path, const CurvesTransportReport& 
                                 {"lobe_area21", measured_json(result.lobe_area21)}});
   json.list("steps", result.steps.size(),
             [&](std::string& text, std::size_t k) { format_step(text, result.steps[k]); });
+  json.member("stop", result.limit.empty()
+                          ? Json()
+                          : Json{{"reason", "curves"}, {"why", rows_text(report) + ": " + result.limit}});
   json.member("remarks", result.remarks);
   json.member("error", error_json(result.steps, result.flux12, result.flux21));
   json.finish({{"total", seconds_so_far()}});

@@ -33,12 +33,15 @@ struct TransportReport {
 struct CurvesTransportReport {
   std::array<NamedCurve, 2> inputs;
   const Tangle* tangle = nullptr;
+  std::optional<int> iterates;  ///< asked for; none: as far as the curves reach
   TransportOfCurves result;
 };
 
 /// The short aligned table for people.
 [[nodiscard]] std::string transport_table(const TransportReport& report);
 [[nodiscard]] std::string transport_table(const CurvesTransportReport& report);
+/// "n = 1 to 4 of 20".
+[[nodiscard]] std::string rows_text(const CurvesTransportReport& report);
 
 /// One line for a row that is ready before the others.
 [[nodiscard]] std::string transport_row_text(const TransportStep& step);

@@ -100,6 +100,12 @@ std::string transport_table(const TransportReport& report) {
   return text;
 }
 
+std::string rows_text(const CurvesTransportReport& report) {
+  const std::string all = report.iterates ? fmt::format(" of {}", *report.iterates) : "";
+  const std::size_t rows = report.result.steps.size();
+  return rows == 0 ? "no n" + all : fmt::format("n = 1 to {}{}", rows, all);
+}
+
 std::string transport_table(const CurvesTransportReport& report) {
   const TransportOfCurves& result = report.result;
   std::string text = agreement_text(result.agreement);
@@ -109,6 +115,7 @@ std::string transport_table(const CurvesTransportReport& report) {
   text += regions_text(result.regions);
   text += result.steps.empty() ? std::string("no row: the curves do not reach f(q)\n")
                                : transport_steps_table(result.steps);
+  if (!result.limit.empty()) text += rows_text(report) + ": " + result.limit + "\n";
   return text;
 }
 

@@ -113,7 +113,7 @@ FileBytes::FileBytes(const std::string& path) {
   if (S_ISDIR(status.st_mode)) throw DataError(path + ": is a directory");
   note_input(path, status);
   if (S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && ::isatty(file.number()) == 0)) {
-    throw DataError(path + ": is a device, no file of points");
+    throw DataError(path + ": is a device, not a file");
   }
   // A regular file of size zero may still have content: those under /proc do. Standard input may be a regular
   // file of which somebody has already read a part.

@@ -114,8 +114,13 @@ class Reader {
 
   void read_pairs(ManifestGroup& group, const toml::table& table, const toml::table& top) const {
     const toml::node* const node = find(table, top, "pairs");
-    group.pairs = group.operation->arity == Arity::two ? PairKind::all : PairKind::single;
-    if (node == nullptr || group.operation->arity == Arity::none) return;
+    const bool of_two = group.operation->arity == Arity::two;
+    group.pairs = !of_two ? PairKind::single : group.with.empty() ? PairKind::all : PairKind::product;
+    if (group.operation->arity == Arity::none) return;
+    if (node == nullptr) {
+      if (!of_two && table.contains("with")) fail(*table.get("with"), "with", "goes with pairs = \"product\" only");
+      return;
+    }
     if (const auto* const text = node->as_string()) {
       read_pair_word(group, *node, **text);
     } else if (const auto* const lag = node->as_table()) {

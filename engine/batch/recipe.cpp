@@ -131,7 +131,9 @@ void check(const CurveRecipe& recipe) {
   if (recipe.kind == CurveRecipe::Kind::image) return;
   if (recipe.iterates < 0 && !(recipe.length > 0)) throw UsageError("a manifold needs iterates or length");
   if (!recipe.saddle && !system.connection)
-    throw UsageError(recipe.system + " names no manifolds: from = [x, y] has to be given");
+    throw UsageError(recipe.system + " names no manifolds" +
+                     (system.no_connection.empty() ? "" : " at these parameters (" + system.no_connection + ")") +
+                     ": from = [x, y] has to be given");
 }
 
 System system_of(const std::string& name, const ParameterValues& parameters, double integration_tolerance) {

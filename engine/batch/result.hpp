@@ -43,10 +43,11 @@ struct Result {
 [[nodiscard]] std::string encoded(std::span<const Result> results);
 [[nodiscard]] std::vector<Result> decoded_results(std::string_view bytes);
 
-/// The lists of a result as CBOR, to be stored: a map from their names to typed arrays of little-endian doubles (RFC
-/// 8746, tag 86); no bytes for lists that are all empty. `decoded_lists` throws DataError for other bytes.
+/// The lists of a result as JSON, to be stored where SQL can look into them: {"flux12": [0.1, ...], ...}, every double
+/// with the digits that give it back, null for NaN, "Infinity" and "-Infinity"; no text for lists that are all empty.
+/// `decoded_lists` throws DataError for other texts.
 [[nodiscard]] std::string encoded_lists(std::span<const std::vector<double>> lists, std::span<const std::string> names);
-[[nodiscard]] std::vector<std::vector<double>> decoded_lists(std::string_view bytes,
+[[nodiscard]] std::vector<std::vector<double>> decoded_lists(std::string_view text,
                                                              std::span<const std::string> names);
 
 }  // namespace lober::detail

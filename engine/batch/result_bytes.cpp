@@ -1,7 +1,8 @@
-// Results as CBOR.
+// Results as CBOR, their lists as JSON.
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/batch/bytes.hpp"
@@ -11,8 +12,6 @@ namespace lober::detail {
 namespace {
 
 using Json = nlohmann::json;
-static_assert(std::endian::native == std::endian::little, "the tag of the lists says so");
-constexpr std::uint64_t doubles = 86;  // RFC 8746: float64, little endian
 
 template <typename T>
 Json array_of(const std::vector<T>& values) {
@@ -24,6 +23,18 @@ std::vector<T> array_from(const Json& from, std::size_t count) {
   std::vector<T> values = values_of<T>(from.get_binary());
   if (values.size() != count) throw DataError("the results are not all of the same number");
   return values;
+}
+
+// JSON has no NaN and no infinities.
+constexpr const char *infinity = "Infinity", *minus_infinity = "-Infinity";
+Json number_json(double value) {
+  if (std::isinf(value)) return value > 0 ? infinity : minus_infinity;
+  return std::isnan(value) ? Json() : Json(value);
+}
+double number_from(const Json& value) {
+  if (value == infinity) return std::numeric_limits<double>::infinity();
+  if (value == minus_infinity) return -std::numeric_limits<double>::infinity();
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
 std::vector<Result> results_of(const Json& from) {
@@ -82,25 +93,27 @@ std::vector<Result> decoded_results(std::string_view bytes) {
 
 std::string encoded_lists(std::span<const std::vector<double>> lists, std::span<const std::string> names) {
   if (std::all_of(lists.begin(), lists.end(), [](const auto& list) { return list.empty(); })) return {};
-  Json made;
+  Json made = Json::object();
   for (std::size_t k = 0; k < lists.size(); ++k) {
-    if (!lists[k].empty()) made[names[k]] = Json::binary(bytes_of(lists[k]), doubles);
+    if (lists[k].empty()) continue;
+    Json& list = made[names[k]] = Json::array();
+    for (const double value : lists[k]) list.push_back(number_json(value));
   }
-  std::string bytes;
-  Json::to_cbor(made, bytes);
-  return bytes;
+  return made.dump();
 }
 
-std::vector<std::vector<double>> decoded_lists(std::string_view bytes, std::span<const std::string> names) {
+std::vector<std::vector<double>> decoded_lists(std::string_view text, std::span<const std::string> names) {
   std::vector<std::vector<double>> lists(names.size());
-  if (bytes.empty()) return lists;
+  if (text.empty()) return lists;
   try {
-    const Json from = Json::from_cbor(bytes, true, true, Json::cbor_tag_handler_t::store);
+    const Json from = Json::parse(text);
     for (std::size_t k = 0; k < names.size(); ++k) {
-      if (const auto list = from.find(names[k]); list != from.end()) lists[k] = values_of<double>(list->get_binary());
+      const auto list = from.find(names[k]);
+      if (list == from.end()) continue;
+      for (const Json& value : *list) lists[k].push_back(number_from(value));
     }
   } catch (const Json::exception& error) {
-    throw DataError(std::string("the stored bytes are no lists: ") + error.what());
+    throw DataError(std::string("the stored text is no lists: ") + error.what());
   }
   return lists;
 }

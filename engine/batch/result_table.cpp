@@ -146,7 +146,7 @@ std::int64_t ResultTable::put(std::optional<std::int64_t> row, const Result& res
   labels.bind(whole, 4);
   whole.bind(8, result.seconds);
   result.failed() ? whole.bind(9, std::string_view(result.error)) : whole.bind_null(9);
-  lists.empty() ? whole.bind_null(10) : whole.bind_blob(10, lists);
+  lists.empty() ? whole.bind_null(10) : whole.bind(10, std::string_view(lists));
   whole.bind(11, checksum(result, run, lists));
   for (std::size_t k = 0; k < operation_.columns.size(); ++k) {
     const int index = static_cast<int>(first_value + k);

@@ -294,26 +294,31 @@ std::vector<Store::Run> Store::runs() const {
   return all;
 }
 
-void Store::merge(const Store& other) {
+void Store::merge(std::span<const Store> others) {
+  require_whole();
+  Transaction transaction(*database_);
+  refresh();
+  for (const Store& other : others) take_over(other);
+  transaction.commit();
+}
+
+void Store::take_over(const Store& other) {
   const std::optional<Plan> planned = plan();
   std::optional<Plan> theirs = other.plan();
   if (!theirs) throw DataError(other.path_ + ": holds no plan yet");
   if (planned && planned->encoded() != theirs->encoded()) {
     throw DataError(other.path_ + ": is for another manifest than " + path_ + ", or its files were others");
   }
-  require_whole();
-  Transaction transaction(*database_);
-  refresh();
-  InputDigests inputs = digests(), others = other.digests();
-  for (const auto& [name, digest] : others) {
+  InputDigests inputs = digests(), digests_there = other.digests();
+  for (const auto& [name, digest] : digests_there) {
     const auto known = inputs.find(name);
     if (known != inputs.end() && known->second != digest) {
       throw DataError(other.path_ + ": " + name + " had other contents there than in " + path_ +
                       "; run one of the two again");
     }
   }
-  put_digests(others);
-  inputs.merge(others);
+  put_digests(digests_there);
+  inputs.merge(digests_there);
   plan_ = std::move(theirs);
   put_plan(*plan_);
   plan_is_new_ = false;  // rows bear its names if there are any
@@ -332,7 +337,6 @@ void Store::merge(const Store& other) {
     put(known.table, *result, true);
   }
   label_rows(inputs);
-  transaction.commit();
 }
 
 }  // namespace lober::detail

@@ -6,7 +6,7 @@
 //
 //   overlaps, interiors, tangles, densified, transports
 //             a row for each job of the newest plan that is done: job, group, options, curve1, curve2, the values,
-//             named as in exports (and `area`, the intersection), lists (CBOR, see result.hpp), seconds
+//             named as in exports (and `area`, the intersection), lists (JSON, see result.hpp), seconds
 //   results   a row for each job of the newest plan that is done or has failed: status, message, ...
 //   failures  those that failed
 //   runs      who computed, when, with what (provenance) and from which manifest
@@ -97,9 +97,9 @@ class Store {
   };
   [[nodiscard]] std::vector<Run> runs() const;
 
-  /// Takes over what another store has. Throws DataError when the plans differ or the same input was read with
-  /// different contents. One transaction.
-  void merge(const Store& other);
+  /// Takes over what other stores have. Throws DataError when the plans differ or the same input was read with different
+  /// contents. One transaction: all of it, or nothing.
+  void merge(std::span<const Store> others);
 
  private:
   Store(const std::string& path, bool create);
@@ -112,6 +112,7 @@ class Store {
   void put_run(const Run& run);
   [[nodiscard]] std::uint32_t table_of(const Plan& plan, std::uint32_t job) const;
   void put(std::uint32_t table, const Result& result, bool shown);
+  void take_over(const Store& other);
   void put_repeat(std::uint32_t job, const Known& known);
   void label_rows(const InputDigests& inputs);
 

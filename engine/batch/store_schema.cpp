@@ -18,7 +18,7 @@ constexpr const char* common_tables = R"(
 std::string create_table(const Operation& operation) {
   std::string sql = "CREATE TABLE " + table_of(operation) +
                     " (id INTEGER PRIMARY KEY, key BLOB, run INTEGER, job INTEGER, \"group\" INTEGER, curve1 TEXT, "
-                    "curve2 TEXT, seconds, message TEXT, lists BLOB, sum INTEGER";
+                    "curve2 TEXT, seconds, message TEXT, lists TEXT, sum INTEGER";
   for (const Column& column : operation.columns) sql += ", " + quoted(column.name);
   return sql + ");\n";
 }

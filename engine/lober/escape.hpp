@@ -41,7 +41,7 @@ struct EscapeProgress {
 enum class EscapeStop : std::uint8_t {
   done,      ///< all n asked for
   points,    ///< the next images need more than EscapeOptions::max_points
-  budget,    ///< they end after EscapeOptions::budget seconds
+  budget,    ///< they are expected to end after EscapeOptions::budget seconds, or did not end by then
   lost,      ///< trajectories could not be followed
   cancelled  ///< by `progress` or a CancellationScope, after some rows were known
 };
@@ -53,7 +53,9 @@ struct EscapeOptions {
   IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
   /// Of one curve. The table ends before an image that is expected to need more, or turns out to.
   std::size_t max_points = 2'000'000;
-  /// Seconds of processor time, of all threads together. The table ends before images that are expected to end later.
+  /// Seconds of processor time, of all threads together. The table ends before images that are expected to end later;
+  /// images that were expected to end in time are broken off a tenth later. Orbits and first curves have five seconds
+  /// at least.
   double budget = std::numeric_limits<double>::infinity();
   /// False cancels. Called by one thread at a time.
   std::function<bool(const EscapeProgress&)> progress;
@@ -99,7 +101,8 @@ struct Escape {
   int crossings = 0;                    ///< n up to which the table goes
   EscapeStop stop = EscapeStop::done;   ///< why it does not go further
   double points_ahead = 0;              ///< where it stopped: points that the next image was expected to need
-  double seconds_ahead = 0;             ///< and the processor time of all the next images
+  double seconds_spent = 0;             ///< and the processor time of all so far
+  double seconds_ahead = 0;             ///< and of all the next images, as expected; 0: they were broken off
   double largest_split_difference = 0;  ///< |fraction - other|
   /// Areas of the tubes' curves by their points and by action; fractions by two splits; fractions that symmetries of
   /// the well make equal.
@@ -115,7 +118,7 @@ struct Escape {
 /// The table, n by n, as far as it is affordable (options.max_points, options.budget) and trajectories can be
 /// followed. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
 /// that is not across a coordinate of position, has no direction or is bounded; DataError when an orbit or tube cannot
-/// be found, or a tube crosses the section in both directions; Cancelled before any row is known. The same bits for any
+/// be found within the budget, or a tube crosses the section in both directions; Cancelled before any row is known. The same bits for any
 /// number of threads, as long as the budget does not end it. Images multiply by about the same factor each time, and
 /// with them time and memory.
 [[nodiscard]] LOBER_API Escape escape(const Flow& flow, const Section& section, double energy,

@@ -69,6 +69,8 @@ struct System {
   /// Shift of the plane after which the map repeats itself, (0, 0) when there is none: (2 pi, 0) for a lifted angle.
   Point lattice;
   std::optional<Connection> connection;  ///< whose tangle is of interest; its boundary bounds region 1
+  /// Why a system that has a connection for other parameters has none for these; empty elsewhere.
+  std::string no_connection{};
   std::vector<Connection> further{};     ///< whose boundaries bound more regions
   /// Whether region 1 is not bounded without those: the strip of a cylinder between an upper and a lower boundary.
   bool further_needed = false;

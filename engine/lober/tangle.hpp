@@ -85,6 +85,7 @@ struct Images {
   std::uint32_t period = 0;  ///< pips from one to its image; 0: not known, see `reason`
   bool given = false;        ///< by the caller; else inferred from the areas
   std::string reason;        ///< why the data do not determine the period; empty if they do
+  std::string misfit;        ///< why the period that was given cannot be that of these lobes; empty if it can
   /// Consistency, both relative to the mean |area| of a lobe: the largest difference in signed area of a lobe and its
   /// image (0 if no image is seen), and the largest sum of signed areas over one period. Both vanish for a map that
   /// preserves areas, but for the discretisation.

@@ -132,10 +132,12 @@ struct TransportOfCurves {
   Measured enclosed;
   Measured flux12, flux21, lobe_area12, lobe_area21;  ///< as in TransportBoundary
   std::vector<TransportStep> steps;
+  std::string limit;  ///< why there are fewer rows than were asked for; empty if there are not
   std::vector<std::string> remarks;
   Agreement agreement;
 };
-/// At most `iterates` rows. Throws DataError when the lobes between the bip and its pre-image are not all there.
+/// At most `iterates` rows. Throws DataError when the lobes between the bip and its pre-image are not all there, or the
+/// period that was given does not fit them.
 [[nodiscard]] LOBER_API TransportOfCurves transport(const Tangle& tangle, int iterates);
 
 }  // namespace lober

@@ -111,6 +111,18 @@ TEST_F(Batch, SameBytesForAnyThreadsMemoryShardsAndOrder) {
   }
 }
 
+TEST_F(Batch, MergeThatFailsLeavesNoStore) {
+  write_curves(4, 50);
+  report({"job.toml", "--store", "part", "--shard", "1/2"});
+  write("other.toml", "operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"consecutive\"\n");
+  report({"other.toml", "--store", "other"});
+  for (const char* const second : {"missing", "other", "job.toml"}) {
+    EXPECT_EQ(run({"batch", "merge", "joined", "part", second}).status, 1) << second;
+    EXPECT_FALSE(exists("joined")) << second;
+    EXPECT_FALSE(exists("joined-wal")) << second;
+  }
+}
+
 TEST_F(Batch, FailuresAreRecordedAndTheRestGoesOn) {
   write_curves(4);
   write("separ.9", "0 0\n1 1\n1 0\n0 1\n");  // crosses itself

@@ -126,9 +126,9 @@ TEST_F(Densify, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(Densify, WrongCommandLines) {
-  expect_failure({}, 2, "required");
+  expect_failure({}, 2, "CURVES is missing");
   expect_failure({"square", "-o", "out.csv"}, 2, "no step is given");
-  expect_failure({"square", "--max-length", "1"}, 2, "--output is required");
+  expect_failure({"square", "--max-length", "1"}, 2, "--output is missing");
   expect_failure({"square", "-o", "out.csv", "--max-length", "0"}, 2, "--max-length");
   expect_failure({"square", "-o", "out.csv", "--max-length", "nan"}, 2, "--max-length: nan is not a number above 0");
   expect_failure({"square", "-o", "out.csv", "--simplify", "-1"}, 2, "--simplify: -1 is not a number from 0 on");

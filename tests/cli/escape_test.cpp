@@ -116,6 +116,39 @@ TEST_F(EscapeProgram, SaysWhereTheSectionDoesNotServe) {
   EXPECT_NE(sums.err.find("what has entered"), std::string::npos) << sums.err;
 }
 
+// Measuring cut curves takes far longer than following them, which no forecast from earlier images shows.
+TEST_F(EscapeProgram, TheBudgetEndsWorkThatTakesLongerThanExpected) {
+  const Outcome outcome = run({"escape", "capsize", "--energy", "0.5", "--budget", "2", "--json", "-"});
+  EXPECT_NE(outcome.status, 130) << outcome.err;
+  const Json result = Json::parse(outcome.out);
+  EXPECT_EQ(result["stop"]["reason"], "budget");
+  EXPECT_LT(result["stop"]["seconds_spent"], 1.2 * 2 + 0.5);
+  EXPECT_EQ(result["table"].size(), 4 * result["crossings"].get<std::size_t>());
+  EXPECT_EQ(result["bottlenecks"].size(), 2U);
+}
+
+// Cut curves cross themselves, and those of a section that tubes meet twice do too.
+TEST_F(EscapeProgram, PicturesOfCurvesThatCrossThemselves) {
+  const Outcome outcome = run({"escape", "capsize", "--section", "x=0.3", "--crossings", "2", "--monte-carlo", "0",
+                               "--tolerance", "1e-4", "--json", "t.json", "--svg", "t.svg"});
+  EXPECT_EQ(outcome.err.find("not simple"), std::string::npos) << outcome.err;
+  EXPECT_EQ(Json::parse(read("t.json"))["crossings"], 2);
+  EXPECT_NE(read("t.svg").find("</svg>"), std::string::npos);
+}
+
+TEST_F(EscapeProgram, SaysWhichEnergiesWork) {
+  const auto fails = [&](const char* energy, int status) {
+    const Outcome outcome = run({"escape", "capsize", "--energy", energy});
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    for (const char* words : {energy, "saddle (-1, 0.5), 0.25", "energies from about 0.250000125"}) {
+      EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+  };
+  fails("0.2500000001", 1);
+  fails("0.24", 2);
+  EXPECT_EQ(run({"escape", "capsize", "--energy", "0.250000126", "--crossings", "1"}).status, 0);
+}
+
 TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {
   const auto fails = [&](std::vector<std::string> arguments, int status, std::string_view words) {
     arguments.insert(arguments.begin(), "escape");

@@ -77,7 +77,7 @@ TEST_F(FixedPointsProgram, RefusesWhatMakesNoSense) {
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
-  refused({}, "--system is required");
+  refused({}, "--system is missing");
   refused({"nosuch"}, "nosuch");
   refused({"henon", "--period", "0"}, "--period");
   refused({"henon", "--turns", "1"}, "leave --turns out");

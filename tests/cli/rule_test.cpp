@@ -96,7 +96,7 @@ TEST_F(OverlayRule, RefusesWhatDoesNotCombine) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_NE(outcome.err.find(more[0] + " excludes --rule"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(more[0] + " and --rule cannot be given together"), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
   }
   const Outcome unknown = run({"overlay", "eight", "box", "--rule", "odd"});

@@ -83,7 +83,7 @@ TEST_F(SectionProgram, RefusesWhatMakesNoSense) {
   };
   refused({"henon", "--orbits", "0"}, 2, "--orbits");
   refused({"henon", "--iterates", "0"}, 2, "--iterates");
-  refused({"henon", "--orbits", "5", "--start", "0,0"}, 2, "excludes");
+  refused({"henon", "--orbits", "5", "--start", "0,0"}, 2, "cannot be given together");
   refused({"henon", "--start", "nan,0"}, 2, "--start: nan,0 is not a finite point");
   refused({"henon", "--start", "nowhere"}, 1, "nowhere: ");
   refused({"henon", "--box", "0,0,1,0"}, 2, "X0 < X1");

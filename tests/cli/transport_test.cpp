@@ -143,6 +143,45 @@ TEST_F(TransportCommand, FromManifoldFilesThatRunInward) {
   expect_failure({"--manifolds", "u", "s", "--reverse", "inward"}, 2, "--reverse");
 }
 
+TEST_F(TransportCommand, FromManifoldFilesSaysWhereItEnds) {
+  const std::string curves = LOBER_SOURCE_DIR "/examples/manifolds.dat";
+  const Outcome outcome = transport({"--manifolds", curves, "--iterates", "20"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nn = 1 to 4 of 20: the curves show the images of the bip q from f^-2(q) to f^2(q)"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(json({"--manifolds", curves, "--iterates", "20"})["stop"]["reason"], "curves");
+  EXPECT_TRUE(json({"--manifolds", curves, "--iterates", "4"})["stop"].is_null());
+  expect_failure({"--manifolds", curves, "--period", "3"}, 2, "the period 3 does not fit");
+}
+
+TEST_F(TransportCommand, SaysThatThereIsNoZero) {
+  const nlohmann::json found =
+      json({"standard", "--sweep", "K=1:1.2:0.1", "--find-zero", "--tolerance", "1e-4"});
+  EXPECT_EQ(found["zeros"].size(), 0U);
+  const std::string why = found["no_zero"];
+  for (const char* words : {"does not change sign", "K = 1, where it is 0.02536", "K = 1.2, where it is 0.05805"}) {
+    EXPECT_NE(why.find(words), std::string::npos) << why;
+  }
+  const Outcome outcome = transport({"standard", "--sweep", "K=1:1.2:0.1", "--find-zero", "--tolerance", "1e-4"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.out.find(why), std::string::npos) << outcome.out;
+  EXPECT_TRUE(json({"standard", "--sweep", "K=1:1.2:0.1", "--tolerance", "1e-4"})["no_zero"].is_null());
+}
+
+// A lifted angle: the system's tangle ends a period farther, and its directions belong to that.
+TEST_F(TransportCommand, FromASaddleOfALiftedAngle) {
+  const nlohmann::json own = json({"standard", "--iterates", "2", "--tolerance", "1e-4"});
+  const nlohmann::json given = json({"standard", "--iterates", "2", "--tolerance", "1e-4", "--from", "0,0"});
+  EXPECT_EQ(given["saddles"]["stable"]["at"], own["saddles"]["stable"]["at"]);
+}
+
+TEST_F(TransportCommand, NegativeKicksAreHalfAPeriodFarther) {
+  const nlohmann::json plus = json({"standard", "--iterates", "2", "--tolerance", "1e-4"});
+  const nlohmann::json minus = json({"standard", "--param", "K=-1.2", "--iterates", "2", "--tolerance", "1e-4"});
+  EXPECT_NEAR(minus["turnstile"]["flux12"].get<double>(), plus["turnstile"]["flux12"].get<double>(), 1e-6);
+}
+
 TEST_F(TransportCommand, SweepKeepsWhatWorks) {
   const Outcome outcome =
       transport({"henon", "--sweep", "k=-2:0.5:1.25", "--tolerance", "1e-4", "--json", "s.json", "--svg", "s.svg"});
@@ -194,7 +233,10 @@ TEST_F(TransportCommand, Refuses) {
   expect_failure({"ovp", "--sweep", "gamma=1:2:-1"}, 2, "leads from the first value");
   expect_failure({"ovp", "--find-zero"}, 2, "--sweep");
   expect_failure({"capsize"}, 2, "give --from");
-  expect_failure({"standard", "--from", "3.14159,0"}, 1, "is not a saddle");
+  expect_failure({"standard", "--from", "3.14159,0"}, 1, "is not a saddle, but of the kind centre");
+  expect_failure({"standard", "--param", "K=0"}, 2, "every circle p = const is invariant");
+  expect_failure({"henon", "--param", "k=-2"}, 2, "no fixed points for k < -1");
+  expect_failure({"henon", "--bip", "100,100"}, 1, "no pip was found near the bip asked for, (100, 100)");
   expect_failure({"standard", "--svg", "x", "--picture", "x"}, 2, "both write");
   expect_failure({"standard", "--iterates", "4", "--max-points", "100"}, 1, "--max-points allows 100");
 }

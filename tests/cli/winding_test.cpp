@@ -157,7 +157,7 @@ TEST_F(WindingProgram, RefusesWhatMakesNoSense) {
   refused({"square", "--grid", "0,3"}, 2, "--grid");
   refused({"square", "--grid", "100000,100000"}, 2, "at most 100000000 cells");
   refused({"square", "--grid", "3,3", "--box", "0,0,0,1"}, 2, "X0 < X1");
-  refused({"square", "--at", "1,1", "--box", "0,0,1,1"}, 2, "--box requires --grid");
+  refused({"square", "--at", "1,1", "--box", "0,0,1,1"}, 2, "--box needs --grid");
   refused({"square", "--at", "inf,1"}, 2, "not a finite point");
   refused({"square", "--at", "nowhere"}, 1, "nowhere: ");
   refused({"open", "--at", "1,1"}, 1, "open: ");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/batch/operations/table.hpp"
+#include "lober/error.hpp"
 
 namespace lober::detail {
 namespace {
@@ -20,6 +21,7 @@ TangleOptions tangle_options(const Options& options) {
 
 Result run(JobCurves curves, const Options& options) {
   const Tangle found = tangle(curves[0]->index(), curves[1]->index(), tangle_options(options));
+  if (!found.images.misfit.empty()) throw DataError("tangle: " + found.images.misfit);
   Result record;
   const auto real = [&](double value) { record.values.push_back(value); };
   const auto count = [&](std::size_t number) { real(static_cast<double>(number)); };
@@ -64,7 +66,8 @@ Operation tangle_operation() {
       {"bip", std::int64_t{-1}, "number of the pip that bounds the region, from 0; -1 for the middle one", {}, -1},
       {"period",
        std::int64_t{0},
-       "number of pips from one to its image; 0 to infer it from the areas",
+       "number of pips from one to its image, at most that of lobes, even where lobes alternate; 0 to infer it from the "
+       "areas",
        {},
        0,
        1'000'000},

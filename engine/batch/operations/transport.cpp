@@ -23,6 +23,7 @@ Result run(JobCurves curves, const Options& options) {
     curves.allowance().check();
     return true;
   };
+  if (!system.connection) throw DataError("no tangle at these parameters: " + system.no_connection);
   how.lattice = system.lattice;
   if (system.further_needed) how.further = system.further;
   const Transport found = transport(*system.map, *system.connection, how);
@@ -57,7 +58,8 @@ Result run(JobCurves curves, const Options& options) {
 void check_options(const Options& options) {
   try {
     const System system = system_of(options.text("system"), options.reals_of("parameters"), 1e-12);
-    if (!system.connection) throw UsageError(options.text("system") + " names no manifolds of interest");
+    // A member of a grid that has none for its parameters fails alone.
+    if (!system.connection && system.no_connection.empty()) throw UsageError(options.text("system") + " names no manifolds of interest");
   } catch (const UsageError& error) {
     throw UsageError(std::string("system: ") + error.what());
   }
@@ -74,7 +76,7 @@ Operation transport_operation() {
   operation.options = {
       {"system", "", "name of the system, or its shared library"},
       {"parameters.*", 0.0, "parameters of the system, by name; those left out take their defaults"},
-      {"iterates", std::int64_t{7}, "number of iterates n of a(n) and T(n)", {}, 1, 100},
+      {"iterates", std::int64_t{7}, "number of iterates n of a(n) and T(n)", {}, 1, 1000},
       {"tolerance", 1e-5, "largest distance between the manifolds and their polygons", {}, 1e-15},
       {"integration_tolerance", 1e-12, "error of a step of the integration of a flow", {}, 1e-16, 1e-2}};
   for (const char* const name :

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "engine/base/growth_forecast.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/base/text.hpp"
 #include "engine/dynamics/escape/cut_images.hpp"
 #include "lober/error.hpp"
 #include "lober/escape.hpp"
@@ -47,13 +49,19 @@ class Reporter {
     const std::lock_guard lock(mutex_);
     const double now = work_.watch.seconds();
     const double fraction = work_.end > 0 ? std::min(now / work_.end, 0.99) : 0;
-    if (!options_.progress({what, fraction, work_.images})) throw Cancelled();
+    if (!options_.progress({what, fraction, work_.images})) {
+      refused_ = true;
+      throw Cancelled();
+    }
   }
+  /// Whether the caller's progress has said no.
+  [[nodiscard]] bool refused() const { return refused_; }
 
  private:
   const EscapeOptions& options_;
   EscapeWork work_{};
   mutable std::mutex mutex_;
+  mutable std::atomic<bool> refused_{false};
 };
 
 class Bottlenecks {
@@ -131,6 +139,9 @@ class Bottlenecks {
     return sum;
   }
 
+  // Whether the caller's progress has cancelled.
+  [[nodiscard]] bool refused() const { return report_.refused(); }
+
   // Whether a tube could not be carried on because that takes too many points.
   [[nodiscard]] bool out_of_points() const {
     return std::any_of(carried_.begin(), carried_.end(), [](const Carried& tube) { return tube.out_of_points; });
@@ -207,15 +218,55 @@ class Bottlenecks {
     return cut;
   }
 
+  static std::string name_of_saddle(const SaddlePoint& saddle) {
+    return "(" + format_number(saddle.at[0]) + ", " + format_number(saddle.at[1]) + ")";
+  }
+
+  // All bottlenecks are open, or there is nothing to escape by.
+  static void require_energy_above(std::span<const SaddlePoint> saddles, double energy) {
+    const auto highest = std::max_element(saddles.begin(), saddles.end(), [](const auto& x, const auto& y) {
+      return x.energy < y.energy;
+    });
+    if (energy > highest->energy && std::isfinite(energy)) return;
+    throw UsageError("the energy " + format_number(energy) + " is not above that of the saddle " +
+                     name_of_saddle(*highest) + ", " + format_number(highest->energy) +
+                     ", so that the bottleneck there is closed; energies from about " +
+                     format_number(least_energy(*highest)) + " on can be used");
+  }
+
+  // Orbits shrink with the square root of the energy above the saddle, which is a difference of rounded numbers.
+  static double least_energy(const SaddlePoint& saddle) {
+    constexpr double least_excess = 1e-7;
+    return saddle.energy + least_excess * (1 + std::fabs(saddle.energy));
+  }
+  // What fails near a saddle's energy fails because of that.
+  template <typename Function>
+  static void near_saddle(const SaddlePoint& saddle, double energy, const Function& function) {
+    try {
+      function();
+    } catch (const DataError& error) {
+      const double least = least_energy(saddle);
+      throw DataError("at the energy " + format_number(energy) + ", " + format_rounded(energy - saddle.energy) +
+                      " above that of the saddle " + name_of_saddle(saddle) + ", " + format_number(saddle.energy) +
+                      ": " + error.what() +
+                      (energy < least ? "; orbits so near to the saddle are lost in rounding: energies from about " +
+                                            format_number(least) + " on can be used"
+                                      : ""));
+    }
+  }
+
   void find_orbits(std::span<const FlowState> guesses, double energy) {
     if (guesses.empty()) throw UsageError("escape needs at least one saddle");
     report_("periodic orbits");
     const auto axis = static_cast<std::size_t>(section_.coordinate);
     IntegrationOptions exact = options_.integration;
     exact.tolerance = std::min(exact.tolerance, 3e-15);
-    for (const FlowState& guess : guesses) {
+    std::vector<SaddlePoint> saddles;
+    for (const FlowState& guess : guesses) saddles.push_back(saddle_point(flow_, guess));
+    require_energy_above(saddles, energy);
+    for (const SaddlePoint& saddle : saddles) {
       Bottleneck bottleneck;
-      bottleneck.orbit = periodic_orbit(flow_, saddle_point(flow_, guess), energy, exact);
+      near_saddle(saddle, energy, [&] { bottleneck.orbit = periodic_orbit(flow_, saddle, energy, exact); });
       for (const Bottleneck& other : list) {
         double distance = 0;
         for (std::size_t k = 0; k < 4; ++k) distance += std::fabs(other.orbit.state[k] - bottleneck.orbit.state[k]);
@@ -233,8 +284,10 @@ class Bottlenecks {
     tubes_.resize(2 * list.size());
     for_each_block(tubes_.size(), 1, [&](std::size_t k, std::size_t) {
       Bottleneck& bottleneck = list[k / 2];
-      tubes_[k].emplace(flow_, bottleneck.orbit, k % 2 == 0 ? ManifoldSide::unstable : ManifoldSide::stable,
-                        options_.integration);
+      near_saddle(bottleneck.orbit.saddle, bottleneck.orbit.energy, [&] {
+        tubes_[k].emplace(flow_, bottleneck.orbit, k % 2 == 0 ? ManifoldSide::unstable : ManifoldSide::stable,
+                          options_.integration);
+      });
       (k % 2 == 0 ? bottleneck.entry_branch : bottleneck.exit_branch) = tubes_[k]->branch_towards(section_);
     });
     for (std::size_t k = 0; k < list.size(); ++k) {

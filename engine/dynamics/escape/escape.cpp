@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <tuple>
 
 #include "engine/base/growth_forecast.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/base/text.hpp"
+#include "engine/base/time_limit.hpp"
 #include "engine/dynamics/escape/bottlenecks.hpp"
 #include "engine/dynamics/escape/symmetries.hpp"
 #include "engine/dynamics/escape/winding_product.hpp"
@@ -16,6 +19,31 @@
 namespace lober {
 using namespace detail;
 namespace {
+
+// Work that was expected to end within the budget and does not is broken off at this many of it.
+constexpr double beyond_budget = 1.1;
+// Orbits and first curves are made whatever the budget, for so many seconds at least: there is nothing to say before.
+constexpr double first_seconds = 5;
+
+// What comes before the first row. Throws DataError when it takes too long.
+void within_first_limit(const ProcessorWatch& watch, const EscapeOptions& options,
+                        const std::function<void()>& function) {
+  const double seconds = std::max(beyond_budget * options.budget, first_seconds);
+  const ProcessorTimeLimit limit(watch, seconds);
+  bool refused = false;
+  try {
+    const CancellationScope limited(limit.flag());
+    function();
+    return;
+  } catch (const Cancelled&) {
+    refused = !limit.passed();
+  }
+  if (refused || is_cancelled()) throw Cancelled();
+  throw DataError("escape: the periodic orbits and the first curves of their tubes were not found within " +
+                  format_rounded(seconds) +
+                  " s of processor time; a larger tolerance of curves needs fewer points, a larger budget allows more "
+                  "time");
+}
 
 class Builder {
  public:
@@ -28,13 +56,20 @@ class Builder {
   Escape build(std::span<const FlowState> guesses) {
     Section either = result_.section;
     either.direction = 0;
-    Bottlenecks bottlenecks(flow_, either, result_.energy, guesses, options_);
-    {
+    std::optional<Bottlenecks> tubes;
+    within_first_limit(processor_, options_, [&] {
+      tubes.emplace(flow_, either, result_.energy, guesses, options_);
       const Stopwatch watch;
-      bottlenecks.cut_first();
+      const ProcessorWatch processor;
+      tubes->cut_first();
       cost_.add(watch.seconds());
-    }
+      carrying_ = processor.seconds();
+      crossings_ = tubes->crossings_so_far();
+    });
+    Bottlenecks& bottlenecks = *tubes;
+    const ProcessorTimeLimit limit(processor_, beyond_budget * options_.budget);
     try {
+      const CancellationScope limited(limit.flag());
       for (int n = 1; n <= options_.crossings && result_.stop == EscapeStop::done; ++n) go_on(bottlenecks, n);
       // One more whole image gives the longest times of the last rows a second split.
       const int more = options_.crossings + 1;
@@ -46,28 +81,45 @@ class Builder {
         });
       }
     } catch (const Cancelled&) {
-      if (result_.crossings == 0) throw;
-      const CancellationScope shield(CancellationScope::Shield{});
-      std::erase_if(result_.table, [&](const EscapeFraction& row) { return row.crossings > result_.crossings; });
-      result_.stop = EscapeStop::cancelled;
+      keep_what_is_known(bottlenecks, limit.passed() && !is_cancelled() && !bottlenecks.refused());
     }
     if (result_.bottlenecks.empty()) result_.bottlenecks = std::move(bottlenecks.list);
     return std::move(result_);
   }
 
  private:
+  // After work was ended where it was: by the budget, or by the caller, to whom nothing is due before the first row.
+  void keep_what_is_known(Bottlenecks& bottlenecks, bool by_budget) {
+    if (!by_budget && result_.crossings == 0) throw Cancelled();
+    const CancellationScope shield(CancellationScope::Shield{});
+    if (result_.bottlenecks.empty()) std::swap(bottlenecks.list, result_.bottlenecks);
+    std::erase_if(result_.table, [&](const EscapeFraction& row) { return row.crossings > result_.crossings; });
+    compare();
+    // A second split of the last rows is more than was asked for.
+    const bool complete = by_budget && result_.crossings == options_.crossings;
+    result_.stop = complete ? EscapeStop::done : by_budget ? EscapeStop::budget : EscapeStop::cancelled;
+    result_.seconds_spent = processor_.seconds();
+    result_.seconds_ahead = 0;
+  }
+
   // One more image of everything, and the rows of n that it makes known, if that is affordable.
   void go_on(Bottlenecks& bottlenecks, int n) {
     result_.stop = reason_not_to(bottlenecks, n);
     if (result_.stop != EscapeStop::done) return;
     const Stopwatch watch;
+    const ProcessorWatch processor;
     bottlenecks.carry(n, true, work(n));
     cost_.add(watch.seconds());
+    const double before = std::exchange(crossings_, bottlenecks.crossings_so_far());
+    newest_crossings_ = crossings_ - before;
+    carrying_ += processor.seconds();
+    const ProcessorWatch measuring;
     with_curves(bottlenecks, [&] {
       lay_out_rows(n);
       measure();
       result_.crossings = n;
       compare();
+      measuring_ = measuring.seconds();
       if (options_.rows_known) options_.rows_known(result_, n);
     });
     const bool known = std::all_of(result_.table.begin(), result_.table.end(),
@@ -75,15 +127,17 @@ class Builder {
     if (!known) result_.stop = bottlenecks.out_of_points() ? EscapeStop::points : EscapeStop::lost;
   }
 
-  // `done` when the images of this number may be made.
+  // `done` when the images of this number may be made: what following trajectories has taken by crossing, and measuring
+  // by the size of the curves, is what the next ones are expected to take.
   EscapeStop reason_not_to(Bottlenecks& bottlenecks, int images) {
-    if (processor_.seconds() > options_.budget) return EscapeStop::budget;
     const Bottlenecks::Ahead ahead = bottlenecks.look_ahead(images, images <= options_.crossings);
     const double so_far = processor_.seconds();
-    const double seconds = ahead.crossings * so_far / std::max(bottlenecks.crossings_so_far(), 1.0);
+    double seconds = ahead.crossings * carrying_ / std::max(crossings_, 1.0);
+    if (newest_crossings_ > 0) seconds += measuring_ * std::max(1.0, ahead.crossings / newest_crossings_);
     if (images <= options_.crossings) {
       result_.points_ahead = ahead.points;
       result_.seconds_ahead = seconds;
+      result_.seconds_spent = so_far;
     }
     if (ahead.points > static_cast<double>(options_.max_points)) return EscapeStop::points;
     return so_far + seconds > options_.budget ? EscapeStop::budget : EscapeStop::done;
@@ -252,6 +306,9 @@ class Builder {
   Stopwatch watch_;
   ProcessorWatch processor_;
   GrowthForecast cost_;  // seconds by the clock for each number of images
+  // Processor time that following trajectories has taken, and for how many crossings; of the newest images, their
+  // crossings and what measuring them took.
+  double carrying_ = 0, crossings_ = 0, newest_crossings_ = 0, measuring_ = 0;
   std::optional<std::vector<EscapeSymmetry>> symmetries_;
 };
 
@@ -285,9 +342,14 @@ std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, do
   known.bound_coordinate = section.bound_coordinate;
   known.bound = section.bound;
   known.bound_side = section.bound_side;
-  Bottlenecks bottlenecks(flow, known, energy, saddles, options);
-  bottlenecks.cut_first();
-  return std::move(bottlenecks.list);
+  const ProcessorWatch watch;
+  std::vector<Bottleneck> list;
+  within_first_limit(watch, options, [&] {
+    Bottlenecks bottlenecks(flow, known, energy, saddles, options);
+    bottlenecks.cut_first();
+    list = std::move(bottlenecks.list);
+  });
+  return list;
 }
 
 Escape escape(const Flow& flow, const Section& section, double energy, std::span<const FlowState> saddles,

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/text.hpp"
 #include "lober/error.hpp"
 
 namespace lober {
@@ -157,7 +158,7 @@ class Continuation {
         next = 0.5 * (r + next);
         if (next < 1.001 * r + 1e-5) {
           throw DataError("the periodic orbit about the saddle could not be continued beyond energy " +
-                          std::to_string(saddle_.energy + r * r * excess_));
+                          detail::format_number(saddle_.energy + r * r * excess_));
         }
       }
     }
@@ -250,7 +251,7 @@ std::array<FlowState, 2> turning_points(const Flow& flow, const PeriodicOrbit& o
 PeriodicOrbit periodic_orbit(const Flow& flow, const SaddlePoint& saddle, double energy,
                              const IntegrationOptions& options) {
   if (!(energy > saddle.energy) || !std::isfinite(energy)) {
-    throw UsageError("the energy must be above that of the saddle, " + std::to_string(saddle.energy));
+    throw UsageError("the energy must be above that of the saddle, " + detail::format_number(saddle.energy));
   }
   PeriodicOrbit orbit;
   orbit.saddle = saddle;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,16 @@ Point refined_saddle(const PlanarMap& map, int steps, Point guess) {
   return same ? *forward : *own;
 }
 
+std::string kind_text(const FixedPoint& point) {
+  const auto text = [](std::complex<double> value) {
+    if (value.imag() == 0) return format_number(value.real());
+    return format_number(value.real()) + (value.imag() < 0 ? " - " : " + ") + format_number(std::fabs(value.imag())) +
+           " i";
+  };
+  return std::string(name_of(point.kind)) + " (multipliers " + text(point.eigenvalues[0]) + " and " +
+         text(point.eigenvalues[1]) + ")";
+}
+
 }  // namespace
 
 Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
@@ -41,7 +52,9 @@ Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
   classify(saddle);
   if (saddle.kind != FixedPointKind::saddle && saddle.kind != FixedPointKind::inverse_saddle &&
       saddle.kind != FixedPointKind::reversing_saddle) {
-    throw DataError("the fixed point " + format_point(saddle.at) + " is not a saddle");
+    throw DataError("the fixed point " + format_point(saddle.at) + ", found near " + format_point(guess) +
+                    ", is not a saddle, but of the kind " + kind_text(saddle) +
+                    "; only saddles have the manifolds that are wanted here");
   }
   return {saddle.at, saddle.eigenvalues[0].real(), saddle.directions[0]};
 }

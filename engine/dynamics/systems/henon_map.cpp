@@ -33,12 +33,17 @@ SystemEntry henon_map_entry() {
             const double reach = 2 + std::sqrt(std::abs(1 + values[0]));
             system.window = window(-reach, -reach, reach, reach);
             // The pip on the axis of the reversor that follows from x_1 = x_-1, by interpolation in k.
-            const double saddle = 1 + std::sqrt(1 + values[0]);
-            system.connection = Connection{{saddle, saddle},
-                                           {-1, -1},
-                                           {saddle, saddle},
-                                           {-1, -1},
-                                           Point{-1.154 - 0.757 * values[0], 0.666 + 0.518 * values[0]}};
+            if (values[0] > -1) {
+              const double saddle = 1 + std::sqrt(1 + values[0]);
+              system.connection = Connection{{saddle, saddle},
+                                             {-1, -1},
+                                             {saddle, saddle},
+                                             {-1, -1},
+                                             Point{-1.154 - 0.757 * values[0], 0.666 + 0.518 * values[0]}};
+            } else {
+              system.no_connection = values[0] == -1 ? "the saddle and the centre are one fixed point, (1, 1), for k = -1"
+                                                     : "the map has no fixed points for k < -1";
+            }
             system.symmetries = {reversor({0, 1, 1, 0})};
             system.map = std::make_shared<FormulaMap<HenonMap>>(HenonMap{values[0]});
             return system;

@@ -50,12 +50,13 @@ struct StandardMap {
     const double c = k * std::cos(z.x);
     return {1 + c, 1, c, 1};
   }
-  /// L(x, x') = (x' - x)^2 / 2 + K (1 - cos x), 0 at the saddle. The part of the potential is written as a square,
-  /// which keeps its digits near the saddle.
+  /// L(x, x') = (x' - x)^2 / 2 + |K| - K cos x, 0 at the saddle. The part of the potential is written as a square, which
+  /// keeps its digits near the saddle.
   long double action(Point from, Point to) const {
     const long double step = static_cast<long double>(to.x) - static_cast<long double>(from.x);
-    const long double sine = std::sin(0.5L * static_cast<long double>(from.x));
-    return 0.5L * step * step + 2 * static_cast<long double>(k) * sine * sine;
+    const long double half = 0.5L * static_cast<long double>(from.x);
+    const long double root = k < 0 ? std::cos(half) : std::sin(half);
+    return 0.5L * step * step + 2 * std::fabs(static_cast<long double>(k)) * root * root;
   }
 };
 
@@ -74,9 +75,15 @@ SystemEntry standard_map_entry() {
             // is the strip of the cylinder between both.
             const double k = std::abs(values[0]), pi = std::numbers::pi, width = 2 * pi;
             const double height = 2 * std::sqrt(k / (1 + 4 * k / (pi * pi)));
-            system.connection = Connection{{0, 0}, {1, 1}, {width, 0}, {-1, 1}, Point{pi, height}};
-            system.further = {Connection{{width, 0}, {-1, -1}, {0, 0}, {1, -1}, Point{pi, -height}}};
-            system.further_needed = true;
+            // For K < 0 the map is that for -K, shifted by half a period.
+            const double left = values[0] < 0 ? -pi : 0, right = left + width, middle = left + pi;
+            if (values[0] != 0) {
+              system.connection = Connection{{left, 0}, {1, 1}, {right, 0}, {-1, 1}, Point{middle, height}};
+              system.further = {Connection{{right, 0}, {-1, -1}, {left, 0}, {1, -1}, Point{middle, -height}}};
+              system.further_needed = true;
+            } else {
+              system.no_connection = "for K = 0 every circle p = const is invariant, and no fixed point is a saddle";
+            }
             system.symmetries = {{{-1, 0, 0, -1}}, reversor({-1, 1, 0, 1})};
             system.map = std::make_shared<FormulaMap<StandardMap>>(StandardMap{values[0]});
             return system;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -64,6 +65,7 @@ bool TangleGrowth::box_is_too_small() {
 
 // Grows until f^-1(q) and q are there. False with the trouble that finer polygons may mend, or without.
 bool TangleGrowth::find_turnstile(std::string& trouble) {
+  double nearest_so_far = std::numeric_limits<double>::infinity();
   for (look();; look()) {
     if (found_.pips.empty()) {
       if (!towards_a_crossing()) return false;
@@ -71,11 +73,20 @@ bool TangleGrowth::find_turnstile(std::string& trouble) {
     }
     const Time bip = time_of_pip(bip_);
     const bool far = bip_near_ && distance(found_.pips[bip_].at, *bip_near_) > near_enough * box_.extent();
-    // One that is nearer may come with the next image.
-    if (far && u_.growth->time() < bip.u + 1 && grow(u_, bip.u + 1 + beyond)) continue;
+    // One that is nearer may come with the next image or pre-image, as long as they come nearer: both go to a saddle.
+    constexpr double nearer = 0.9;
+    const double apart = far ? distance(found_.pips[bip_].at, *bip_near_) : 0;
+    if (far && apart < nearer * nearest_so_far) {
+      nearest_so_far = apart;
+      const bool more_u = u_.growth->time() >= bip.u + 1 + beyond || grow(u_, bip.u + 1 + beyond);
+      const bool more_s = s_.growth->time() >= bip.s + 1 + beyond || grow(s_, bip.s + 1 + beyond);
+      if (more_u || more_s) continue;
+    }
     if (s_.growth->time() >= bip.s + 1 + beyond) break;
     if (!grow(s_, bip.s + 1 + beyond)) return false;
   }
+  // Before anything is refined for it.
+  require_bip_as_asked();
   constexpr double close = 0.02;
   const std::optional<std::size_t> before = image_of_bip(-1, close);
   if (before) {
@@ -85,6 +96,22 @@ bool TangleGrowth::find_turnstile(std::string& trouble) {
               " has no pre-image among the pips of polygons to the tolerance " + format_number(tolerance_);
   }
   return before.has_value();
+}
+
+// The pip that was asked for is among those found, if it is one: the nearest one has its image beside it.
+void TangleGrowth::require_bip_as_asked() const {
+  if (!options_.bip_near) return;
+  constexpr double meant = 0.3;  // relative to how far the bip is from its saddles
+  const Point asked = *options_.bip_near, found = found_.pips[bip_].at;
+  const double far = std::max(distance(found, u_.local.saddle), distance(found, s_.local.saddle));
+  if (distance(found, asked) <= meant * far) return;
+  constexpr std::size_t shown = 6;
+  const std::size_t first = bip_ - std::min(bip_, shown / 2), last = std::min(first + shown, found_.pips.size());
+  std::string pips;
+  for (std::size_t k = first; k < last; ++k) pips += (k == first ? "" : ", ") + format_point(found_.pips[k].at);
+  throw DataError("no pip was found near the bip asked for, " + format_point(asked) + "; the nearest one is " +
+                  format_point(found) + ", and pips about it are " + pips +
+                  "; give a bip near a pip, or none for the middle one");
 }
 
 // Goes on with one manifold as long as they do not cross: not one that has left the other behind, unless both have.

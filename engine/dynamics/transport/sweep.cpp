@@ -53,7 +53,7 @@ void fill_fluxes(SweepRow& row, const FamilyMember& member, const ManifoldTangle
     Barrier barrier = barrier_of(found);
     if (!(member.lattice == Point{})) {
       const std::array<const ManifoldTangle*, 1> tangles{&found};
-      wrapped = wrapped_tangle(cylinder_of(member.lattice, tangles), *member.map, found, 1, 0);
+      wrapped = wrapped_tangle(cylinder_of(member.lattice, tangles), *member.map, found, 1, 0, 0);
       barrier = barrier_of(found, wrapped);
     }
     const Turnstile turnstile(barrier);
@@ -81,6 +81,14 @@ SweepRow row_at(const Family& family, double value, const ManifoldTangleOptions&
     row.failure = error.what();
   }
   return row;
+}
+
+bool is_zero(const SweepRow& row) {
+  return row.failure.empty() && row.difference == 0;
+}
+// One of the values is a zero itself.
+SweepZero exact_zero(const SweepRow& row) {
+  return {row.value, row.value, row.value, 0, 0, 0, {}};
 }
 
 // The end of a refinement at a value that has no difference.
@@ -154,6 +162,7 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
   });
   for (std::size_t k = 0; k + 1 < result.rows.size(); ++k) {
     const SweepRow &first = result.rows[k], &last = result.rows[k + 1];
+    if (is_zero(first)) result.zeros.push_back(exact_zero(first));
     if (!first.failure.empty() || !last.failure.empty() || !(first.difference * last.difference < 0)) continue;
     SweepZero zero;
     zero.low = first.value;
@@ -164,8 +173,10 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
     zero.difference = unknown;
     result.zeros.push_back(zero);
   }
+  if (!result.rows.empty() && is_zero(result.rows.back())) result.zeros.push_back(exact_zero(result.rows.back()));
   if (!options.find_zeros) return result;
   for_each_block(result.zeros.size(), 1, [&](std::size_t k, std::size_t) {
+    if (result.zeros[k].low == result.zeros[k].high) return;
     const auto at = [&](double value) -> const SweepRow& {
       return *std::find_if(result.rows.begin(), result.rows.end(), [&](const SweepRow& r) { return r.value == value; });
     };

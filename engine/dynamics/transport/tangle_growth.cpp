@@ -16,6 +16,8 @@ namespace {
 
 // How often both are grown anew to a tenth of the tolerance: because the lobes are coarse, and because of trouble.
 constexpr int max_refinements_if_coarse = 4, max_refinements = 4;
+// Evaluations of the vector field in a step of the map: trajectories that return take some hundreds or thousands.
+constexpr double hardly_returns = 2e4;
 // Tolerances end at this number of roundings of the largest coordinate.
 constexpr double finest_roundings = 32;
 
@@ -54,7 +56,7 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
   for (;;) {
     begin(tolerance);
     std::string trouble;
-    if (!find_crossing()) throw DataError(limit_);
+    if (!find_crossing()) throw DataError(limit_ + of_saddles());
     if (box_is_too_small()) continue;
     // Before anything is made of crossings that may be none.
     if (const std::optional<double> wanted = tolerance_for_splitting(); wanted && *wanted < tolerance_) {
@@ -62,7 +64,7 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
       continue;
     }
     if (!find_turnstile(trouble)) {
-      if (trouble.empty()) throw DataError(limit_ + by_action());
+      if (trouble.empty()) throw DataError(limit_ + by_action() + of_saddles());
     } else {
       if (box_is_too_small()) continue;
       trouble = trouble_with_pips();
@@ -72,8 +74,8 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
           // From here on the bip is this one, whatever other pips further images show nearer to the point that was
           // asked for.
           near_ = orbits_.back().at;
-          require_bip_near();
           finish();
+          rest();
           if (last || agreement_of(*result_).agrees()) return;
         }
         ++refined_if_coarse;
@@ -84,16 +86,6 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
     if (++refined > max_refinements || tolerance_ / 10 < finest_) throw DataError(trouble + by_action());
     tolerance = tolerance_ / 10;
   }
-}
-
-void TangleGrowth::require_bip_near() const {
-  constexpr double meant = 0.3;  // relative to how far the bip is from its saddles
-  const double far = std::max(distance(*near_, u_.local.saddle), distance(*near_, s_.local.saddle));
-  if (!options_.bip_near || distance(*near_, *options_.bip_near) <= meant * far) return;
-  std::string pips;
-  for (std::size_t k = 1; k < orbits_.size(); ++k) pips += (k == 1 ? "" : ", ") + format_point(orbits_[k].at);
-  throw DataError("no pip was found near the bip asked for, " + format_point(*options_.bip_near) +
-                  "; pips of one period are " + pips);
 }
 
 void TangleGrowth::begin(double tolerance) {
@@ -119,8 +111,15 @@ void TangleGrowth::begin(double tolerance) {
     side->compressed = 0;
   }
   for (Side* const side : {&u_, &s_}) {
-    if (!grow(*side, 0)) throw DataError(limit_);
+    if (!grow(*side, 0)) throw DataError(limit_ + of_saddles());
   }
+}
+
+// Guesses may lead to other saddles than those that were meant.
+std::string TangleGrowth::of_saddles() const {
+  const std::string of_u = "; U is that of the saddle " + format_point(u_.local.saddle);
+  if (u_.local.saddle == s_.local.saddle) return of_u + ", and S too";
+  return of_u + ", S that of " + format_point(s_.local.saddle);
 }
 
 // Steps of the map taken so far, by both and by those that were given up for a finer tolerance.
@@ -167,9 +166,17 @@ bool TangleGrowth::grow(Side& side, double end) {
              std::to_string(s_.growth->grown().points.size()) + ": the next piece of " + name + " needs " +
              (growth.points_needed() < 1 ? "more points than it seemed to, "
                                          : format_rounded(growth.points_needed()) + " points or more, ");
-    limit_ += of_points             ? "--max-points allows " + std::to_string(options_.max_points)
+    limit_ += of_points             ? "--max-points allows " + std::to_string(options_.max_points) + " for both"
               : options_.budget > 0 ? "which would take longer than --budget"
                                     : "which is more work than is done unasked (--budget SECONDS allows more)";
+    // On a cylinder and after other tangles the map has done more than growing.
+    const double an_image =
+        static_cast<double>(map_.work() - work_before_) / std::max(static_cast<double>(images()), 1.0);
+    if (!result_ && an_image > hardly_returns) {
+      limit_ += "; one step of the map takes " + format_rounded(an_image) +
+                " evaluations of the vector field: orbits next to this saddle hardly return, or pass a singularity; "
+                "other parameters or another saddle (--from) may do";
+    }
     return false;
   }
   if (growth.time() >= end) return true;
@@ -186,6 +193,10 @@ void TangleGrowth::report() {
 }
 
 bool TangleGrowth::grow_to(int before, int after) {
+  // What was done with the map since the last call, such as laying curves on a cylinder or growing another tangle, is
+  // not growing: the next piece costs none of it.
+  work_before_ += map_.work() - work_after_;
+  begun_ += watch_.seconds() - ended_;
   before = std::max(before, before_);
   after = std::max(after, after_);
   limit_.clear();
@@ -198,6 +209,7 @@ bool TangleGrowth::grow_to(int before, int after) {
     look();  // one of them may have been grown on
   }
   finish();
+  rest();
   return grown;
 }
 
@@ -215,8 +227,15 @@ bool TangleGrowth::grow_between(int before, int after) {
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
   refine_near(u_, s_.local.saddle, distance_at(s_, bip.s - after));
   refine_near(s_, u_.local.saddle, distance_at(u_, bip.u - before));
-  refine_until_simple(u_);
-  refine_until_simple(s_);
+  for (Side* const side : {&u_, &s_}) {
+    const std::optional<Point> crosses = refine_until_simple(*side);
+    // Overlaps of images of lobes that polygons do not keep apart may be wrong by as much as the lobes.
+    if (!crosses || before <= 1) continue;
+    limit_ = std::string("the polygon of ") + (side == &u_ ? "U" : "S") + " to the tolerance " +
+             format_number(tolerance_) + " crosses itself near " + format_point(*crosses) +
+             ": arcs lie closer to each other there than it shows (a smaller --tolerance goes farther)";
+    return false;
+  }
   look();
   // Times of pips that are nearer to a saddle than the tolerance are rough, but they are counted too.
   constexpr double close = 0.1;
@@ -229,6 +248,11 @@ bool TangleGrowth::grow_between(int before, int after) {
     return false;
   }
   return true;
+}
+
+void TangleGrowth::rest() {
+  work_after_ = map_.work();
+  ended_ = watch_.seconds();
 }
 
 // The points go back to where they grow.

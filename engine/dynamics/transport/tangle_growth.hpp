@@ -60,13 +60,15 @@ class TangleGrowth {
   void find_pips();
   bool refine(Side& side, std::vector<std::uint32_t> segments, const Box& box);
   bool refine_flat_pips();
-  void refine_until_simple(Side& side);
+  std::optional<Point> refine_until_simple(Side& side);
   void refine_near(Side& side, Point saddle, double apart);
   [[nodiscard]] static double distance_at(const Side& side, double time);
   void look();
   bool find_crossing();
   bool box_is_too_small();
   bool find_turnstile(std::string& trouble);
+  void require_bip_as_asked() const;
+  [[nodiscard]] std::string of_saddles() const;
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
   [[nodiscard]] std::size_t nearest(Point point) const;
@@ -78,9 +80,9 @@ class TangleGrowth {
   [[nodiscard]] bool lobes_are_thin() const;
   [[nodiscard]] std::string by_action() const;
   [[nodiscard]] bool grow_between(int before, int after);
-  void require_bip_near() const;
   void lend();
   void finish();
+  void rest();
   void report();
 
   const PlanarMap& map_;
@@ -92,7 +94,9 @@ class TangleGrowth {
   int enlargements_ = 0;
   double tolerance_ = 0, finest_ = 0;
   std::uint64_t work_before_ = 0;
-  double begun_ = 0;  // when growth did, by watch_
+  double begun_ = 0;  // when growth did, by watch_, later by what was not growth
+  std::uint64_t work_after_ = 0;  // when it ended for now
+  double ended_ = 0;
   bool out_of_work_ = false;
   std::uint64_t images_before_ = 0;  // taken by manifolds that were given up
   int before_ = 1, after_ = 0;       // that are there

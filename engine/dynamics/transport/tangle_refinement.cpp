@@ -92,8 +92,8 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
   }
 }
 
-// Refines a manifold where its polygon crosses itself, and only there.
-void TangleGrowth::refine_until_simple(Side& side) {
+// Refines a manifold where its polygon crosses itself, and only there. A place where it still does, near by.
+std::optional<Point> TangleGrowth::refine_until_simple(Side& side) {
   constexpr int max_rounds = 8;
   constexpr std::size_t at_once = 20'000;
   for (int round = 0; round < max_rounds; ++round) {
@@ -105,8 +105,15 @@ void TangleGrowth::refine_until_simple(Side& side) {
     }
     // Also far outside, as long as distances are true: what crosses itself there has lobes in common with others that
     // are not.
-    if (segments.empty() || !refine(side, std::move(segments), true_size(box_))) return;
+    if (segments.empty()) return std::nullopt;
+    if (!refine(side, std::move(segments), true_size(box_))) break;
   }
+  const Buffer<Point>& points = side.growth->grown().points;
+  const IndexedCurve index{CurveView(side.growth->grown())};
+  for (const SegmentPair& pair : self_meetings(index, at_once)) {
+    if (meet(Box::of(points[pair.first], points[pair.first + 1]), box_)) return points[pair.first];
+  }
+  return std::nullopt;
 }
 
 }  // namespace lober::detail

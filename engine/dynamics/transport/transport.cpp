@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/area_preservation.hpp"
@@ -46,8 +47,16 @@ class Builder {
       } else {
         series.emplace(barriers(), cylinder_ ? std::optional(Point{0, 0}) : std::nullopt);
       }
-      result_.steps.push_back(series->next());
-      compare_routes(result_.agreement, series->partition(), result_.steps.back());
+      TransportStep step = series->next();
+      Agreement agreement;
+      compare_routes(agreement, series->partition(), step);
+      if (!agreement.agrees() && n > 1 && crossings_may_be_missing()) {
+        note_limit(n, "finer polygons on the cylinder cross elsewhere, and the area of lobes there is not that between "
+                      "boundaries (--budget SECONDS allows finer ones)");
+        break;
+      }
+      result_.steps.push_back(std::move(step));
+      for (Comparison& one : agreement.comparisons) result_.agreement.compare(std::move(one));
       if (options_.on_step) options_.on_step(result_.steps.back(), result_.agreement);
     }
     series->extend(barriers());  // of what there is now: the last growth may have added to it without a row
@@ -101,9 +110,14 @@ class Builder {
     }
     set_barriers(limit.empty() ? n : n - 1);
     if (limit.empty()) return true;
-    result_.remarks.push_back("n = 1 to " + std::to_string(n - 1) + " of " + std::to_string(options_.iterates) + ": " +
-                              limit);
+    note_limit(n, limit);
     return false;
+  }
+
+  // Why n is not reached.
+  void note_limit(int n, const std::string& why) {
+    result_.remarks.push_back("n = 1 to " + std::to_string(n - 1) + " of " + std::to_string(options_.iterates) + ": " +
+                              why);
   }
 
   // What closes the boundary has to stay where it is: else fluid crosses there, and neither route counts it.
@@ -162,16 +176,29 @@ class Builder {
       for (const std::unique_ptr<TangleGrowth>& growth : growths_) tangles.push_back(&growth->current());
       cylinder_.emplace(cylinder_of(options_.lattice, tangles));
     }
+    // Wrapping may be as much work as growing was, or what the budget leaves.
+    const std::uint64_t work_before = map_.work();
+    double allowance = static_cast<double>(work_before - work_of_wrapping_);
+    if (options_.budget > 0) {
+      const double seconds = watch_.seconds();
+      allowance = static_cast<double>(work_before) * std::max(options_.budget - seconds, 0.0) / std::max(seconds, 1e-3);
+    }
+    allowance /= static_cast<double>(growths_.size());
     for (std::size_t c = 0; c < growths_.size(); ++c) {
       SeriesBoundary& boundary = boundaries_[c];
       const ManifoldTangle& manifolds = growths_[c]->current();
       if (cylinder_) {
-        boundary.wrapped = wrapped_tangle(*cylinder_, map_, manifolds, images_before(n), images_after(n));
+        boundary.wrapped = wrapped_tangle(*cylinder_, map_, manifolds, images_before(n), images_after(n), allowance);
         boundary.barrier = barrier_of(manifolds, boundary.wrapped);
       } else {
         boundary.barrier = barrier_of(manifolds);
       }
     }
+    work_of_wrapping_ += map_.work() - work_before;
+  }
+  [[nodiscard]] bool crossings_may_be_missing() const {
+    return cylinder_ && std::any_of(boundaries_.begin(), boundaries_.end(),
+                                    [](const SeriesBoundary& one) { return !one.wrapped.has_all_crossings; });
   }
   [[nodiscard]] std::vector<Barrier> barriers() const {
     std::vector<Barrier> list;
@@ -223,6 +250,8 @@ class Builder {
   std::vector<std::unique_ptr<TangleGrowth>> growths_;
   std::vector<SeriesBoundary> boundaries_;
   std::optional<Cylinder> cylinder_;
+  std::uint64_t work_of_wrapping_ = 0;
+  Stopwatch watch_;
   Transport result_;
 };
 

@@ -38,6 +38,7 @@ double point_error_of(const Tangle& tangle) {
 TransportOfCurves transport(const Tangle& tangle, int iterates) {
   if (iterates < 1) throw UsageError("transport takes at least one iterate");
   if (!tangle.boundary) throw DataError("transport: the manifolds do not cross");
+  if (!tangle.images.misfit.empty()) throw DataError("transport: " + tangle.images.misfit);
   if (tangle.images.period == 0) {
     throw DataError("transport: which pip is the image of which is not known (" + tangle.images.reason +
                     "); give the period");
@@ -60,6 +61,15 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
   while (static_cast<int>(result.steps.size()) < iterates && series.reaches_next()) {
     result.steps.push_back(series.next());
     compare_routes(result.agreement, series.partition(), result.steps.back());
+  }
+  if (static_cast<int>(result.steps.size()) < iterates) {
+    // q, its images and its pre-images: n takes as many of them together.
+    const int before = barrier.images_before(), after = barrier.images_after();
+    const auto pips = [](int from, int to) {
+      return "from f^" + std::to_string(from) + "(q) to f^" + std::to_string(to) + "(q)";
+    };
+    result.limit = "the curves show the images of the bip q " + pips(-before, after) + ", and n takes n of them beside q"
+                   "; longer curves, U and S both, show more";
   }
   result.remarks = tangle.remarks;
   return result;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include "engine/base/text.hpp"
 #include "lober/error.hpp"
@@ -63,11 +65,24 @@ Cylinder cylinder_of(Point lattice, std::span<const ManifoldTangle* const> tangl
 }
 
 WrappedTangle wrapped_tangle(const Cylinder& cylinder, const PlanarMap& map, const ManifoldTangle& manifolds,
-                             int before, int after) {
+                             int before, int after, double allowance) {
   constexpr int max_refinements = 5;
+  const double more = std::sqrt(10.0);  // points, of a tenth of the tolerance
+  std::optional<WrappedTangle> coarser;
   for (int k = 0; k <= max_refinements; ++k) {
+    const std::uint64_t work_before = map.work();
     WrappedTangle found = wrapped_to(cylinder, map, manifolds, manifolds.tolerance / std::pow(10, k));
-    if (has_pips_of_plane(cylinder, found, manifolds, before, after)) return found;
+    const auto work = static_cast<double>(map.work() - work_before);
+    if (!has_pips_of_plane(cylinder, found, manifolds, before, after)) continue;
+    // Straight segments of the plane are bent on the cylinder. Where arcs lie closer to each other than chords are off,
+    // secondary crossings come and go, whole strips of lobes with them, and pips do not tell.
+    if (coarser && coarser->tangle->nodes.crossings() == found.tangle->nodes.crossings()) {
+      coarser->has_all_crossings = true;
+      return std::move(*coarser);
+    }
+    allowance -= work;
+    if (k == max_refinements || more * work > allowance) return found;
+    coarser.emplace(std::move(found));
   }
   throw DataError(
       "transport: on the cylinder manifolds cross elsewhere than in the plane, by those of the neighbouring "

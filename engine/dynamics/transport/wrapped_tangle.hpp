@@ -15,15 +15,17 @@ namespace lober::detail {
 struct WrappedTangle {
   std::vector<Point> u, s;
   std::unique_ptr<Tangle> tangle;  ///< of u and s
+  bool has_all_crossings = false;  ///< finer polygons have as many
 };
 
 /// Deep enough for all that was grown. O(points).
 [[nodiscard]] Cylinder cylinder_of(Point lattice, std::span<const ManifoldTangle* const> tangles);
 
-/// As fine as it takes for the polygons to have the pips there from f^-before(q) to f^after(q) that they have in the
-/// plane. Throws DataError where manifolds of neighbouring cells cross between them.
+/// As fine as it takes for the polygons to have the pips from f^-before(q) to f^after(q) that the manifolds have in the
+/// plane, and, as far as `allowance` evaluations of the map (PlanarMap::work) go, so fine that polygons ten times finer
+/// have as many crossings. Throws DataError where manifolds of neighbouring cells cross between those pips.
 [[nodiscard]] WrappedTangle wrapped_tangle(const Cylinder& cylinder, const PlanarMap& map,
-                                           const ManifoldTangle& manifolds, int before, int after);
+                                           const ManifoldTangle& manifolds, int before, int after, double allowance);
 
 /// The boundary of a tangle in the plane; the tangle must outlive it.
 [[nodiscard]] Barrier barrier_of(const ManifoldTangle& manifolds);

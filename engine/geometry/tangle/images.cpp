@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "engine/base/text.hpp"
 
 namespace lober {
 using namespace detail;
@@ -44,6 +47,33 @@ std::string text(const LobeLabel& label) {
   return "L" + std::to_string(label.from) + std::to_string(label.to) + "(" + std::to_string(label.n) + ")";
 }
 
+// Why it cannot be the period: no lobe has its image on the curves, or lobes change sides of U, which those of a map
+// that preserves orientation do not, however it changes areas. Lobes count by their areas, since the signs of small
+// ones may be wrong.
+std::string misfit_of(const std::vector<Lobe>& lobes, std::size_t period) {
+  const std::string given = "the period " + std::to_string(period) + " does not fit: ";
+  if (period > lobes.size()) {
+    return given + "the manifolds have " + std::to_string(lobes.size()) + (lobes.size() == 1 ? " lobe" : " lobes") +
+           ", and no pip has its image among theirs; give a period of at most " + std::to_string(lobes.size());
+  }
+  double kept = 0, largest = 0;
+  std::size_t example = 0;
+  for (std::size_t k = 0; k + period < lobes.size(); ++k) {
+    const double first = lobes[k].area, second = lobes[k + period].area;
+    const double common = std::min(std::fabs(first), std::fabs(second));
+    const bool same = (first > 0) == (second > 0);
+    kept += same ? common : -common;
+    if (same || common <= largest) continue;
+    largest = common;
+    example = k;
+  }
+  if (!(kept < 0)) return {};
+  return given + "it makes lobe " + std::to_string(example + period) + ", of signed area " +
+         format_number(lobes[example + period].area) + ", the image of lobe " + std::to_string(example) + ", of " +
+         format_number(lobes[example].area) + "; a map that preserves orientation keeps the sign, so that the period of "
+         "lobes that alternate is even";
+}
+
 Images detail::find_images(const Tangle& tangle, std::uint32_t given_period) {
   const std::vector<Lobe>& lobes = tangle.lobes;
   Images images;
@@ -57,6 +87,7 @@ Images detail::find_images(const Tangle& tangle, std::uint32_t given_period) {
   images.period = images.given ? given_period : infer_period(lobes, mean, images.reason);
   if (images.period == 0) return images;
   const std::size_t period = images.period;
+  if (images.given) images.misfit = misfit_of(lobes, period);
   if (period < lobes.size()) {
     images.compared = lobes.size() - period;
     images.area_change = largest_change(lobes, period) / mean;

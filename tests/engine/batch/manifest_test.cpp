@@ -59,6 +59,8 @@ TEST_F(ManifestTest, KindsOfPairs) {
   EXPECT_EQ(pairs("operation = \"overlay\"\ncurves = [\"other.*\", \"separ.1\"]\nwith = \"separ.[01]\"\npairs = "
                   "\"product\""),
             (Names{"other.a separ.0", "other.a separ.1", "other.b separ.0", "other.b separ.1", "separ.1 separ.0"}));
+  EXPECT_EQ(pairs("operation = \"overlay\"\ncurves = \"separ.1\"\nwith = \"separ.[02]\""),
+            (Names{"separ.1 separ.0", "separ.1 separ.2"}));
   EXPECT_EQ(
       pairs("operation = \"overlay\"\npairs = [[\"separ.2\", \"other.b\"], [\"zones.dat#1\", \"zones.dat#one\"]]"),
       (Names{"separ.2 other.b", "zones.dat#1 zones.dat#0"}));
@@ -97,6 +99,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
       "densify, transport");
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");
+  EXPECT_EQ(refusal("operation = \"densify\"\ncurves = \"separ.*\"\nwith = \"other.*\"\noptions.max_length = 1"),
+            "job.toml:3: with: goes with pairs = \"product\" only");
   EXPECT_EQ(refusal("operation = \"overlay\"\n\ncurves = \"sepra.*\""), "job.toml:3: curves: there is no file sepra.*");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"al\"").substr(0, 72),
             "job.toml:3: pairs: \"al\" cannot be read as pairs; give all, consecutive, ");

@@ -96,6 +96,22 @@ options = { system = "henon", iterates = 2, tolerance = 1e-3 }
   EXPECT_EQ(asked("SELECT count(*), count(DISTINCT job), count(DISTINCT key) FROM results"), Rows{"24 24 24"});
 }
 
+TEST_F(StoreViews, ListsCanBeLookedInto) {
+  ran("operation = \"transport\"\noptions = { system = \"henon\", iterates = 3, tolerance = 1e-3 }\n");
+  export_results(Store::open(path("s")), path("out.jsonl"), ExportFormat::json_lines, "transport");
+  std::ifstream lines(path("out.jsonl"));
+  std::string line;
+  std::getline(lines, line);
+  const std::string key = "\"a21\":[";
+  const std::size_t begin = line.find(key) + key.size();
+  ASSERT_GT(begin, key.size());
+  const double first = std::stod(line.substr(begin));
+  EXPECT_GT(first, 0);
+  const Rows found = asked("SELECT printf('%!.17g', json_extract(lists, '$.a21[0]')) FROM transports");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(std::stod(found[0]), first);
+}
+
 TEST_F(StoreViews, FailuresAreNotAmongTheValues) {
   write("c.4", "0 0\n1 1\n1 0\n0 1\n");
   ran(all_pairs);
@@ -117,7 +133,9 @@ TEST_F(StoreViews, InputsWithTheSameContents) {
   EXPECT_EQ(pairs().size(), 6U);
   for (std::size_t k = 0; k < 2; ++k) ran(all_pairs, "part" + std::to_string(k), {k, 2});
   Store joined = Store::create(path("joined"));
-  for (const char* const part : {"part0", "part1"}) joined.merge(Store::open(path(part)));
+  std::vector<Store> parts;
+  for (const char* const part : {"part0", "part1"}) parts.push_back(Store::open(path(part)));
+  joined.merge(parts);
   EXPECT_EQ(pairs("joined"), pairs());
 }
 

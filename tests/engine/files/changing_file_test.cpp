@@ -57,7 +57,7 @@ TEST(ChangingFile, DevicesWithoutEndAreRefused) {
       (void)read_curve_file(name);
       ADD_FAILURE() << name << " was read";
     } catch (const DataError& error) {
-      EXPECT_EQ(std::string(error.what()), std::string(name) + ": is a device, no file of points");
+      EXPECT_EQ(std::string(error.what()), std::string(name) + ": is a device, not a file");
     }
   }
 }
