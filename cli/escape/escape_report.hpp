@@ -42,8 +42,8 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
 /// open" for one that trajectories which do not get here leave open.
 void write_escape_curves(const std::string& path, const EscapeReport& report);
 
-/// The curves on the section in its direction, with what they have in common filled, as SVG. Throws DataError when there
-/// is none.
+/// The curves on the section in its direction, with what they have in common filled, as SVG. Throws DataError when
+/// there is none.
 [[nodiscard]] std::string escape_picture(const EscapeReport& report);
 
 }  // namespace lober::cli

@@ -109,7 +109,8 @@ std::string stop_text(const EscapeReport& report) {
     case EscapeStop::budget:
       if (result.seconds_ahead == 0) {
         return fmt::format(
-            "{}: the next images were broken off after {:.3g} s of processor time in all; --budget {:.15g}, a larger one "
+            "{}: the next images were broken off after {:.3g} s of processor time in all; --budget {:.15g}, a larger "
+            "one "
             "allows more",
             how_far, result.seconds_spent, report.options.budget);
       }

@@ -130,9 +130,9 @@ std::string grow_summary(const GrowReport& report) {
   const LocalManifold& local = report.local;
   const GrownManifold& manifold = report.manifold;
   std::string text = system_text(report.system) + "\n";
-  text += fmt::format("manifold             {}, branch {}\n",
-                      local.side == ManifoldSide::unstable ? "unstable" : "stable",
-                      report.branch == Branch::plus ? "+" : "-");
+  text +=
+      fmt::format("manifold             {}, branch {}\n", local.side == ManifoldSide::unstable ? "unstable" : "stable",
+                  report.branch == Branch::plus ? "+" : "-");
   text += fmt::format("saddle               ({:.15g}, {:.15g})\n", local.saddle.x, local.saddle.y);
   text += fmt::format("multiplier           {:.15g}\n", local.multiplier);
   if (local.multiplier < 0) {
@@ -141,9 +141,9 @@ std::string grow_summary(const GrowReport& report) {
         std::abs(local.image().steps));
   }
   text += fmt::format("local manifold       reach {:.4g}, defect {:.2g}\n", local.reach, local.defect);
-  text += fmt::format("grown                {} points, length {:.10g}: the local manifold and {}\n",
-                      manifold.points.size(), manifold.length,
-                      counted(manifold.generation_begin.size() - 2, "image of it", "images of it"));
+  text +=
+      fmt::format("grown                {} points, length {:.10g}: the local manifold and {}\n", manifold.points.size(),
+                  manifold.length, counted(manifold.generation_begin.size() - 2, "image of it", "images of it"));
   text += fmt::format("growing ended        {}\n", end_of_growth(report));
   for (const GrowthDiagnosticCause cause : causes) {
     const std::size_t count = with_diagnostic(manifold, cause);

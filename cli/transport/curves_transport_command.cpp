@@ -95,9 +95,10 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
       .value("X,Y");
   const Option iterates =
       parser
-          .add("--iterates", request.iterates,
-               "The number of iterates n up to which the table goes, or as far as the curves reach: n takes n images of "
-               "the bip on them (default: as far as the curves reach).")
+          .add(
+              "--iterates", request.iterates,
+              "The number of iterates n up to which the table goes, or as far as the curves reach: n takes n images of "
+              "the bip on them (default: as far as the curves reach).")
           .range(1, max_iterates)
           .value("N");
   add_closure_option(parser, request.closure);

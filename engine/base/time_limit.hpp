@@ -10,8 +10,8 @@
 
 namespace lober::detail {
 
-/// Raises a flag for a CancellationScope once the watch shows so many seconds; looks fifty times a second. An infinite
-/// limit costs nothing. The watch must outlive it.
+/// Raises a flag for a CancellationScope once the watch shows more than `seconds`; looks fifty times a second. An
+/// infinite limit costs nothing. The watch must outlive it.
 class ProcessorTimeLimit {
  public:
   ProcessorTimeLimit(const ProcessorWatch& watch, double seconds);

@@ -47,7 +47,6 @@ struct Result {
 /// with the digits that give it back, null for NaN, "Infinity" and "-Infinity"; no text for lists that are all empty.
 /// `decoded_lists` throws DataError for other texts.
 [[nodiscard]] std::string encoded_lists(std::span<const std::vector<double>> lists, std::span<const std::string> names);
-[[nodiscard]] std::vector<std::vector<double>> decoded_lists(std::string_view text,
-                                                             std::span<const std::string> names);
+[[nodiscard]] std::vector<std::vector<double>> decoded_lists(std::string_view text, std::span<const std::string> names);
 
 }  // namespace lober::detail

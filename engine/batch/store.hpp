@@ -97,8 +97,8 @@ class Store {
   };
   [[nodiscard]] std::vector<Run> runs() const;
 
-  /// Takes over what other stores have. Throws DataError when the plans differ or the same input was read with different
-  /// contents. One transaction: all of it, or nothing.
+  /// Takes over what other stores have. Throws DataError when the plans differ or the same input was read with
+  /// different contents. One transaction: all of it, or nothing.
   void merge(std::span<const Store> others);
 
  private:

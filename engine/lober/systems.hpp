@@ -71,7 +71,7 @@ struct System {
   std::optional<Connection> connection;  ///< whose tangle is of interest; its boundary bounds region 1
   /// Why a system that has a connection for other parameters has none for these; empty elsewhere.
   std::string no_connection{};
-  std::vector<Connection> further{};     ///< whose boundaries bound more regions
+  std::vector<Connection> further{};  ///< whose boundaries bound more regions
   /// Whether region 1 is not bounded without those: the strip of a cylinder between an upper and a lower boundary.
   bool further_needed = false;
   std::shared_ptr<const Flow> flow;      ///< null when the system is a map

@@ -156,8 +156,7 @@ TEST_F(TransportCommand, FromManifoldFilesSaysWhereItEnds) {
 }
 
 TEST_F(TransportCommand, SaysThatThereIsNoZero) {
-  const nlohmann::json found =
-      json({"standard", "--sweep", "K=1:1.2:0.1", "--find-zero", "--tolerance", "1e-4"});
+  const nlohmann::json found = json({"standard", "--sweep", "K=1:1.2:0.1", "--find-zero", "--tolerance", "1e-4"});
   EXPECT_EQ(found["zeros"].size(), 0U);
   const std::string why = found["no_zero"];
   for (const char* words : {"does not change sign", "K = 1, where it is 0.02536", "K = 1.2, where it is 0.05805"}) {

@@ -66,7 +66,8 @@ Operation tangle_operation() {
       {"bip", std::int64_t{-1}, "number of the pip that bounds the region, from 0; -1 for the middle one", {}, -1},
       {"period",
        std::int64_t{0},
-       "number of pips from one to its image, at most that of lobes, even where lobes alternate; 0 to infer it from the "
+       "number of pips from one to its image, at most that of lobes, even where lobes alternate; 0 to infer it from "
+       "the "
        "areas",
        {},
        0,

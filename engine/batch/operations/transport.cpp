@@ -59,7 +59,8 @@ void check_options(const Options& options) {
   try {
     const System system = system_of(options.text("system"), options.reals_of("parameters"), 1e-12);
     // A member of a grid that has none for its parameters fails alone.
-    if (!system.connection && system.no_connection.empty()) throw UsageError(options.text("system") + " names no manifolds of interest");
+    if (!system.connection && system.no_connection.empty())
+      throw UsageError(options.text("system") + " names no manifolds of interest");
   } catch (const UsageError& error) {
     throw UsageError(std::string("system: ") + error.what());
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -224,9 +225,8 @@ class Bottlenecks {
 
   // All bottlenecks are open, or there is nothing to escape by.
   static void require_energy_above(std::span<const SaddlePoint> saddles, double energy) {
-    const auto highest = std::max_element(saddles.begin(), saddles.end(), [](const auto& x, const auto& y) {
-      return x.energy < y.energy;
-    });
+    const auto highest = std::max_element(saddles.begin(), saddles.end(),
+                                          [](const auto& x, const auto& y) { return x.energy < y.energy; });
     if (energy > highest->energy && std::isfinite(energy)) return;
     throw UsageError("the energy " + format_number(energy) + " is not above that of the saddle " +
                      name_of_saddle(*highest) + ", " + format_number(highest->energy) +
@@ -282,14 +282,22 @@ class Bottlenecks {
   void find_tubes() {
     report_("local manifolds");
     tubes_.resize(2 * list.size());
+    std::vector<std::exception_ptr> failures(tubes_.size());  // the first one counts, whatever failed earlier
     for_each_block(tubes_.size(), 1, [&](std::size_t k, std::size_t) {
       Bottleneck& bottleneck = list[k / 2];
-      near_saddle(bottleneck.orbit.saddle, bottleneck.orbit.energy, [&] {
-        tubes_[k].emplace(flow_, bottleneck.orbit, k % 2 == 0 ? ManifoldSide::unstable : ManifoldSide::stable,
-                          options_.integration);
-      });
-      (k % 2 == 0 ? bottleneck.entry_branch : bottleneck.exit_branch) = tubes_[k]->branch_towards(section_);
+      try {
+        near_saddle(bottleneck.orbit.saddle, bottleneck.orbit.energy, [&] {
+          tubes_[k].emplace(flow_, bottleneck.orbit, k % 2 == 0 ? ManifoldSide::unstable : ManifoldSide::stable,
+                            options_.integration);
+        });
+        (k % 2 == 0 ? bottleneck.entry_branch : bottleneck.exit_branch) = tubes_[k]->branch_towards(section_);
+      } catch (const DataError&) {
+        failures[k] = std::current_exception();
+      }
     });
+    for (const std::exception_ptr& failure : failures) {
+      if (failure) std::rethrow_exception(failure);
+    }
     for (std::size_t k = 0; k < list.size(); ++k) {
       const Tube &entry = *tubes_[2 * k], &exit = *tubes_[2 * k + 1];
       list[k].area = entry.area_by_action(section_);

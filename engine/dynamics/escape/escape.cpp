@@ -22,7 +22,7 @@ namespace {
 
 // Work that was expected to end within the budget and does not is broken off at this many of it.
 constexpr double beyond_budget = 1.1;
-// Orbits and first curves are made whatever the budget, for so many seconds at least: there is nothing to say before.
+// Orbits and first curves may take these seconds whatever the budget: there is nothing to say before.
 constexpr double first_seconds = 5;
 
 // What comes before the first row. Throws DataError when it takes too long.

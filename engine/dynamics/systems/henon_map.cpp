@@ -41,8 +41,9 @@ SystemEntry henon_map_entry() {
                                              {-1, -1},
                                              Point{-1.154 - 0.757 * values[0], 0.666 + 0.518 * values[0]}};
             } else {
-              system.no_connection = values[0] == -1 ? "the saddle and the centre are one fixed point, (1, 1), for k = -1"
-                                                     : "the map has no fixed points for k < -1";
+              system.no_connection = values[0] == -1
+                                         ? "the saddle and the centre are one fixed point, (1, 1), for k = -1"
+                                         : "the map has no fixed points for k < -1";
             }
             system.symmetries = {reversor({0, 1, 1, 0})};
             system.map = std::make_shared<FormulaMap<HenonMap>>(HenonMap{values[0]});

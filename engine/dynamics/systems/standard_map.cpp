@@ -50,8 +50,8 @@ struct StandardMap {
     const double c = k * std::cos(z.x);
     return {1 + c, 1, c, 1};
   }
-  /// L(x, x') = (x' - x)^2 / 2 + |K| - K cos x, 0 at the saddle. The part of the potential is written as a square, which
-  /// keeps its digits near the saddle.
+  /// L(x, x') = (x' - x)^2 / 2 + |K| - K cos x, 0 at the saddle. The part of the potential is written as a square,
+  /// which keeps its digits near the saddle.
   long double action(Point from, Point to) const {
     const long double step = static_cast<long double>(to.x) - static_cast<long double>(from.x);
     const long double half = 0.5L * static_cast<long double>(from.x);

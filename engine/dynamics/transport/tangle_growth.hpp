@@ -94,7 +94,7 @@ class TangleGrowth {
   int enlargements_ = 0;
   double tolerance_ = 0, finest_ = 0;
   std::uint64_t work_before_ = 0;
-  double begun_ = 0;  // when growth did, by watch_, later by what was not growth
+  double begun_ = 0;              // when growth did, by watch_, later by what was not growth
   std::uint64_t work_after_ = 0;  // when it ended for now
   double ended_ = 0;
   bool out_of_work_ = false;

@@ -51,8 +51,9 @@ class Builder {
       Agreement agreement;
       compare_routes(agreement, series->partition(), step);
       if (!agreement.agrees() && n > 1 && crossings_may_be_missing()) {
-        note_limit(n, "finer polygons on the cylinder cross elsewhere, and the area of lobes there is not that between "
-                      "boundaries (--budget SECONDS allows finer ones)");
+        note_limit(n,
+                   "finer polygons on the cylinder cross elsewhere, and the area of lobes there is not that between "
+                   "boundaries (--budget SECONDS allows finer ones)");
         break;
       }
       result_.steps.push_back(std::move(step));

@@ -68,7 +68,8 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
     const auto pips = [](int from, int to) {
       return "from f^" + std::to_string(from) + "(q) to f^" + std::to_string(to) + "(q)";
     };
-    result.limit = "the curves show the images of the bip q " + pips(-before, after) + ", and n takes n of them beside q"
+    result.limit = "the curves show the images of the bip q " + pips(-before, after) +
+                   ", and n takes n of them beside q"
                    "; longer curves, U and S both, show more";
   }
   result.remarks = tangle.remarks;

@@ -70,7 +70,8 @@ std::string misfit_of(const std::vector<Lobe>& lobes, std::size_t period) {
   if (!(kept < 0)) return {};
   return given + "it makes lobe " + std::to_string(example + period) + ", of signed area " +
          format_number(lobes[example + period].area) + ", the image of lobe " + std::to_string(example) + ", of " +
-         format_number(lobes[example].area) + "; a map that preserves orientation keeps the sign, so that the period of "
+         format_number(lobes[example].area) +
+         "; a map that preserves orientation keeps the sign, so that the period of "
          "lobes that alternate is even";
 }
 

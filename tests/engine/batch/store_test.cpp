@@ -65,7 +65,8 @@ TEST_F(StoreTest, NumbersComeBackBitForBit) {
   ASSERT_EQ(found->lists.size(), 2U);
   EXPECT_TRUE(found->lists[0].empty());
   ASSERT_EQ(found->lists[1].size(), given.lists[1].size());
-  for (std::size_t k = 0; k < given.lists[1].size(); ++k) EXPECT_PRED2(same, given.lists[1][k], found->lists[1][k]) << k;
+  for (std::size_t k = 0; k < given.lists[1].size(); ++k)
+    EXPECT_PRED2(same, given.lists[1][k], found->lists[1][k]) << k;
 }
 
 TEST_F(StoreTest, NothingIsStoredTwiceAndFailuresGiveWay) {
