@@ -52,6 +52,14 @@ LOBER_INLINE Lanes absolute(Lanes a) {
   return max(a, -a);
 }
 
+LOBER_INLINE Lanes square_root(Lanes a) {
+#ifdef __AVX2__
+  return _mm256_sqrt_pd(a);
+#else
+  return Lanes{__builtin_sqrt(a[0]), __builtin_sqrt(a[1]), __builtin_sqrt(a[2]), __builtin_sqrt(a[3])};
+#endif
+}
+
 /// The least and the greatest of the four.
 LOBER_INLINE double least(Lanes a) {
   const double first = a[1] < a[0] ? a[1] : a[0], second = a[3] < a[2] ? a[3] : a[2];

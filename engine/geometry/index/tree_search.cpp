@@ -3,7 +3,8 @@
 // The walk goes down the first tree in curve order and carries along the list of nodes of the second tree whose boxes
 // meet the present one, always split to about its size. So everything found for a leaf is found together and comes
 // out in curve order, which makes sorting the crossings nearly free. Where folds run side by side, nodes are held
-// against each other by slanted rectangles too (node_frames.hpp).
+// against each other by slanted rectangles (node_frames.hpp) or by strips along parabolas (node_strips.hpp) too, and
+// one curve that is folded upon itself many times is searched window by window (window_search.hpp).
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,9 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/index/index.hpp"
 #include "engine/geometry/index/node_frames.hpp"
+#include "engine/geometry/index/node_strips.hpp"
 #include "engine/geometry/index/search.hpp"
+#include "engine/geometry/index/window_search.hpp"
 #include "kernels/box_pyramid.hpp"
 #include "lober/buffer.hpp"
 
@@ -23,6 +26,13 @@ namespace {
 
 constexpr std::uint32_t block_level = 6;  // a block is a node of this level
 static_assert(block_segments == leaf_size << block_level);
+constexpr std::uint32_t task_level = block_level + 2;  // a task is four blocks: what lies above is walked by one thread
+static_assert(block_level % 2 == 0, "the walk passes through even levels");
+
+// From how many boxes a leaf on frames and windows pay for one curve, strips for two: of what boxes propose between
+// folds of one curve nothing is there, two curves may well cross. Making strips takes as long as testing a number of
+// boxes for each leaf.
+constexpr double worth_frames = 16, worth_windows = 1000, worth_strips = 100, boxes_a_strip = 16;
 
 // The nodes of the second tree that are carried along, for each of the nodes below one node of the first.
 struct Carried {
@@ -62,7 +72,7 @@ class TreeSearch {
     for (std::size_t i = 0; i < present; ++i) {
       const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
       if (self_) drop_apart(child, carried.met[i], carried.count[i]);
-      if (frames1_ != nullptr) drop_beside(child, carried.met[i], carried.count[i], counts);
+      drop_beside(child, carried.met[i], carried.count[i], counts);
       if (carried.count[i] > 0) split_to_size(child, carried.met[i], carried.count[i], counts);
     }
   }
@@ -104,16 +114,20 @@ class TreeSearch {
     }
   }
 
-  // From now on. They must outlive the search.
-  void use_frames(const NodeFrames& first, const NodeFrames& second) {
-    frames1_ = &first;
-    frames2_ = &second;
+  // From now on, of a curve with itself. They must outlive the search.
+  void use(const NodeFrames& frames) { frames_ = &frames; }
+  // The same, of two curves.
+  void use(const NodeStrips& first, const NodeStrips& second) {
+    strips1_ = &first;
+    strips2_ = &second;
   }
 
  private:
   void drop_beside(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    if (frames_ == nullptr && strips1_ == nullptr) return;
     counts.boxes_tested += count;
-    count = keep_near(frames1_->of(node), frames2_->pyramid(), list.data(), count);
+    count = frames_ != nullptr ? keep_near(frames_->of(node), frames_->pyramid(), list.data(), count)
+                               : keep_near(strips1_->of(node), strips2_->pyramid(), list.data(), count);
   }
 
   static void ensure_size(Buffer<TreeNode>& buffer, std::size_t size) {
@@ -145,7 +159,7 @@ class TreeSearch {
       waiting.swap(split);
       waiting_count = refined.split;
       if (self_) drop_apart(node, waiting, waiting_count);
-      if (frames1_ != nullptr) drop_beside(node, waiting, waiting_count, counts);
+      drop_beside(node, waiting, waiting_count, counts);
     }
     count = kept;
   }
@@ -201,8 +215,9 @@ class TreeSearch {
   const BoxTree& first_;
   const BoxTree& second_;
   bool self_;
-  const NodeFrames* frames1_ = nullptr;
-  const NodeFrames* frames2_ = nullptr;
+  const NodeFrames* frames_ = nullptr;
+  const NodeStrips* strips1_ = nullptr;
+  const NodeStrips* strips2_ = nullptr;
 };
 
 // A node of the first tree with the nodes of the second that it meets.
@@ -229,11 +244,12 @@ void collect(const TreeSearch& search, const Meeting& from, std::uint32_t level,
   }
 }
 
-// Whether frames pay: a few leaves show how many boxes the walk tests for each. Of one curve nothing of what
-// boxes propose is there; two curves may well cross where their boxes meet.
-bool needs_frames(const TreeSearch& search, const std::vector<Meeting>& tasks, bool self, SearchCounts& counts) {
-  const std::size_t samples = std::min<std::size_t>(4, tasks.size() / 4);  // a small part of the walk
-  const double worth = self ? 16 : 100;
+// What is ahead of the walk, by what a few leaves show: a small part of it.
+struct Forecast {
+  double boxes_a_leaf = 0, boxes = 0;
+};
+Forecast forecast(const TreeSearch& search, const std::vector<Meeting>& tasks, SearchCounts& counts) {
+  const std::size_t samples = std::min<std::size_t>(4, tasks.size() / 4);
   SearchCounts sampled;
   std::size_t leaves = 0;
   for (std::size_t k = 0; k < samples; ++k) {
@@ -244,24 +260,50 @@ bool needs_frames(const TreeSearch& search, const std::vector<Meeting>& tasks, b
     collect(search, blocks[blocks.size() / 2], 0, met, sampled);
     leaves += std::size_t{1} << block_level;
   }
+  if (leaves == 0) return {};
   counts.boxes_tested += sampled.boxes_tested;
-  return static_cast<double>(sampled.boxes_tested) > worth * static_cast<double>(leaves);
+  const double a_leaf = static_cast<double>(sampled.boxes_tested) / static_cast<double>(leaves);
+  return {a_leaf, a_leaf * static_cast<double>(tasks.size() << task_level)};
+}
+
+// The pairs of all leaves with those that are near.
+SearchCounts search_leaves(const TreeSearch& search, const NearLeaves& near, std::size_t leaves, PairConsumer& consumer,
+                           SearchCounts counts) {
+  constexpr std::size_t in_block = std::size_t{1} << block_level;
+  const std::size_t blocks = (leaves + in_block - 1) / in_block;
+  std::vector<SearchCounts> block_counts(blocks);
+  for_each_block(blocks, 1, [&](std::size_t block, std::size_t) {
+    TreeSearch::Scratch scratch;
+    for (std::size_t leaf = block * in_block; leaf < std::min((block + 1) * in_block, leaves); ++leaf) {
+      const auto index = static_cast<std::uint32_t>(leaf);
+      search.walk({0, index}, near.of(index), static_cast<std::uint32_t>(block), consumer, scratch);
+    }
+    consumer.finish(static_cast<std::uint32_t>(block));
+    block_counts[block] = scratch.counts;
+  });
+  for (const SearchCounts& block : block_counts) counts += block;
+  counts.blocks_searched = blocks;
+  return counts;
 }
 
 SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self, PairConsumer& consumer) {
-  constexpr std::uint32_t task_level =
-      block_level + 2;  // a task is four blocks: what lies above is walked by one thread
-  static_assert(block_level % 2 == 0, "the walk passes through even levels");
   TreeSearch search(first, second, self);
   SearchCounts counts;
   std::vector<Meeting> tasks;
   collect(search, {first.root(), search.start(counts)}, task_level, tasks, counts);
 
-  std::optional<NodeFrames> frames1, frames2;
-  if (needs_frames(search, tasks, self, counts)) {
-    frames1.emplace(first);
-    if (!self) frames2.emplace(second);
-    search.use_frames(*frames1, self ? *frames1 : *frames2);
+  const Forecast ahead = forecast(search, tasks, counts);
+  if (self && ahead.boxes_a_leaf > worth_windows) {
+    const NearLeaves near(first, counts);
+    if (near.is_complete()) return search_leaves(search, near, first.leaves(), consumer, counts);
+  }
+  std::optional<NodeFrames> frames;
+  std::optional<NodeStrips> strips1, strips2;
+  if (self && ahead.boxes_a_leaf > worth_frames) {
+    search.use(frames.emplace(first));
+  } else if (ahead.boxes_a_leaf > worth_strips &&
+             ahead.boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
+    search.use(strips1.emplace(first), strips2.emplace(second));
   }
   std::vector<SearchCounts> task_counts(tasks.size());
   for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {

@@ -45,6 +45,34 @@ inline std::vector<SegmentPair> pairs_with_common_point(const CurveView& first, 
   return pairs;
 }
 
+/// Whether segments i < j have more in common than the end that joins them.
+inline bool meet_beyond_a_joint(const CurveView& curve, std::uint32_t i, std::uint32_t j) {
+  const Ends s = ends_of(curve, i), t = ends_of(curve, j);
+  if (s.a == s.b || t.a == t.b || !have_common_point(s, t)) return false;
+  const bool follows = j == i + 1, wraps = curve.closed && i == 0 && j + 1 == curve.segments();
+  if (!follows && !wraps) return true;
+  // Neighbours, of which the joint is known, meet elsewhere only when they fold back onto each other.
+  const Ends& before = follows ? s : t;
+  const Ends& after = follows ? t : s;
+  if (exact_orientation(before.a, before.b, after.b) != 0) return false;
+  const auto turns_back = [](double from, double joint, double to) {
+    return (from < joint && to < joint) || (from > joint && to > joint);
+  };
+  return turns_back(before.a.x, before.b.x, after.b.x) || turns_back(before.a.y, before.b.y, after.b.y);
+}
+
+/// All pairs i < j of segments of a curve that do.
+inline std::vector<SegmentPair> pairs_beyond_joints(const CurveView& curve) {
+  std::vector<SegmentPair> pairs;
+  const auto segments = static_cast<std::uint32_t>(curve.segments());
+  for (std::uint32_t i = 0; i < segments; ++i) {
+    for (std::uint32_t j = i + 1; j < segments; ++j) {
+      if (meet_beyond_a_joint(curve, i, j)) pairs.push_back({i, j});
+    }
+  }
+  return pairs;
+}
+
 /// Keeps everything, block by block, and complains about whatever a search must not do.
 class Recorder : public PairConsumer {
  public:

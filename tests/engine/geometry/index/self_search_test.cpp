@@ -12,35 +12,13 @@ namespace lober::testing {
 using namespace lober::detail;
 namespace {
 
-// Whether segments i < j have more in common than the end that joins them.
-bool meet_beyond_a_joint(const CurveView& curve, std::uint32_t i, std::uint32_t j) {
-  const Ends s = ends_of(curve, i), t = ends_of(curve, j);
-  if (s.a == s.b || t.a == t.b || !have_common_point(s, t)) return false;
-  const bool follows = j == i + 1, wraps = curve.closed && i == 0 && j + 1 == curve.segments();
-  if (!follows && !wraps) return true;
-  // Neighbours, of which the joint is known, meet elsewhere only when they fold back onto each other.
-  const Ends& before = follows ? s : t;
-  const Ends& after = follows ? t : s;
-  if (exact_orientation(before.a, before.b, after.b) != 0) return false;
-  const auto turns_back = [](double from, double joint, double to) {
-    return (from < joint && to < joint) || (from > joint && to > joint);
-  };
-  return turns_back(before.a.x, before.b.x, after.b.x) || turns_back(before.a.y, before.b.y, after.b.y);
-}
-
 void expect_complete(const Curve& curve) {
   const IndexedCurve indexed(curve);
   Recorder recorder(curve, curve);
   const SearchCounts counts = find_self_pairs(indexed, recorder);
   const std::vector<SegmentPair> found = recorder.sorted();
   EXPECT_EQ(counts.pairs_proposed, found.size());
-  std::vector<SegmentPair> wanted;
-  const auto segments = static_cast<std::uint32_t>(indexed.segments());
-  for (std::uint32_t i = 0; i < segments; ++i) {
-    for (std::uint32_t j = i + 1; j < segments; ++j) {
-      if (meet_beyond_a_joint(curve, i, j)) wanted.push_back({i, j});
-    }
-  }
+  const std::vector<SegmentPair> wanted = pairs_beyond_joints(curve);
   const auto lost = missing(wanted, found);
   ASSERT_TRUE(lost.empty()) << listed(lost);
   for (const SegmentPair& pair : found) ASSERT_LT(pair.first, pair.second);
