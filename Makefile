@@ -10,7 +10,7 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev
 
-.PHONY: demo test ci build bench bench-build bench-batch docs-figures docs-check check-readme stress fuzz deps mpi-deps bench-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
@@ -22,6 +22,10 @@ docs-figures: build
 
 docs-check: build
 	@scripts/docs.sh check
+
+# The figures and tables of Naik, Lekien & Ross (2017), into docs/paper: minutes on two cores, the same bytes each time.
+paper: build
+	@scripts/paper.sh
 
 # Every command and code block of README.md, executed.
 check-readme: build

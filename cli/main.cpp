@@ -16,6 +16,7 @@
 #include "cli/grow/grow_command.hpp"
 #include "cli/image/image_command.hpp"
 #include "cli/interior/interior_command.hpp"
+#include "cli/levels/levels_command.hpp"
 #include "cli/overlay/overlay_command.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/interrupt.hpp"
@@ -57,6 +58,7 @@ usage:
                                          by crossing n
   lober fixed-points SYSTEM [options]    finds fixed and periodic points, with multipliers, residues and types
   lober section SYSTEM [options]         follows orbits and draws their points: a Poincare section
+  lober levels SYSTEM [options]          computes level curves of the energy: streamlines, potential, Hill's region
   lober systems [SYSTEM]                 lists the built-in systems; shows the parameters and manifolds of one
   lober overlay --help                   lists the options of a command, as lober help overlay
   lober --version                        prints the version
@@ -77,9 +79,9 @@ understood; 3 two independent routes to one quantity disagree beyond their error
 130 the command was interrupted
 )";
 
-constexpr std::array<std::string_view, 13> commands{"overlay",      "interior", "winding",   "densify", "tangle",
+constexpr std::array<std::string_view, 14> commands{"overlay",      "interior", "winding",   "densify", "tangle",
                                                     "grow",         "image",    "transport", "batch",   "escape",
-                                                    "fixed-points", "section",  "systems"};
+                                                    "fixed-points", "section",  "levels",    "systems"};
 
 // A misspelt name would quietly run the best copies.
 void check_instruction_set() {
@@ -160,6 +162,8 @@ void run(const std::vector<std::string>& arguments) {
     run_fixed_points({arguments.begin() + 1, arguments.end()});
   } else if (first == "section") {
     run_section({arguments.begin() + 1, arguments.end()});
+  } else if (first == "levels") {
+    run_levels({arguments.begin() + 1, arguments.end()});
   } else if (first == "systems") {
     run_systems({arguments.begin() + 1, arguments.end()});
   } else if (const std::string meant = command_meant(first); !meant.empty()) {

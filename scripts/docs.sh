@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The figures and the numbers of the documents, made anew from the program and from bench/RESULTS.md.
-# usage: docs.sh make [cheap]   writes docs/*.svg, docs/figures/*, the blocks of numbers and what ```console blocks show
-#        docs.sh check [cheap]  makes them elsewhere, and fails when a committed one differs
-# cheap: only those that take seconds.
+# usage: docs.sh make [cheap|paper]   writes docs/*.svg, docs/paper/*, the blocks of numbers and what ```console blocks show
+#        docs.sh check [cheap|paper]  makes them elsewhere, and fails when a committed one differs
+# cheap: only those that take seconds. paper: only what docs/paper.md shows, cheap or not.
 #
 # A block of numbers lies between <!-- begin NAME --> and <!-- end NAME -->; scripts/docs-blocks/NAME.sh prints it.
 set -uo pipefail
@@ -14,24 +14,52 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export LOBER=$lober
 
-# Figure, cheap or costly, and the command whose last argument is the picture.
+# File, cheap or costly, and the command: its last argument is the picture; what goes to a .txt is what it prints. Files
+# of work/ are what later commands read, as @work.
 figures='
 docs/demo.svg                       cheap   overlay examples/resonance.dat examples/resonance_image.dat --svg
 docs/tangle.svg                     cheap   tangle examples/manifolds.dat --smooth --overlaps --svg
 docs/section.svg                    cheap   section pendulum --orbits 40 --iterates 120 --svg
 docs/winding.svg                    cheap   winding examples/loops.csv --grid 300,300 --svg
-docs/figures/boundary-images-0.5.svg cheap  image ovp --boundary --param gamma=0.5 --iterates -3:0 --tolerance 1e-4 --svg
-docs/figures/manifolds-0.5.svg      costly  tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --svg
-docs/figures/manifolds-1.81.svg     costly  tangle --system ovp --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --svg
-docs/figures/turnstile-0.5.svg      costly  transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --picture
-docs/figures/fluxes-0.5.svg         costly  transport ovp --param gamma=0.5 --iterates 7 --tolerance 1e-5 --svg
-docs/figures/areas-over-gamma.svg   costly  transport ovp --sweep gamma=0.2:2.5:0.05 --find-zero --tolerance 1e-3 --svg
-docs/escape.svg                     costly  escape capsize --energy 0.25307 --crossings 4 --svg
+docs/paper/fig-01.svg        cheap   tangle --system ovp --param gamma=0.5 --before 2 --after 1 --tolerance 1e-4 --labels --svg
+docs/paper/fig-02a.svg       cheap   tangle --system henon --before 2 --after 2 --tolerance 1e-4 --labels --window=-2.4,-2.2,3,2.6 --svg
+docs/paper/fig-02bc.svg      cheap   overlay examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --svg
+docs/paper/fig-03.svg        cheap   overlay examples/resonance.dat examples/resonance_image.dat --classes --window 4.45,2.95,4.95,3.3 --svg
+docs/paper/fig-04.svg        cheap   overlay examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --classes --svg
+docs/paper/tables-1-4.txt    cheap   overlay examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --classes
+work/boundaries.dat          cheap   image ovp --boundary --param gamma=0.5 --iterates -1:0 --tolerance 5e-3 -o
+docs/paper/fig-05a.svg       cheap   overlay @work/boundaries.dat#1 @work/boundaries.dat#0 --window 0.6,0.3,1.5,1.1 --svg
+docs/paper/fig-05b.svg       cheap   overlay @work/boundaries.dat#1 @work/boundaries.dat#0 --window -0.298,1.972,-0.286,1.978 --svg
+docs/paper/fig-06.svg        cheap   tangle --system pcr3bp --tolerance 1e-4 --labels --svg
+docs/paper/fig-07.svg        cheap   interior examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --svg
+docs/paper/fig-09a.svg       cheap   levels ovp --param eps=0 --box=-3,-3,3,3 --svg
+docs/paper/fig-11a.svg       cheap   tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --svg
+docs/paper/fig-11b.svg       cheap   tangle --system ovp --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --svg
+docs/paper/fig-11c.svg       cheap   tangle --system ovp1 --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --svg
+docs/paper/fig-11d.svg       cheap   tangle --system ovp1 --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --svg
+docs/paper/fig-11e.svg       cheap   tangle --system ovp --param gamma=0.5 --param eps=0.5 --after 1 --tolerance 1e-4 --svg
+docs/paper/fig-12.svg        cheap   image ovp --boundary --param gamma=0.5 --iterates -4:0 --tolerance 1e-4 --svg
+docs/paper/fig-13.svg        cheap   transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --picture
+docs/paper/fig-14a.svg       costly  transport ovp --sweep gamma=0.2:2.5:0.05 --find-zero --tolerance 1e-3 --svg
+docs/paper/fig-14a-ovp1.svg  costly  transport ovp1 --sweep gamma=0.2:2.5:0.05 --find-zero --tolerance 1e-3 --svg
+docs/paper/fig-14b.svg       costly  transport ovp --param gamma=0.5 --iterates 7 --tolerance 1e-5 --svg
+docs/paper/fig-14b-ovp1.svg  cheap   transport ovp1 --param gamma=0.5 --iterates 7 --tolerance 1e-5 --svg
+docs/paper/fig-15.svg        cheap   levels capsize --at 0.125,0.25,0.5,1 --box=-2,-1.2,2,1.8 --grid 320,240 --svg
+docs/paper/fig-16a.svg       cheap   levels capsize --energy 0.22 --box=-1.8,-0.8,1.8,1.4 --svg
+docs/paper/fig-16b.svg       cheap   levels capsize --energy 0.25 --box=-1.8,-0.8,1.8,1.4 --svg
+docs/paper/fig-16c.svg       cheap   levels capsize --energy 0.28 --box=-1.8,-0.8,1.8,1.4 --svg
+docs/paper/fig-17a.svg       cheap   section capsize --param energy=0.22 --orbits 60 --iterates 500 --svg
+docs/paper/fig-17b.svg       cheap   section capsize --param energy=0.25 --orbits 60 --iterates 500 --svg
+docs/paper/fig-17c.svg       cheap   section capsize --param energy=0.28 --orbits 60 --iterates 500 --svg
+docs/paper/fig-19a.svg       costly  escape capsize --energy 0.25307 --crossings 1 --svg
+docs/paper/fig-19b.svg       costly  escape capsize --energy 0.25307 --crossings 4 --svg
+docs/paper/table-5.txt       costly  escape capsize --energy 0.25307 --crossings 4
+docs/paper/table-5-0.253.txt costly  escape capsize --energy 0.253 --crossings 4
 docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --crossings 0 --saddle 2 --svg
 '
 # Documents with blocks; those of the costly kind are only made with all.
-documents='README.md docs/figures.md docs/winding.md docs/images.md docs/sections.md docs/escape.md docs/published-forms.md'
-costly_blocks='escape-table'
+documents='README.md docs/paper.md docs/figures.md docs/winding.md docs/images.md docs/sections.md docs/levels.md docs/escape.md docs/published-forms.md'
+costly_blocks=''
 
 stale=0
 # PLACE NEW: the committed file becomes the new one, or has to be it.
@@ -45,15 +73,31 @@ settle() {
   fi
 }
 
+# Whether files of this name and price are made.
+wanted() {
+  case $cost in
+    all) ;;
+    paper) [[ $1 == docs/paper/* || $1 == work/* ]] ;;
+    *) [ "$2" = cheap ] ;;
+  esac
+}
+
 make_figures() {
-  local figure price arguments
+  local figure price arguments made
+  mkdir -p "$work/work"
   while read -r figure price arguments; do
-    [ -n "$figure" ] || continue
-    [ "$cost" = all ] || [ "$price" = cheap ] || continue
+    [ -n "$figure" ] && wanted "$figure" "$price" || continue
+    arguments=${arguments//@work/$work/work}
+    made=$work/figure.${figure##*.}
+    case $figure in
+      work/*) made=$work/$figure ;&
+      *.svg) arguments="$arguments $made" ;;
+    esac
     # shellcheck disable=SC2086
-    "$lober" $arguments "$work/figure.svg" >/dev/null 2>"$work/err" ||
+    "$lober" $arguments >"$work/printed" 2>"$work/err" ||
       { echo "$figure cannot be made: $(cat "$work/err")"; stale=$((stale + 1)); continue; }
-    settle "$figure" "$work/figure.svg"
+    [[ $figure != *.txt ]] || cp "$work/printed" "$made"
+    [[ $figure == work/* ]] || settle "$figure" "$made"
   done <<<"$figures"
 }
 
@@ -62,7 +106,7 @@ make_blocks() {
   local document=$1 name
   cp "$document" "$work/document"
   for name in $(sed -n 's/^<!-- begin \([a-z-]*\) -->$/\1/p' "$document"); do
-    [ "$cost" = all ] || [[ " $costly_blocks " != *" $name "* ]] || continue
+    [ "$cost" != cheap ] || [[ " $costly_blocks " != *" $name "* ]] || continue
     "scripts/docs-blocks/$name.sh" >"$work/block" ||
       { echo "$document: block $name cannot be made"; stale=$((stale + 1)); continue; }
     awk -v block="$work/block" -v name="$name" '
@@ -81,7 +125,7 @@ make_consoles() {
   awk -v out="$work/blocks" -f scripts/blocks.awk "$work/document" >"$work/index"
   while read -r number kind line info; do
     [ "$kind" = console ] || continue
-    [ "$cost" = all ] || [ "$info" != slow ] || continue
+    [ "$cost" != cheap ] || [ "$info" != slow ] || continue
     command=$(sed -n '1s/^\$ //p' "$work/blocks/$number.body")
     shown=$(($(wc -l <"$work/blocks/$number.body") - 1))
     (PATH=$(dirname "$lober"):$PATH; eval "$command") >"$work/printed" 2>/dev/null </dev/null ||
@@ -100,7 +144,11 @@ make_consoles() {
   done <"$work/index"
 }
 
-case $mode in make | check) ;; *) sed -n 3,5p "$0" >&2; exit 2 ;; esac
+case "$mode $cost" in
+  "make all" | "make cheap" | "make paper" | "check all" | "check cheap" | "check paper") ;;
+  *) sed -n 3,5p "$0" >&2; exit 2 ;;
+esac
+[ "$cost" != paper ] || documents=docs/paper.md
 make_figures
 for document in $documents; do
   [ -f "$document" ] || continue

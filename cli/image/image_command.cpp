@@ -61,7 +61,7 @@ void add_options(OptionParser& parser, Request& request) {
   parser
       .add_flag("--boundary", request.boundary,
                 "The boundary that the system's tangle makes, from its manifolds: U up to the boundary intersection "
-                "point and S from there.")
+                "point and S from there; on a cylinder the upper and the lower one.")
       .excludes(curve)
       .excludes(circle)
       .excludes(rectangle);
@@ -134,6 +134,8 @@ std::vector<Output> outputs_of(const Request& request) {
     for (int n = request.first; n <= request.last; ++n) {
       const std::string path = image_path(request.output, n);
       if (outputs.empty() || path != outputs.back().path) outputs.push_back({"-o", path});
+      if (!request.boundary || path == request.output) continue;
+      outputs.push_back({"-o", image_path(request.output, n, 1)});  // on a cylinder
     }
   }
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
@@ -146,6 +148,7 @@ struct Given {
   std::vector<Point> points;
   CurveFunction function;
   std::vector<double> corners;
+  std::vector<Point> second{};  // the other boundary of a strip
 };
 
 Given circle(const Request& request, ImageReport& report) {
@@ -164,18 +167,26 @@ Given circle(const Request& request, ImageReport& report) {
   return given;
 }
 
-std::vector<Point> boundary(const System& system, ImageReport& report, Progress& progress) {
+// On a cylinder the region lies between two boundaries, each from a saddle to its copy.
+Given boundary(const System& system, ImageReport& report, Progress& progress) {
   if (!system.connection) {
     throw UsageError("system " + system.info.name + " names no tangle whose boundary could be taken; give a curve");
   }
   ManifoldTangleOptions options;
   options.tolerance = report.options.tolerance;
   options.progress = [&](const std::string& line) { return progress.step(line); };
-  const auto tangle = grow_tangle(*system.map, *system.connection, options);
-  const Point bip = tangle->tangle.pips[tangle->bip].at;
-  report.curve = fmt::format("boundary with the bip ({:.10g}, {:.10g})", bip.x, bip.y);
-  report.closed = !system.further_needed;  // from a saddle to its copy, on a cylinder
-  return boundary_curve(*tangle);
+  report.closed = !system.further_needed;
+  std::vector<Connection> connections{*system.connection};
+  if (system.further_needed) connections.insert(connections.end(), system.further.begin(), system.further.end());
+  Given given;
+  for (const Connection& connection : connections) {
+    const auto tangle = grow_tangle(*system.map, connection, options);
+    const Point bip = tangle->tangle.pips[tangle->bip].at;
+    report.curve +=
+        fmt::format("{}boundary with the bip ({:.10g}, {:.10g})", report.curve.empty() ? "" : " and ", bip.x, bip.y);
+    (given.points.empty() ? given.points : given.second) = boundary_curve(*tangle);
+  }
+  return given;
 }
 
 Given curve_of(const Request& request, ImageReport& report, Progress& progress) {
@@ -185,7 +196,7 @@ Given curve_of(const Request& request, ImageReport& report, Progress& progress) 
     report.curve = fmt::format("rectangle [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", r[0], r[2], r[1], r[3]);
     return {{{r[0], r[1]}, {r[2], r[1]}, {r[2], r[3]}, {r[0], r[3]}}, {}, {}};
   }
-  if (request.boundary) return {boundary(report.system, report, progress), {}, {}};
+  if (request.boundary) return boundary(report.system, report, progress);
   report.closed = !request.open;
   report.input = read_curve(request.curve, report.closed);
   report.curve = spec_of(*report.input);
@@ -247,6 +258,7 @@ void compute(const Request& request, ImageReport& report, Progress& progress) {
   } else {
     options.box = report.system.window;
     for (const Point& point : given.points) options.box.add(point);
+    for (const Point& point : given.second) options.box.add(point);
     options.box = widened(options.box, 1);
   }
   progress.phase("images", 0.2, 0.9);
@@ -259,6 +271,11 @@ void compute(const Request& request, ImageReport& report, Progress& progress) {
       given.function
           ? images_of(*report.system.map, request.first, request.last, given.function, given.corners, options)
           : images_of(*report.system.map, request.first, request.last, CurveView{given.points, report.closed}, options);
+  if (!given.second.empty()) {
+    auto others =
+        images_of(*report.system.map, request.first, request.last, CurveView{given.second, report.closed}, options);
+    for (CurveImage& image : others) report.images.push_back(std::move(image));
+  }
   options.progress = {};
   report.image_seconds = image_watch.seconds();
   measure(report);

@@ -12,11 +12,10 @@ namespace {
 constexpr std::string_view placeholder = "{n}";
 
 // The zones of an image: closed ones without a copy of their first point at the end.
-void add_zones(std::vector<Zone>& zones, int iterate, const std::vector<ImagePart>& parts) {
+void add_zones(std::vector<Zone>& zones, const std::string& name, const std::vector<ImagePart>& parts) {
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Buffer<Point>& points = parts[k].points;
-    zones.push_back({parts.size() == 1 ? image_name(iterate)
-                                       : fmt::format("{} part {} of {}", image_name(iterate), k + 1, parts.size()),
+    zones.push_back({parts.size() == 1 ? name : fmt::format("{} part {} of {}", name, k + 1, parts.size()),
                      {points.begin(), points.end()}});
   }
 }
@@ -27,10 +26,11 @@ bool takes_images(const std::string& path) {
   return path != "-" && (path.find(placeholder) != std::string::npos || format_of(path) == PointFormat::tecplot);
 }
 
-std::string image_path(const std::string& path, int iterate, std::size_t part) {
+std::string image_path(const std::string& path, int iterate, std::size_t curve, std::size_t part) {
   const std::size_t at = path.find(placeholder);
   if (at == std::string::npos) return path;
   std::string number = std::to_string(iterate);
+  if (curve > 0) number += fmt::format("-boundary{}", curve + 1);
   if (part > 0) number += fmt::format("-part{}", part);
   return std::string(path).replace(at, placeholder.size(), number);
 }
@@ -38,13 +38,16 @@ std::string image_path(const std::string& path, int iterate, std::size_t part) {
 void write_images(const std::string& path, const ImageReport& report) {
   if (path.find(placeholder) == std::string::npos) {
     std::vector<Zone> zones;
-    for (std::size_t k = 0; k < report.images.size(); ++k) add_zones(zones, report.images[k].iterate, report.parts[k]);
+    for (std::size_t k = 0; k < report.images.size(); ++k) {
+      add_zones(zones, image_name(report.images[k].iterate, report.curve_of(k)), report.parts[k]);
+    }
     return write_tecplot(path, zones, ZoneLines::always);
   }
   for (std::size_t k = 0; k < report.images.size(); ++k) {
     const std::vector<ImagePart>& parts = report.parts[k];
     for (std::size_t part = 0; part < parts.size(); ++part) {
-      write_points(image_path(path, report.images[k].iterate, parts.size() == 1 ? 0 : part + 1), parts[part].points);
+      write_points(image_path(path, report.images[k].iterate, report.curve_of(k), parts.size() == 1 ? 0 : part + 1),
+                   parts[part].points);
     }
   }
 }

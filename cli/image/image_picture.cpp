@@ -64,7 +64,8 @@ void write_image_picture(const std::string& path, const ImageReport& report) {
   add_legend_entry(svg, view, 0, 0, line_swatch(colour_of(0), width_of(0)), report.curve);
   for (std::size_t k = 0; k < report.images.size(); ++k) {
     const int iterate = report.images[k].iterate;
-    std::string text = image_name(iterate) + ": " + std::to_string(report.images[k].points.size()) + " points";
+    std::string text =
+        image_name(iterate, report.curve_of(k)) + ": " + std::to_string(report.images[k].points.size()) + " points";
     if (report.parts[k].size() > 1) text += " in " + std::to_string(report.parts[k].size()) + " parts";
     add_legend_entry(svg, view, static_cast<int>(k % 2), static_cast<int>(1 + k / 2),
                      line_swatch(colour_of(iterate), width_of(iterate)), text);

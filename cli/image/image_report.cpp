@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -50,16 +51,17 @@ const char* meaning(GrowthDiagnosticCause cause) {
 
 std::string remarks(const ImageReport& report) {
   std::string text;
-  for (const CurveImage& image : report.images) {
+  for (std::size_t k = 0; k < report.images.size(); ++k) {
+    const CurveImage& image = report.images[k];
+    const std::string of = image_name(image.iterate, report.curve_of(k));
     for (const GrowthDiagnosticCause cause : causes) {
       const std::size_t count = segments_with(image, cause);
       if (count == 0) continue;
       const Point at = first_place(image, cause);
-      text += fmt::format("{:<6} {} {}, the first at ({:.6g}, {:.6g})\n", image_name(image.iterate), count,
-                          meaning(cause), at.x, at.y);
+      text += fmt::format("{:<6} {} {}, the first at ({:.6g}, {:.6g})\n", of, count, meaning(cause), at.x, at.y);
     }
     if (image.stop == GrowthStop::points) {
-      text += fmt::format("{:<6} ends early: --max-points is reached\n", image_name(image.iterate));
+      text += fmt::format("{:<6} ends early: --max-points is reached\n", of);
     }
   }
   return text;
@@ -81,8 +83,8 @@ Json diagnostics_json(const CurveImage& image) {
 
 }  // namespace
 
-std::string image_name(int iterate) {
-  return fmt::format("f^{}", iterate);
+std::string image_name(int iterate, std::size_t curve) {
+  return curve == 0 ? fmt::format("f^{}", iterate) : fmt::format("f^{} boundary {}", iterate, curve + 1);
 }
 
 std::string image_table(const ImageReport& report) {
@@ -90,11 +92,14 @@ std::string image_table(const ImageReport& report) {
   text += fmt::format("curve      {}, {}\n", report.curve, report.closed ? "closed" : "open");
   if (report.input && !report.input->remark.empty()) text += "curve      " + report.input->remark + "\n";
   text += fmt::format("tolerance  {:g}\n", report.options.tolerance);
-  text +=
-      fmt::format("\n{:<6} {:>10} {:>6} {:>16} {:>23} {:>9}\n", "", "points", "parts", "length", "signed area", "+-");
+  const std::size_t width =
+      image_name(report.first, report.images.empty() ? 0 : report.curve_of(report.images.size() - 1)).size();
+  const std::size_t names = std::max<std::size_t>(width, 6);
+  text += fmt::format("\n{:<{}} {:>10} {:>6} {:>16} {:>23} {:>9}\n", "", names, "points", "parts", "length",
+                      "signed area", "+-");
   for (std::size_t k = 0; k < report.images.size(); ++k) {
-    text += fmt::format("{:<6} {:>10} {:>6} {:>16.9g}", image_name(report.images[k].iterate),
-                        report.images[k].points.size(), report.parts[k].size(), report.lengths[k]);
+    text += fmt::format("{:<{}} {:>10} {:>6} {:>16.9g}", image_name(report.images[k].iterate, report.curve_of(k)),
+                        names, report.images[k].points.size(), report.parts[k].size(), report.lengths[k]);
     if (report.areas[k]) text += fmt::format(" {:>23.15g} {:>9.1e}", *report.areas[k], report.area_error(k));
     text += "\n";
   }
@@ -126,6 +131,7 @@ void write_image_json(const std::string& path, const ImageReport& report,
     Json parts = Json::array();
     for (const ImagePart& part : report.parts[k]) parts.push_back(part_json(part));
     images.push_back({{"iterate", image.iterate},
+                      {"curve", report.curve_of(k)},
                       {"points", image.points.size()},
                       {"length", report.lengths[k]},
                       {"area", report.areas[k] ? Json(*report.areas[k]) : Json()},

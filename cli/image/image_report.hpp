@@ -21,7 +21,8 @@ struct ImageReport {
   bool closed = true;
   int first = 0, last = 0;  ///< as asked for
   ImageOptions options;
-  std::vector<CurveImage> images;             ///< in the order of iterates
+  /// In the order of iterates; of a cylinder's boundaries, which are two, first those of the one and then of the other.
+  std::vector<CurveImage> images;
   std::vector<std::vector<ImagePart>> parts;  ///< of each
   std::vector<double> lengths;                ///< of each, all parts together
   /// Of each image of a closed curve that is whole and meets the tolerance everywhere: its signed area.
@@ -32,10 +33,14 @@ struct ImageReport {
 
   /// What a polygon may leave out of it: the tolerance times its length.
   [[nodiscard]] double area_error(std::size_t image) const { return options.tolerance * lengths[image]; }
+  /// Of which curve an image is: 0, or 1 of the second boundary.
+  [[nodiscard]] std::size_t curve_of(std::size_t image) const {
+    return image / static_cast<std::size_t>(last - first + 1);
+  }
 };
 
-/// "f^-2".
-[[nodiscard]] std::string image_name(int iterate);
+/// "f^-2", of the second curve "f^-2 boundary 2".
+[[nodiscard]] std::string image_name(int iterate, std::size_t curve = 0);
 /// The short table for people.
 [[nodiscard]] std::string image_table(const ImageReport& report);
 /// Curves in one colour for pre-images, one for images.
@@ -46,8 +51,8 @@ void write_image_json(const std::string& path, const ImageReport& report,
 
 /// Whether a name takes all images: Tecplot, a zone for each, or {n} in it, which becomes the iterate.
 [[nodiscard]] bool takes_images(const std::string& path);
-/// The name for an iterate, and a part of it from 1 on; part 0: whole.
-[[nodiscard]] std::string image_path(const std::string& path, int iterate, std::size_t part = 0);
+/// The name for an iterate of a curve, and a part of it from 1 on; part 0: whole.
+[[nodiscard]] std::string image_path(const std::string& path, int iterate, std::size_t curve = 0, std::size_t part = 0);
 /// Writes all images; the format is by the ending (output_names.hpp).
 void write_images(const std::string& path, const ImageReport& report);
 

@@ -21,7 +21,7 @@ namespace {
 
 struct Request {
   std::array<std::string, 2> curves;
-  std::string json;
+  std::string json, svg;
   InteriorOptions options;
   std::optional<FillRule> rule;
   int threads = 0;
@@ -51,6 +51,11 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   const Option unsplit = parser.add_flag("--no-densify", no_densify,
                                          "Neither split segments nor insert points, as -DENS 0 of Lober 1.8 does.");
   Option(unsplit).excludes(insert);
+  const Option svg = parser
+                         .add("--svg", request.svg,
+                              "Draw the parts of both curves outside and inside of each other, the paths of Q1, Q2 "
+                              "and Q3, as an SVG picture in FILE (default: no file).")
+                         .value("FILE");
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   const Option unchecked = add_simple_check_option(parser, no_check);
@@ -62,6 +67,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .one_of({"nonzero", "evenodd", "positive", "negative"})
       .excludes(insert)
       .excludes(unsplit)
+      .excludes(svg)
       .excludes(unchecked)
       .excludes(verify);
   add_verbose_option(parser, request.verbose);
@@ -127,6 +133,7 @@ InteriorReport compute(const Request& request, Progress& progress) {
 void check_outputs_of(const Request& request) {
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
+  if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
   check_outputs(outputs, request.curves);
 }
 
@@ -164,9 +171,10 @@ void run(const Request& request) {
     Progress progress;
     report = compute(request, progress);
     progress.phase("writing", 0.95, 1);
+    if (!request.svg.empty()) write_interior_picture(request.svg, report);
     if (!request.json.empty()) write_interior_json(request.json, report, [&] { return watch.seconds(); });
   }
-  if (request.json != "-") print(interior_table(report));
+  if (request.json != "-" && request.svg != "-") print(interior_table(report));
   const InteriorTiming& timing = report.result.timing;
   log_info(fmt::format(
       "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, labels {:.4f}, sums {:.4f}, "

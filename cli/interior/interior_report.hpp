@@ -51,4 +51,7 @@ void write_ruled_interior_json(const std::string& path, const RuledInteriorRepor
 void write_interior_json(const std::string& path, const InteriorReport& report,
                          const std::function<double()>& seconds_so_far);
 
+/// The parts of both curves outside and inside of each other, the paths of Q1, Q2 and Q3, as an SVG picture.
+void write_interior_picture(const std::string& path, const InteriorReport& report);
+
 }  // namespace lober::cli

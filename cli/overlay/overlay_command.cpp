@@ -32,6 +32,7 @@ struct Request {
   bool smooth = false;
   bool classes = false;
   bool verbose = false;
+  std::vector<double> window;  // of the picture
 };
 
 // Nothing when the arguments asked for help, which is printed.
@@ -56,6 +57,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   const Option svg =
       parser.add("--svg", request.svg, "Draw the curves and the lobes as an SVG picture in FILE (default: no file).")
           .value("FILE");
+  add_window_option(parser, request.window, svg);
   parser.add_flag("--areas-only", areas_only, "Compute the total areas but not the pieces, which is faster.")
       .excludes(lobes)
       .excludes(svg);
@@ -70,7 +72,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   const Option classes = parser.add_flag("--classes", request.classes,
                                          "Compute rho, A, gamma, sigma, class and S of every crossing, for C1 \\ C2 "
                                          "and C2 \\ C1 (Naik, Lekien & Ross 2017, "
-                                         "Tables 1 to 4); --json and --crossings have them too.");
+                                         "Tables 1 to 4); --json, --crossings and --svg show them too.");
   parser.add("--rule", rule, rule_help)
       .value("RULE")
       .one_of({"nonzero", "evenodd", "positive", "negative"})
@@ -82,6 +84,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .excludes(classes);
   add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
+  (void)window_of(request.window);
   request.options.pieces = !areas_only;
   request.options.check_simple = !no_check;
   for (const FillRule any : all_fill_rules) {
@@ -223,7 +226,7 @@ void run(const Request& request) {
     const detail::Stopwatch write_watch;
     if (!request.lobes.empty()) write_lobes(request.lobes, report);
     if (!request.crossings.empty()) write_crossings(request.crossings, report);
-    if (!request.svg.empty()) write_picture(request.svg, report);
+    if (!request.svg.empty()) write_picture(request.svg, report, window_of(request.window));
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) write_overlay_json(request.json, report, [&] { return watch.seconds(); });
   }

@@ -75,7 +75,9 @@ void write_lobes(const std::string& path, const OverlayReport& report);
 /// The nodes as comma-separated columns, which a comment at the top of the file explains.
 void write_crossings(const std::string& path, const OverlayReport& report);
 
-/// An SVG picture of the two curves and of the pieces of C1 \ C2 and C2 \ C1.
-void write_picture(const std::string& path, const OverlayReport& report);
+/// An SVG picture of the two curves and of the pieces of C1 \ C2 and C2 \ C1. `window`: the part of the plane that is
+/// drawn; none: both curves. With `report.steps` the crossings have their numbers, tangents and colours of rho, and the
+/// pieces of C1 \ C2 colours and arrows of the classes of sigma.
+void write_picture(const std::string& path, const OverlayReport& report, const std::optional<Rectangle>& window);
 
 }  // namespace lober::cli

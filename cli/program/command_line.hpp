@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,10 @@ void add_points_option(OptionParser& parser, std::string& path, bool required);
 void add_manifold_check_option(OptionParser& parser, bool& no_check);
 /// --json FILE. `what` is written to it.
 void add_json_option(OptionParser& parser, std::string& path, const std::string& what = "the results");
+/// --window X0,Y0,X1,Y1 of a picture, which `svg` asks for; and that window, none where it was not given (UsageError
+/// for corners in the wrong order).
+Option add_window_option(OptionParser& parser, std::vector<double>& window, Option svg);
+[[nodiscard]] std::optional<Rectangle> window_of(const std::vector<double>& window);
 /// --threads N, for run_with_threads (lober/threads.hpp).
 void add_threads_option(OptionParser& parser, int& threads);
 /// --index KIND.

@@ -55,6 +55,28 @@ bool clip(Pixel& a, Pixel& b, const Frame& frame) {
   return true;
 }
 
+// What of a polygon lies in the frame, with sides along it where the polygon leaves it (Sutherland & Hodgman, Commun.
+// ACM 17, 1974).
+std::vector<Pixel> clip_polygon(std::vector<Pixel> polygon, const Frame& frame) {
+  const auto cut = [&](double Pixel::*axis, double limit, double sign) {
+    std::vector<Pixel> kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Pixel a = polygon[k], b = polygon[k + 1 < polygon.size() ? k + 1 : 0];
+      const bool a_in = sign * (a.*axis - limit) <= 0, b_in = sign * (b.*axis - limit) <= 0;
+      if (a_in) kept.push_back(a);
+      if (a_in == b_in) continue;
+      const double t = (limit - a.*axis) / (b.*axis - a.*axis);
+      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+    polygon = std::move(kept);
+  };
+  cut(&Pixel::x, frame.left, -1);
+  cut(&Pixel::x, frame.right, 1);
+  cut(&Pixel::y, frame.top, -1);
+  cut(&Pixel::y, frame.bottom, 1);
+  return polygon;
+}
+
 }  // namespace
 
 int subpixel(double pixels) {
@@ -93,7 +115,17 @@ void PathWriter::add_polygon(std::span<const Point> polygon) {
   if (full_) return;
   std::vector<Pixel> line;
   line.reserve(polygon.size());
-  for (const Point& point : polygon) line.push_back(view_(point));
+  // Sides along the frame lie far enough outside not to be seen.
+  const double beyond = 200;
+  const Frame frame{-beyond, picture_width + 2 * picture_margin + beyond, -beyond,
+                    view_.height() + 2 * picture_margin + beyond};
+  bool leaves = false;
+  for (const Point& point : polygon) {
+    const Pixel at = view_(point);
+    leaves = leaves || at.x < frame.left || at.x > frame.right || at.y < frame.top || at.y > frame.bottom;
+    line.push_back(at);
+  }
+  if (leaves) line = clip_polygon(std::move(line), frame);
   const std::vector<Pixel> drawn = simplified_line(line, tolerance_);
   if (drawn.size() >= 3) draw(drawn, true);
 }
@@ -144,13 +176,18 @@ void PathWriter::draw(std::span<const Pixel> line, bool closed) {
   if (closed) path_ += "z";
 }
 
-void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines) {
+void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines, bool clipped) {
   const double full_width = picture_width + 2 * picture_margin;
   const double full_height = view.height() + 2 * picture_margin + legend_lines * legend_line + 12;
   append_all(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", full_width, "\" height=\"", full_height,
              "\" viewBox=\"0 0 ", full_width, " ", full_height, "\">\n", "<title>", escaped(title), "</title>\n",
-             "<rect width=\"100%\" height=\"100%\" fill=\"#fbfaf7\"/>\n", "<g transform=\"scale(", 1.0 / subpixels,
-             ")\" stroke-linejoin=\"round\">\n");
+             "<rect width=\"100%\" height=\"100%\" fill=\"#fbfaf7\"/>\n");
+  if (clipped) {
+    append_all(svg, "<clipPath id=\"plot\"><rect width=\"", subpixel(full_width), "\" height=\"",
+               subpixel(view.height() + 2 * picture_margin - 8), "\"/></clipPath>\n");
+  }
+  append_all(svg, "<g transform=\"scale(", 1.0 / subpixels, ")\" stroke-linejoin=\"round\"",
+             clipped ? " clip-path=\"url(#plot)\"" : "", ">\n");
 }
 
 void add_filled(std::string& svg, std::string_view colour, std::string_view rule, const std::string& path) {
@@ -164,6 +201,15 @@ void add_stroked(std::string& svg, std::string_view colour, double pixels, const
 
 void add_dot(std::string& svg, Pixel at, double radius) {
   append_all(svg, "<circle cx=\"", subpixel(at.x), "\" cy=\"", subpixel(at.y), "\" r=\"", subpixel(radius), "\"/>\n");
+}
+
+void add_arrow_head(std::string& svg, Pixel from, Pixel apex, double length, std::string_view colour) {
+  const double far = std::hypot(apex.x - from.x, apex.y - from.y);
+  if (!(far > 0)) return;
+  const double x = (apex.x - from.x) / far * length, y = (apex.y - from.y) / far * length;
+  append_all(svg, "<path fill=\"", colour, "\" d=\"M", subpixel(apex.x), " ", subpixel(apex.y), "L",
+             subpixel(apex.x - x - 0.4 * y), " ", subpixel(apex.y - y + 0.4 * x), " ", subpixel(apex.x - x + 0.4 * y),
+             " ", subpixel(apex.y - y - 0.4 * x), "z\"/>\n");
 }
 
 void begin_legend(std::string& svg) {

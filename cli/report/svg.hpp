@@ -72,11 +72,14 @@ template <typename Draw>
   }
 }
 
-/// Opens the picture of a plot with `lines` lines of legend; then come elements in subpixels.
-void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines);
+/// Opens the picture of a plot with `lines` lines of legend; then come elements in subpixels. `clipped`: nothing is
+/// seen beyond the plot, for windows that curves leave.
+void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines, bool clipped = false);
 void add_filled(std::string& svg, std::string_view colour, std::string_view rule, const std::string& path);
 void add_stroked(std::string& svg, std::string_view colour, double pixels, const std::string& path);
 void add_dot(std::string& svg, Pixel at, double radius);
+/// A head of this length whose apex is at `apex`, for a line that comes from `from`; nothing where both are the same.
+void add_arrow_head(std::string& svg, Pixel from, Pixel apex, double length, std::string_view colour);
 
 /// Ends the plot; then come the entries of the legend.
 void begin_legend(std::string& svg);

@@ -88,7 +88,7 @@ struct Result {
   System system;
   Rectangle box;
   OrbitOptions options;
-  std::size_t orbits = 0, lost = 0;
+  std::size_t orbits = 0, lost = 0, unreached = 0;
   std::uint64_t points = 0, inside = 0;
   double seconds = 0;
 };
@@ -107,9 +107,17 @@ void follow(const Request& request, std::span<const Point> starts, Result& resul
   progress.of(static_cast<double>(starts.size()) * static_cast<double>(each), "points");
   follow_orbits(*result.system.map, starts, result.options, [&](std::size_t first, std::span<const Point> points) {
     if (file) file->add(first, points);
-    density.add(points);
     const std::size_t count = points.size() / each;
-    for (std::size_t k = 0; k < count; ++k) result.lost += std::isnan(points[(k + 1) * each - 1].x) ? 1U : 0U;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::span<const Point> orbit = points.subspan(k * each, each);
+      // Such a start is not a point of the section.
+      if (!result.system.map->is_defined_at(orbit.front())) {
+        ++result.unreached;
+        continue;
+      }
+      density.add(orbit);
+      result.lost += std::isnan(orbit.back().x) ? 1U : 0U;
+    }
     return progress.advance(static_cast<double>(first + count) / static_cast<double>(starts.size()));
   });
   if (file) file->finish();
@@ -124,6 +132,10 @@ std::string table(const Result& result) {
   }
   text += fmt::format("points     {}, {} in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]\n", result.points, result.inside,
                       result.box.min_x, result.box.max_x, result.box.min_y, result.box.max_y);
+  if (result.unreached > 0) {
+    text += fmt::format("no orbit   {} of the starts, which the energy does not reach or the section excludes\n",
+                        result.unreached);
+  }
   if (result.lost > 0) text += fmt::format("lost       {} orbits, which cannot be followed to the end\n", result.lost);
   return text;
 }
@@ -138,6 +150,7 @@ void write_json(const Request& request, const Result& result, const std::functio
   json.member("points", result.points);
   json.member("points_in_box", result.inside);
   json.member("lost_orbits", result.lost);
+  json.member("unreached_starts", result.unreached);
   json.finish({{"orbits", result.seconds}, {"total", seconds_so_far()}});
 }
 

@@ -19,11 +19,20 @@ void TangleOutputs::add_options(OptionParser& parser) {
            "no file).")
       .value("FILE");
   add_json_option(parser, json);
-  parser.add("--svg", svg, "Draw the manifolds, pips, lobes and boundary as an SVG picture in FILE (default: no file).")
-      .value("FILE");
+  const Option picture =
+      parser
+          .add("--svg", svg,
+               "Draw the manifolds, pips, lobes and boundary as an SVG picture in FILE (default: no file).")
+          .value("FILE");
+  parser
+      .add_flag("--labels", labels,
+                "Name the fixed points, regions, pips and lobes in the picture, as far as there is room.")
+      .needs(picture);
+  add_window_option(parser, window, picture);
 }
 
 std::vector<Output> TangleOutputs::files() const {
+  (void)window_of(window);  // a wrong one is reported before any work
   std::vector<Output> outputs;
   for (const auto& [option, path] : {std::pair{"--json", json},
                                      {"--graph", graph},
@@ -52,7 +61,9 @@ void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std:
   if (!outputs.boundary.empty()) write_tangle_boundary(outputs.boundary, report);
   if (!outputs.pips.empty()) write_tangle_pips(outputs.pips, report);
   if (!outputs.graph.empty()) write_tangle_graph(outputs.graph, report);
-  if (!outputs.svg.empty()) write_tangle_picture(outputs.svg, report);
+  if (!outputs.svg.empty()) {
+    write_tangle_picture(outputs.svg, report, {outputs.labels, window_of(outputs.window)});
+  }
   report.timing.write = watch.seconds();
   if (!outputs.json.empty()) write_tangle_json(outputs.json, report, seconds_so_far);
 }

@@ -13,8 +13,10 @@ namespace lober::cli {
 struct TangleOutputs {
   std::string lobes, boundary, pips, graph, json, svg;
   bool overlaps = false;
+  bool labels = false;         ///< in the picture
+  std::vector<double> window;  ///< of the picture
 
-  /// Adds --lobes, --boundary, --pips, --overlaps, --graph, --json and --svg.
+  /// Adds --lobes, --boundary, --pips, --overlaps, --json, --svg, --labels, --window.
   void add_options(OptionParser& parser);
   /// The files that were asked for.
   [[nodiscard]] std::vector<Output> files() const;

@@ -88,6 +88,10 @@ void write_tangle_boundary(const std::string& path, const TangleReport& report);
 void write_tangle_pips(const std::string& path, const TangleReport& report);
 
 /// An SVG picture of the manifolds, the pips, the lobes in two colours and the boundary.
-void write_tangle_picture(const std::string& path, const TangleReport& report);
+struct TanglePicture {
+  bool labels = false;              ///< names of fixed points, regions, pips and lobes
+  std::optional<Rectangle> window;  ///< the part of the plane that is drawn; default: lobes and boundary
+};
+void write_tangle_picture(const std::string& path, const TangleReport& report, const TanglePicture& options);
 
 }  // namespace lober::cli

@@ -1,8 +1,9 @@
 // Curves and lobes for pictures: fewer points that look the same, cells that are drawn on once, points and lobes on a
-// grid.
+// grid, places for labels.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,45 @@ class Coverage {
   double cell_;
   std::size_t columns_, rows_;
   std::vector<bool> marked_;
+};
+
+/// Free space of a frame from (0, 0) on, on square cells. Lines are kept clear as far as there is room; labels and
+/// what is blocked always.
+class LabelLayout {
+ public:
+  /// All lengths in pixels.
+  LOBER_API LabelLayout(double width, double height);
+
+  /// Labels avoid the segment; cells beyond the frame do not count.
+  LOBER_API void add_line(Point a, Point b);
+  /// No label covers any of this rectangle.
+  LOBER_API void block(const Rectangle& rectangle);
+
+  /// Inside a closed polygon (even-odd rule): the centre of the cell farthest from lines, labels, frame and the
+  /// polygon's outside, distances across counted `flat` times, and that distance; none where no centre of a cell lies
+  /// inside. O(cells).
+  struct FreePlace {
+    Point at;
+    double distance = 0;
+  };
+  [[nodiscard]] LOBER_API std::optional<FreePlace> roomiest(std::span<const Point> polygon, double flat = 1) const;
+
+  /// The box of a label of this size about `at`, or, where that covers lines, as near as can be; blocked from now on.
+  /// None where no place in the frame is free of other labels within `reach`.
+  [[nodiscard]] LOBER_API std::optional<Rectangle> put_about(Point at, double width, double height, double reach = 150);
+  /// The same beside a dot of `radius`.
+  [[nodiscard]] LOBER_API std::optional<Rectangle> put_beside(Point at, double radius, double width, double height,
+                                                              double reach = 150);
+
+ private:
+  [[nodiscard]] std::size_t cell_of(double coordinate, std::size_t cells) const;
+  [[nodiscard]] bool free(const Rectangle& box) const;
+  [[nodiscard]] std::size_t lines_below(const Rectangle& box) const;
+
+  double width_, height_;
+  std::size_t columns_, rows_;
+  std::vector<unsigned char> lines_;
+  std::vector<Rectangle> blocked_;
 };
 
 /// Which lobe the centre of each cell lies in: k + 1 for lobe k on the left of its arcs, -(k + 1) on their right, 0 for

@@ -33,6 +33,10 @@ class LOBER_API PlanarMap {
   /// Serial: callers hand out batches to threads.
   virtual void iterate(std::span<Point> points, int iterates) const = 0;
 
+  /// Whether the map may have an image of the point, as far as that is known without following it: false where the
+  /// energy of a return map does not reach, or outside the bound of its section.
+  [[nodiscard]] virtual bool is_defined_at(Point /*point*/) const { return true; }
+
   /// The image of one point as `iterate` gives it (to the tolerance of an integration), and the derivative there.
   virtual Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const = 0;
   /// The same for many points, each of which it replaces; derivatives has as many elements.

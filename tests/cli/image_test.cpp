@@ -50,6 +50,31 @@ TEST_F(ImageProgram, OfABoundaryGivesTheFlux) {
   EXPECT_NEAR(back["c1_minus_c2"].get<double>(), 0.254106277099507, 1e-4);
 }
 
+// On a cylinder the region lies between two boundaries. (x, y) -> (-x, -y) takes the one to the other.
+TEST_F(ImageProgram, OfACylinderTakesBothBoundaries) {
+  const Json found = image(
+      {"standard", "--param", "K=1.2", "--boundary", "--iterates", "0:1", "--tolerance", "1e-4", "-o", "both.dat"});
+  EXPECT_EQ(found["curve"]["closed"], false);
+  ASSERT_EQ(found["images"].size(), 4U);
+  for (const std::size_t k : {0U, 1U, 2U, 3U}) {
+    EXPECT_EQ(found["images"][k]["curve"], k / 2);
+    EXPECT_EQ(found["images"][k]["iterate"], k % 2);
+  }
+  for (const std::size_t k : {0U, 1U}) {
+    EXPECT_NEAR(found["images"][k]["length"].get<double>(), found["images"][k + 2]["length"].get<double>(), 1e-3);
+  }
+  EXPECT_NE(read("both.dat").find("ZONE T=\"f^1 boundary 2\""), std::string::npos);
+  (void)image(
+      {"standard", "--param", "K=1.2", "--boundary", "--iterates", "1", "--tolerance", "1e-3", "-o", "b{n}.csv"});
+  // The upper one lies above p = 0, the lower one below.
+  const auto second_of_middle = [](const std::string& text) {
+    const std::size_t line = text.find('\n', text.size() / 2) + 1;
+    return std::stod(text.substr(text.find(',', line) + 1));
+  };
+  EXPECT_GT(second_of_middle(read("b1.csv")), 0);
+  EXPECT_LT(second_of_middle(read("b1-boundary2.csv")), 0);
+}
+
 TEST_F(ImageProgram, OfAFileIsTheImageOfItsPoints) {
   write("open.csv", "x,y\n1,0.5\n2,0.25\n2.5,0.75\n");
   const Json found = image({"standard", "open.csv", "--open", "--param", "K=0.5", "--iterates", "1", "--tolerance",

@@ -72,6 +72,21 @@ TEST_F(SectionProgram, HasTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(seen.size(), 1U);
 }
 
+// Two of the corners lie where the energy does not reach: they are no orbits, and not points of the section either.
+TEST_F(SectionProgram, CountsStartsThatTheEnergyDoesNotReachApart) {
+  const Outcome outcome = run({"section", "capsize", "--param", "energy=0.22", "--start", "0,0", "0.46,0.74",
+                               "0.46,-0.74", "--iterates", "10", "--json", "-"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["unreached_starts"], 2);
+  EXPECT_EQ(json["lost_orbits"], 0);
+  EXPECT_EQ(json["points"], 11);
+  const Outcome table = run({"section", "capsize", "--param", "energy=0.22", "--start", "0.46,0.74"});
+  ASSERT_EQ(table.status, 0) << table.err;
+  EXPECT_NE(table.out.find("no orbit   1 of the starts"), std::string::npos) << table.out;
+  EXPECT_EQ(table.out.find("lost "), std::string::npos) << table.out;
+}
+
 TEST_F(SectionProgram, RefusesWhatMakesNoSense) {
   const auto refused = [&](std::vector<std::string> arguments, int status, const std::string& words) {
     arguments.insert(arguments.begin(), "section");

@@ -175,6 +175,11 @@ class SectionMap final : public PlanarMap {
     add_tenths_of_work(tenths_each * follow(AlongFlow<Field>{field_}, options_, iterates < 0 ? -1 : 1, queue));
   }
 
+  bool is_defined_at(Point point) const override {
+    typename SectionChart<Field>::State state;
+    return chart_.lift(point, state);
+  }
+
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
     iterate_with_derivatives({&point, 1}, iterates, {&derivative, 1});
     return point;

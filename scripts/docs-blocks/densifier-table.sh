@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Figure 8 of Naik, Lekien & Ross (2017) as a table: areas by the interior method with the settings of -DENS that are
+# compared there, beside the same with segments split exactly; and what passes cost for one refinement.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# Lobes that cross, L12(2) with L21(0) and two of one turnstile; boundaries with their pre-images, which share an arc.
+"$LOBER" tangle --system ovp --param gamma=0.5 --before 2 --after 1 --tolerance 1e-3 --lobes "$work/lobes-ovp.dat" >/dev/null
+"$LOBER" tangle --system pcr3bp --tolerance 1e-3 --lobes "$work/lobes-pcr3bp.dat" >/dev/null
+"$LOBER" image ovp --param gamma=0.5 --boundary --iterates -1:0 --tolerance 1e-3 -o "$work/boundaries-ovp.dat" >/dev/null
+"$LOBER" image pcr3bp --boundary --iterates -1:0 --tolerance 1e-3 -o "$work/boundaries-pcr3bp.dat" >/dev/null
+pairs=("$work/lobes-ovp.dat#0 $work/lobes-ovp.dat#5" "$work/lobes-pcr3bp.dat#2 $work/lobes-pcr3bp.dat#5"
+       "$work/boundaries-ovp.dat#1 $work/boundaries-ovp.dat#0" "$work/boundaries-pcr3bp.dat#1 $work/boundaries-pcr3bp.dat#0")
+
+# PAIR OPTIONS...: mean of [C1 - C2] and [C2 - C1], and points inserted.
+measure() {
+  local pair=$1
+  shift
+  # shellcheck disable=SC2086
+  "$LOBER" interior $pair "$@" --json - | awk '
+    function member(name) {
+      if (!match($0, "\"" name "\":[-+0-9.e]+")) return 0
+      value = substr($0, RSTART, RLENGTH); sub(/.*:/, "", value)
+      return value + 0
+    }
+    /^"areas"/ { mean = 0.5 * (member("c1_minus_c2") + member("c2_minus_c1")) }
+    /points_inserted/ { inserted = member("points_inserted") }
+    END { printf "%.15g %d\n", mean, inserted }'
+}
+
+echo "| | vortex pair, lobes | | three bodies, lobes | | vortex pair, boundaries | | three bodies, boundaries | |"
+echo "|---|---:|---:|---:|---:|---:|---:|---:|---:|"
+line="| exact"
+exact=()
+for pair in "${pairs[@]}"; do
+  read -r area _ < <(measure "$pair")
+  exact+=("$area")
+  line+=" | $(printf '%.9f' "$area") | inserted"
+done
+echo "$line |"
+row() {
+  local name=$1 k area inserted line
+  shift
+  line="| $name"
+  for k in 0 1 2 3; do
+    read -r area inserted < <(measure "${pairs[k]}" "$@")
+    line+=$(awk -v a="$area" -v n="$inserted" -v exact="${exact[k]}" 'BEGIN { printf " | %.0e | %d", a - exact, n }')
+  done
+  echo "$line |"
+}
+row '`-DENS 0`' --no-densify
+row '`-DENS 1 10`' --densify 1 10
+row '`-DENS 3 10`' --densify 3 10
+row '`-DENS 5 100`' --densify 5 100
+row 'default, split'
+row '`-DENS 1 4095`' --densify 1 4095
+row '`-DENS 2 63`' --densify 2 63
+row '`-DENS 3 15`' --densify 3 15
+row '`-DENS 4 7`' --densify 4 7
+row '`-DENS 6 3`' --densify 6 3
+row '`-DENS 12 1`' --densify 12 1
