@@ -3,9 +3,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <random>
 #include <vector>
 
+#include "kernels/cpu.hpp"
 #include "kernels/sagitta.hpp"
 
 namespace lober::detail {
@@ -33,6 +35,43 @@ TEST(SagittaAreas, ManyAtOnceHaveTheBitsOfOneByOne) {
         ASSERT_EQ(std::bit_cast<std::uint64_t>(areas[k]), std::bit_cast<std::uint64_t>(one)) << scale << ' ' << k;
       }
     }
+  }
+}
+
+// Sums over an arc of any number of segments, as both compiled copies have them and as one segment after the other has.
+TEST(SagittaAreas, MeasuresOfArcsAreSumsOverSegments) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> step(0, 1);
+  const Point origin{0.3, -0.2};
+  for (const std::size_t count : {1U, 2U, 3U, 4U, 5U, 255U, 256U, 257U, 700U}) {
+    std::vector<Point> points(count + 3);
+    Point at{1, 2};
+    for (Point& point : points) {
+      point = at;
+      at = {at.x + 0.1 * step(random), at.y + 0.1 * step(random)};
+    }
+    ArcMeasures expected;
+    for (std::size_t k = 1; k <= count; ++k) {
+      const Point a = points[k] - origin, b = points[k + 1] - origin;
+      expected.twice_area += cross(a, b);
+      expected.moment_x += cross(a, b) * (a.x + b.x);
+      expected.moment_y += cross(a, b) * (a.y + b.y);
+      expected.length += distance(points[k], points[k + 1]);
+      expected.chord_area += std::fabs(twice_chord_area(points[k - 1], points[k], points[k + 1], points[k + 2]));
+    }
+    ArcMeasures found, baseline;
+    add_arc_measures(points.data(), count, origin, found);
+    const InstructionSet before = instruction_set();
+    limit_instruction_set(InstructionSet::baseline);
+    add_arc_measures(points.data(), count, origin, baseline);
+    limit_instruction_set(before);
+    EXPECT_EQ(std::memcmp(&found, &baseline, sizeof found), 0) << count;
+    const double size = 1e-13 * static_cast<double>(count);
+    EXPECT_NEAR(found.twice_area, expected.twice_area, 10 * size);
+    EXPECT_NEAR(found.moment_x, expected.moment_x, 100 * size);
+    EXPECT_NEAR(found.moment_y, expected.moment_y, 100 * size);
+    EXPECT_NEAR(found.length, expected.length, size);
+    EXPECT_NEAR(found.chord_area, expected.chord_area, size);
   }
 }
 

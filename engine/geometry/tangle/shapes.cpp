@@ -1,5 +1,6 @@
 // Centroid, perimeter and discretisation error of the lobes, arc by arc.
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -10,45 +11,46 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// Plain doubles: with the first pip for origin and edges instead of far corners in every product, a lobe of length l
-// and width w loses about l / w ulps.
-struct Measures {
-  double twice_area = 0, moment_x = 0, moment_y = 0;  // about the first pip
-  double length = 0;
-  double chord_area = 0;
+// Of the part of segment k that lies between two positions.
+double chord_area_of(const CurveView& curve, std::size_t k, Position from, Position to) {
+  const std::span<const Point> p = curve.points;
+  const Point before = k > 0 ? p[k - 1] : p[k], after = k + 2 < p.size() ? p[k + 2] : p[k + 1];
+  const double begin = k == from.segment ? sagitta_fraction(from.t) : 0;
+  const double end = k == to.segment ? sagitta_fraction(to.t) : 1;
+  return twice_chord_area(before, p[k], p[k + 1], after) * (end - begin);
+}
 
-  void add_segment(Point a, Point b, Point origin) {
-    const double ax = a.x - origin.x, ay = a.y - origin.y, dx = b.x - a.x, dy = b.y - a.y;
-    const double term = ax * dy - ay * dx;
-    twice_area += term;
-    moment_x += term * (2 * ax + dx);
-    moment_y += term * (2 * ay + dy);
-    length += std::sqrt(dx * dx + dy * dy);
-  }
+void add_segment(ArcMeasures& sums, Point a, Point b, Point origin) {
+  const double ax = a.x - origin.x, ay = a.y - origin.y, dx = b.x - a.x, dy = b.y - a.y;
+  const double term = ax * dy - ay * dx;
+  sums.twice_area += term;
+  sums.moment_x += term * (2 * ax + dx);
+  sums.moment_y += term * (2 * ay + dy);
+  sums.length += std::sqrt(dx * dx + dy * dy);
+}
 
-  // The arc of a curve between two positions with these points.
-  void add_arc(const CurveView& curve, Position from, Point first, Position to, Point last, Point origin) {
-    Point a = first;
-    for (std::size_t k = from.segment + std::size_t{1}; k <= to.segment; ++k) {
-      add_segment(a, curve.points[k], origin);
-      a = curve.points[k];
-    }
-    add_segment(a, last, origin);
-    add_chord_areas(curve, from, to);
+// The arc of a curve between two positions with these points: the first and the last segment by themselves, and those
+// at the ends of the curve, which have no neighbours.
+void add_arc(ArcMeasures& sums, const CurveView& curve, Position from, Point first, Position to, Point last,
+             Point origin) {
+  const std::span<const Point> p = curve.points;
+  const std::size_t begin = std::max<std::size_t>(from.segment + std::size_t{1}, 1);
+  const std::size_t end = std::min<std::size_t>(to.segment, p.size() < 2 ? 0 : p.size() - 2);
+  if (from.segment == to.segment) {
+    add_segment(sums, first, last, origin);
+    sums.chord_area += std::fabs(chord_area_of(curve, from.segment, from, to));
+    return;
   }
-  void add_chord_areas(const CurveView& curve, Position from, Position to) {
-    for (std::size_t k = from.segment; k <= to.segment; ++k) chord_area += std::fabs(chord_area_of(curve, k, from, to));
+  add_segment(sums, first, p[from.segment + 1], origin);
+  sums.chord_area += std::fabs(chord_area_of(curve, from.segment, from, to));
+  if (begin < end) add_arc_measures(&p[begin - 1], end - begin, origin, sums);
+  for (std::size_t k = std::max(begin, end); k < to.segment; ++k) {
+    add_segment(sums, p[k], p[k + 1], origin);
+    sums.chord_area += std::fabs(chord_area_of(curve, k, from, to));
   }
-
-  // Of the part of segment k that lies between the two positions.
-  static double chord_area_of(const CurveView& curve, std::size_t k, Position from, Position to) {
-    const std::span<const Point> p = curve.points;
-    const Point before = k > 0 ? p[k - 1] : p[k], after = k + 2 < p.size() ? p[k + 2] : p[k + 1];
-    const double begin = k == from.segment ? sagitta_fraction(from.t) : 0;
-    const double end = k == to.segment ? sagitta_fraction(to.t) : 1;
-    return twice_chord_area(before, p[k], p[k + 1], after) * (end - begin);
-  }
-};
+  add_segment(sums, p[to.segment], last, origin);
+  sums.chord_area += std::fabs(chord_area_of(curve, to.segment, from, to));
+}
 
 }  // namespace
 
@@ -63,9 +65,10 @@ std::vector<LobeShape> lobe_shapes(const Tangle& tangle) {
     const Pip &first = tangle.pips[k], &last = tangle.pips[k + 1];
     const Point begin = scaled_by(tangle.nodes[first.node].begin, curves.exponent);
     const Point end = scaled_by(tangle.nodes[last.node].begin, curves.exponent);
-    Measures measures;
-    measures.add_arc(u, first.u, begin, last.u, end, begin);
-    measures.add_arc(s, last.s, end, first.s, begin, begin);
+    // About the first pip: edges in all products instead of far corners.
+    ArcMeasures measures;
+    add_arc(measures, u, first.u, begin, last.u, end, begin);
+    add_arc(measures, s, last.s, end, first.s, begin, begin);
     LobeShape& shape = shapes[k];
     const double below = 3 * measures.twice_area;
     const Point centroid =
@@ -81,9 +84,12 @@ std::vector<LobeShape> lobe_shapes(const Tangle& tangle) {
 double boundary_discretisation(const Tangle& tangle) {
   const Pip& bip = tangle.pips.at(tangle.boundary->bip);
   const TangleCurves& curves = *tangle.curves;
-  Measures measures;
-  measures.add_chord_areas(curves.u().view(), {}, bip.u);
-  measures.add_chord_areas(curves.s().view(), {}, bip.s);
+  ArcMeasures measures;
+  const auto add = [&](const CurveView& curve, Position to) {
+    add_arc(measures, curve, {}, curve.points[0], to, curve.points[to.segment], curve.points[0]);
+  };
+  add(curves.u().view(), bip.u);
+  add(curves.s().view(), bip.s);
   return curves.area({measures.chord_area, 0});
 }
 
