@@ -219,7 +219,7 @@ double largest_value(const Melnikov& m) {
 }
 
 void find_zeros(Melnikov& m) {
-  // A polynomial with so many terms has twice as many zeros at most.
+  // A trigonometric polynomial has at most twice as many zeros as terms.
   const std::size_t pieces = 32 * m.cosines.size();
   const auto time = [&](std::size_t k) { return m.period * static_cast<double>(k) / static_cast<double>(pieces); };
   if (m.largest <= 10 * m.error) return;
