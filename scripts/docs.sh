@@ -40,7 +40,8 @@ docs/paper/fig-11d.svg       cheap   tangle --system ovp1 --param gamma=1.81 --a
 docs/paper/fig-11e.svg       cheap   tangle --system ovp --param gamma=0.5 --param eps=0.5 --after 1 --tolerance 1e-4 --svg
 docs/paper/fig-12.svg        cheap   image ovp --boundary --param gamma=0.5 --iterates -4:0 --tolerance 1e-4 --svg
 docs/paper/fig-13.svg        cheap   transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --picture
-docs/paper/fig-14a.svg       costly  transport ovp --sweep gamma=0.2:2.5:0.05 --find-zero --tolerance 1e-3 --svg
+docs/paper/fig-14a.svg       costly  transport ovp --sweep gamma=0.2:2.5:0.05 --find-zero --melnikov --tolerance 1e-3 --svg
+docs/paper/melnikov-eps.svg  cheap   transport ovp --sweep eps=0.01:0.3:0.01 --melnikov --tolerance 1e-3 --svg
 docs/paper/fig-14a-ovp1.svg  costly  transport ovp1 --sweep gamma=0.2:2.5:0.05 --find-zero --tolerance 1e-3 --svg
 docs/paper/fig-14b.svg       costly  transport ovp --param gamma=0.5 --iterates 7 --tolerance 1e-5 --svg
 docs/paper/fig-14b-ovp1.svg  cheap   transport ovp1 --param gamma=0.5 --iterates 7 --tolerance 1e-5 --svg
@@ -51,6 +52,7 @@ docs/paper/fig-16c.svg       cheap   levels capsize --energy 0.28 --box=-1.8,-0.
 docs/paper/fig-17a.svg       cheap   section capsize --param energy=0.22 --orbits 60 --iterates 500 --svg
 docs/paper/fig-17b.svg       cheap   section capsize --param energy=0.25 --orbits 60 --iterates 500 --svg
 docs/paper/fig-17c.svg       cheap   section capsize --param energy=0.28 --orbits 60 --iterates 500 --svg
+docs/paper/fig-18.svg        costly  escape capsize --energy 0.28 --crossings 0 --tubes
 docs/paper/fig-19a.svg       costly  escape capsize --energy 0.25307 --crossings 1 --svg
 docs/paper/fig-19b.svg       costly  escape capsize --energy 0.25307 --crossings 4 --svg
 docs/paper/table-5.txt       costly  escape capsize --energy 0.25307 --crossings 4
@@ -58,7 +60,7 @@ docs/paper/table-5-0.253.txt costly  escape capsize --energy 0.253 --crossings 4
 docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --crossings 0 --saddle 2 --svg
 '
 # Documents with blocks; those of the costly kind are only made with all.
-documents='README.md docs/paper.md docs/figures.md docs/winding.md docs/images.md docs/sections.md docs/levels.md docs/escape.md docs/published-forms.md'
+documents='README.md docs/paper.md docs/figures.md docs/winding.md docs/images.md docs/sections.md docs/levels.md docs/melnikov.md docs/escape.md docs/published-forms.md'
 costly_blocks=''
 
 stale=0

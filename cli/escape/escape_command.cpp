@@ -30,7 +30,7 @@ struct Request {
   EscapeOptions options;
   std::uint64_t trajectories = 2000, seed = 1;
   bool lists_counts = false;  ///< of trajectories, which were asked for
-  std::string json, svg, curves;
+  std::string json, svg, curves, tubes;
   int threads = 0;
 };
 
@@ -119,8 +119,14 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
            "(default: "
            "no file).")
       .value("FILE");
+  parser
+      .add("--tubes", request.tubes,
+           "Write the surfaces of the tubes between their orbits and the section to FILE, in the coordinates x, y and "
+           "the velocity on the section: as legacy VTK (.vtk), or drawn as an SVG picture (.svg) (default: no file).")
+      .value("FILE");
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
+  if (!request.tubes.empty()) (void)is_vtk(request.tubes);
   if (given.given()) request.energy = energy;
   request.lists_counts = count.given() && request.trajectories > 0;
   if (request.options.crossings == 0 && request.lists_counts) {
@@ -240,6 +246,7 @@ void compute(const Request& request, bool print_at_once, EscapeReport& report, P
   const System system = system_of(request);
   if (!system.flow) throw UsageError("lober escape needs a flow, and system " + system.info.name + " is a map");
   report.system = system.info;
+  report.flow = system.flow;
   report.options = request.options;
   std::vector<FlowState> saddles = system.saddles;
   if (!request.saddles.empty()) saddles.clear();
@@ -311,6 +318,7 @@ void run(const Request& request) {
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
   if (!request.curves.empty()) outputs.push_back({"--curves", request.curves});
+  if (!request.tubes.empty()) outputs.push_back({"--tubes", request.tubes});
   check_outputs(outputs, files_of_system(request.system));
   const bool printing = !takes_standard_output(outputs);
   // Rows are printed as soon as they are known; where trajectories are asked for they may take long, and if they
@@ -327,6 +335,7 @@ void run(const Request& request) {
       progress.phase("writing", 0.95, 1);
     }
     if (!request.curves.empty()) write_escape_curves(request.curves, report);
+    if (!request.tubes.empty()) write_escape_tubes(request.tubes, *report.flow, report);
     if (!request.json.empty()) write_escape_json(request.json, report, [&] { return watch.seconds(); });
   }
   const Escape& result = report.result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace lober::cli {
 
 struct EscapeReport {
   SystemInfo system;  ///< with the values chosen
+  std::shared_ptr<const Flow> flow;
   EscapeOptions options;
   Escape result;  ///< without table when no crossings were asked for
   std::optional<MonteCarlo> check;
@@ -41,6 +43,13 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
 /// the next crossing, in either direction. " cut" follows for a curve that is the image of what has not left yet, "
 /// open" for one that trajectories which do not get here leave open.
 void write_escape_curves(const std::string& path, const EscapeReport& report);
+
+/// Whether tubes are written as legacy VTK, not drawn as SVG. Throws UsageError for another ending.
+[[nodiscard]] bool is_vtk(const std::string& path);
+/// The surfaces of all tubes between their orbits and the section, the coordinate across the section, the other
+/// position and its velocity as x, y and z: as quads for other programs (.vtk), or as a picture (.svg). Throws
+/// DataError when there is none.
+void write_escape_tubes(const std::string& path, const Flow& flow, const EscapeReport& report);
 
 /// The curves on the section in its direction, with what they have in common filled, as SVG. Throws DataError when
 /// there is none.

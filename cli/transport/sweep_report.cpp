@@ -136,20 +136,26 @@ SweepRange sweep_range(const std::string& text) {
 
 std::string sweep_table(const SweepReport& report) {
   std::string text = fixed_text(report) + "\n\n";
-  text += fmt::format("{:>10} {:>16} {:>15} {:>7} {:>18} {:>8} {:>18} {:>18} {:>18} {:>10}\n", report.range.name,
+  text += fmt::format("{:>10} {:>16} {:>15} {:>7} {:>18} {:>8} {:>18} {:>18} {:>18} {:>10}", report.range.name,
                       "eigenvalue", "saddle x", "lobes", "flux a21(1)", "+-", "lobes by geometry", "lobes by action",
                       "W(q) - W(q')", "worst lobe");
-  for (const SweepRow& row : report.result.rows) {
+  text += report.first_order ? fmt::format(" {:>18}\n", "first order") : std::string("\n");
+  for (std::size_t k = 0; k < report.result.rows.size(); ++k) {
+    const SweepRow& row = report.result.rows[k];
     if (!row.failure.empty()) {
       text += fmt::format("{:>10.6g} failed: {}\n", row.value, row.failure);
       continue;
     }
     const bool flux = row.remark.empty();
-    text += fmt::format(
-        "{:>10.6g} {:>16.10g} {:>15.10g} {:>7} {:>18} {:>8} {:>18.13g} {:>18.13g} {:>18.13g} {:>10.1e}\n", row.value,
-        row.multiplier, row.from.x, row.period, flux ? fmt::format("{:.13g}", row.flux21.value) : "-",
-        flux ? fmt::format("{:.1e}", row.flux21.error) : "-", row.lobe_area21.value, row.lobe_area21_by_action,
-        row.difference, largest_difference(row));
+    text += fmt::format("{:>10.6g} {:>16.10g} {:>15.10g} {:>7} {:>18} {:>8} {:>18.13g} {:>18.13g} {:>18.13g} {:>10.1e}",
+                        row.value, row.multiplier, row.from.x, row.period,
+                        flux ? fmt::format("{:.13g}", row.flux21.value) : "-",
+                        flux ? fmt::format("{:.1e}", row.flux21.error) : "-", row.lobe_area21.value,
+                        row.lobe_area21_by_action, row.difference, largest_difference(row));
+    const bool estimate = report.first_order && !std::isnan((*report.first_order)[k]);
+    if (report.first_order)
+      text += fmt::format(" {:>18}", estimate ? fmt::format("{:.13g}", (*report.first_order)[k]) : "-");
+    text += "\n";
   }
   text += remarks_text(report);
   for (const SweepZero& zero : report.result.zeros) {
@@ -175,8 +181,11 @@ void write_sweep_json(const std::string& path, const SweepReport& report,
   json.member("system", system);
   json.member("options", {{"tolerance", report.tolerance}});
   json.member("parameter", report.range.name);
-  json.list("rows", report.result.rows.size(),
-            [&](std::string& text, std::size_t k) { text += dumped(row_json(report.result.rows[k])); });
+  json.list("rows", report.result.rows.size(), [&](std::string& text, std::size_t k) {
+    Json row = row_json(report.result.rows[k]);
+    if (report.first_order) row["first_order"] = (*report.first_order)[k];
+    text += dumped(row);
+  });
   json.member("zeros", zeros);
   json.member("no_zero", report.find_zeros && report.result.zeros.empty() ? Json(no_zero_text(report)) : Json());
   json.member("failures", report.result.failures());
@@ -198,6 +207,13 @@ void write_sweep_curve(const std::string& path, const SweepReport& report) {
             report.range.name + "; " + fixed_text(report),
             {std::move(flux), std::move(lobes), std::move(difference)},
             {}};
+  if (report.first_order) {
+    PlotSeries estimate{"area of the lobes to first order in eps (Melnikov)", "#8a3d7c", {}, true, false};
+    for (std::size_t k = 0; k < report.result.rows.size(); ++k) {
+      estimate.points.push_back({report.result.rows[k].value, (*report.first_order)[k]});
+    }
+    plot.series.push_back(std::move(estimate));
+  }
   for (const SweepZero& zero : report.result.zeros) plot.marks.push_back(zero.value);
   write_plot(path, plot);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct SweepReport {
   bool find_zeros = false;
   SweepRange range;
   Sweep result;
+  /// Of each row, when asked for: the area of the lobes of one side to first order in eps; NaN where it has none.
+  std::optional<std::vector<double>> first_order{};
 };
 
 [[nodiscard]] std::string sweep_table(const SweepReport& report);

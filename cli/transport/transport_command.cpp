@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
@@ -25,7 +27,7 @@ struct Request {
   SystemRequest system;
   TransportOptions options;
   std::string sweep, json, svg, picture;
-  bool find_zero = false, all_regions = false;
+  bool find_zero = false, all_regions = false, melnikov = false;
   int threads = 0;
 };
 
@@ -46,6 +48,26 @@ std::vector<Connection> further_of(const Request& request, const System& system)
   const bool own = given.from.empty() && given.to.empty() && given.u_direction.empty() && given.s_direction.empty();
   if (!own || !(request.all_regions || system.further_needed)) return {};
   return system.further;
+}
+
+// Sums of the lobes of the turnstile, by action where the map has one.
+MelnikovReport melnikov_report(const TransportReport& report, Melnikov function) {
+  MelnikovReport result;
+  for (const Parameter& parameter : report.system.info.parameters) {
+    if (parameter.name == "eps") result.eps = parameter.value;
+  }
+  result.estimate = function.lobe_areas(result.eps);
+  result.function = std::move(function);
+  const ManifoldTangle& manifolds = report.manifolds();
+  std::vector<double> areas = manifolds.areas_by_action;
+  if (areas.empty()) {
+    const Images& images = manifolds.tangle.images;
+    for (std::size_t k = images.turnstile_begin; k < images.turnstile_end; ++k) {
+      areas.push_back(manifolds.tangle.lobes[k].area);
+    }
+  }
+  for (const double area : areas) (area > 0 ? result.exact.left : result.exact.right) += std::fabs(area);
+  return result;
 }
 
 // Rows as they come: on a terminal each is shown at once, above the line of progress, and an interrupt keeps them. The
@@ -90,6 +112,12 @@ void run_one(const Request& request) {
     options.progress = [&](const std::string& line) { return progress.step(line); };
     Rows rows(request, progress);
     options.on_step = [&](const TransportStep& step, const Agreement& agreement) { rows.add(step, agreement); };
+    // First, so that a system without one is refused before the work.
+    std::optional<Melnikov> function;
+    if (request.melnikov) {
+      function =
+          melnikov_of(request.system, parameter_values(request.system.parameters), report.system, report.connection);
+    }
     const detail::Stopwatch transport_watch;
     try {
       report.result = transport(*report.system.map, report.connection, options);
@@ -98,6 +126,7 @@ void run_one(const Request& request) {
       throw;
     }
     report.timing.transport = transport_watch.seconds();
+    if (function) report.melnikov = melnikov_report(report, std::move(*function));
     for (const std::string& remark : report.result.remarks) log_info(remark);
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
@@ -108,6 +137,40 @@ void run_one(const Request& request) {
   }
   if (!takes_standard_output(outputs)) print(transport_table(report));
   require_agreement(report.result.agreement);
+}
+
+// Of every value that has lobes; one that has no connecting orbit there has no estimate.
+template <typename Member>
+void add_melnikov(const Request& request, SweepReport& report, const Member& member, Progress& progress) {
+  progress.phase("Melnikov's function", 0.9, 0.99);
+  const ParameterValues fixed = parameter_values(request.system.parameters);
+  const bool of_eps = report.range.name == "eps";
+  std::optional<Melnikov> function;
+  report.first_order.emplace();
+  for (const SweepRow& row : report.result.rows) {
+    double area = std::numeric_limits<double>::quiet_NaN();
+    if (row.failure.empty()) {
+      const System system = member(row.value);
+      double eps = 0;
+      for (const Parameter& parameter : system.info.parameters) {
+        if (parameter.name == "eps") eps = parameter.value;
+      }
+      try {
+        if (!function || !of_eps) {
+          ParameterValues values = fixed;
+          values.emplace_back(report.range.name, row.value);
+          function = melnikov_of(request.system, values, system, connection_of(request.system, system));
+        }
+        const Melnikov::Sides sides = function->lobe_areas(eps);
+        area = 0.5 * (sides.left + sides.right);
+      } catch (const DataError& error) {
+        log_info(report.range.name + " = " + rounded(row.value) + ": " + error.what());
+      }
+    }
+    report.first_order->push_back(area);
+    const double done = static_cast<double>(report.first_order->size());
+    if (!progress.advance(done / static_cast<double>(report.result.rows.size()))) throw Cancelled();
+  }
 }
 
 void run_sweep(const Request& request) {
@@ -126,13 +189,14 @@ void run_sweep(const Request& request) {
   };
   report.system = member(report.range.values.front());  // also so that wrong names are reported at once
   if (report.system.no_connection.empty()) (void)connection_of(request.system, report.system);
+  if (request.melnikov) require_eps(report.system);
   SweepOptions options;
   options.tangle.tolerance = request.options.tolerance;
   options.tangle.max_points = request.options.max_points;
   options.find_zeros = request.find_zero;
   {
     Progress progress;
-    progress.phase("sweep", 0, 0.95);
+    progress.phase("sweep", 0, request.melnikov ? 0.9 : 0.95);
     options.progress = [&](std::size_t done) {
       return progress.advance(static_cast<double>(done) / static_cast<double>(report.range.values.size()));
     };
@@ -142,6 +206,7 @@ void run_sweep(const Request& request) {
           return {system.map, connection_of(request.system, system), system.lattice};
         },
         report.range.values, options);
+    if (request.melnikov) add_melnikov(request, report, member, progress);
     if (!request.svg.empty()) write_sweep_curve(request.svg, report);
     if (!request.json.empty()) write_sweep_json(request.json, report, [&] { return watch.seconds(); });
   }
@@ -201,6 +266,9 @@ void run_transport(const std::vector<std::string>& arguments) {
                 "Refine the values of the parameter at which the difference in action of the two pips of the turnstile "
                 "changes its sign.")
       .needs(sweep_option);
+  parser.add_flag("--melnikov", request.melnikov,
+                  "Compute Melnikov's function too, and the areas of lobes to first order in the parameter eps of the "
+                  "system beside the exact ones; with --sweep for every value.");
   add_json_option(parser, request.json);
   parser
       .add("--svg", request.svg,

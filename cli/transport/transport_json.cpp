@@ -150,6 +150,7 @@ void write_transport_json(const std::string& path, const TransportReport& report
   json.member("regions", regions_json(result.regions));
   json.member("turnstile", all_turnstile_json(first));
   json.member("boundaries", boundaries_json(result));
+  if (report.melnikov) json.member("melnikov", melnikov_json(*report.melnikov));
   json.member("iterates_a_step", result.iterates_a_step);
   json.list("steps", result.steps.size(),
             [&](std::string& text, std::size_t k) { format_step(text, result.steps[k]); });

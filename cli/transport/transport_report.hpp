@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,9 +12,23 @@
 #include "cli/report/report.hpp"
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
+#include "lober/melnikov.hpp"
 #include "lober/transport.hpp"
 
 namespace lober::cli {
+
+/// Lobes of the first boundary to first order in the perturbation, beside their areas.
+struct MelnikovReport {
+  double eps = 0;
+  Melnikov function;
+  Melnikov::Sides estimate, exact;  ///< exact by action, where the map has one
+};
+
+/// Throws UsageError for a system that is not a flow with a parameter eps.
+void require_eps(const System& system);
+/// Of a system, whose parameter eps is the size of the perturbation. Throws as require_eps and `melnikov`.
+[[nodiscard]] Melnikov melnikov_of(const SystemRequest& request, const ParameterValues& values, const System& system,
+                                   const Connection& connection);
 
 struct TransportReport {
   System system;
@@ -21,6 +36,7 @@ struct TransportReport {
   Connection connection;
   TransportOptions options;
   Transport result;
+  std::optional<MelnikovReport> melnikov;  ///< when asked for
   struct {
     double transport = 0, write = 0;  ///< seconds
   } timing;
@@ -48,6 +64,10 @@ struct CurvesTransportReport {
 /// What there is when the command is interrupted: at least one row.
 [[nodiscard]] std::string interrupted_transport_table(std::span<const TransportStep> steps, const Agreement& agreement,
                                                       int iterates);
+
+/// What Melnikov's function says, beside the exact areas.
+[[nodiscard]] std::string melnikov_text(const MelnikovReport& report);
+[[nodiscard]] Json melnikov_json(const MelnikovReport& report);
 
 /// Writes the JSON object; `seconds_so_far` is asked when all but the timing is written.
 void write_transport_json(const std::string& path, const TransportReport& report,

@@ -95,6 +95,7 @@ std::string transport_table(const TransportReport& report) {
   for (const TransportBoundary& boundary : result.boundaries) {
     text += saddles_text(*boundary.manifolds) + turnstile_text(*boundary.manifolds) + "\n";
   }
+  if (report.melnikov) text += melnikov_text(*report.melnikov) + "\n";
   text += regions_text(result.regions) + transport_steps_table(result.steps);
   for (const std::string& remark : result.remarks) text += remark + "\n";
   return text;

@@ -1,6 +1,8 @@
 // `lober escape`.
 
+#include <array>
 #include <cmath>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
@@ -52,6 +54,54 @@ TEST_F(EscapeProgram, WritesCurvesThatGiveTheTable) {
   const Outcome refused = run({"escape", "capsize", "--curves", "curves.csv"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("--curves writes Tecplot zones"), std::string::npos) << refused.err;
+}
+
+// Every vertex lies on the surface of the energy, at least on the side of the tube where its ring on the section is.
+TEST_F(EscapeProgram, WritesTubesAsSurfaces) {
+  const Outcome outcome = run({"escape", "capsize", "--energy", "0.28", "--crossings", "0", "--tubes", "tubes.vtk"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream text(read("tubes.vtk"));
+  std::string word;
+  for (int line = 0; line < 4; ++line) std::getline(text, word);
+  EXPECT_EQ(word, "DATASET POLYDATA");
+  std::size_t points = 0, quads = 0, numbers = 0;
+  text >> word >> points >> word;
+  ASSERT_GT(points, 1000U);
+  std::vector<std::array<double, 4>> states(points);
+  for (auto& state : states) text >> state[0] >> state[1] >> state[2];
+  text >> word >> quads >> numbers;
+  EXPECT_EQ(word, "POLYGONS");
+  EXPECT_EQ(numbers, 5 * quads);
+  for (std::size_t k = 0; k < quads; ++k) {
+    std::size_t count = 0;
+    text >> count;
+    ASSERT_EQ(count, 4U);
+    for (int corner = 0; corner < 4; ++corner) {
+      std::size_t index = 0;
+      text >> index;
+      ASSERT_LT(index, points);
+    }
+  }
+  while (text >> word && word != "default") {
+  }
+  double nearest = 1, farthest = 0;
+  for (auto& state : states) {
+    text >> state[3];
+    const auto [x, y, vy, vx] = state;
+    const double energy = 0.5 * vx * vx + vy * vy / (1.6 * 1.6) + 0.5 * x * x + y * y - x * x * y;
+    EXPECT_NEAR(energy, 0.28, 1e-9);
+    nearest = std::min(nearest, std::fabs(x));
+    farthest = std::max(farthest, std::fabs(x));
+  }
+  // From the section to the orbits at x = +-1.
+  EXPECT_EQ(nearest, 0);
+  EXPECT_GT(farthest, 0.95);
+  EXPECT_LT(farthest, 1.3);
+  ASSERT_EQ(run({"escape", "capsize", "--energy", "0.28", "--crossings", "0", "--tubes", "tubes.svg"}).status, 0);
+  EXPECT_NE(read("tubes.svg").find("stable tubes: what leaves"), std::string::npos);
+  const Outcome refused = run({"escape", "capsize", "--tubes", "tubes.dat"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("use one of these endings"), std::string::npos) << refused.err;
 }
 
 // The potential of Henon & Heiles is symmetric in x: what enters by one of two mirrored bottlenecks leaves by either as

@@ -197,6 +197,39 @@ TEST_F(TransportCommand, SweepKeepsWhatWorks) {
   EXPECT_NEAR(found["rows"][2]["flux12"].get<double>(), henon_lobe, 1e-5);
 }
 
+// sqrt(2) pi omega sech(pi omega / 2) sin(omega t0) has lobes of twice its amplitude / omega.
+TEST_F(TransportCommand, MelnikovsFunctionOfTheDuffingOscillator) {
+  const nlohmann::json found =
+      json({"duffing", "--param", "eps=0.01", "--iterates", "1", "--melnikov", "--tolerance", "1e-4"})["melnikov"];
+  const double pi = 3.141592653589793, amplitude = std::sqrt(2) * pi / std::cosh(0.5 * pi);
+  EXPECT_EQ(found["parameter"], "eps");
+  EXPECT_EQ(found["eps"], 0.01);
+  EXPECT_EQ(found["zeros"].size(), 2U);
+  EXPECT_EQ(found["lobes"].size(), 2U);
+  EXPECT_NEAR(found["largest"].get<double>(), amplitude, 1e-8);
+  for (const char* side : {"left", "right"}) {
+    EXPECT_NEAR(found["first_order"][side].get<double>(), 0.01 * 2 * amplitude, 1e-10);
+    EXPECT_NEAR(found["exact"][side].get<double>(), 0.01 * 2 * amplitude, 1e-5);
+  }
+  const Outcome table = transport({"duffing", "--iterates", "1", "--melnikov", "--tolerance", "1e-4"});
+  EXPECT_NE(table.out.find("lobes on the left of U: first order 0.354130"), std::string::npos) << table.out;
+}
+
+// By the second derivative of the area the estimate is off by eps^2 at most: along a sweep of eps it is a line.
+TEST_F(TransportCommand, SweepComparesWithMelnikovsFunction) {
+  const nlohmann::json rows =
+      json({"ovp", "--sweep", "eps=0.004:0.008:0.004", "--melnikov", "--tolerance", "1e-4", "--svg", "s.svg"})["rows"];
+  ASSERT_EQ(rows.size(), 2U);
+  const auto number = [&](std::size_t row, const char* name) { return rows[row][name].get<double>(); };
+  EXPECT_NEAR(number(1, "first_order"), 2 * number(0, "first_order"), 1e-15);
+  const double fine = number(0, "lobe_area21_by_action") - number(0, "first_order");
+  const double coarse = number(1, "lobe_area21_by_action") - number(1, "first_order");
+  EXPECT_GT(coarse / fine, 3.5);
+  EXPECT_NE(read("s.svg").find("first order in eps (Melnikov)"), std::string::npos);
+  expect_failure({"standard", "--melnikov"}, 2, "a parameter eps");
+  expect_failure({"standard", "--melnikov", "--sweep", "K=1:2:1"}, 2, "a parameter eps");
+}
+
 TEST_F(TransportCommand, SignChangeOfTheVortexPair) {
   const nlohmann::json found = json({"ovp1", "--sweep", "gamma=1.4:1.41:0.01", "--find-zero", "--tolerance", "1e-3",
                                      "--integration-tolerance", "1e-9"});

@@ -1,0 +1,266 @@
+// The tubes of an escape in three dimensions: as legacy VTK, and as a picture.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "cli/escape/escape_report.hpp"
+#include "cli/report/svg.hpp"
+#include "cli/report/text.hpp"
+#include "lober/error.hpp"
+#include "lober/files.hpp"
+#include "lober/tube_surface.hpp"
+
+namespace lober::cli {
+namespace {
+
+struct Surface {
+  TubeSurface tube;
+  bool entry;
+};
+
+std::vector<Surface> surfaces_of(const Flow& flow, const EscapeReport& report, std::size_t around,
+                                 std::size_t rings_a_period) {
+  std::vector<Surface> list;
+  for (const Bottleneck& bottleneck : report.result.bottlenecks) {
+    for (const bool entry : {true, false}) {
+      const auto& curves = entry ? bottleneck.entry : bottleneck.exit;
+      if (curves.empty() || !curves.front().complete) continue;
+      Section section = report.result.section;
+      section.direction = curves.front().direction;
+      if (section.direction == 0) continue;
+      TubeSurfaceOptions options;
+      options.around = around;
+      options.rings_a_period = rings_a_period;
+      options.integration = report.options.integration;
+      list.push_back({tube_surface(flow, section, report.result.energy, curves.front().image.points, bottleneck.orbit,
+                                   entry, options),
+                      entry});
+    }
+  }
+  if (list.empty()) throw DataError("--tubes: no tube meets the section as a closed curve, all in one direction");
+  return list;
+}
+
+struct Position3 {
+  double x, y, z;
+};
+
+// The coordinate across the section, and both of its chart.
+Position3 position_of(const FlowState& state, const Section& section) {
+  const auto at = [&](int coordinate) { return state[static_cast<std::size_t>(coordinate)]; };
+  return {at(section.coordinate), at(section.chart_x), at(section.chart_y)};
+}
+
+// Seen from ahead, from the right and from above: sines and cosines of 28 and 24 degrees.
+class Projection {
+ public:
+  Projection(const std::vector<Surface>& surfaces, const Section& section) {
+    for (const Surface& surface : surfaces) {
+      for (const FlowState& state : surface.tube.states) {
+        const Position3 p = position_of(state, section);
+        const std::array<double, 3> c{p.x, p.y, p.z};
+        for (std::size_t k = 0; k < 3; ++k) {
+          low_[k] = std::min(low_[k], c[k]);
+          high_[k] = std::max(high_[k], c[k]);
+        }
+      }
+    }
+  }
+  struct Seen {
+    Point at;
+    double depth;  // larger is nearer
+  };
+  [[nodiscard]] Seen operator()(const Position3& p) const {
+    const auto unit = [&](double value, std::size_t k) {
+      return high_[k] > low_[k] ? (2 * value - low_[k] - high_[k]) / (high_[k] - low_[k]) : 0;
+    };
+    const double x = 1.6 * unit(p.x, 0), y = unit(p.y, 1), z = unit(p.z, 2);
+    constexpr double sin_turn = 0.46947, cos_turn = 0.88295, sin_tilt = 0.40674, cos_tilt = 0.91355;
+    const double right = cos_turn * x + sin_turn * y, away = cos_turn * y - sin_turn * x;
+    return {{right, cos_tilt * z + sin_tilt * away}, sin_tilt * z - cos_tilt * away};
+  }
+  [[nodiscard]] Position3 corner(int x, int y, int z) const {
+    const auto pick = [&](int which, std::size_t k) { return which == 0 ? low_[k] : high_[k]; };
+    return {pick(x, 0), pick(y, 1), pick(z, 2)};
+  }
+
+ private:
+  std::array<double, 3> low_{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+};
+
+struct Facet {
+  std::array<Point, 4> corners;
+  double depth;
+  const char* colour;
+  double opacity;
+};
+
+// Darker the more a facet is turned towards the eye.
+const char* shade(bool entry, double facing) {
+  constexpr std::array<const char*, 6> red{"#ecc4bf", "#e2a69f", "#d8887f", "#cd6b60", "#bd5044", "#a93f34"},
+      green{"#c3e3cf", "#a1d4b3", "#7fc497", "#5eb47c", "#429d62", "#31844e"};
+  const auto level = static_cast<std::size_t>(std::min(5.0, std::floor(6 * facing)));
+  return entry ? red[level] : green[level];
+}
+
+void add_facets(std::vector<Facet>& facets, const Surface& surface, const Projection& project, const Section& section) {
+  const std::size_t around = surface.tube.around;
+  for (std::size_t ring = 0; ring + 1 < surface.tube.rings(); ++ring) {
+    for (std::size_t k = 0; k < around; ++k) {
+      const std::size_t next = (k + 1) % around;
+      std::array<Point, 4> corners;
+      std::array<Projection::Seen, 4> seen;
+      double depth = 0;
+      const std::array<std::size_t, 4> index{ring * around + k, ring * around + next, (ring + 1) * around + next,
+                                             (ring + 1) * around + k};
+      for (std::size_t j = 0; j < 4; ++j) {
+        seen[j] = project(position_of(surface.tube.states[index[j]], section));
+        corners[j] = seen[j].at;
+        depth += 0.25 * seen[j].depth;
+      }
+      // The normal, from both diagonals.
+      const auto between = [](const Projection::Seen& a, const Projection::Seen& b) {
+        return Position3{b.at.x - a.at.x, b.at.y - a.at.y, b.depth - a.depth};
+      };
+      const Position3 a = between(seen[0], seen[2]), b = between(seen[1], seen[3]);
+      const double x = a.y * b.z - a.z * b.y, y = a.z * b.x - a.x * b.z, z = a.x * b.y - a.y * b.x;
+      const double size = std::hypot(x, y, z);
+      facets.push_back({corners, depth, shade(surface.entry, size > 0 ? std::fabs(z) / size : 0), 0.9});
+    }
+  }
+}
+
+std::string drawn_facet(const View& view, const Facet& facet) {
+  std::string path;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Pixel at = view(facet.corners[k]);
+    append_all(path, k == 0 ? "M" : "L", subpixel(at.x), " ", subpixel(at.y));
+  }
+  std::string svg;
+  append_all(svg, "<path fill=\"", facet.colour, "\" fill-opacity=\"", facet.opacity, "\" d=\"", path, "z\"/>\n");
+  return svg;
+}
+
+// From a corner of the box, with the names of the coordinates.
+void add_axes(std::string& svg, std::string& texts, const View& view, const Projection& project,
+              const std::array<std::string, 3>& names) {
+  const Pixel origin = view(project(project.corner(0, 0, 0)).at);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Pixel end = view(project(project.corner(k == 0, k == 1, k == 2)).at);
+    std::string path;
+    append_all(path, "M", subpixel(origin.x), " ", subpixel(origin.y), "L", subpixel(end.x), " ", subpixel(end.y));
+    add_stroked(svg, "#8a877f", 1.2, path);
+    add_arrow_head(svg, origin, end, 11, "#8a877f");
+    append_all(texts, "<text x=\"", std::round(end.x) + 6, "\" y=\"", std::round(end.y) - 4,
+               "\" font-family=\"sans-serif\" font-size=\"16\" fill=\"#333333\">", names[k], "</text>\n");
+  }
+}
+
+// Of the states of the systems that have bottlenecks: positions, then momenta or velocities.
+std::array<std::string, 3> names_of(const Section& section) {
+  constexpr std::array<const char*, 4> names{"x", "y", "vx", "vy"};
+  const auto name = [&](int coordinate) -> std::string {
+    return coordinate < 4 ? names[static_cast<std::size_t>(coordinate)] : std::to_string(coordinate);
+  };
+  return {name(section.coordinate), name(section.chart_x), name(section.chart_y)};
+}
+
+std::string picture(const Flow& flow, const EscapeReport& report) {
+  const std::vector<Surface> surfaces = surfaces_of(flow, report, 32, 18);
+  const Section& section = report.result.section;
+  const Projection project(surfaces, section);
+  std::vector<Facet> facets;
+  for (const Surface& surface : surfaces) add_facets(facets, surface, project, section);
+  Rectangle window;
+  for (int corner = 0; corner < 8; ++corner) {
+    window.add(project(project.corner(corner & 1, (corner >> 1) & 1, corner >> 2)).at);
+  }
+  for (const Facet& facet : facets) window = include(window, facet.corners);
+  // The plane of the section, as far as the box reaches.
+  Facet plane{{}, 0, "#b784c9", 0.35};
+  for (std::size_t k = 0; k < 4; ++k) {
+    Position3 corner = project.corner(0, k == 1 || k == 2, k >= 2);
+    corner.x = section.value;
+    const auto seen = project(corner);
+    plane.corners[k] = seen.at;
+    plane.depth += 0.25 * seen.depth;
+  }
+  facets.push_back(plane);
+  std::stable_sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.depth < b.depth; });
+  const View view(window);
+  std::string svg, texts;
+  begin_picture(svg, view, "Tubes of " + report.system.name, 2);
+  const std::array<std::string, 3> names = names_of(section);
+  add_axes(svg, texts, view, project, names);
+  for (const Facet& facet : facets) svg += drawn_facet(view, facet);
+  begin_legend(svg);
+  svg += texts;
+  const auto swatch = [](const char* colour) {
+    return std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colour + "\"/>";
+  };
+  add_legend_entry(svg, view, 0, 0, swatch("#d0695c"), "unstable tubes: what enters");
+  add_legend_entry(svg, view, 1, 0, swatch("#52be80"), "stable tubes: what leaves");
+  add_legend_entry(svg, view, 0, 1, swatch("#dbc1e4"), "section " + names[0] + " = " + rounded(section.value));
+  add_legend_entry(svg, view, 1, 1, "", report.system.name + ", energy " + rounded(report.result.energy));
+  end_picture(svg);
+  return svg;
+}
+
+// Quads with the coordinate that is left as a scalar, and the number of the tube.
+std::string vtk(const Flow& flow, const EscapeReport& report) {
+  const std::vector<Surface> surfaces = surfaces_of(flow, report, 96, 48);
+  const Section& section = report.result.section;
+  std::size_t points = 0, quads = 0;
+  for (const Surface& surface : surfaces) {
+    points += surface.tube.states.size();
+    quads += surface.tube.around * (surface.tube.rings() - 1);
+  }
+  std::string text = "# vtk DataFile Version 3.0\n";
+  append_all(text, "tubes of ", report.system.name, ", energy ", report.result.energy,
+             "\nASCII\nDATASET POLYDATA\nPOINTS ", points, " double\n");
+  for (const Surface& surface : surfaces) {
+    for (const FlowState& state : surface.tube.states) {
+      const Position3 p = position_of(state, section);
+      append_all(text, p.x, " ", p.y, " ", p.z, "\n");
+    }
+  }
+  append_all(text, "POLYGONS ", quads, " ", 5 * quads, "\n");
+  std::size_t first = 0;
+  for (const Surface& surface : surfaces) {
+    const std::size_t around = surface.tube.around;
+    for (std::size_t ring = 0; ring + 1 < surface.tube.rings(); ++ring) {
+      for (std::size_t k = 0; k < around; ++k) {
+        const std::size_t here = first + ring * around, next = (k + 1) % around;
+        append_all(text, "4 ", here + k, " ", here + next, " ", here + around + next, " ", here + around + k, "\n");
+      }
+    }
+    first += surface.tube.states.size();
+  }
+  append_all(text, "POINT_DATA ", points, "\nSCALARS velocity_across_section double 1\nLOOKUP_TABLE default\n");
+  for (const Surface& surface : surfaces) {
+    for (const FlowState& state : surface.tube.states) {
+      append_all(text, state[static_cast<std::size_t>(section.solved)], "\n");
+    }
+  }
+  text += "SCALARS tube int 1\nLOOKUP_TABLE default\n";
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    for (std::size_t point = 0; point < surfaces[k].tube.states.size(); ++point) append_all(text, k, "\n");
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_vtk(const std::string& path) {
+  if (path.ends_with(".vtk")) return true;
+  if (path.ends_with(".svg")) return false;
+  throw UsageError("--tubes " + path + ": tubes are written as .vtk, or drawn as .svg; use one of these endings");
+}
+
+void write_escape_tubes(const std::string& path, const Flow& flow, const EscapeReport& report) {
+  write_file(path, is_vtk(path) ? vtk(flow, report) : picture(flow, report));
+}
+
+}  // namespace lober::cli
