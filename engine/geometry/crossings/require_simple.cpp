@@ -1,6 +1,7 @@
 // A curve against itself.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -26,6 +27,8 @@ class SelfChecker final : public PairConsumer {
         blocks_((curve.segments() + block_segments - 1) / block_segments) {}
 
   std::uint32_t consume(std::uint32_t number, std::span<const SegmentPair> pairs) override {
+    constexpr std::uint32_t to_the_end = std::numeric_limits<std::uint32_t>::max();
+    if (number > first_bad_block_.load(std::memory_order_relaxed)) return to_the_end;
     Block& block = blocks_[number];
     block.pairs += pairs.size();
     block.verdicts.resize(std::max(pairs.size(), block.verdicts.size()));
@@ -39,7 +42,13 @@ class SelfChecker final : public PairConsumer {
       block.first_bad = std::min(block.first_bad, pair);
       if (wanted) block.meetings.push_back(pair);
     }
-    return 0;
+    // Leaves come in order: what follows has no earlier pair. A curve that lies across itself everywhere has as many as
+    // it has pairs of segments.
+    if (most_ > 0 || block.first_bad == none) return 0;
+    std::uint32_t known = first_bad_block_.load(std::memory_order_relaxed);
+    while (number < known && !first_bad_block_.compare_exchange_weak(known, number, std::memory_order_relaxed)) {
+    }
+    return to_the_end;
   }
   void finish(std::uint32_t number) override { blocks_[number].verdicts = {}; }
 
@@ -114,6 +123,7 @@ class SelfChecker final : public PairConsumer {
   std::size_t most_;
   SegmentSource source_;
   std::vector<Block> blocks_;
+  std::atomic<std::uint32_t> first_bad_block_{std::numeric_limits<std::uint32_t>::max()};  // whose pairs are wanted
 };
 
 // A point where two segments that meet do so.

@@ -5,11 +5,13 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/base/parallel/parallel.hpp"
 #include "lober/crossings.hpp"
 
 namespace lober::testing {
 namespace {
 
+using detail::with_threads;
 using Points = std::vector<Point>;
 
 NotSimpleError refusal(const Points& points) {
@@ -59,6 +61,36 @@ TEST(RequireSimple, FindsOneBadPlaceAmongManySegments) {
     const NotSimpleError error = refusal(bent);
     EXPECT_NEAR(std::hypot(error.at.x - points[k].x, error.at.y - points[k].y), 0, 1e-3);
   }
+}
+
+// Of many, the first pair counts, whichever thread finds what.
+TEST(RequireSimple, NamesTheFirstOfManyBadPlaces) {
+  Points points(200'000);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points.size());
+    points[k] = {std::cos(angle), std::sin(angle)};
+  }
+  for (const std::size_t first : {std::size_t{3}, std::size_t{2040}, std::size_t{70'001}, std::size_t{150'000}}) {
+    Points bent = points;
+    for (std::size_t k = first; k + 1 < bent.size(); k += 517) std::swap(bent[k], bent[k + 1]);
+    for (const int threads : {1, 2, 7}) {
+      const NotSimpleError error = with_threads(threads, [&] { return refusal(bent); });
+      EXPECT_EQ(error.segment1, first == 0 ? 0 : first - 1) << threads;
+      EXPECT_EQ(error.segment2, first + 1) << threads;
+    }
+  }
+}
+
+// Every second point at the origin, as of a file whose pages came as zeros: each segment meets each other one there.
+TEST(RequireSimple, EndsSoonWhereEverythingMeets) {
+  Points points(400'000);
+  for (std::size_t k = 0; k < points.size(); k += 2) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points.size());
+    points[k] = {std::cos(angle), std::sin(angle)};
+  }
+  const NotSimpleError error = refusal(points);
+  EXPECT_EQ(error.segment1, 0U);
+  EXPECT_EQ(error.at, (Point{0, 0}));
 }
 
 TEST(RequireSimple, SkipsMonotoneRuns) {
