@@ -28,7 +28,6 @@ class SelfChecker final : public PairConsumer {
 
   std::uint32_t consume(std::uint32_t number, std::span<const SegmentPair> pairs) override {
     constexpr std::uint32_t to_the_end = std::numeric_limits<std::uint32_t>::max();
-    if (number > first_bad_block_.load(std::memory_order_relaxed)) return to_the_end;
     Block& block = blocks_[number];
     block.pairs += pairs.size();
     block.verdicts.resize(std::max(pairs.size(), block.verdicts.size()));
@@ -49,6 +48,9 @@ class SelfChecker final : public PairConsumer {
     while (number < known && !first_bad_block_.compare_exchange_weak(known, number, std::memory_order_relaxed)) {
     }
     return to_the_end;
+  }
+  [[nodiscard]] bool wants(std::uint32_t number) const override {
+    return number <= first_bad_block_.load(std::memory_order_relaxed);
   }
   void finish(std::uint32_t number) override { blocks_[number].verdicts = {}; }
 

@@ -37,6 +37,9 @@ class PairConsumer {
   /// interest from now on: what lies before (a shared arc that is already known) may be skipped.
   virtual std::uint32_t consume(std::uint32_t block, std::span<const SegmentPair> pairs) = 0;
 
+  /// False when the pairs of a block are of no interest any more: a search of a curve with itself may leave it out.
+  [[nodiscard]] virtual bool wants(std::uint32_t /*block*/) const { return true; }
+
   /// No more pairs of this block.
   virtual void finish(std::uint32_t block) = 0;
 };

@@ -274,11 +274,13 @@ SearchCounts search_leaves(const TreeSearch& search, const NearLeaves& near, std
   std::vector<SearchCounts> block_counts(blocks);
   for_each_block(blocks, 1, [&](std::size_t block, std::size_t) {
     TreeSearch::Scratch scratch;
-    for (std::size_t leaf = block * in_block; leaf < std::min((block + 1) * in_block, leaves); ++leaf) {
+    const auto number = static_cast<std::uint32_t>(block);
+    const std::size_t end = consumer.wants(number) ? std::min((block + 1) * in_block, leaves) : 0;
+    for (std::size_t leaf = block * in_block; leaf < end; ++leaf) {
       const auto index = static_cast<std::uint32_t>(leaf);
-      search.walk({0, index}, near.of(index), static_cast<std::uint32_t>(block), consumer, scratch);
+      search.walk({0, index}, near.of(index), number, consumer, scratch);
     }
-    consumer.finish(static_cast<std::uint32_t>(block));
+    consumer.finish(number);
     block_counts[block] = scratch.counts;
   });
   for (const SearchCounts& block : block_counts) counts += block;
@@ -312,7 +314,7 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
     collect(search, tasks[task], block_level, blocks, scratch.counts);
     for (Meeting& block : blocks) {
       scratch.skip_before = 0;
-      search.walk(block.node, block.list, block.node.index, consumer, scratch);
+      if (consumer.wants(block.node.index)) search.walk(block.node, block.list, block.node.index, consumer, scratch);
       consumer.finish(block.node.index);
     }
     scratch.counts.blocks_searched = blocks.size();
