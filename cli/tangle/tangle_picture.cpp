@@ -124,7 +124,7 @@ void add_sips(std::string& svg, const View& view, std::span<const Point> sips) {
 
 // The bip q, its images under the map as far as they are known, other pips by their numbers.
 std::string pip_text(const Tangle& tangle, std::size_t pip) {
-  const std::string number = "q_{" + std::to_string(pip) + "}";
+  std::string number = "q_{" + std::to_string(pip) + "}";
   if (!tangle.boundary) return number;
   const std::size_t bip = tangle.boundary->bip, period = tangle.images.period;
   if (pip == bip) return "q = " + number;

@@ -151,10 +151,12 @@ std::optional<Rectangle> LabelLayout::put_about(Point at, double width, double h
     best_cost = cost;
   };
   consider(about(at), 0);
-  for (double distance = 4; distance <= reach; distance *= 1.2) {
+  double distance = 4;
+  while (distance <= reach) {
     for (const Point& direction : directions) {
       consider(about({at.x + distance * direction.x, at.y + distance * direction.y}), distance);
     }
+    distance *= 1.2;
   }
   if (best) block(*best);
   return best;
@@ -163,7 +165,8 @@ std::optional<Rectangle> LabelLayout::put_about(Point at, double width, double h
 std::optional<Rectangle> LabelLayout::put_beside(Point at, double radius, double width, double height, double reach) {
   std::optional<Rectangle> best;
   double best_cost = std::numeric_limits<double>::infinity();
-  for (double distance = radius + 2; distance <= reach; distance = 1.2 * distance + 1) {
+  double distance = radius + 2;
+  while (distance <= reach) {
     for (std::size_t k = 0; k < directions.size(); ++k) {
       // The point of the box that is nearest to the dot lies at this distance.
       const Point direction = directions[k];
@@ -177,6 +180,7 @@ std::optional<Rectangle> LabelLayout::put_beside(Point at, double radius, double
       best = box;
       best_cost = cost;
     }
+    distance = 1.2 * distance + 1;
   }
   if (best) block(*best);
   return best;
