@@ -70,7 +70,7 @@ std::string about_values(const CLI::Option& option) {
 }
 
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
-  const std::string sentence = error.what();
+  std::string sentence = error.what();
   const auto names_around = [&](const std::string& word, const std::string& between) {
     const std::size_t at = sentence.find(word);
     return at == std::string::npos ? sentence : sentence.substr(0, at) + between + sentence.substr(at + word.size());
@@ -196,7 +196,8 @@ template <typename T>
 Option OptionParser::add(const char* names, T& variable, const char* help) {
   return Option(app_->add_option(names, variable, help));
 }
-Option OptionParser::add_call(const char* names, std::function<void(const std::string&)> take, const char* help) {
+Option OptionParser::add_call(const char* names, const std::function<void(const std::string&)>& take,
+                              const char* help) {
   return Option(app_->add_option_function<std::string>(names, take, help));
 }
 Option OptionParser::add_flag(const char* names, bool& variable, const char* help) {

@@ -58,7 +58,7 @@ class OptionParser {
   template <typename T>
   Option add(const char* names, T& variable, const char* help);
   /// Instead of setting a variable, calls `take` with the value.
-  Option add_call(const char* names, std::function<void(const std::string&)> take, const char* help);
+  Option add_call(const char* names, const std::function<void(const std::string&)>& take, const char* help);
   Option add_flag(const char* names, bool& variable, const char* help);
 
   /// Returns false when the arguments asked for help, which is then printed; throws UsageError.
