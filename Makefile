@@ -9,8 +9,12 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
 # Not needed to build; with it lober_mpi is built and tested.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev
+# The Python module and what its tests compare it with.
+PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel python3-build pybind11-dev python3-numpy \
+                   python3-pytest python3-hypothesis python3-shapely python3-sympy python3-numba python3-pandas \
+                   python3-matplotlib mypy
 
-.PHONY: demo test ci build bench bench-build bench-batch docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch python docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps python-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
@@ -43,6 +47,11 @@ ci:
 build: deps
 	cmake --preset release
 	cmake --build --preset release --target lober
+
+# The Python module, its installation into a virtual environment and its tests.
+python: python-deps
+	cmake --preset release -DLOBER_BUILD_PYTHON=ON
+	@scripts/python.sh build
 
 # Only whether they compile.
 bench-build: bench-deps
@@ -80,6 +89,9 @@ mpi-deps:
 
 bench-deps: deps
 	@scripts/install-packages.sh $(BENCH_PACKAGES)
+
+python-deps: deps
+	@scripts/install-packages.sh $(PYTHON_PACKAGES)
 
 format:
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

@@ -1,0 +1,59 @@
+#include "python/bindings/areas.hpp"
+
+#include "lober/areas.hpp"
+#include "lober/error.hpp"
+
+namespace py = pybind11;
+
+namespace lober::python {
+
+void bind_areas(py::module_& module) {
+  py::class_<Areas>(module, "Areas", "The areas that two closed curves make, in squared units of the coordinates.")
+      .def_readonly("c1", &Areas::c1)
+      .def_readonly("c2", &Areas::c2)
+      .def_readonly("intersection", &Areas::intersection)
+      .def_readonly("union", &Areas::union_)
+      .def_readonly("c1_minus_c2", &Areas::c1_minus_c2)
+      .def_readonly("c2_minus_c1", &Areas::c2_minus_c1)
+      .def_readonly("symmetric_difference", &Areas::symmetric_difference)
+      .def(py::pickle(
+          [](const Areas& areas) {
+            return py::make_tuple(areas.c1, areas.c2, areas.intersection, areas.union_, areas.c1_minus_c2,
+                                  areas.c2_minus_c1, areas.symmetric_difference);
+          },
+          [](const py::tuple& state) {
+            const auto number = [&](std::size_t k) { return state[k].cast<double>(); };
+            return Areas{number(0), number(1), number(2), number(3), number(4), number(5), number(6)};
+          }));
+}
+
+Pairing pairing_of(const std::string& name) {
+  std::string known;
+  for (const Pairing pairing : all_pairings) {
+    if (name == lober::name(pairing)) return pairing;
+    known += (known.empty() ? "" : ", ") + std::string(lober::name(pairing));
+  }
+  throw UsageError("\"" + name + "\" is not a pairing; there are " + known);
+}
+
+IndexKind index_of(const std::string& name) {
+  const IndexKind kind = index_kind(name);
+  if (kind == IndexKind::automatic && name != lober::name(IndexKind::automatic)) {
+    throw UsageError("\"" + name + "\" is not an index; there are auto, tree, grid, kd");
+  }
+  return kind;
+}
+
+const char* name_of(Orientation orientation) {
+  switch (orientation) {
+    case Orientation::clockwise:
+      return "clockwise";
+    case Orientation::counter_clockwise:
+      return "counter_clockwise";
+    case Orientation::degenerate:
+      break;
+  }
+  return "degenerate";
+}
+
+}  // namespace lober::python

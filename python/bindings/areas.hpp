@@ -1,0 +1,22 @@
+// Areas of two curves, for overlay, interior and regions.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "lober/index.hpp"
+#include "lober/overlay.hpp"
+
+namespace lober::python {
+
+void bind_areas(pybind11::module_& module);
+
+/// Throw UsageError, with the names there are.
+[[nodiscard]] Pairing pairing_of(const std::string& name);
+[[nodiscard]] IndexKind index_of(const std::string& name);
+
+/// "counter_clockwise", "clockwise" or "degenerate".
+[[nodiscard]] const char* name_of(Orientation orientation);
+
+}  // namespace lober::python

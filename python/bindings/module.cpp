@@ -1,0 +1,22 @@
+// The private extension module lober._lober. Its functions take arrays that lober/arrays.py has made fit; the package
+// lober gives them names, defaults and documentation.
+#include "python/bindings/module.hpp"
+
+#include "lober/version.hpp"
+#include "python/bindings/areas.hpp"
+#include "python/bindings/errors.hpp"
+#include "python/bindings/nodes.hpp"
+
+PYBIND11_MODULE(_lober, module) {
+  using namespace lober::python;
+  module.attr("__version__") = lober::version();
+  bind_errors(module);
+  bind_areas(module);
+  bind_nodes(module);
+  bind_overlay(module);
+  bind_interior(module);
+  bind_regions(module);
+  bind_densify(module);
+  bind_tangle(module);
+  bind_files(module);
+}

@@ -1,0 +1,15 @@
+// One function for each group of bindings.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace lober::python {
+
+void bind_densify(pybind11::module_& module);
+void bind_files(pybind11::module_& module);
+void bind_interior(pybind11::module_& module);
+void bind_overlay(pybind11::module_& module);
+void bind_regions(pybind11::module_& module);
+void bind_tangle(pybind11::module_& module);
+
+}  // namespace lober::python

@@ -1,0 +1,19 @@
+// A tangle for Python, of two curves or grown from a map.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+#include "lober/tangle.hpp"
+
+namespace lober::python {
+
+/// What lober/_tangle.py wraps; `keeper` keeps alive what a tangle of grown manifolds is a view of.
+struct TangleHandle {
+  Tangle tangle;
+  bool smooth = false;
+  std::shared_ptr<const void> keeper{};
+};
+
+}  // namespace lober::python

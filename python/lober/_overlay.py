@@ -1,0 +1,285 @@
+"""Two closed curves: crossings, pieces and areas."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _lober
+from ._areas import AreaErrors, Areas, areas_html
+from ._arrays import Points, points_of
+from ._progress import Progress, watching
+from ._recomputed import Recomputed
+
+PAIRINGS = ("c1_minus_c2", "c2_minus_c1", "intersection", "union")
+
+
+class Piece:
+    """One connected component of a pairing."""
+
+    def __init__(self, overlay: Overlay, pairing: str, number: int) -> None:
+        self._overlay = overlay
+        self._pairing = pairing
+        self._number = number
+        self.area: float
+        self.holes: int
+        self.crossings: NDArray[np.uint32]
+        self.area, self.holes, self.crossings = overlay._of.piece(pairing, number)
+
+    @property
+    def outline(self) -> list[Points]:
+        """Closed polygons: the outer one, counter-clockwise, then the holes, clockwise."""
+        return self._overlay._of.outline(self._pairing, self._number)
+
+    def __repr__(self) -> str:
+        return f"<Piece {self._number} of {self._pairing}: area {self.area:.15g}, {self.holes} holes>"
+
+
+class Pieces:
+    """The pieces of one pairing: a sequence of `Piece`, with the areas of all as an array."""
+
+    def __init__(self, overlay: Overlay, pairing: str) -> None:
+        self._overlay = overlay
+        self._pairing = pairing
+
+    @property
+    def area(self) -> NDArray[np.float64]:
+        """Of each piece; memory of the result, without a copy."""
+        return self._overlay._of.piece_areas(self._pairing)
+
+    @cached_property
+    def centroids(self) -> Points:
+        return self._overlay._of.centroids(self._pairing)
+
+    @cached_property
+    def slivers(self) -> NDArray[np.uint32]:
+        """Numbers of the pieces that are no wider than the rounding of their vertices."""
+        return self._overlay._of.slivers(self._pairing)
+
+    def __len__(self) -> int:
+        return len(self.area)
+
+    def __getitem__(self, number: int) -> Piece:
+        return Piece(self._overlay, self._pairing, number)
+
+    def __iter__(self) -> Iterator[Piece]:
+        return (self[number] for number in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} pieces of {self._pairing}, total area {self.area.sum():.15g}>"
+
+
+class Overlay(Recomputed):
+    """What `overlay` returns. Arrays are views of it where it holds the numbers; the rest is computed when asked for."""
+
+    def __init__(self, of: _lober.Overlay, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
+        self._of = of
+        self._call = call
+
+    @property
+    def area(self) -> Areas:
+        """Areas in squared units of the coordinates, all >= 0."""
+        return self._of.areas
+
+    @cached_property
+    def error(self) -> AreaErrors:
+        """Error bars of `area`: `rounding`, `discretisation`."""
+        return AreaErrors(self._of.rounding, self._of.discretisation())
+
+    @cached_property
+    def nodes(self) -> NDArray[Any]:
+        """Where the curves meet, in order along C1: a structured array.
+
+        Fields: `x`, `y`; `rho`, +1 where C1 leaves the region of C2, -1 where it enters, 0 for a touch; `shared`, +1 or -1
+        for an arc that both curves share in the same or in opposite directions; `segment1`, `t1`, `segment2`, `t2`, the
+        positions along the curves; `end_...`, those of the end of a shared arc; `order2`, the rank along C2.
+        """
+        return self._of.nodes()
+
+    @property
+    def classes(self) -> NDArray[np.uint32]:
+        """Of each node its equivalence class under sigma (Naik, Lekien & Ross 2017); 2^32 - 1 for touches."""
+        return self._of.classes()
+
+    @property
+    def class_count(self) -> int:
+        return self._of.class_count
+
+    def sigma(self, pairing: str = "c1_minus_c2") -> NDArray[Any]:
+        """rho, sigma, class and S(p) of each crossing, for `c1_minus_c2` or `c2_minus_c1`."""
+        return self._of.sigma(pairing)
+
+    @property
+    def crossings(self) -> int:
+        """The number of nodes where the curves cross: always even."""
+        return self._of.crossings
+
+    @property
+    def touches(self) -> int:
+        return self._of.touches
+
+    @property
+    def shared_arcs(self) -> int:
+        return self._of.shared_arcs
+
+    @property
+    def same_curve(self) -> bool:
+        return self._of.same_curve
+
+    @property
+    def orientation(self) -> tuple[str, str]:
+        """Of the two curves as given."""
+        return self._of.orientation1, self._of.orientation2
+
+    def pieces(self, pairing: str = "c1_minus_c2") -> Pieces:
+        """The connected components of `c1_minus_c2`, `c2_minus_c1`, `intersection` or `union`."""
+        self._of.piece_areas(pairing)
+        return Pieces(self, pairing)
+
+    @cached_property
+    def smooth(self) -> SmoothAreas:
+        """Areas between the smooth curves through the points, with estimates of their errors."""
+        return SmoothAreas(*self._of.smooth())
+
+    @property
+    def timing(self) -> dict[str, float]:
+        """Seconds of each phase."""
+        return self._of.timing
+
+    def __repr__(self) -> str:
+        return (
+            f"<Overlay: {self.crossings} crossings, C1 \\ C2 = {self.area.c1_minus_c2:.15g}, "
+            f"C2 \\ C1 = {self.area.c2_minus_c1:.15g}>"
+        )
+
+    def _repr_html_(self) -> str:
+        title = f"{self.crossings} crossings, {self.touches} touches, {self.shared_arcs} shared arcs"
+        return areas_html(title, self.area, self.error)
+
+
+class SmoothAreas:
+    """Areas between smooth curves through the points, of order h^6 in the length h of segments."""
+
+    def __init__(self, area: Areas, error: Areas, fallback_segments: int, fallback_crossings: int) -> None:
+        self.area = area
+        #: Estimates of |area - area of the smooth curves|.
+        self.error = error
+        self.fallback_segments = fallback_segments
+        self.fallback_crossings = fallback_crossings
+
+    def __repr__(self) -> str:
+        return f"<SmoothAreas: C1 \\ C2 = {self.area.c1_minus_c2:.15g} +- {self.error.c1_minus_c2:.1e}>"
+
+
+def overlay(
+    c1: Any,
+    c2: Any,
+    *,
+    pieces: bool = True,
+    check_simple: bool = True,
+    index: str = "auto",
+    threads: int = 0,
+    progress: Progress = None,
+) -> Overlay:
+    """Crossings, pieces and areas of two simple closed curves of either orientation.
+
+    Curves are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point is joined to the first.
+    Arrays of doubles are not copied and must not change as long as the result is in use. `pieces=False` computes totals
+    only. `threads` is the largest number of threads, 0 for one for each core; no result depends on it. `progress` is
+    True for a bar, or a callable that takes the fraction done and a text and returns False to cancel.
+
+    Raises DataError for a curve that cannot be used, NotSimpleError for one that crosses or touches itself, UsageError,
+    Cancelled.
+    """
+    first, second = points_of(c1, "c1"), points_of(c2, "c2")
+    with watching(progress, "overlay") as callback:
+        found = _lober.overlay(first, second, pieces, check_simple, index, threads, callback)
+    options = {"pieces": pieces, "check_simple": check_simple, "index": index}
+    return Overlay(found, ("overlay", (first, second), options))
+
+
+class Interior(Recomputed):
+    """What `interior` returns."""
+
+    def __init__(self, of: _lober.Interior, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
+        self._of = of
+        self._call = call
+
+    @property
+    def area(self) -> Areas:
+        return self._of.areas
+
+    @property
+    def error(self) -> AreaErrors:
+        """Error bars of `area`: `rounding`."""
+        return AreaErrors(self._of.rounding)
+
+    @property
+    def q(self) -> tuple[float, float, float]:
+        """Q1, Q2, Q3 (Naik, Lekien & Ross 2017, section 4): symmetric difference, union and intersection."""
+        return self._of.q1, self._of.q2, self._of.q3
+
+    @property
+    def delta(self) -> float:
+        """1/4 |Q2 - Q3 - Q1|, which is zero by algebra: the rounding of the three sums."""
+        return self._of.delta
+
+    @cached_property
+    def nodes(self) -> NDArray[Any]:
+        """As `Overlay.nodes`."""
+        return self._of.nodes()
+
+    @property
+    def orientation(self) -> tuple[str, str]:
+        return self._of.orientation1, self._of.orientation2
+
+    def __repr__(self) -> str:
+        return f"<Interior: C1 \\ C2 = {self.area.c1_minus_c2:.15g}, C2 \\ C1 = {self.area.c2_minus_c1:.15g}>"
+
+    def _repr_html_(self) -> str:
+        return areas_html("interior method", self.area, self.error)
+
+
+def interior(
+    c1: Any,
+    c2: Any,
+    *,
+    method: str = "split",
+    passes: int = 0,
+    points: int = 0,
+    check_simple: bool = True,
+    index: str = "auto",
+    threads: int = 0,
+    progress: Progress = None,
+) -> Interior:
+    """Areas of two simple closed curves by the interior function, independently of `overlay`.
+
+    `method="split"` splits segments exactly where the curves meet; "ends" weights a segment by its two ends, and
+    `passes` and `points` are the numbers of -DENS. Arguments, errors and the rest as `overlay`.
+    """
+    first, second = points_of(c1, "c1"), points_of(c2, "c2")
+    with watching(progress, "interior") as callback:
+        found = _lober.interior(first, second, method, passes, points, check_simple, index, threads, callback)
+    options = {"method": method, "passes": passes, "points": points, "check_simple": check_simple, "index": index}
+    return Interior(found, ("interior", (first, second), options))
+
+
+def winding(curve: Any, points: Any, *, threads: int = 0) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
+    """The winding number of a closed curve of any shape about each point, exactly, and which points lie on the curve.
+
+    Counter-clockwise is positive; the number of a point on the curve is 0.
+    """
+    return _lober.windings(points_of(curve, "curve"), points_of(points, "points"), threads)
+
+
+def interior_function(curve: Any, points: Any, *, threads: int = 0) -> NDArray[np.float64]:
+    """J of a closed curve at each point: 2 pi times the winding number, on the curve the principal value."""
+    return _lober.interior_values(points_of(curve, "curve"), points_of(points, "points"), threads)
+
+
+def area(curve: Any) -> float:
+    """The signed area of a closed curve, positive for counter-clockwise ones."""
+    return _lober.signed_area(points_of(curve, "curve"))

@@ -1,0 +1,95 @@
+"""Closed curves that may cross, touch and overlap themselves."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _lober
+from ._areas import AreaErrors, Areas, areas_html
+from ._arrays import Points, points_of
+from ._progress import Progress, watching
+from ._recomputed import Recomputed
+
+RULES = ("nonzero", "evenodd", "positive", "negative")
+
+
+class RegionPieces:
+    """The pieces of one region: areas as an array, outlines when asked for."""
+
+    def __init__(self, of: _lober.RegionPieces) -> None:
+        self._of = of
+
+    @property
+    def area(self) -> NDArray[np.float64]:
+        """Of each piece; memory of the result, without a copy."""
+        return self._of.areas()
+
+    def holes(self, number: int) -> int:
+        return self._of.holes(number)
+
+    def outline(self, number: int) -> list[Points]:
+        """Closed polygons: the outer one, counter-clockwise, then the holes, clockwise."""
+        return self._of.outline(number)
+
+    def __len__(self) -> int:
+        return len(self._of)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} pieces, total area {self.area.sum():.15g}>"
+
+
+class Regions(Recomputed):
+    """What `regions` returns."""
+
+    def __init__(self, of: _lober.Regions, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
+        self._of = of
+        self._call = call
+
+    @property
+    def table(self) -> NDArray[Any]:
+        """All pairs of winding numbers that occur but (0, 0): a structured array with fields `w1`, `w2`, `area`."""
+        return self._of.table()
+
+    @property
+    def signed_area(self) -> tuple[float, float]:
+        """Of C1 and C2: the sums of winding number times area."""
+        return self._of.signed_areas()
+
+    def area(self, rule: str = "nonzero") -> Areas:
+        """Areas under a fill rule: nonzero, evenodd, positive or negative."""
+        return self._of.areas(rule)
+
+    def error(self, rule: str = "nonzero") -> AreaErrors:
+        """Error bars of `area(rule)`: `rounding`."""
+        return AreaErrors(self._of.rounding(rule))
+
+    def rounding(self, area: float) -> float:
+        """A bound on the rounding error of an area of the table or of a piece."""
+        return self._of.rounding_of(area)
+
+    def pieces(self, pairing: str = "c1_minus_c2", rule: str = "nonzero") -> RegionPieces:
+        """The connected components; with one curve, `c1_minus_c2` is its region."""
+        return RegionPieces(self._of.pieces(rule, pairing))
+
+    def __repr__(self) -> str:
+        return f"<Regions: {len(self.table)} pairs of winding numbers>"
+
+    def _repr_html_(self) -> str:
+        return areas_html("fill rule nonzero", self.area(), self.error())
+
+
+def regions(
+    c1: Any, c2: Any = None, *, index: str = "auto", threads: int = 0, progress: Progress = None
+) -> Regions:
+    """The areas of all pairs of winding numbers of one or two closed curves of any shape.
+
+    The orientation of the input counts. Arguments as `overlay`. Raises DataError, UsageError, Cancelled.
+    """
+    first = points_of(c1, "c1")
+    second = None if c2 is None else points_of(c2, "c2")
+    with watching(progress, "regions") as callback:
+        found = _lober.regions(first, second, index, threads, callback)
+    return Regions(found, ("regions", (first, second), {"index": index}))

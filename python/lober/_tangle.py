@@ -1,0 +1,230 @@
+"""The tangle of an unstable and a stable manifold: pips, lobes, boundary, turnstile."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _lober
+from ._areas import html_table
+from ._arrays import Points, points_of
+from ._progress import Progress, watching
+from ._recomputed import Recomputed
+
+
+@dataclass(frozen=True)
+class TangleErrors:
+    """Error bars of lobes, or of the boundary: `rounding` is a bound, `discretisation` an estimate."""
+
+    rounding: Any
+    discretisation: Any
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """B(q): the unstable manifold up to the bip q and the stable one from there."""
+
+    bip: int
+    area: float
+    error: TangleErrors
+    orientation: str
+    crosses_itself: bool
+    outline: Points
+
+
+class Lobes:
+    """All lobes; lobe k lies between pips k and k + 1. Attributes are arrays with an entry for each lobe."""
+
+    def __init__(self, tangle: Tangle) -> None:
+        self._tangle = tangle
+        self._rows: NDArray[Any] = tangle._of.lobes()
+
+    @property
+    def area(self) -> NDArray[np.float64]:
+        """Signed: positive where the lobe lies on the left of the unstable manifold."""
+        return self._rows["area"]
+
+    @property
+    def error(self) -> TangleErrors:
+        """Error bars of `area`."""
+        return TangleErrors(self._rows["rounding"], self._rows["discretisation"])
+
+    @property
+    def polygon_area(self) -> NDArray[np.float64]:
+        """Of the polygons; differs from `area` with `smooth` only."""
+        return self._rows["polygon_area"]
+
+    @property
+    def inside(self) -> NDArray[np.float64]:
+        """Area of the part inside the boundary."""
+        return self._rows["inside"]
+
+    @property
+    def outside(self) -> NDArray[np.float64]:
+        return self._rows["outside"]
+
+    @property
+    def perimeter(self) -> NDArray[np.float64]:
+        return self._rows["perimeter"]
+
+    @property
+    def width(self) -> NDArray[np.float64]:
+        """The mean width of a thin lobe, 2 |area| / perimeter."""
+        return self._rows["width"]
+
+    @property
+    def centroid(self) -> Points:
+        return np.stack([self._rows["x"], self._rows["y"]], axis=1)
+
+    @property
+    def simple(self) -> NDArray[np.bool_]:
+        """Whether the two arcs of a lobe meet nowhere but at its pips."""
+        return self._rows["simple"]
+
+    @cached_property
+    def label(self) -> list[str]:
+        """`L12(n)` or `L21(n)` (Rom-Kedar & Wiggins); empty where the period is not known."""
+        return self._tangle._of.labels()
+
+    def outline(self, lobe: int) -> Points:
+        """The boundary of a lobe as a closed polygon."""
+        return self._tangle._of.lobe_outline(lobe)
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} lobes>"
+
+
+class Tangle(Recomputed):
+    """What `tangle` returns."""
+
+    def __init__(self, of: _lober.Tangle, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
+        self._of = of
+        self._call = call
+
+    @property
+    def u(self) -> Points:
+        """The points of the unstable manifold."""
+        return self._of.u()
+
+    @property
+    def s(self) -> Points:
+        return self._of.s()
+
+    @cached_property
+    def nodes(self) -> NDArray[Any]:
+        """Where the manifolds meet, in order along the unstable one; fields as in `Overlay.nodes`."""
+        return self._of.nodes()
+
+    @cached_property
+    def pips(self) -> NDArray[Any]:
+        """Primary intersections outward along the unstable manifold: `x`, `y`, `rho`, `node` and positions."""
+        return self._of.pips()
+
+    @cached_property
+    def lobes(self) -> Lobes:
+        return Lobes(self)
+
+    @cached_property
+    def boundary(self) -> Boundary | None:
+        """None where there is no pip."""
+        found = self._of.boundary()
+        if found is None:
+            return None
+        errors = TangleErrors(found["rounding"], found["discretisation"])
+        return Boundary(
+            found["bip"],
+            found["area"],
+            errors,
+            found["orientation"],
+            found["crosses_itself"],
+            self._of.boundary_outline(),
+        )
+
+    @cached_property
+    def images(self) -> dict[str, Any]:
+        """What is known of the map: `period`, the pips from one to its image, or None with the `reason`."""
+        return self._of.images()
+
+    @property
+    def period(self) -> int | None:
+        return self.images["period"]
+
+    @property
+    def turnstile(self) -> range:
+        """Numbers of the lobes between the pre-image of the bip and the bip; empty where they are not all there."""
+        return range(self.images["turnstile_begin"], self.images["turnstile_end"])
+
+    @cached_property
+    def overlaps(self) -> NDArray[Any]:
+        """What lobes i < j have in common: `i`, `j`, `area`, `error`, `perimeter`, for every pair that has any."""
+        return self._of.overlaps()
+
+    @property
+    def remarks(self) -> list[str]:
+        """What is unusual about the input."""
+        return self._of.remarks
+
+    def __repr__(self) -> str:
+        return f"<Tangle: {len(self.nodes)} crossings, {len(self.pips)} pips, {len(self.lobes)} lobes>"
+
+    def _repr_html_(self) -> str:
+        lobes = self.lobes
+        rows = [
+            [
+                str(k),
+                lobes.label[k],
+                f"{lobes.area[k]:.15g}",
+                f"{lobes.error.rounding[k]:.1e}",
+                f"{lobes.error.discretisation[k]:.1e}",
+            ]
+            for k in range(min(len(lobes), 20))
+        ]
+        more = f"<p>and {len(lobes) - 20} more</p>" if len(lobes) > 20 else ""
+        title = f"<p>{len(self.nodes)} crossings, {len(self.pips)} pips, {len(lobes)} lobes</p>"
+        return title + html_table(["lobe", "label", "area", "rounding", "discretisation"], rows) + more
+
+
+def tangle(
+    u: Any,
+    s: Any,
+    *,
+    smooth: bool = False,
+    bip: int | None = None,
+    bip_near: tuple[float, float] | None = None,
+    closure: Any = None,
+    period: int = 0,
+    check_simple: bool = True,
+    index: str = "auto",
+    threads: int = 0,
+    progress: Progress = None,
+) -> Tangle:
+    """The tangle of two manifolds, open curves that are ordered outward from their fixed points.
+
+    `smooth=True` takes areas between the smooth curves through the points. `bip` is the number of the pip where the
+    boundary passes from one manifold to the other (default: the middle one), `bip_near` a point near it; `closure` are the
+    corners of the path that closes the boundary (default: the chord); `period` is the number of pips from one to its
+    image (default: inferred). The rest as `overlay`. Raises DataError, NotSimpleError, UsageError, Cancelled.
+    """
+    first, second = points_of(u, "u"), points_of(s, "s")
+    corners = None if closure is None else points_of(closure, "closure")
+    with watching(progress, "tangle") as callback:
+        found = _lober.tangle(
+            first, second, smooth, bip, bip_near, corners, period, check_simple, index, threads, callback
+        )
+    options = {
+        "smooth": smooth,
+        "bip": bip,
+        "bip_near": bip_near,
+        "closure": corners,
+        "period": period,
+        "check_simple": check_simple,
+        "index": index,
+    }
+    return Tangle(found, ("tangle", (first, second), options))

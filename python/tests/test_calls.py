@@ -1,0 +1,121 @@
+"""Progress, cancellation, interrupts and the GIL."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+from conftest import ring
+
+import lober
+
+
+def star(count: int, turns: int) -> np.ndarray:
+    """A curve that crosses itself very often: work for seconds, all of it in one call."""
+    t = 2 * np.pi * np.arange(count) / count
+    z = np.exp(1j * t * turns) * (1 + 0.5 * np.cos(t * (turns + 1)))
+    return np.stack([z.real, z.imag], axis=1)
+
+
+def test_progress_is_called_and_can_cancel():
+    seen = []
+    first, second = ring(50000), ring(50000, 0.5)
+    lober.overlay(first, second, progress=lambda fraction, text: seen.append((fraction, text)))
+    assert len(seen) > 1 and seen == sorted(seen) and all(0 <= f <= 1 and t is None for f, t in seen)
+    with pytest.raises(lober.Cancelled, match="cancelled"):
+        lober.overlay(first, second, progress=lambda fraction, text: False)
+
+
+def test_exceptions_of_a_callback_pass_through():
+    class Mine(Exception):
+        pass
+
+    def fails(fraction, text):
+        raise Mine("no")
+
+    for function in (lober.overlay, lober.interior, lober.regions, lober.tangle):
+        with pytest.raises(Mine, match="no"):
+            function(ring(2000), ring(2000, 0.5), progress=fails)
+    with pytest.raises(TypeError, match="callable"):
+        lober.overlay(ring(20), ring(20), progress=3)
+
+
+def test_a_callback_may_call_lober():
+    areas = []
+
+    def inner(fraction, text):
+        areas.append(lober.overlay(ring(50), ring(50, 0.5)).area.c1)
+
+    lober.overlay(ring(5000), ring(5000, 0.5), progress=inner)
+    assert areas and len(set(areas)) == 1
+
+
+def test_bar(capsys):
+    lober.overlay(ring(5000), ring(5000, 0.5), progress=True)
+    shown = capsys.readouterr()
+    assert "overlay [" in shown.err and "%" in shown.err and shown.out == ""
+    assert shown.err.endswith("\r")
+
+
+def test_other_threads_run_meanwhile():
+    """The GIL is released: another thread counts while a long call works."""
+    count = 0
+    done = threading.Event()
+    found = []
+
+    def work():
+        try:
+            found.append(lober.regions(star(3000, 301), threads=1))
+        finally:
+            done.set()
+
+    worker = threading.Thread(target=work)
+    worker.start()
+    begin = time.monotonic()
+    while not done.is_set():
+        count += 1
+        time.sleep(0.001)
+    took = time.monotonic() - begin
+    worker.join()
+    assert found and count > 100 * took
+
+
+@pytest.mark.parametrize("handler", ["default", "silent"])
+def test_interrupt(handler):
+    """Ctrl-C ends a call of many seconds within half a second, with KeyboardInterrupt."""
+    before = signal.getsignal(signal.SIGINT)
+    if handler == "silent":
+        signal.signal(signal.SIGINT, lambda *_: None)
+    sent = []
+
+    def interrupt():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.5, interrupt)
+    curve, points = star(20000, 2001), np.random.default_rng(1).uniform(-1.5, 1.5, (1_000_000, 2))
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            lober.winding(curve, points)
+        ended = time.monotonic()
+        assert sent, "the call was over before the signal"
+        assert ended - sent[0] < 0.5
+    finally:
+        timer.cancel()
+        timer.join()
+        signal.signal(signal.SIGINT, before)
+    assert lober.overlay(ring(50), ring(50, 0.5)).crossings == 2
+
+
+def test_handler_is_put_back():
+    before = signal.getsignal(signal.SIGINT)
+    lober.overlay(ring(50), ring(50, 0.5))
+    assert signal.getsignal(signal.SIGINT) is before
+    with pytest.raises(KeyboardInterrupt):
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(1)
