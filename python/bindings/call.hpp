@@ -39,8 +39,8 @@ class Interrupt {
   bool watching_ = false, installed_ = false;
 };
 
-/// What work() returns, with at most so many threads (0: one for each core). Work that was cancelled by a signal throws
-/// what the signal raises.
+/// The result of work(), which gets `threads` threads at most (0: one for each core). Work that was cancelled by a
+/// signal throws what the signal raises.
 template <typename Work>
 auto long_call(int threads, Work&& work) {
   if (threads < 0) throw UsageError("threads has to be 0 (one for each core) or more");

@@ -19,4 +19,9 @@ PYBIND11_MODULE(_lober, module) {
   bind_densify(module);
   bind_tangle(module);
   bind_files(module);
+  bind_systems(module);
+  bind_fixed_points(module);
+  bind_manifolds(module);
+  bind_transport(module);
+  bind_escape(module);
 }

@@ -6,10 +6,15 @@
 namespace lober::python {
 
 void bind_densify(pybind11::module_& module);
+void bind_escape(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
+void bind_fixed_points(pybind11::module_& module);
 void bind_interior(pybind11::module_& module);
+void bind_manifolds(pybind11::module_& module);
 void bind_overlay(pybind11::module_& module);
 void bind_regions(pybind11::module_& module);
+void bind_systems(pybind11::module_& module);
 void bind_tangle(pybind11::module_& module);
+void bind_transport(pybind11::module_& module);
 
 }  // namespace lober::python

@@ -10,8 +10,22 @@
 Results do not depend on the number of threads. Definitions and signs are in docs/conventions.md of the project.
 """
 
+from ._agreement import Agreement, Comparison
 from ._areas import AreaErrors, Areas
 from ._densify import Densified, Diagnostic, densify, densify_near, simplify
+from ._dynamics import (
+    FixedPoint,
+    FixedPoints,
+    GrowthDiagnostic,
+    Image,
+    Manifold,
+    fixed_point,
+    fixed_points,
+    grow,
+    image,
+    images,
+    section,
+)
 from ._files import CurveFile, Zone, read, read_zones, write
 from ._lober import __version__
 from ._overlay import (
@@ -27,45 +41,87 @@ from ._overlay import (
     winding,
 )
 from ._regions import RegionPieces, Regions, regions
+from ._systems import Connection, Parameter, System, SystemInfo, system, systems
 from ._tangle import Boundary, Lobes, Tangle, TangleErrors, tangle
+from ._transport import (
+    Bottleneck,
+    Escape,
+    Measured,
+    Region,
+    SystemTangle,
+    Transport,
+    TransportBoundary,
+    escape,
+    manifold_tangle,
+    transport,
+)
 from .errors import Cancelled, DataError, DisagreementError, Error, NotSimpleError, UsageError
 
 __all__ = [
+    "Agreement",
     "AreaErrors",
     "Areas",
+    "Bottleneck",
     "Boundary",
     "Cancelled",
+    "Comparison",
+    "Connection",
     "CurveFile",
     "DataError",
     "Densified",
     "Diagnostic",
     "DisagreementError",
     "Error",
+    "Escape",
+    "FixedPoint",
+    "FixedPoints",
+    "GrowthDiagnostic",
+    "Image",
     "Interior",
     "Lobes",
+    "Manifold",
+    "Measured",
     "NotSimpleError",
     "Overlay",
+    "Parameter",
     "Piece",
     "Pieces",
+    "Region",
     "RegionPieces",
     "Regions",
     "SmoothAreas",
+    "System",
+    "SystemInfo",
+    "SystemTangle",
     "Tangle",
     "TangleErrors",
+    "Transport",
+    "TransportBoundary",
     "UsageError",
     "Zone",
     "__version__",
     "area",
     "densify",
     "densify_near",
+    "escape",
+    "fixed_point",
+    "fixed_points",
+    "grow",
+    "image",
+    "images",
     "interior",
     "interior_function",
+    "manifold_tangle",
     "overlay",
     "read",
     "read_zones",
     "regions",
+    "section",
     "simplify",
+    "system",
+    "systems",
     "tangle",
+    "transport",
     "winding",
     "write",
 ]

@@ -1,0 +1,179 @@
+#include <pybind11/stl.h>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "lober/orbits.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/call.hpp"
+#include "python/bindings/module.hpp"
+#include "python/bindings/system.hpp"
+
+namespace py = pybind11;
+
+namespace lober::python {
+namespace {
+
+// Points a thread takes at a time: enough for a map that is a Python function of arrays.
+constexpr std::size_t grain = 4096;
+
+py::tuple info_of(const SystemInfo& info) {
+  py::list parameters;
+  for (const Parameter& p : info.parameters) {
+    parameters.append(py::make_tuple(p.name, p.value, p.meaning, p.min, p.max, p.min_excluded));
+  }
+  return py::make_tuple(info.name, info.summary, parameters);
+}
+
+py::list list() {
+  py::list systems;
+  for (const SystemInfo& info : list_systems()) systems.append(info_of(info));
+  return systems;
+}
+
+SystemHandle make(const std::string& name, const ParameterValues& values, double tolerance) {
+  IntegrationOptions options;
+  options.tolerance = tolerance;
+  return std::make_shared<System>(make_system(name, values, options));
+}
+
+py::array images(const System& system, const Array& points, int iterates, int threads) {
+  const PlanarMap& map = map_of(system);
+  const std::span<const Point> given = points_of(points);
+  return array_of(long_call(threads, [&] {
+    Buffer<Point> result(given.begin(), given.end());
+    lober::detail::for_each_block(result.size(), grain, [&](std::size_t begin, std::size_t end) {
+      map.iterate(std::span(result).subspan(begin, end - begin), iterates);
+    });
+    return result;
+  }));
+}
+
+py::array derivatives(const System& system, const Array& points, int iterates, int threads) {
+  const PlanarMap& map = map_of(system);
+  const std::span<const Point> given = points_of(points);
+  py::array_t<double> result({static_cast<py::ssize_t>(given.size()), py::ssize_t{2}, py::ssize_t{2}});
+  static_assert(sizeof(Matrix2) == 4 * sizeof(double));
+  const std::span<Matrix2> matrices(reinterpret_cast<Matrix2*>(result.mutable_data()), given.size());
+  (void)long_call(threads, [&] {
+    std::vector<Point> moved(given.begin(), given.end());
+    lober::detail::for_each_block(moved.size(), grain, [&](std::size_t begin, std::size_t end) {
+      map.iterate_with_derivatives(std::span(moved).subspan(begin, end - begin), iterates,
+                                   matrices.subspan(begin, end - begin));
+    });
+    return true;
+  });
+  return result;
+}
+
+// Orbits x (iterates + 1) x 2, NaN from where an orbit is lost.
+py::array orbits(const System& system, const Array& starts, std::size_t iterates, bool folded, const py::object& origin,
+                 int threads, const py::object& progress) {
+  const ProgressCallback callback(progress);
+  const PlanarMap& map = map_of(system);
+  const std::span<const Point> given = points_of(starts);
+  OrbitOptions options;
+  options.iterates = iterates;
+  if (folded) options.lattice = system.lattice;
+  options.origin = point_from(origin);
+  const std::size_t each = iterates + 1;
+  Buffer<Point> all = long_call(threads, [&] {
+    Buffer<Point> points(given.size() * each);
+    follow_orbits(map, given, options, [&](std::size_t first, std::span<const Point> some) {
+      std::copy(some.begin(), some.end(), points.begin() + static_cast<std::ptrdiff_t>(first * each));
+      const double done = static_cast<double>(first + some.size() / each) / static_cast<double>(given.size());
+      return !callback.given() || callback(done);
+    });
+    return points;
+  });
+  return array_of(std::move(all))
+      .reshape({static_cast<py::ssize_t>(given.size()), static_cast<py::ssize_t>(each), py::ssize_t{2}});
+}
+
+py::array spread(const py::tuple& box, std::size_t count) {
+  return array_of(spread_points(rectangle_from(box), count));
+}
+
+py::list saddles_of(const System& system) {
+  const int dimension = system.flow ? system.flow->dimension() : 0;
+  py::list saddles;
+  for (const FlowState& state : system.saddles) {
+    saddles.append(py::tuple(py::cast(std::vector<double>(state.begin(), state.begin() + dimension))));
+  }
+  return saddles;
+}
+
+}  // namespace
+
+const PlanarMap& map_of(const System& system) {
+  if (!system.map) throw UsageError("system " + system.info.name + " has no planar map, which this function needs");
+  return *system.map;
+}
+
+Point point_from(const py::handle& pair) {
+  const auto numbers = pair.cast<std::vector<double>>();
+  if (numbers.size() != 2) throw UsageError("a point has two coordinates");
+  return {numbers[0], numbers[1]};
+}
+
+Rectangle rectangle_from(const py::handle& corners) {
+  const auto numbers = corners.cast<std::vector<double>>();
+  if (numbers.size() != 4 || !(numbers[0] < numbers[2] && numbers[1] < numbers[3])) {
+    throw UsageError("a box is given by its corners (x0, y0, x1, y1), with x0 < x1 and y0 < y1");
+  }
+  return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+py::tuple corners_of(const Rectangle& rectangle) {
+  return py::make_tuple(rectangle.min_x, rectangle.min_y, rectangle.max_x, rectangle.max_y);
+}
+
+Connection connection_from(const py::tuple& parts) {
+  Connection connection{point_from(parts[0]), point_from(parts[1]), point_from(parts[2]), point_from(parts[3])};
+  if (!parts[4].is_none()) connection.bip = point_from(parts[4]);
+  for (const py::handle corner : parts[5]) connection.closure.push_back(point_from(corner));
+  return connection;
+}
+
+py::tuple connection_parts(const Connection& connection) {
+  py::object bip = py::none();
+  if (connection.bip) bip = pair_of(*connection.bip);
+  py::list corners;
+  for (const Point corner : connection.closure) corners.append(pair_of(corner));
+  return py::make_tuple(pair_of(connection.from), pair_of(connection.u_direction), pair_of(connection.to),
+                        pair_of(connection.s_direction), bip, py::tuple(corners));
+}
+
+void bind_systems(py::module_& module) {
+  py::class_<System, SystemHandle>(module, "System")
+      .def_property_readonly("info", [](const System& system) { return info_of(system.info); })
+      .def_property_readonly("window", [](const System& system) { return corners_of(system.window); })
+      .def_property_readonly("lattice", [](const System& system) { return pair_of(system.lattice); })
+      .def_property_readonly("connection",
+                             [](const System& system) -> py::object {
+                               if (!system.connection) return py::none();
+                               return connection_parts(*system.connection);
+                             })
+      .def_property_readonly("no_connection", [](const System& system) { return system.no_connection; })
+      .def_property_readonly("further",
+                             [](const System& system) {
+                               py::list all;
+                               for (const Connection& other : system.further) all.append(connection_parts(other));
+                               return all;
+                             })
+      .def_property_readonly("further_needed", [](const System& system) { return system.further_needed; })
+      .def_property_readonly("has_map", [](const System& system) { return system.map != nullptr; })
+      .def_property_readonly("dimension",
+                             [](const System& system) { return system.flow ? system.flow->dimension() : 0; })
+      .def_property_readonly("period", [](const System& system) { return system.flow ? system.flow->period() : 0.0; })
+      .def_property_readonly("saddles", saddles_of);
+  module.def("systems", list);
+  module.def("system", make, py::arg("name"), py::arg("values"), py::arg("tolerance"));
+  module.def("images", images, py::arg("system"), py::arg("points").noconvert(), py::arg("iterates"),
+             py::arg("threads"));
+  module.def("derivatives", derivatives, py::arg("system"), py::arg("points").noconvert(), py::arg("iterates"),
+             py::arg("threads"));
+  module.def("orbits", orbits, py::arg("system"), py::arg("starts").noconvert(), py::arg("iterates"), py::arg("folded"),
+             py::arg("origin"), py::arg("threads"), py::arg("progress"));
+  module.def("spread", spread, py::arg("box"), py::arg("count"));
+}
+
+}  // namespace lober::python

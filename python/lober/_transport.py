@@ -1,0 +1,282 @@
+"""Tangles grown from equations, transport between regions, escape from a well."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _lober
+from ._agreement import Agreement, agreement_of
+from ._areas import html_table
+from ._arrays import Points
+from ._progress import Progress, watching
+from ._systems import Connection, Pair, System, connection_of, system_of
+from ._tangle import Tangle
+from .errors import UsageError
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A value, or an array of values, and an estimate of what it may be wrong by, on the safe side."""
+
+    value: Any
+    error: Any
+
+    def __str__(self) -> str:
+        return f"{self.value} +- {self.error}"
+
+
+class SystemTangle(Tangle):
+    """The tangle of a system's manifolds, which were grown as far as it needs them."""
+
+    def __init__(
+        self,
+        of: _lober.Tangle,
+        more: dict[str, Any],
+        call: tuple[str, tuple[Any, ...], dict[str, Any]],
+        system: System,
+        connection: Connection,
+    ) -> None:
+        super().__init__(of, call)
+        self.system = system
+        self.connection = connection
+        #: Number of the pip q where the boundary passes from one manifold to the other.
+        self.bip: int = more["bip"]
+        #: That the manifolds were grown to in the end.
+        self.tolerance: float = more["tolerance"]
+        #: Signed areas of the lobes of the turnstile by action; no entries where the map has none.
+        self.area_by_action = Measured(more["areas_by_action"], more["action_errors"])
+        self.saddles: tuple[Pair, Pair] = more["saddles"]
+        self.multipliers: tuple[float, float] = more["multipliers"]
+        #: How far the points of both manifolds lie beside them, an estimate; errors of areas contain it.
+        self.point_errors: tuple[float, float] = more["point_errors"]
+        #: Areas by geometry and by action, and more.
+        self.agreement: Agreement = agreement_of(more["comparisons"])
+
+
+def manifold_tangle(
+    system: Any,
+    connection: Connection | None = None,
+    *,
+    tolerance: float = 1e-5,
+    before: int = 1,
+    after: int = 0,
+    smooth: bool = True,
+    max_iterates: int = 60,
+    max_points: int = 20_000_000,
+    max_work: float = 1e8,
+    threads: int = 0,
+    progress: Progress = None,
+) -> SystemTangle:
+    """Grows both manifolds of a connection and finds their tangle: `lober tangle --system`.
+
+    `connection` defaults to that of the system. `tolerance` is the distance that polygon and manifold may have; errors of
+    areas are far smaller. Images of the bip from f^-before to f^after are wanted; `max_work` bounds the evaluations of the
+    vector field. Raises DataError where there is no tangle within the limits, UsageError, Cancelled.
+    """
+    made = system_of(system)
+    between = connection_of(made, connection)
+    with watching(progress, "tangle") as callback:
+        found, more = _lober.grow_tangle(
+            made._of,
+            between._parts(),
+            tolerance,
+            before,
+            after,
+            smooth,
+            max_iterates,
+            max_points,
+            max_work,
+            threads,
+            callback,
+        )
+    options = {
+        "tolerance": tolerance,
+        "before": before,
+        "after": after,
+        "smooth": smooth,
+        "max_iterates": max_iterates,
+        "max_points": max_points,
+        "max_work": max_work,
+    }
+    return SystemTangle(found, more, ("manifold_tangle", (made, connection), options), made, between)
+
+
+@dataclass(frozen=True)
+class Region:
+    area: Measured
+    bounded: bool
+
+
+@dataclass(frozen=True)
+class TransportBoundary:
+    """One tangle: what its boundary encloses, what crosses it in one step, and the lobes of its turnstile."""
+
+    enclosed: Measured
+    flux12: Measured
+    flux21: Measured
+    lobe_area12: Measured
+    lobe_area21: Measured
+    lobe_area12_by_action: float
+    lobe_area21_by_action: float
+    outline: Points
+
+
+@dataclass(frozen=True)
+class Transport:
+    """What `transport` returns. Matrices are arrays of n x regions x regions, for n = 1, 2, ..., NaN where a route
+    does not lead."""
+
+    n: NDArray[np.int64]
+    regions: list[Region]
+    boundaries: list[TransportBoundary]
+    #: a_ij(n), by lobes.
+    flux: Measured
+    #: T_ij(n), by lobes.
+    total: Measured
+    #: T_ij(n), by boundaries.
+    by_boundaries: Measured
+    #: T_ij(n) counted, with one standard deviation.
+    by_particles: Measured
+    #: Iterates of the map in one step: 2 where both multipliers of a saddle are negative.
+    iterates_a_step: int
+    remarks: list[str]
+    agreement: Agreement
+
+    def _repr_html_(self) -> str:
+        rows = [
+            [
+                str(n),
+                f"{self.flux.value[k, 0, 1]:.12g}",
+                f"{self.flux.error[k, 0, 1]:.1e}",
+                f"{self.total.value[k, 0, 1]:.12g}",
+                f"{self.total.error[k, 0, 1]:.1e}",
+            ]
+            for k, n in enumerate(self.n)
+        ]
+        return html_table(["n", "a12(n)", "error", "T12(n)", "error"], rows)
+
+
+def transport(
+    system: Any,
+    connection: Connection | None = None,
+    *,
+    iterates: int = 7,
+    tolerance: float = 1e-5,
+    particles: int = 0,
+    seed: int = 1,
+    all_regions: bool = False,
+    max_points: int = 20_000_000,
+    max_work: float = 1e8,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Transport:
+    """What leaves a region, iterate by iterate: a_ij(n) and T_ij(n) by lobes and by boundaries, counted too where
+    `particles` are asked for.
+
+    `all_regions` takes the further boundaries of the system. There are fewer rows where points or work do not suffice;
+    a remark says so. Raises DataError where there is not even n = 1 or the map does not preserve area, UsageError,
+    Cancelled.
+    """
+    made = system_of(system)
+    between = connection_of(made, connection)
+    own = connection is None
+    further = list(made._of.further) if own and (all_regions or made._of.further_needed) else []
+    with watching(progress, "transport") as callback:
+        found = _lober.transport(
+            made._of,
+            between._parts(),
+            further,
+            iterates,
+            tolerance,
+            max_points,
+            max_work,
+            particles,
+            seed,
+            threads,
+            callback,
+        )
+    return Transport(
+        np.arange(1, found["n"] + 1),
+        [Region(Measured(*area), bounded) for area, bounded in found["regions"]],
+        [_boundary(entry) for entry in found["boundaries"]],
+        Measured(*found["flux"]),
+        Measured(*found["total"]),
+        Measured(*found["by_boundaries"]),
+        Measured(*found["by_particles"]),
+        found["iterates_a_step"],
+        found["remarks"],
+        agreement_of(found["comparisons"]),
+    )
+
+
+def _boundary(entry: dict[str, Any]) -> TransportBoundary:
+    pairs = ("enclosed", "flux12", "flux21", "lobe_area12", "lobe_area21")
+    return TransportBoundary(**{key: Measured(*value) if key in pairs else value for key, value in entry.items()})
+
+
+@dataclass(frozen=True)
+class Bottleneck:
+    """A bottleneck of a well: its periodic orbit, and the curves of its tubes on the section.
+
+    `entry` are E, f(E), ..., what enters by it; `exit` are X, f^-1(X), ..., what is about to leave.
+    """
+
+    energy: float
+    orbit_period: float
+    multiplier: float
+    action: Measured
+    area: Measured
+    entry: list[Points]
+    exit: list[Points]
+
+
+@dataclass(frozen=True)
+class Escape:
+    """What `escape` returns.
+
+    `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings`, `iterates`,
+    `fraction`, `error`, and `other`, `other_error`, the same from another split; NaN where it is not known. `stop` says
+    why it goes to `crossings` only: done, points, budget or lost.
+    """
+
+    energy: float
+    table: NDArray[Any]
+    crossings: int
+    stop: str
+    bottlenecks: list[Bottleneck]
+    agreement: Agreement
+
+
+def escape(
+    system: Any,
+    *,
+    crossings: int = 4,
+    energy: float | None = None,
+    tolerance: float = 1e-6,
+    max_points: int = 2_000_000,
+    budget: float = 30.0,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Escape:
+    """Escape from a potential well: the fraction of what enters by one bottleneck that leaves by another, and when.
+
+    `energy` defaults to the system's parameter of that name; `budget` is in seconds of processor time. Raises UsageError
+    for a system without section or saddles, DataError, Cancelled.
+    """
+    made = system_of(system)
+    if energy is None:
+        if "energy" not in made.parameters:
+            raise UsageError(f"energy is missing, and system {made.name} has no parameter energy")
+        energy = made.parameters["energy"]
+    with watching(progress, "escape") as callback:
+        found = _lober.escape(made._of, energy, crossings, tolerance, max_points, budget, threads, callback)
+    found["bottlenecks"] = [
+        Bottleneck(**{**entry, "action": Measured(*entry["action"]), "area": Measured(*entry["area"])})
+        for entry in found["bottlenecks"]
+    ]
+    found["agreement"] = agreement_of(found.pop("comparisons"))
+    return Escape(**found)
