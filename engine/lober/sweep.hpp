@@ -71,8 +71,13 @@ struct Sweep {
   [[nodiscard]] LOBER_API std::size_t failures() const;
 };
 
-/// One row for each value; values that fail are recorded and the rest goes on. Values are worked on in parallel, zeros
-/// too; the same bits for any number of threads. A zero takes about eight more tangles. Throws Cancelled.
+/// One row for each value; values that fail are recorded and the rest goes on. Every eighth value is worked out from
+/// nothing, and from there its turnstile is continued to the next one: all rows have the same pip as the bip, however
+/// it moves, or an image of it, as long as its orbit is found from value to value. A row has twice the defect that the
+/// local manifolds of that value by itself may have (LocalManifoldOptions::neighbour); areas by action agree to their
+/// errors. It takes a third to a half of the evaluations of the map that values by themselves do. A zero takes about
+/// six orbits and one more tangle, which confirms it. Values are worked on in parallel, zeros too; the same bits for
+/// any number of threads. Throws Cancelled.
 [[nodiscard]] LOBER_API Sweep sweep(const Family& family, std::span<const double> values,
                                     const SweepOptions& options = {});
 

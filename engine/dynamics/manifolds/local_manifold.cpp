@@ -60,6 +60,7 @@ struct Candidate {
   std::vector<Point> coefficients;
   double defect = std::numeric_limits<double>::infinity();
   double defect_across = std::numeric_limits<double>::infinity();
+  double noise = 0, noise_across = 0;  // as in LocalManifold
 
   [[nodiscard]] std::vector<Point> at(std::span<const double> parameters) const {
     std::vector<Point> points(parameters.size());
@@ -77,6 +78,19 @@ class Solver {
     Candidate result{reach, saddle_.multiplier, std::vector<Point>(size_)};
     result.coefficients[0] = saddle_.at;
     result.coefficients[1] = {saddle_.tangent.x * reach, saddle_.tangent.y * reach};
+    return result;
+  }
+
+  // The curve of another map, moved to this saddle.
+  [[nodiscard]] Candidate shifted(const LocalManifold& other) const {
+    std::vector<double> parameters(size_);
+    for (std::size_t k = 0; k < size_; ++k) parameters[k] = other.reach * chebyshev_node(k, size_);
+    std::vector<Point> points(size_);
+    other.points_at(parameters, points);
+    const Point from = other.at(0);
+    for (Point& point : points) point = {point.x + saddle_.at.x - from.x, point.y + saddle_.at.y - from.y};
+    Candidate result{other.reach, other.multiplier, std::vector<Point>(size_)};
+    chebyshev_coefficients(points, result.coefficients);
     return result;
   }
 
@@ -214,10 +228,20 @@ void require_sensible(const LocalManifoldOptions& options) {
   if (!(options.max_length > 0)) throw UsageError("local manifold: the maximum length has to be positive");
 }
 
+double scale_of(const Saddle& saddle) {
+  return std::max({1.0, std::fabs(saddle.at.x), std::fabs(saddle.at.y)});
+}
+
+bool is_acceptable(const Candidate& found, const Saddle& saddle, const LocalManifoldOptions& options,
+                   double times = 1) {
+  const double allowed = options.tolerance * scale_of(saddle);
+  return found.defect_across <= times * std::max(allowed, found.noise_across) &&
+         found.defect <= times * std::max(allowed * std::fabs(saddle.multiplier), found.noise);
+}
+
 // The largest reach at which the defect is acceptable.
 Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifoldOptions& options) {
-  const double scale = std::max({1.0, std::fabs(saddle.at.x), std::fabs(saddle.at.y)});
-  const double allowed = options.tolerance * scale;
+  const double scale = scale_of(saddle);
   // Small enough to be right, so that what defect there is belongs to the map.
   std::optional<Candidate> best;
   double reach = std::min(1e-2 * scale, options.max_length);
@@ -226,22 +250,36 @@ Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifo
     if (best && !(best->defect_across <= 1e-9 * scale)) best.reset();
   }
   if (!best) throw DataError("no invariant curve was found through the saddle " + format_point(saddle.at));
-  const double noise = 4 * best->defect_across, noise_along = 4 * best->defect;
+  best->noise_across = 4 * best->defect_across;
+  best->noise = 4 * best->defect;
   for (double factor = 4; factor > 1.1;) {
     const double next = best->reach * factor;
     std::optional<Candidate> candidate;
     if (next <= options.max_length) candidate = solver.solved(solver.continued(*best, next));
-    const auto acceptable = [&] {
-      return candidate->defect_across <= std::max(allowed, noise) &&
-             candidate->defect <= std::max(allowed * std::fabs(saddle.multiplier), noise_along);
-    };
-    if (candidate && acceptable()) {
+    if (candidate) {
+      candidate->noise = best->noise;
+      candidate->noise_across = best->noise_across;
+    }
+    if (candidate && is_acceptable(*candidate, saddle, options)) {
       best = std::move(candidate);
     } else {
       factor = std::sqrt(factor);
     }
   }
   return *best;
+}
+
+// From that of a map nearby, with its reach, at which the defect is about as much as it may be: so it may be twice
+// that.
+std::optional<Candidate> from_neighbour(const Solver& solver, const Saddle& saddle,
+                                        const LocalManifoldOptions& options) {
+  const LocalManifold& other = *options.neighbour;
+  if (!(other.multiplier * saddle.multiplier > 0) || other.reach > options.max_length) return std::nullopt;
+  std::optional<Candidate> found = solver.solved(solver.shifted(other));
+  if (!found) return std::nullopt;
+  found->noise = other.noise;
+  found->noise_across = other.noise_across;
+  return is_acceptable(*found, saddle, options, 2) ? found : std::nullopt;
 }
 
 }  // namespace
@@ -279,7 +317,10 @@ LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide sid
   const int steps = side == ManifoldSide::stable ? -options.period : options.period;
   const Saddle saddle = saddle_near(map, steps, guess);
   require_derivative_fits(map, steps, saddle.at);
-  Candidate best = farthest(Solver(map, steps, saddle, options.degree), saddle, options);
+  const Solver solver(map, steps, saddle, options.degree);
+  std::optional<Candidate> continued;
+  if (options.neighbour) continued = from_neighbour(solver, saddle, options);
+  Candidate best = continued ? *std::move(continued) : farthest(solver, saddle, options);
   LocalManifold result;
   result.saddle = saddle.at;
   result.tangent = saddle.tangent;
@@ -290,6 +331,8 @@ LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide sid
   result.coefficients = std::move(best.coefficients);
   result.defect = best.defect;
   result.defect_across = best.defect_across;
+  result.noise = best.noise;
+  result.noise_across = best.noise_across;
   return result;
 }
 

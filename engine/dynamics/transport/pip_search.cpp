@@ -32,15 +32,16 @@ void TangleGrowth::look() {
   for (int round = 0; round < max_rounds && refine_flat_pips(); ++round) find_pips();
   if (found_.pips.empty()) return;
   if (!near_) near_ = found_.pips[found_.pips.size() / 2].at;
-  bip_ = nearest(*near_);
+  bip_ = known_bip_ ? nearest(*known_bip_) : nearest(*near_);
 }
 
 // Grows until U and S cross, as polygons. False where they do not.
 bool TangleGrowth::find_crossing() {
+  if (known_bip_ && (!grow(u_, known_bip_->u + beyond) || !grow(s_, known_bip_->s + 1 + beyond))) return false;
   for (find_pips(); found_.pips.empty(); find_pips()) {
     if (!towards_a_crossing()) return false;
   }
-  bip_ = nearest(bip_near_.value_or(found_.pips[found_.pips.size() / 2].at));
+  bip_ = known_bip_ ? nearest(*known_bip_) : nearest(bip_near_.value_or(found_.pips[found_.pips.size() / 2].at));
   return true;
 }
 
@@ -144,6 +145,19 @@ std::size_t TangleGrowth::nearest(Point point) const {
     return distance(x.at, point) < distance(y.at, point);
   });
   return static_cast<std::size_t>(at - found_.pips.begin());
+}
+
+std::size_t TangleGrowth::nearest(Time time) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  std::size_t best = 0;
+  for (std::size_t pip = 0; pip < found_.pips.size(); ++pip) {
+    const Time there = time_of_pip(pip);
+    const double off = std::max(std::fabs(there.u - time.u), std::fabs(there.s - time.s));
+    if (off >= nearest) continue;
+    nearest = off;
+    best = pip;
+  }
+  return best;
 }
 
 std::pair<ManifoldPosition, ManifoldPosition> TangleGrowth::positions_of(std::size_t pip) const {

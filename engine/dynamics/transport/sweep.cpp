@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/transport/area_preservation.hpp"
+#include "engine/dynamics/transport/known_turnstile.hpp"
+#include "engine/dynamics/transport/sweep_zero.hpp"
 #include "engine/dynamics/transport/turnstile.hpp"
 #include "engine/dynamics/transport/wrapped_tangle.hpp"
 #include "lober/error.hpp"
@@ -65,14 +65,18 @@ void fill_fluxes(SweepRow& row, const FamilyMember& member, const ManifoldTangle
   }
 }
 
-SweepRow row_at(const Family& family, double value, const ManifoldTangleOptions& options, bool with_fluxes) {
-  SweepRow row;
+// The turnstile of one value, with the bip if that is known.
+SweepValue value_at(const Family& family, double value, const ManifoldTangleOptions& options, bool with_fluxes,
+                    const KnownBip* bip = nullptr) {
+  SweepValue result;
+  SweepRow& row = result.row;
   row.value = value;
   try {
     const FamilyMember member = family(value);
-    const std::unique_ptr<ManifoldTangle> found = grow_tangle(*member.map, member.connection, options);
+    const std::unique_ptr<ManifoldTangle> found = TangleGrowth(*member.map, member.connection, options, bip).take();
     fill(row, *found);
     if (with_fluxes) fill_fluxes(row, member, *found);
+    result.known = known_turnstile(*found);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {
@@ -80,8 +84,122 @@ SweepRow row_at(const Family& family, double value, const ManifoldTangleOptions&
     row.value = value;
     row.failure = error.what();
   }
-  return row;
+  return result;
 }
+
+// The values of a sweep, with pips that are the same orbits all along it.
+//
+// A tangle by itself takes one of its pips as the bip, and a little farther along the sweep it might take another:
+// W(q) - W(q') would jump. So every eighth value is worked out from nothing; from each of these the turnstile is
+// continued value by value to the next one, where it shows which of that one's pips is the same. Then all rows are
+// made, with local manifolds and a bip that are known. The same bits for any number of threads.
+class SweepOfValues {
+ public:
+  using ValueAt = std::function<SweepValue(double, const KnownBip*)>;
+
+  /// Counts in `done` the values that are.
+  SweepOfValues(const Family& family, std::span<const double> values, bool bip_is_given, std::atomic<std::size_t>& done,
+                ValueAt value_at)
+      : family_(family),
+        values_(values),
+        bip_is_given_(bip_is_given),
+        done_(done),
+        value_at_(std::move(value_at)),
+        known_(values.size()),
+        found_(values.size()) {}
+
+  std::vector<SweepValue> run() {
+    const std::size_t groups = (values_.size() + together - 1) / together;
+    at_begin_.resize(groups);
+    for_each_block(groups, 1, [&](std::size_t g, std::size_t) {
+      const std::size_t k = g * together;
+      found_[k] = value_at_(values_[k], nullptr);
+      known_[k] = found_[k].known;
+    });
+    for_each_block(groups, 1, [&](std::size_t g, std::size_t) { continue_from(g); });
+    const std::vector<std::size_t> bip = bips();
+    for_each_block(values_.size(), 1, [&](std::size_t k, std::size_t) {
+      make_row(k, bip[k / together]);
+      ++done_;
+    });
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr std::size_t together = 8;
+
+  // Turnstiles of the values up to the beginning of the next group, and there. Where one cannot be continued it is
+  // worked out from nothing.
+  void continue_from(std::size_t group) {
+    const std::size_t end = std::min((group + 1) * together, values_.size());
+    const KnownTurnstile* last = nullptr;
+    for (std::size_t k = group * together; k < end; ++k) {
+      if (k > group * together) {
+        if (last) known_[k] = continued(k, *last);
+        if (!known_[k]) {
+          found_[k] = value_at_(values_[k], nullptr);
+          known_[k] = found_[k].known;
+        }
+      }
+      if (known_[k]) last = &*known_[k];
+    }
+    if (end < values_.size() && last) at_begin_[group + 1] = continued(end, *last);
+  }
+
+  // The bip of each group, as the number of a pip in its turnstiles; 0: the one they have. It is that of the group
+  // whose first tangle took the fewest points, or of the first one, if it was asked for.
+  [[nodiscard]] std::vector<std::size_t> bips() const {
+    std::vector<std::size_t> same(at_begin_.size());  // as the bip of the first group
+    std::size_t fewest = std::numeric_limits<std::size_t>::max(), chosen = 0;
+    for (std::size_t g = 0; g < same.size(); ++g) {
+      const auto& here = known_[g * together];
+      if (!here) continue;
+      const std::size_t period = here->orbits.size() - 1;
+      const auto& there = at_begin_[g];
+      const bool is_linked = g > 0 && there && same[g - 1] > 0 && same[g - 1] < there->orbits.size();
+      same[g] = is_linked ? here->same_pip(*there, same[g - 1]).value_or(period) : period;
+      if (bip_is_given_ || here->points >= fewest) continue;
+      fewest = here->points;
+      chosen = (period - same[g]) % period;
+    }
+    for (std::size_t g = 0; g < same.size(); ++g) {
+      if (known_[g * together]) same[g] = (same[g] + chosen) % (known_[g * together]->orbits.size() - 1);
+    }
+    return same;
+  }
+
+  [[nodiscard]] std::optional<KnownTurnstile> continued(std::size_t k, const KnownTurnstile& from) const {
+    try {
+      const FamilyMember member = family_(values_[k]);
+      return continued_turnstile(*member.map, member.connection, from);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::exception&) {  // the row says why
+      return std::nullopt;
+    }
+  }
+
+  void make_row(std::size_t k, std::size_t bip) {
+    SweepValue& value = found_[k];
+    const bool is_made = value.known || !value.row.failure.empty();
+    if (is_made && (bip == 0 || !known_[k])) return;
+    if (known_[k]) {
+      const std::size_t last = known_[k]->orbits.size() - 1;
+      const KnownBip known = known_[k]->bip(bip > 0 && bip < last ? bip : last);
+      value = value_at_(values_[k], &known);
+    }
+    if (!value.known) value = value_at_(values_[k], nullptr);
+  }
+
+  const Family& family_;
+  std::span<const double> values_;
+  bool bip_is_given_;
+  std::atomic<std::size_t>& done_;
+  ValueAt value_at_;
+  std::vector<std::optional<KnownTurnstile>> known_;     // as continued
+  std::vector<std::optional<KnownTurnstile>> at_begin_;  // that of the group before continued to the first of a group
+  std::vector<SweepValue> found_;
+};
 
 bool is_zero(const SweepRow& row) {
   return row.failure.empty() && row.difference == 0;
@@ -89,50 +207,6 @@ bool is_zero(const SweepRow& row) {
 // One of the values is a zero itself.
 SweepZero exact_zero(const SweepRow& row) {
   return {row.value, row.value, row.value, 0, 0, 0, {}};
-}
-
-// The end of a refinement at a value that has no difference.
-struct NoDifference {};
-
-// By the method of Alefeld, Potra & Shi (1995), TOMS 748, which never gives up the bracket.
-SweepZero refined(const Family& family, const SweepRow& first, const SweepRow& last, const SweepOptions& options) {
-  SweepZero zero{first.value, last.value, 0, 0, 0, 0, {}};
-  struct End {
-    double value, difference;
-  };
-  End low{first.value, first.difference}, high{last.value, last.difference};
-  if (low.value > high.value) std::swap(low, high);
-  const End from = low, to = high;
-  const double least_end = std::min(std::fabs(from.difference), std::fabs(to.difference));
-  const auto difference_at = [&](double value) {
-    const SweepRow row = row_at(family, value, options.tangle, false);
-    ++zero.evaluations;
-    if (!row.failure.empty() || std::isnan(row.difference)) {
-      zero.failure = row.failure;
-      throw NoDifference();
-    }
-    if (row.difference * low.difference >= 0) low = {value, row.difference};
-    if (row.difference * high.difference >= 0) high = {value, row.difference};
-    return row.difference;
-  };
-  const auto narrow = [&](double a, double b) {
-    return b - a <= options.zero_tolerance * std::max(std::fabs(a), std::fabs(b));
-  };
-  std::uintmax_t max_evaluations = 60;
-  try {
-    boost::math::tools::toms748_solve(difference_at, from.value, to.value, from.difference, to.difference, narrow,
-                                      max_evaluations);
-  } catch (const NoDifference&) {  // the bracket is what it was
-  }
-  const End& nearer = std::fabs(low.difference) <= std::fabs(high.difference) ? low : high;
-  zero.value = nearer.value;
-  zero.difference = nearer.difference;
-  // Ends closer than asked for differ by what the integration leaves, no longer by the zero.
-  zero.width = std::max(high.value - low.value, 0.25 * options.zero_tolerance * std::fabs(zero.value));
-  if (zero.failure.empty() && std::fabs(zero.difference) > 0.1 * least_end) {
-    zero.failure = "the difference jumps there: it belongs to other pips on either side";
-  }
-  return zero;
 }
 
 }  // namespace
@@ -144,7 +218,6 @@ std::size_t Sweep::failures() const {
 
 Sweep sweep(const Family& family, std::span<const double> values, const SweepOptions& options) {
   Sweep result;
-  result.rows.resize(values.size());
   std::atomic<std::size_t> done{0};
   std::mutex one_at_a_time;
   bool cancelled = false;
@@ -156,10 +229,12 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
     cancelled = cancelled || !options.progress(done);
     return !cancelled;
   };
-  for_each_block(values.size(), 1, [&](std::size_t k, std::size_t) {
-    result.rows[k] = row_at(family, values[k], inner.tangle, true);
-    ++done;
-  });
+  const auto value_with = [&](double value, const KnownBip* bip) {
+    return value_at(family, value, inner.tangle, true, bip);
+  };
+  const std::vector<SweepValue> found =
+      SweepOfValues(family, values, options.tangle.bip_near.has_value(), done, value_with).run();
+  for (const SweepValue& value : found) result.rows.push_back(value.row);
   for (std::size_t k = 0; k + 1 < result.rows.size(); ++k) {
     const SweepRow &first = result.rows[k], &last = result.rows[k + 1];
     if (is_zero(first)) result.zeros.push_back(exact_zero(first));
@@ -175,12 +250,14 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
   }
   if (!result.rows.empty() && is_zero(result.rows.back())) result.zeros.push_back(exact_zero(result.rows.back()));
   if (!options.find_zeros) return result;
+  const auto scratch = [&](double value) { return value_at(family, value, inner.tangle, false); };
   for_each_block(result.zeros.size(), 1, [&](std::size_t k, std::size_t) {
-    if (result.zeros[k].low == result.zeros[k].high) return;
-    const auto at = [&](double value) -> const SweepRow& {
-      return *std::find_if(result.rows.begin(), result.rows.end(), [&](const SweepRow& r) { return r.value == value; });
+    SweepZero& zero = result.zeros[k];
+    if (zero.low == zero.high) return;
+    const auto at = [&](double value) -> const SweepValue& {
+      return *std::find_if(found.begin(), found.end(), [&](const SweepValue& v) { return v.row.value == value; });
     };
-    result.zeros[k] = refined(family, at(result.zeros[k].low), at(result.zeros[k].high), inner);
+    zero = refined_zero(family, at(zero.low), at(zero.high), options.zero_tolerance, scratch);
   });
   return result;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <tuple>
 
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -23,16 +24,30 @@ constexpr double finest_roundings = 32;
 
 }  // namespace
 
-TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options)
+std::pair<LocalManifold, LocalManifold> local_manifolds(const PlanarMap& map, const Connection& connection,
+                                                        const LocalManifold* neighbour_u,
+                                                        const LocalManifold* neighbour_s) {
+  LocalManifold u = local_manifold(map, connection.from, ManifoldSide::unstable, {.neighbour = neighbour_u});
+  LocalManifold s = local_manifold(map, connection.to, ManifoldSide::stable, {.neighbour = neighbour_s});
+  // Of a homoclinic tangle both begin in one point, to the bit: else they might cross there.
+  if (distance(u.saddle, s.saddle) <= 1e-8 * (1 + length(u.saddle))) s.saddle = u.saddle;
+  return {std::move(u), std::move(s)};
+}
+
+TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options,
+                           const KnownBip* known)
     : map_(map),
       options_(options),
       bip_near_(options.bip_near ? options.bip_near : connection.bip),
       closure_(connection.closure) {
-  u_.local = local_manifold(map, connection.from, ManifoldSide::unstable);
-  s_.local = local_manifold(map, connection.to, ManifoldSide::stable);
-  // Of a homoclinic tangle both begin in one point, to the bit: else they might cross there.
-  if (distance(u_.local.saddle, s_.local.saddle) <= 1e-8 * (1 + length(u_.local.saddle)))
-    s_.local.saddle = u_.local.saddle;
+  if (known) {
+    u_.local = known->local_u;
+    s_.local = known->local_s;
+    known_bip_ = {time_of(u_.local, known->u), time_of(s_.local, known->s)};
+    bip_near_.reset();
+  } else {
+    std::tie(u_.local, s_.local) = local_manifolds(map, connection);
+  }
   u_.branch = branch_towards(u_.local, connection.u_direction);
   s_.branch = branch_towards(s_.local, connection.s_direction);
   box_ = scene(u_.local, s_.local);

@@ -21,10 +21,24 @@
 
 namespace lober::detail {
 
+/// Those of U and S near their saddles; of a homoclinic tangle with one saddle, to the bit. Neighbours: as in
+/// LocalManifoldOptions. Throws as local_manifold.
+[[nodiscard]] std::pair<LocalManifold, LocalManifold> local_manifolds(const PlanarMap& map,
+                                                                      const Connection& connection,
+                                                                      const LocalManifold* neighbour_u = nullptr,
+                                                                      const LocalManifold* neighbour_s = nullptr);
+
+/// A bip as an orbit that is known, with the local manifolds on which it lies.
+struct KnownBip {
+  LocalManifold local_u, local_s;
+  ManifoldPosition u, s;
+};
+
 class TangleGrowth {
  public:
-  /// Finds the turnstile. The map must outlive it. Throws as grow_tangle.
-  TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options);
+  /// Finds the turnstile; without a search, if the bip is known. The map must outlive it. Throws as grow_tangle.
+  TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options,
+               const KnownBip* known = nullptr);
 
   /// Grows on until the pips f^-before(q) to f^after(q) are there. False when that is not to be had: limit() says why,
   /// and what was there before still is. Throws Cancelled.
@@ -72,6 +86,7 @@ class TangleGrowth {
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
   [[nodiscard]] std::size_t nearest(Point point) const;
+  [[nodiscard]] std::size_t nearest(Time time) const;
   [[nodiscard]] std::pair<ManifoldPosition, ManifoldPosition> positions_of(std::size_t pip) const;
   [[nodiscard]] Time time_of_pip(std::size_t pip) const;
   [[nodiscard]] std::optional<std::size_t> image_of_bip(int steps, double close) const;
@@ -88,6 +103,7 @@ class TangleGrowth {
   const PlanarMap& map_;
   ManifoldTangleOptions options_;
   std::optional<Point> bip_near_, near_;
+  std::optional<Time> known_bip_;
   std::vector<Point> closure_;  // of the connection
   Side u_, s_;
   Box box_;  // where manifolds are followed exactly

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -109,6 +110,31 @@ TEST(LocalManifold, RefusesWhatIsNoSaddle) {
   EXPECT_THROW((void)local_manifold(map, {0, 0}, ManifoldSide::unstable, {.period = 0}), UsageError);
   EXPECT_THROW((void)local_manifold(map, {0, 0}, ManifoldSide::unstable, {.tolerance = 0}), UsageError);
   EXPECT_THROW((void)local_manifold(map, {std::nan(""), 0}, ManifoldSide::unstable), UsageError);
+}
+
+// From that of a value nearby: the same curve, with the reach of the neighbour. From one too far off: as from nothing.
+TEST(LocalManifold, IsContinuedFromThatOfANeighbour) {
+  const auto vortices = [](double gamma) { return make_system("ovp", {{"gamma", gamma}}); };
+  const System here = vortices(1.31), near = vortices(1.3), far = vortices(0.2);
+  for (const ManifoldSide side : {ManifoldSide::unstable, ManifoldSide::stable}) {
+    const auto of = [&](const System& system, const LocalManifold* neighbour) {
+      return local_manifold(*system.map, system.connection->saddle(side), side, {.neighbour = neighbour});
+    };
+    const LocalManifold alone = of(here, nullptr), neighbour = of(near, nullptr), distant = of(far, nullptr);
+    const LocalManifold continued = of(here, &neighbour);
+    EXPECT_EQ(continued.reach, neighbour.reach);
+    EXPECT_NE(continued.reach, alone.reach);
+    EXPECT_LE(continued.defect_across, 2 * std::max(1e-14, neighbour.noise_across));
+    EXPECT_NEAR(continued.multiplier, alone.multiplier, 1e-9 * std::fabs(alone.multiplier));
+    const double end = std::min(continued.reach, alone.reach);
+    for (int k = -8; k <= 8; ++k) {
+      const Point a = continued.at(end * k / 8), b = alone.at(end * k / 8);
+      EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 1e-11) << k;
+    }
+    const LocalManifold restarted = of(here, &distant);
+    EXPECT_EQ(restarted.reach, alone.reach);
+    EXPECT_EQ(restarted.coefficients, alone.coefficients);
+  }
 }
 
 }  // namespace

@@ -3,7 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "lober/error.hpp"
 #include "lober/systems.hpp"
@@ -81,6 +87,67 @@ TEST(Sweep, FluxIsThatOfTransport) {
     EXPECT_LT(row.flux21.error, 1e-4 * row.flux21.value) << name;
     EXPECT_NEAR(row.lobe_area12.value, row.lobe_area12_by_action, row.lobe_area12.error) << name;
   }
+}
+
+// A tangle by itself takes now one pip as the bip and now another: W(q) - W(q') jumped, and was said to have zeros.
+TEST(Sweep, FollowsOnePip) {
+  for (const char* const name : {"duffing", "double-gyre"}) {
+    const Family family = [&](double eps) -> FamilyMember {
+      const System system = make_system(name, {{"eps", eps}});
+      return {system.map, *system.connection, system.lattice};
+    };
+    std::vector<double> values;
+    for (int k = 0; k <= 10; ++k) values.push_back(0.1 + 0.01 * k);
+    const Sweep found = sweep(family, values);
+    ASSERT_EQ(found.failures(), 0U);
+    EXPECT_TRUE(found.zeros.empty()) << name;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const SweepRow& row = found.rows[k];
+      ASSERT_EQ(row.remark, "");
+      const double last = k == 0 ? 0 : std::fabs(found.rows[k - 1].difference);
+      EXPECT_GT(std::fabs(row.difference), last) << name << " at " << values[k];
+      EXPECT_NEAR(row.lobe_area21.value, row.lobe_area21_by_action, row.lobe_area21.error) << name;
+      // The tangle of that value by itself, whichever pip it takes.
+      const auto alone = grow_tangle(*family(values[k]).map, family(values[k]).connection);
+      EXPECT_NEAR(std::fabs(alone->areas_by_action[0]), std::fabs(row.difference), 1e-11)
+          << name << " at " << values[k];
+    }
+  }
+}
+
+// Counts points that are mapped; those with derivatives count three.
+class CountingMap final : public PlanarMap {
+ public:
+  CountingMap(std::shared_ptr<const PlanarMap> map, std::atomic<std::size_t>& count)
+      : map_(std::move(map)), count_(count) {}
+  void iterate(std::span<Point> points, int iterates) const override {
+    add(points.size(), iterates);
+    map_->iterate(points, iterates);
+  }
+  Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
+    add(3, iterates);
+    return map_->iterate_with_derivative(point, iterates, derivative);
+  }
+  std::optional<long double> action(Point from, Point to) const override { return map_->action(from, to); }
+
+ private:
+  void add(std::size_t points, int iterates) const { count_ += points * static_cast<std::size_t>(std::abs(iterates)); }
+  std::shared_ptr<const PlanarMap> map_;
+  std::atomic<std::size_t>& count_;
+};
+
+TEST(Sweep, TakesAThirdOfTheEvaluationsOfSingleValues) {
+  std::atomic<std::size_t> count{0};
+  const Family family = [&](double k) -> FamilyMember {
+    const System system = make_system("standard", {{"K", k}});
+    return {std::make_shared<CountingMap>(system.map, count), *system.connection, system.lattice};
+  };
+  std::vector<double> values;
+  for (int k = 0; k < 24; ++k) values.push_back(0.9 + 0.02 * k);
+  EXPECT_EQ(sweep(family, values).failures(), 0U);
+  const std::size_t together = count.exchange(0);
+  for (const double value : values) EXPECT_EQ(sweep(family, std::array{value}).failures(), 0U);
+  EXPECT_LT(3 * together, count) << together;
 }
 
 // Without area preservation there are lobes and no flux.

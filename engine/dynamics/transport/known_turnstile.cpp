@@ -1,0 +1,109 @@
+#include "engine/dynamics/transport/known_turnstile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "engine/dynamics/transport/splitting.hpp"
+#include "lober/error.hpp"
+
+namespace lober::detail {
+namespace {
+
+constexpr double apart = 1e-9, one_image = 1e-6;  // in images, as TangleGrowth has them
+
+// Along U, in images: 0 where its parameter is 1, whatever the reach.
+double time_of_orbit(const KnownTurnstile& known, std::size_t number) {
+  const ManifoldPosition& u = known.orbits[number].u;
+  return u.images + std::log(std::fabs(u.parameter)) / std::log(known.u.image().factor);
+}
+
+// About the same point of another manifold, whose reach and multiplier may differ, some images on.
+ManifoldPosition moved(const LocalManifold& from, const LocalManifold& to, ManifoldPosition position, double images) {
+  const double shift = std::log(from.reach / to.reach) / std::log(to.image().factor);
+  return position_at(to, time_of(from, position) + shift + images, position.parameter);
+}
+
+// The image of q that is as far from one saddle as from the other, as a number of images: Newton's method is at its
+// best there, and so is growing.
+double images_to_the_middle(const KnownTurnstile& known) {
+  const ConnectingOrbit& q = known.orbits.back();
+  return std::round((time_of(known.s, q.s) - time_of(known.u, q.u)) / 2);
+}
+
+// f^-1(q) is no orbit of its own; near a saddle Newton's method would find it less well.
+ConnectingOrbit preimage(const PlanarMap& map, const KnownTurnstile& known, ConnectingOrbit q) {
+  q.u = position_at(known.u, time_of(known.u, q.u) - 1, q.u.parameter);
+  q.s = position_at(known.s, time_of(known.s, q.s) + 1, q.s.parameter);
+  q.at = point_on(map, known.u, q.u).at;
+  return q;
+}
+
+bool in_order(const KnownTurnstile& known) {
+  for (std::size_t k = 0; k + 1 < known.orbits.size(); ++k) {
+    if (!(time_of_orbit(known, k + 1) > time_of_orbit(known, k) + apart)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<double> KnownTurnstile::difference() const {
+  const auto area = lobe_area_by_action(orbits[(orbits.size() - 1) / 2], orbits.back());
+  return area ? std::optional(-*area) : std::nullopt;
+}
+
+double KnownTurnstile::error() const {
+  return orbits[(orbits.size() - 1) / 2].action_error + orbits.back().action_error;
+}
+
+std::optional<std::size_t> KnownTurnstile::same_pip(const KnownTurnstile& other, std::size_t number) const {
+  const double time = time_of_orbit(other, number);
+  for (std::size_t k = 1; k < orbits.size(); ++k) {
+    const double images = time - time_of_orbit(*this, k);
+    if (std::fabs(images - std::round(images)) <= one_image) return k;
+  }
+  return std::nullopt;
+}
+
+// U is grown to the pip and S to its pre-image; their lengths go with the multipliers.
+KnownBip KnownTurnstile::bip(std::size_t number) const {
+  const ConnectingOrbit& orbit = orbits[number];
+  const double on_u = time_of(u, orbit.u), on_s = time_of(s, orbit.s);
+  double least = std::numeric_limits<double>::infinity();
+  int best = 0;
+  for (const int images : {0, 1, -1, 2, -2}) {
+    const double cost = std::pow(u.image().factor, std::max(on_u + images, 0.0)) +
+                        std::pow(s.image().factor, std::max(on_s + 1 - images, 0.0));
+    if (cost >= least) continue;
+    least = cost;
+    best = images;
+  }
+  return {u, s, position_at(u, on_u + best, orbit.u.parameter), position_at(s, on_s - best, orbit.s.parameter)};
+}
+
+KnownTurnstile known_turnstile(const ManifoldTangle& found) {
+  return {found.local_u, found.local_s, found.orbits, found.u.points.size() + found.s.points.size()};
+}
+
+std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Connection& connection,
+                                                  const KnownTurnstile& from) {
+  KnownTurnstile known;
+  std::tie(known.u, known.s) = local_manifolds(map, connection, &from.u, &from.s);
+  const double images = images_to_the_middle(from);
+  try {
+    known.orbits.resize(1);
+    for (std::size_t k = 1; k < from.orbits.size(); ++k) {
+      const ConnectingOrbit& orbit = from.orbits[k];
+      known.orbits.push_back(connecting_orbit(map, known.u, known.s, moved(from.u, known.u, orbit.u, images),
+                                              moved(from.s, known.s, orbit.s, -images)));
+    }
+    known.orbits.front() = preimage(map, known, known.orbits.back());
+  } catch (const DataError&) {
+    return std::nullopt;
+  }
+  return in_order(known) ? std::optional(std::move(known)) : std::nullopt;
+}
+
+}  // namespace lober::detail
