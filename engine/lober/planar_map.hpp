@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -55,6 +56,10 @@ class LOBER_API PlanarMap {
   [[nodiscard]] virtual std::optional<long double> action(Point /*from*/, Point /*to*/) const { return std::nullopt; }
   /// What an action L may be wrong by, as a fraction of 1 + |L|: an estimate.
   [[nodiscard]] virtual double action_accuracy() const { return 1e-18; }
+
+  /// The least number of points that is worth a call of `iterate`, where there are as many: callers hand out at least
+  /// so many at a time. 0: a few dozen are enough, as they are unless each call costs much.
+  [[nodiscard]] virtual std::size_t batch() const { return 0; }
 
   /// The same map integrated to a hundredth of the tolerance; nothing for a map that is given by formulas.
   [[nodiscard]] virtual std::unique_ptr<PlanarMap> finer() const { return nullptr; }

@@ -60,6 +60,10 @@ auto long_call(int threads, Work&& work) {
   } catch (const Cancelled&) {
     interrupt.raise_cancelled();
     throw;
+  } catch (const pybind11::error_already_set& error) {
+    // A Python function that asked, as long ones do (check_cancelled).
+    if (error.matches(pybind11::module_::import("lober.errors").attr("Cancelled"))) interrupt.raise_cancelled();
+    throw;
   }
 }
 

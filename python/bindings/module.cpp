@@ -20,6 +20,7 @@ PYBIND11_MODULE(_lober, module) {
   bind_tangle(module);
   bind_files(module);
   bind_systems(module);
+  bind_python_map(module);
   bind_fixed_points(module);
   bind_manifolds(module);
   bind_transport(module);

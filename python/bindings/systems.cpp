@@ -164,6 +164,8 @@ void bind_systems(py::module_& module) {
       .def_property_readonly("dimension",
                              [](const System& system) { return system.flow ? system.flow->dimension() : 0; })
       .def_property_readonly("period", [](const System& system) { return system.flow ? system.flow->period() : 0.0; })
+      .def("connect",
+           [](System& system, const py::tuple& connection) { system.connection = connection_from(connection); })
       .def_property_readonly("saddles", saddles_of);
   module.def("systems", list);
   module.def("system", make, py::arg("name"), py::arg("values"), py::arg("tolerance"));

@@ -28,6 +28,7 @@ from ._dynamics import (
 )
 from ._files import CurveFile, Zone, read, read_zones, write
 from ._lober import __version__
+from ._own import Family, flow, map
 from ._overlay import (
     Interior,
     Overlay,
@@ -41,6 +42,7 @@ from ._overlay import (
     winding,
 )
 from ._regions import RegionPieces, Regions, regions
+from ._symbolic import equations, hamiltonian
 from ._systems import Connection, Parameter, System, SystemInfo, system, systems
 from ._tangle import Boundary, Lobes, Tangle, TangleErrors, tangle
 from ._transport import (
@@ -73,6 +75,7 @@ __all__ = [
     "DisagreementError",
     "Error",
     "Escape",
+    "Family",
     "FixedPoint",
     "FixedPoints",
     "GrowthDiagnostic",
@@ -103,15 +106,19 @@ __all__ = [
     "area",
     "densify",
     "densify_near",
+    "equations",
     "escape",
     "fixed_point",
     "fixed_points",
+    "flow",
     "grow",
+    "hamiltonian",
     "image",
     "images",
     "interior",
     "interior_function",
     "manifold_tangle",
+    "map",
     "overlay",
     "read",
     "read_zones",

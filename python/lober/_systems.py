@@ -169,6 +169,11 @@ def system_of(given: Any) -> System:
         return given
     if isinstance(given, (str, os.PathLike)):
         return system(given)
+    default = getattr(given, "default", None)  # of a Family
+    if callable(default):
+        made = default()
+        assert isinstance(made, System)
+        return made
     raise TypeError(f"a system or its name is needed, not {type(given).__name__}")
 
 

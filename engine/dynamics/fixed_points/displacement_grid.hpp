@@ -19,7 +19,7 @@ class DisplacementGrid {
  public:
   DisplacementGrid(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options)
       : box_(box), side_(static_cast<std::size_t>(options.grid)), gaps_(side_ * side_) {
-    for_each_block(gaps_.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for_each_block(gaps_.size(), std::max(std::size_t{64}, map.batch()), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) gaps_[k] = grid_point(k);
       map.iterate(std::span(gaps_).subspan(begin, end - begin), options.period);
       for (std::size_t k = begin; k < end; ++k) {

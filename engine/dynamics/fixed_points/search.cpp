@@ -39,7 +39,7 @@ std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, con
   constexpr int rounds = 24;
   const auto displaced = [&](const std::vector<double>& ts) {
     std::vector<Point> points(ts.size());
-    for_each_block(ts.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for_each_block(ts.size(), std::max(std::size_t{64}, map.batch()), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) points[k] = on_edge(box, ts[k]);
       map.iterate(std::span(points).subspan(begin, end - begin), options.period);
     });

@@ -24,7 +24,6 @@ TraceOptions options_for_tracing(const ImageOptions& given, const Samples& guide
   options.max_points = std::min<std::size_t>(given.max_points, (std::size_t{1} << 31) - 2) + 1;
   options.min_spacing = 64 * std::numeric_limits<double>::epsilon() *
                         std::max(std::fabs(guide.parameters.front()), std::fabs(guide.parameters.back()));
-  options.batch = batch;
   options.box = box_of(given.box);
   if (!(options.box.width() >= 0)) {
     constexpr double most = std::numeric_limits<double>::max();
@@ -49,8 +48,10 @@ void close(CurveImage& image, bool ends_have_images) {
 // `steps(k)` steps of the map. `finished` takes each curve and says whether to go on.
 template <typename Steps, typename Finished>
 void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::vector<std::uint32_t> kept,
-                   const CurveSequence& at, const CurveSequence& onward, const Steps& steps, const Finished& finished) {
+                   const CurveSequence& at, const CurveSequence& onward, const Steps& steps, const Finished& finished,
+                   std::size_t together = batch) {
   TraceOptions options = options_for_tracing(given, guide);
+  options.batch = together;
   std::uint64_t images = 0;
   for (int done = 0;; ++done) {
     const CurveFunction curve = [&](std::span<const double> parameters, std::span<Point> points) {
@@ -71,7 +72,7 @@ void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::v
     if (!finished(done, std::move(result)) || trace.out_of_points) return;
     guide = std::move(trace.samples);
     kept = std::move(trace.kept);
-    for_each_block(guide.points.size(), batch, [&](std::size_t first, std::size_t last) {
+    for_each_block(guide.points.size(), together, [&](std::size_t first, std::size_t last) {
       onward(done + 1, std::span(guide.parameters).subspan(first, last - first),
              std::span(guide.points).subspan(first, last - first));
     });
@@ -91,7 +92,8 @@ void trace_images(const PlanarMap& map, int direction, const ImageOptions& given
     map.iterate(points, direction);
   };
   trace_in_turn(
-      given, closed, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, finished);
+      given, closed, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, finished,
+      std::max(batch, map.batch()));
 }
 
 // A curve by its function, and what the first trace of it starts from.

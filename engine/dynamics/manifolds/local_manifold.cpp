@@ -31,7 +31,7 @@ constexpr std::size_t grain = 16;  // points that are followed together
 // F^steps at many points, side by side.
 Images images_with_derivative(const PlanarMap& map, int steps, std::span<const Point> points) {
   Images images{{points.begin(), points.end()}, std::vector<Matrix2>(points.size())};
-  for_each_block(points.size(), grain, [&](std::size_t first, std::size_t last) {
+  for_each_block(points.size(), std::max(grain, map.batch()), [&](std::size_t first, std::size_t last) {
     map.iterate_with_derivatives(std::span(images.points).subspan(first, last - first), steps,
                                  std::span(images.derivatives).subspan(first, last - first));
   });
@@ -39,7 +39,7 @@ Images images_with_derivative(const PlanarMap& map, int steps, std::span<const P
 }
 
 void iterate_all(const PlanarMap& map, int steps, std::vector<Point>& points) {
-  for_each_block(points.size(), grain, [&](std::size_t first, std::size_t last) {
+  for_each_block(points.size(), std::max(grain, map.batch()), [&](std::size_t first, std::size_t last) {
     map.iterate(std::span(points).subspan(first, last - first), steps);
   });
 }

@@ -55,6 +55,7 @@ void ManifoldGrowth::set_up_tracing() {
     throw UsageError("grow: the tolerance is below what coordinates of this size resolve");
   }
   trace_options_.tolerance = options_.tolerance;
+  trace_options_.batch = std::max(trace_options_.batch, map_.batch());
   trace_options_.max_length = options_.max_length > 0 ? options_.max_length : extent / 50;
   trace_options_.min_spacing = ulps_apart * std::max(rounding, local_.reach * 1e-16);
   trace_options_.box = box_of(options_.box);

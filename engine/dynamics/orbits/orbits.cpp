@@ -1,8 +1,8 @@
 #include "lober/orbits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "lober/error.hpp"
@@ -39,19 +39,19 @@ Point folded(Point point, Point lattice, Point origin) {
 
 void follow_orbits(const PlanarMap& map, std::span<const Point> starts, const OrbitOptions& options,
                    const std::function<bool(std::size_t first, std::span<const Point> points)>& take) {
-  const std::size_t each = options.iterates + 1;
-  const std::size_t at_once = std::clamp<std::size_t>(block_points / each, group, std::max(group, starts.size()));
+  const std::size_t each = options.iterates + 1, together = std::max(group, map.batch());
+  const std::size_t at_once = std::clamp<std::size_t>(block_points / each, together, std::max(together, starts.size()));
   Buffer<Point> points;
   for (std::size_t first = 0; first < starts.size(); first += at_once) {
     const std::size_t count = std::min(at_once, starts.size() - first);
     points.resize(count * each);
-    for_each_block(count, group, [&](std::size_t begin, std::size_t end) {
-      std::array<Point, group> state;
+    for_each_block(count, together, [&](std::size_t begin, std::size_t end) {
       const std::size_t size = end - begin;
+      std::vector<Point> state(size);
       for (std::size_t k = 0; k < size; ++k)
         state[k] = folded(starts[first + begin + k], options.lattice, options.origin);
       for (std::size_t n = 0; n < each; ++n) {
-        if (n > 0) map.iterate(std::span(state).first(size), 1);
+        if (n > 0) map.iterate(state, 1);
         for (std::size_t k = 0; k < size; ++k) {
           if (n > 0) state[k] = folded(state[k], options.lattice, options.origin);
           points[(begin + k) * each + n] = state[k];

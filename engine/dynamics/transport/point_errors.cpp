@@ -63,7 +63,7 @@ double point_error(const PlanarMap& map, const LocalManifold& local, const Grown
     exact.push_back(local.at(grown.parameters[at]));
     iterates.push_back(generation * image.steps);
   }
-  for_each_block(chosen.size(), 16, [&](std::size_t begin, std::size_t end) {
+  for_each_block(chosen.size(), std::max(std::size_t{16}, map.batch()), [&](std::size_t begin, std::size_t end) {
     iterate_each(*finer, std::span(exact).subspan(begin, end - begin), std::span(iterates).subspan(begin, end - begin));
   });
   double off = 0;

@@ -1,0 +1,330 @@
+"""Maps and flows of one's own, as Python functions of many points at a time."""
+
+from __future__ import annotations
+
+import inspect
+from typing import Any, Callable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _lober
+from ._integrate import over_period
+from ._systems import Connection, Pair, System
+from .errors import UsageError
+
+Array = NDArray[np.float64]
+Function = Callable[..., Any]
+Box = tuple[float, float, float, float]
+
+
+class Family:
+    """A system whose parameters are still to be chosen: called with values of parameters it gives a `System`.
+
+    Functions that take a system take a family too, with its defaults.
+    """
+
+    def __init__(self, name: str, parameters: Mapping[str, float], make: Callable[..., System]) -> None:
+        self.name = name
+        self.parameters = dict(parameters)
+        self._make = make
+        self._default: System | None = None
+
+    def __call__(self, *, integration_tolerance: float = 1e-12, **values: float) -> System:
+        for key in values:
+            if key not in self.parameters:
+                known = ", ".join(self.parameters) or "none"
+                raise UsageError(f"system {self.name} has no parameter '{key}'; it has: {known}")
+        if not 0 < integration_tolerance < 1:
+            raise UsageError("the tolerance of integration must be in (0, 1)")
+        numbers = {key: float(value) for key, value in {**self.parameters, **values}.items()}
+        for key, value in numbers.items():
+            if not np.isfinite(value):
+                raise UsageError(f"system {self.name}: parameter {key} is not finite")
+        made = self._make(numbers, integration_tolerance)
+        made._call = (_member, (self, values, integration_tolerance))
+        return made
+
+    def default(self) -> System:
+        if self._default is None:
+            self._default = self()
+        return self._default
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{key} = {value:g}" for key, value in self.parameters.items())
+        return f"<Family {self.name}: {values}>"
+
+
+def _member(family: Family, values: dict[str, float], tolerance: float) -> System:
+    return family(integration_tolerance=tolerance, **values)
+
+
+def _columns(answer: Any, points: Array, name: str) -> Array:
+    """What a function gives for two coordinates or more as an array of dimension x N."""
+    dimension, count = points.shape
+    try:
+        parts = list(answer)
+    except TypeError:
+        raise UsageError(f"{name} has to give {dimension} coordinates, not one {type(answer).__name__}") from None
+    if len(parts) != dimension:
+        raise UsageError(f"{name} has to give {dimension} coordinates, not {len(parts)}")
+    result = np.empty((dimension, count))
+    for k, part in enumerate(parts):
+        result[k] = part
+    return result
+
+
+def _parameters(function: Function, known: Mapping[str, float], coordinates: int, name: str) -> list[str]:
+    """Names of the parameters that a function takes after its coordinates (and the time)."""
+    names = list(inspect.signature(function).parameters)[coordinates:]
+    for key in names:
+        if key not in known:
+            raise UsageError(f"{name}: {key} is neither a coordinate nor among params")
+    return names
+
+
+def differences(function: Callable[[Array], Array], x: Array) -> tuple[Array, Array]:
+    """A function of 2 x N numbers at x, and its derivatives, 2 x 2 x N, by central differences of order 4."""
+    h = 1e-3 * (1 + np.abs(x).max(axis=0))
+    around = [x]
+    for axis in range(2):
+        for factor in (1, -1, 2, -2):
+            moved = x.copy()
+            moved[axis] += factor * h
+            around.append(moved)
+    values = function(np.concatenate(around, axis=1)).reshape(2, 9, x.shape[1])
+    derivatives = np.empty((2, 2, x.shape[1]))
+    for axis in range(2):
+        near = values[:, 1 + 4 * axis] - values[:, 2 + 4 * axis]
+        far = values[:, 3 + 4 * axis] - values[:, 4 + 4 * axis]
+        derivatives[:, axis] = (8 * near - far) / (12 * h)
+    return np.ascontiguousarray(values[:, 0]), derivatives
+
+
+class _OwnMap:
+    """What the engine asks of a map (bindings/python_map.cpp)."""
+
+    action_accuracy = 1e-15
+
+    def step(self, x: Array, forward: bool) -> tuple[Array, int]:
+        """Images of points, an array of 2 x N, and the evaluations of a field they took."""
+        raise NotImplementedError
+
+    def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
+        """Images and derivatives, the latter 2 x 2 x N."""
+        raise NotImplementedError
+
+    def once(self, points: Array, forward: bool) -> tuple[Array, int]:
+        images, evaluations = self.step(np.ascontiguousarray(points.T), forward)
+        return np.ascontiguousarray(images.T), evaluations
+
+    def iterate_with_derivatives(self, points: Array, iterates: int) -> tuple[Array, Array]:
+        x = np.ascontiguousarray(points.T)
+        product = np.zeros((2, 2, len(points)))
+        product[0, 0] = product[1, 1] = 1
+        for _ in range(abs(iterates)):
+            x, derivatives = self.step_with_derivatives(x, iterates > 0)
+            product = np.einsum("ijn,jkn->ikn", derivatives, product)
+        return np.ascontiguousarray(x.T), np.ascontiguousarray(product.transpose(2, 0, 1))
+
+    def action(self, start: Pair, end: Pair) -> float | None:
+        return None
+
+    def finer(self) -> Any:
+        return None
+
+
+class _FormulaMap(_OwnMap):
+    def __init__(self, name: str, forward: Function, inverse: Function | None, action: Function | None) -> None:
+        self._name = name
+        self._forward = forward
+        self._inverse = inverse
+        self._action = action
+
+    def step(self, x: Array, forward: bool) -> tuple[Array, int]:
+        function = self._forward if forward else self._inverse
+        if function is None:
+            raise UsageError(f"system {self._name} has no inverse, which this needs; give inverse")
+        with np.errstate(all="ignore"):
+            return _columns(function(*x), x, self._name), 0
+
+    def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
+        return differences(lambda points: self.step(points, forward)[0], x)
+
+    def action(self, start: Pair, end: Pair) -> float | None:
+        return None if self._action is None else float(self._action(start[0], end[0]))
+
+
+class _PeriodMap(_OwnMap):
+    def __init__(
+        self, name: str, velocity: Function, hamiltonian: Function | None, begin: float, period: float, tolerance: float
+    ) -> None:
+        self._name = name
+        self._velocity = velocity
+        self._hamiltonian = hamiltonian
+        self._begin = begin
+        self._period = period
+        self._tolerance = tolerance
+        self.action_accuracy = 10 * max(0.01 * tolerance, 1e-15)
+
+    def step(self, x: Array, forward: bool) -> tuple[Array, int]:
+        period = self._period if forward else -self._period
+        return over_period(self._field, x, self._begin, period, self._tolerance)
+
+    def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
+        """By the variational equations, whose errors slow Newton's method and do nothing else.
+
+        Differences of the velocity are good to 1e-12 or so: a tolerance near that would take steps of no length.
+        """
+        period = self._period if forward else -self._period
+        one, zero = np.ones(x.shape[1]), np.zeros(x.shape[1])
+        states = np.stack([*x, one, zero, zero, one])
+        found, _ = over_period(self._with_tangents, states, self._begin, period, max(self._tolerance, 1e-9), guarded=2)
+        images, _ = self.step(x, forward)
+        return images, np.ascontiguousarray(found[2:].reshape(2, 2, -1))
+
+    def action(self, start: Pair, end: Pair) -> float | None:
+        """The integral of y dx - H dt, and y' dx' for the gap between `end` and the image."""
+        if self._hamiltonian is None:
+            return None
+        state = np.array([[start[0]], [start[1]], [0.0]])
+        tolerance = max(0.01 * self._tolerance, 1e-15)
+        (x, _, along), _ = over_period(self._with_action, state, self._begin, self._period, tolerance)
+        return float(along[0] + end[1] * (end[0] - x[0]))
+
+    def finer(self) -> Any:
+        tolerance = min(self._tolerance, max(0.01 * self._tolerance, 1e-15))
+        return _PeriodMap(self._name, self._velocity, self._hamiltonian, self._begin, self._period, tolerance)
+
+    def _field(self, x: Array, t: Array) -> Array:
+        return _columns(self._velocity(*x, t), x, self._name)
+
+    def _with_tangents(self, x: Array, t: Array) -> Array:
+        times = np.tile(t, 9)
+        velocity, jacobian = differences(lambda points: self._field(points, times), np.ascontiguousarray(x[:2]))
+        tangents = np.einsum("ijn,jkn->ikn", jacobian, x[2:].reshape(2, 2, -1))
+        return np.concatenate([velocity, tangents.reshape(4, -1)])
+
+    def _with_action(self, x: Array, t: Array) -> Array:
+        assert self._hamiltonian is not None
+        velocity = self._field(np.ascontiguousarray(x[:2]), t)
+        return np.stack([*velocity, x[1] * velocity[0] - self._hamiltonian(x[0], x[1], t)])
+
+
+def _bound(function: Function | None, params: Mapping[str, float], coordinates: int, name: str) -> Any:
+    """Makes of a function and a choice of parameters one of its coordinates alone."""
+    if function is None:
+        return lambda values: None
+    names = _parameters(function, params, coordinates, name)
+
+    def bind(values: Mapping[str, float]) -> Function:
+        chosen = [values[key] for key in names]
+        return lambda *arguments: function(*arguments, *chosen)
+
+    return bind
+
+
+def _value(given: Any, values: Mapping[str, float]) -> Any:
+    """A number or a pair, or a function of parameters that gives one."""
+    if callable(given):
+        return given(**{key: values[key] for key in inspect.signature(given).parameters})
+    return given
+
+
+def map(
+    forward: Function | None = None,
+    /,
+    *,
+    inverse: Function | None = None,
+    action: Function | None = None,
+    params: Mapping[str, float] | None = None,
+    window: Box = (-2.0, -2.0, 2.0, 2.0),
+    lattice: Pair = (0.0, 0.0),
+    connection: Any = None,
+    name: str | None = None,
+) -> Any:
+    """Makes a system of a vectorised function `f(x, y, ...parameters) -> (x', y')`; also a decorator.
+
+    `inverse` is the inverse map, of the same form. `action` is the generating function L(x, x', ...) of a map that
+    preserves area, with dL/dx' = y' and dL/dx = -y: areas by action need it. `window` is where fixed points of interest are,
+    `lattice` the shift after which the map repeats itself. `connection` is a `Connection`, or a function of parameters that
+    gives one.
+
+        @lober.map(params={"k": 0.9}, inverse=...)
+        def standard(x, y, k):
+            y = y + k * np.sin(x)
+            return x + y, y
+    """
+    parameters = dict(params or {})
+
+    def decorate(function: Function) -> Family:
+        title = name or function.__name__
+        forwards = _bound(function, parameters, 2, title)
+        backwards = _bound(inverse, parameters, 2, title)
+        actions = _bound(action, parameters, 2, title)
+
+        def make(values: Mapping[str, float], tolerance: float) -> System:
+            own = _FormulaMap(title, forwards(values), backwards(values), actions(values))
+            return _system(title, function, values, own, window, lattice, _value(connection, values))
+
+        return Family(title, parameters, make)
+
+    return decorate if forward is None else decorate(forward)
+
+
+def flow(
+    velocity: Function | None = None,
+    /,
+    *,
+    period: Any,
+    params: Mapping[str, float] | None = None,
+    hamiltonian: Function | None = None,
+    phase: float = 0.0,
+    window: Box = (-2.0, -2.0, 2.0, 2.0),
+    lattice: Pair = (0.0, 0.0),
+    connection: Any = None,
+    name: str | None = None,
+) -> Any:
+    """Makes a system of the velocity `f(x, y, t, ...parameters) -> (dx/dt, dy/dt)` of a flow that is periodic in time; also
+    a decorator.
+
+    The function is called with arrays of many points, each with its own time. Its planar map is that over one `period` from
+    `phase` periods on; `period` is a number, or a function of parameters. `hamiltonian(x, y, t, ...)` with dx/dt = dH/dy and
+    dy/dt = -dH/dx gives areas by action. The rest as `map`.
+
+        @lober.flow(period=2 * np.pi, params={"eps": 0.1})
+        def pendulum(x, y, t, eps):
+            return y, -np.sin(x) + eps * np.cos(t)
+    """
+    parameters = dict(params or {})
+
+    def decorate(function: Function) -> Family:
+        title = name or function.__name__
+        velocities = _bound(function, parameters, 3, title)
+        hamiltonians = _bound(hamiltonian, parameters, 3, title)
+
+        def make(values: Mapping[str, float], tolerance: float) -> System:
+            length = float(_value(period, values))
+            if not (np.isfinite(length) and length > 0):
+                raise UsageError(f"system {title}: its period is not positive")
+            own = _PeriodMap(title, velocities(values), hamiltonians(values), phase * length, length, tolerance)
+            return _system(title, function, values, own, window, lattice, _value(connection, values))
+
+        return Family(title, parameters, make)
+
+    return decorate if velocity is None else decorate(velocity)
+
+
+def _system(
+    name: str,
+    function: Function,
+    values: Mapping[str, float],
+    own: _OwnMap,
+    window: Box,
+    lattice: Pair,
+    connection: Connection | None,
+) -> System:
+    summary = (inspect.getdoc(function) or "").partition("\n")[0]
+    parts = None if connection is None else connection._parts()
+    made = _lober.own_system(name, summary, list(values.items()), own, window, lattice, parts)
+    return System(made, ())

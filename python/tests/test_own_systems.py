@@ -1,0 +1,203 @@
+"""Maps and flows of one's own: the same numbers as the built-in ones."""
+
+from __future__ import annotations
+
+import math
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+import sympy
+
+import lober
+
+K = 0.9
+
+
+@lober.map(
+    params={"K": K},
+    inverse=lambda x, y, K: (x - y, y - K * np.sin(x - y)),
+    action=lambda x, to, K: 0.5 * (to - x) ** 2 - K * np.cos(x),
+    lattice=(2 * np.pi, 0),
+    connection=lober.Connection((0, 0), (1, 1), (2 * np.pi, 0), (-1, 1)),
+)
+def own_standard(x, y, K):
+    """The standard map."""
+    y = y + K * np.sin(x)
+    return x + y, y
+
+
+@lober.flow(
+    period=lambda omega: 2 * np.pi / omega,
+    params={"eps": 0.1, "omega": 1.0},
+    hamiltonian=lambda x, y, t, eps, omega: y**2 / 2 - np.cos(x) - eps * x * np.cos(omega * t),
+    lattice=(2 * np.pi, 0),
+)
+def own_pendulum(x, y, t, eps, omega):
+    return y, -np.sin(x) + eps * np.cos(omega * t)
+
+
+def pendulum_of_sympy(**options):
+    q, p, t, eps = sympy.symbols("q p t eps")
+    h = p**2 / 2 - sympy.cos(q) - eps * q * sympy.cos(t)
+    return lober.hamiltonian(h, q, p, t, period=2 * sympy.pi, params={eps: 0.1}, **options)
+
+
+@pytest.fixture(scope="module")
+def built_in():
+    return lober.system("pendulum")
+
+
+def test_map_of_ones_own():
+    k = lober.system("standard", {"K": K})
+    points = np.random.default_rng(5).uniform(-3, 3, (3000, 2))
+    own = own_standard(K=K)
+    np.testing.assert_allclose(own.iterate(points, 3), k.iterate(points, 3), atol=1e-12)
+    np.testing.assert_allclose(own.iterate(points, -2), k.iterate(points, -2), atol=1e-12)
+    np.testing.assert_allclose(own.derivative(points[:50]), k.derivative(points[:50]), atol=1e-8)
+    assert own.name == "own_standard" and own.summary == "The standard map." and own.parameters == {"K": K}
+    assert own.lattice == (2 * math.pi, 0)
+
+
+def test_calls_get_many_points_at_a_time():
+    sizes = []
+
+    def forward(x, y):
+        sizes.append(len(x))
+        return x + y, y
+
+    shear = lober.map(forward, name="shear")()
+    shear.iterate(np.zeros((10000, 2)))
+    assert max(sizes) >= 4096
+    sizes.clear()
+    lober.section(shear, orbits=3000, iterates=4)
+    assert max(sizes) == 3000 and len(sizes) == 4
+
+
+def test_tangle_of_a_map_of_ones_own():
+    own = lober.manifold_tangle(own_standard, tolerance=1e-4)
+    assert own.agreement and own.period == 2
+    areas = np.abs(own.area_by_action.value)
+    assert areas[0] == pytest.approx(areas[1], abs=1e-10)  # the map has a symmetry
+
+
+def test_flow_of_ones_own(built_in):
+    points = np.random.default_rng(7).uniform(-2, 2, (300, 2))
+    own = own_pendulum()
+    np.testing.assert_allclose(own.iterate(points), built_in.iterate(points), atol=1e-9)
+    np.testing.assert_allclose(own.iterate(own.iterate(points), -1), points, atol=1e-8)
+    together = own.iterate(points)
+    alone = np.concatenate([own.iterate(points[k : k + 1]) for k in range(20)])
+    assert alone.tobytes() == together[:20].tobytes()
+    fast = own_pendulum(omega=2.0)
+    np.testing.assert_allclose(
+        fast.iterate(points), lober.system("pendulum", omega=2).iterate(points), atol=1e-9
+    )
+
+
+def lobe_area(system) -> float:
+    return float(np.abs(lober.manifold_tangle(system).area_by_action.value).max())
+
+
+def test_pendulum_in_five_lines(built_in):
+    q, p, t, eps = sympy.symbols("q p t eps")
+    h = p**2 / 2 - sympy.cos(q) - eps * q * sympy.cos(t)
+    across = lober.Connection((-sympy.pi - eps / 2, 0), (1, 1), (sympy.pi - eps / 2, 0), (-1, 1))
+    pendulum = lober.hamiltonian(h, q, p, t, period=2 * sympy.pi, params={eps: 0.1}, connection=across)
+    tangle = lober.manifold_tangle(pendulum)
+    assert tangle.agreement
+    expected = lobe_area(built_in)
+    assert np.abs(tangle.area_by_action.value).max() == pytest.approx(expected, abs=1e-10)
+    # To first order in eps, by Melnikov's integral.
+    assert expected == pytest.approx(4 * math.pi * 0.1 / math.cosh(math.pi / 2), rel=1e-3)
+
+
+def test_vectorised_flow_gives_the_same_lobe(built_in):
+    across = built_in.connection
+    tangle = lober.manifold_tangle(own_pendulum, across, tolerance=1e-3)
+    assert np.abs(tangle.area_by_action.value).max() == pytest.approx(lobe_area(built_in), abs=1e-10)
+
+
+def test_sympy_without_a_compiler(built_in):
+    points = np.random.default_rng(8).uniform(-2, 2, (100, 2))
+    compiled, vectorised = pendulum_of_sympy()(), pendulum_of_sympy(compiler="")()
+    np.testing.assert_allclose(compiled.iterate(points), built_in.iterate(points), atol=1e-9)
+    np.testing.assert_allclose(vectorised.iterate(points), built_in.iterate(points), atol=1e-9)
+    assert compiled.dimension == 2 and compiled.period == pytest.approx(2 * math.pi)
+    half = pendulum_of_sympy(phase=0.5)()
+    np.testing.assert_allclose(
+        half.iterate(points), lober.system("pendulum", phase=0.5).iterate(points), atol=1e-9
+    )
+
+
+def test_equations_of_sympy(built_in):
+    x, y, t = sympy.symbols("x y t")
+    family = lober.equations([y, -sympy.sin(x) + sympy.cos(t) / 10], [x, y], t, period=2 * sympy.pi)
+    points = np.random.default_rng(9).uniform(-2, 2, (100, 2))
+    np.testing.assert_allclose(family().iterate(points), built_in.iterate(points), atol=1e-9)
+    with pytest.raises(lober.UsageError, match="k is neither a coordinate nor among params"):
+        lober.equations([y, sympy.Symbol("k") * x], [x, y], t, period=1)
+    with pytest.raises(lober.UsageError, match="two coordinates"):
+        lober.equations([y], [x], t, period=1)
+
+
+@pytest.mark.parametrize(
+    ("function", "text"),
+    [
+        (lambda x, y: x, "has to give 2 coordinates, not"),
+        (lambda x, y: (x, y, x), "not 3"),
+        (lambda x, y: 3.0, "not one float"),
+    ],
+)
+def test_functions_of_the_wrong_form(function, text):
+    with pytest.raises(lober.UsageError, match=text):
+        lober.map(function, name="wrong")().iterate(np.zeros((5, 2)))
+
+
+def test_exceptions_of_functions_pass_through():
+    def fails(x, y):
+        raise ZeroDivisionError("mine")
+
+    bad = lober.map(fails)()
+    for call in (lambda: bad.iterate(np.zeros((5, 2))), lambda: lober.fixed_points(bad), lambda: lober.section(bad)):
+        with pytest.raises(ZeroDivisionError, match="mine"):
+            call()
+
+
+def test_parameters_of_families():
+    assert "eps = 0.1" in repr(own_pendulum)
+    with pytest.raises(lober.UsageError, match="has no parameter 'k'; it has: eps, omega"):
+        own_pendulum(k=1)
+    with pytest.raises(lober.UsageError, match="not finite"):
+        own_pendulum(eps=math.nan)
+    with pytest.raises(lober.UsageError, match="z is neither"):
+        lober.map(lambda x, y, z: (x, y))
+    with pytest.raises(lober.UsageError, match="no inverse"):
+        lober.map(lambda x, y: (x, y), name="identity")().iterate(np.zeros((1, 2)), -1)
+    with pytest.raises(lober.UsageError, match="period is not positive"):
+        lober.flow(lambda x, y, t: (y, -x), period=0)()
+    with pytest.raises(lober.UsageError, match="names? the saddles"):
+        lober.manifold_tangle(own_pendulum)
+    assert np.isnan(lober.map(lambda x, y: (x / 0, y), name="lost")().iterate(np.ones((2, 2)))).all()
+
+
+def test_interrupt_in_a_function_of_ones_own():
+    sent = []
+
+    def interrupt():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.5, interrupt)
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            lober.section(own_pendulum, orbits=5000, iterates=1000)
+        ended = time.monotonic()
+    finally:
+        timer.cancel()
+        timer.join()
+    assert sent and ended - sent[0] < 0.5
