@@ -9,6 +9,8 @@
 #   ```usage     the form of a command: every option is one that its --help knows
 #   ```toml      a manifest: lober batch check, then lober batch run
 #   ```cpp       a program: compiled against the installed package, and run
+#   ```python    a program: run with the package that `make python` has installed, in the order of the file, all of a file
+#                together; left out where there is none
 #   ```text      a picture in letters: nothing is done
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -95,6 +97,17 @@ run_cpp() {
     fail "$2" "does not compile, or fails" < <(tail -n 15 "$work/.out")
 }
 
+# The block and those before it in the same file, as a reader who follows it would have typed them.
+run_python() {
+  cat "$1" >>"$work/.python-$4.py"
+  if [ ! -x "$build/python/venv/bin/python" ]; then
+    echo "$2: left out, because there is no Python module (make python)"
+    return
+  fi
+  (cd "$work" && MPLBACKEND=Agg timeout 600 "$build/python/venv/bin/python" -P ".python-$4.py") >"$work/.out" 2>&1 </dev/null ||
+    fail "$2" "a program fails" < <(tail -n 15 "$work/.out")
+}
+
 for file in "${files[@]}"; do
   folder=$work/.blocks
   rm -rf "$folder"
@@ -119,6 +132,7 @@ for file in "${files[@]}"; do
       usage) check_usage "$body" "$place" ;;
       toml) run_toml "$body" "$place" "$number" ;;
       cpp) run_cpp "$body" "$place" "$number" ;;
+      python) run_python "$body" "$place" "$number" "$(basename "$file")" ;;
       text) ;;
       *) fail "$place" "a block of kind $kind: nobody checks it" <"$body" ;;
     esac

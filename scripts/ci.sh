@@ -56,6 +56,7 @@ summary+=("make test: ${counts:-no result}, status $status, $(minutes) min")
 step "Debian packages" 10m scripts/install-packages.sh clang clang-tidy clang-format libclang-rt-14-dev
 step "format" 5m scripts/check-format.sh
 step "words" 1m scripts/check-words.sh
+step "the Python module, its tests and types" 15m make -s python
 if [ -x scripts/check-readme.sh ]; then
   step "commands and code of README and documents" 15m scripts/check-readme.sh
 else

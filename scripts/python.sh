@@ -18,4 +18,8 @@ ln -sfn "$root" "$copy/source"
 LOBER_BUILD=$build "$venv/bin/python" -m pip install --quiet --no-index --no-build-isolation --no-deps --force-reinstall \
   --disable-pip-version-check --root-user-action=ignore "$copy"
 cd python/tests
-exec timeout --kill-after=10 "${LOBER_PYTHON_LIMIT:-600}" "$venv/bin/python" -P -m pytest -q -c ../pyproject.toml --rootdir=. -o testpaths=. -p no:cacheprovider "$@"
+timeout --kill-after=10 "${LOBER_PYTHON_LIMIT:-600}" "$venv/bin/python" -P -m pytest -q -c ../pyproject.toml --rootdir=. -o testpaths=. -p no:cacheprovider "$@"
+# The stub of the extension against the extension, and the types of the package.
+cd "$build/python"
+"$venv/bin/python" -m mypy.stubtest lober._lober --ignore-missing-stub --allowlist "$root/python/tests/stubtest.txt"
+"$venv/bin/python" -m mypy --config-file "$root/python/pyproject.toml" --cache-dir "$build/python/mypy" -p lober

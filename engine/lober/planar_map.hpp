@@ -57,8 +57,8 @@ class LOBER_API PlanarMap {
   /// What an action L may be wrong by, as a fraction of 1 + |L|: an estimate.
   [[nodiscard]] virtual double action_accuracy() const { return 1e-18; }
 
-  /// The least number of points that is worth a call of `iterate`, where there are as many: callers hand out at least
-  /// so many at a time. 0: a few dozen are enough, as they are unless each call costs much.
+  /// The least number of points that is worth a call of `iterate`: callers that have as many hand out no fewer at a
+  /// time. 0: a few dozen are enough, as they are unless each call costs much.
   [[nodiscard]] virtual std::size_t batch() const { return 0; }
 
   /// The same map integrated to a hundredth of the tolerance; nothing for a map that is given by formulas.

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Iterable
 
 from . import _lober
-from ._lober import Areas
+from ._lober import Areas as Areas
 
 #: Names and labels of the areas, in the order of the program.
 AREAS = {
@@ -65,6 +65,6 @@ def _areas_equal(self: Areas, other: Any) -> Any:
 
 
 _lober.Areas.__module__ = "lober"
-_lober.Areas.__repr__ = _areas_repr  # type: ignore[assignment,method-assign]
-_lober.Areas.__eq__ = _areas_equal  # type: ignore[assignment,method-assign]
+_lober.Areas.__repr__ = _areas_repr  # type: ignore[assignment]
+_lober.Areas.__eq__ = _areas_equal  # type: ignore[assignment]
 _lober.Areas.__hash__ = None  # type: ignore[assignment]

@@ -211,7 +211,7 @@ class _PeriodMap(_OwnMap):
         return np.stack([*velocity, x[1] * velocity[0] - self._hamiltonian(x[0], x[1], t)])
 
 
-def _bound(function: Function | None, params: Mapping[str, float], coordinates: int, name: str) -> Any:
+def _bound(function: Any, params: Mapping[str, float], coordinates: int, name: str) -> Any:
     """Makes of a function and a choice of parameters one of its coordinates alone."""
     if function is None:
         return lambda values: None
@@ -219,7 +219,8 @@ def _bound(function: Function | None, params: Mapping[str, float], coordinates: 
 
     def bind(values: Mapping[str, float]) -> Function:
         chosen = [values[key] for key in names]
-        return lambda *arguments: function(*arguments, *chosen)
+        given: Function = function
+        return lambda *arguments: given(*arguments, *chosen)
 
     return bind
 

@@ -71,7 +71,7 @@ def equations(
     expressions = [sympy.sympify(entry) for entry in velocity]
     if len(expressions) != 2 or len(coordinates) != 2:
         raise UsageError("a flow with a planar map has two coordinates and two right-hand sides")
-    return _family(expressions, tuple(coordinates), t, None, period, params, phase, window, lattice, connection, name,
+    return _family(expressions, (coordinates[0], coordinates[1]), t, None, period, params, phase, window, lattice, connection, name,
                    compiler)
 
 
@@ -158,7 +158,7 @@ def _vectorised(
 
     symbols = [*coordinates, time, *parameters]
     field = sympy.lambdify(symbols, velocity, "numpy", cse=True)
-    energy = None if h is None else sympy.lambdify(symbols, h, "numpy", cse=True)
+    energy = sympy.lambdify(symbols, 0 if h is None else h, "numpy", cse=True)
     periods = sympy.lambdify(list(parameters), length, "numpy")
     names = {str(symbol): value for symbol, value in parameters.items()}
 
@@ -168,10 +168,13 @@ def _vectorised(
         def at(x: Any, y: Any, t: Any) -> Any:
             return field(x, y, t, *numbers)
 
+        def h_at(x: Any, y: Any, t: Any) -> Any:
+            return energy(x, y, t, *numbers)
+
         own = flow(
             at,
             period=float(periods(*numbers)),
-            hamiltonian=None if energy is None else (lambda x, y, t: energy(x, y, t, *numbers)),
+            hamiltonian=h_at if h is not None else None,
             phase=phase,
             window=window,
             lattice=lattice,

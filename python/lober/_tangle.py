@@ -154,7 +154,8 @@ class Tangle(Recomputed):
 
     @property
     def period(self) -> int | None:
-        return self.images["period"]
+        period: int | None = self.images["period"]
+        return period
 
     @property
     def turnstile(self) -> range:

@@ -274,9 +274,8 @@ def escape(
         energy = made.parameters["energy"]
     with watching(progress, "escape") as callback:
         found = _lober.escape(made._of, energy, crossings, tolerance, max_points, budget, threads, callback)
-    found["bottlenecks"] = [
-        Bottleneck(**{**entry, "action": Measured(*entry["action"]), "area": Measured(*entry["area"])})
-        for entry in found["bottlenecks"]
-    ]
+    for entry in found["bottlenecks"]:
+        entry.update(action=Measured(*entry["action"]), area=Measured(*entry["area"]))
+    found["bottlenecks"] = [Bottleneck(**entry) for entry in found["bottlenecks"]]
     found["agreement"] = agreement_of(found.pop("comparisons"))
     return Escape(**found)
