@@ -10,6 +10,7 @@
 Results do not depend on the number of threads. Definitions and signs are in docs/conventions.md of the project.
 """
 
+from . import plot
 from ._agreement import Agreement, Comparison
 from ._areas import AreaErrors, Areas
 from ._densify import Densified, Diagnostic, densify, densify_near, simplify
@@ -120,6 +121,7 @@ __all__ = [
     "manifold_tangle",
     "map",
     "overlay",
+    "plot",
     "read",
     "read_zones",
     "regions",
