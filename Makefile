@@ -50,7 +50,7 @@ build: deps
 
 # The Python module, its installation into a virtual environment and its tests.
 python: python-deps
-	cmake --preset release -DLOBER_BUILD_PYTHON=ON
+	cmake --preset release -DLOBER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 	@scripts/python.sh build
 
 # Only whether they compile.
