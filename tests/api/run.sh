@@ -25,6 +25,13 @@ for compiler in "$@"; do
     compiles "$work/one.cpp" || { fail "$compiler, $(basename "$header") alone:"; head -n 5 "$work/log"; }
     checked=$((checked + 1))
   done
+  for header in lober.h lober_system.h; do
+    echo "#include \"lober/$header\"" | tee "$work/one.cpp" >"$work/one.c"
+    compiles "$work/one.cpp" || { fail "$compiler, $header alone:"; head -n 5 "$work/log"; }
+    "$compiler" -x c -std=c99 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Werror -I"$root/engine" "$work/one.c" >"$work/log" 2>&1 ||
+      { fail "$compiler, $header alone, as C:"; head -n 5 "$work/log"; }
+    checked=$((checked + 1))
+  done
   source=$root/tests/api/must_not_compile/curves.cpp
   for number in $(grep -oE 'RIGHT == [0-9]+' "$source" | grep -oE '[0-9]+'); do
     compiles -Wno-unused-variable -Wno-unused-parameter -DRIGHT="$number" "$source" || { fail "$compiler, case $number does not compile"; head -n 5 "$work/log"; }
@@ -46,7 +53,7 @@ bad=$(grep -nE '#include "' "$headers"/*.hpp | grep -v '#include "lober/')
 [ -z "$bad" ] || fail "public headers that include private ones:
 $bad"
 # A library of engine/ takes from another one only what is public; base and kernels are there for all of them.
-for library in geometry files dynamics batch; do
+for library in geometry files dynamics batch c; do
   bad=$(grep -rnE '#include "engine/' "$root/engine/$library" | grep -vE "#include \"engine/(base|$library)/")
   [ -z "$bad" ] || fail "engine/$library includes private headers of another library:
 $bad"

@@ -1,0 +1,114 @@
+#include "engine/c/call.hpp"
+
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "lober/error.hpp"
+#include "lober/threads.hpp"
+#include "lober/version.hpp"
+
+namespace lober::detail::c {
+namespace {
+
+thread_local std::string message;
+thread_local lober_progress progress_function = nullptr;
+thread_local void* progress_context = nullptr;
+
+int failed(int status, const char* text) noexcept {
+  try {
+    message = text;
+  } catch (...) {
+    message.clear();  // no memory for it
+  }
+  return status;
+}
+
+}  // namespace
+
+int guarded(const std::function<void()>& function) noexcept {
+  try {
+    function();
+    return LOBER_OK;
+  } catch (const Disagreement& disagreement) {
+    return failed(LOBER_DISAGREEMENT, disagreement.text.c_str());
+  } catch (const UsageError& error) {
+    return failed(LOBER_USAGE_ERROR, error.what());
+  } catch (const Cancelled& error) {
+    return failed(LOBER_CANCELLED, error.what());
+  } catch (const Error& error) {
+    return failed(LOBER_DATA_ERROR, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(LOBER_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::exception& error) {
+    return failed(LOBER_INTERNAL_ERROR, error.what());
+  } catch (...) {
+    return failed(LOBER_INTERNAL_ERROR, "an exception that is none of lober's");
+  }
+}
+
+int operation(const char* options, lober_result** result,
+              const std::function<std::function<void(lober_result&)>(Options&)>& prepare) noexcept {
+  if (result) *result = nullptr;
+  return guarded([&] {
+    if (!result) throw UsageError("there is no room for the result");
+    Options given(options);
+    const int threads = given.threads();
+    const std::function<void(lober_result&)> work = prepare(given);
+    given.require_all_known();
+    auto made = std::make_unique<lober_result>();
+    try {
+      run_with_threads(threads, [&] { work(*made); });
+    } catch (const Disagreement&) {
+      *result = made.release();
+      throw;
+    }
+    *result = made.release();
+  });
+}
+
+std::span<const Point> points_of(const double* points, std::size_t count, const char* name) {
+  if (!points && count > 0) throw UsageError(std::string(name) + ": no points are given");
+  static_assert(sizeof(Point) == 2 * sizeof(double) && alignof(Point) == alignof(double));
+  return {reinterpret_cast<const Point*>(points), count};
+}
+
+ClosedCurve closed_curve(const double* points, std::size_t count, const char* name) {
+  return ClosedCurve::borrow(points_of(points, count, name));
+}
+
+ClosedCurve kept_closed_curve(const double* points, std::size_t count, const char* name) {
+  const std::span<const Point> given = points_of(points, count, name);
+  return ClosedCurve(std::vector<Point>(given.begin(), given.end()));
+}
+
+OpenCurve open_curve(const double* points, std::size_t count, const char* name) {
+  const std::span<const Point> given = points_of(points, count, name);
+  return OpenCurve(std::vector<Point>(given.begin(), given.end()));
+}
+
+std::function<bool(double)> progress() {
+  if (!progress_function) return {};
+  return [function = progress_function, context = progress_context](double fraction) {
+    return function(fraction, context) != 0;
+  };
+}
+
+}  // namespace lober::detail::c
+
+const char* lober_message(void) {
+  return lober::detail::c::message.c_str();
+}
+
+void lober_set_progress(lober_progress function, void* context) {
+  lober::detail::c::progress_function = function;
+  lober::detail::c::progress_context = context;
+}
+
+int lober_interface_version(void) {
+  return LOBER_INTERFACE_VERSION;
+}
+
+const char* lober_version(void) {
+  return lober::version();
+}

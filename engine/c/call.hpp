@@ -1,0 +1,38 @@
+// From C to C++ and back: exceptions become numbers and a message, pointers become curves (private to engine/c).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "engine/c/options.hpp"
+#include "engine/c/result.hpp"
+#include "lober/curve.hpp"
+
+namespace lober::detail::c {
+
+/// Runs the function; the status that its exception stands for, whose text is then that of lober_message().
+[[nodiscard]] int guarded(const std::function<void()>& function) noexcept;
+
+/// An operation: options are asked for by `prepare`, which returns the work; that fills the result with as many threads
+/// as asked for. *result is null unless there is one.
+[[nodiscard]] int operation(const char* options, lober_result** result,
+                            const std::function<std::function<void(lober_result&)>(Options&)>& prepare) noexcept;
+
+/// What an operation throws to hand out its result with LOBER_DISAGREEMENT.
+struct Disagreement {
+  std::string text;
+};
+
+/// Throws UsageError for a null pointer.
+[[nodiscard]] std::span<const Point> points_of(const double* points, std::size_t count, const char* name);
+/// With the points of the caller, checked as a curve.
+[[nodiscard]] ClosedCurve closed_curve(const double* points, std::size_t count, const char* name);
+[[nodiscard]] OpenCurve open_curve(const double* points, std::size_t count, const char* name);
+/// The same, with a copy: for results that outlive the call.
+[[nodiscard]] ClosedCurve kept_closed_curve(const double* points, std::size_t count, const char* name);
+
+/// For operations whose progress is a fraction, and for those whose is not; empty if this thread has none.
+[[nodiscard]] std::function<bool(double)> progress();
+
+}  // namespace lober::detail::c

@@ -1,0 +1,18 @@
+// What a lober_model is (private to engine/c).
+#pragma once
+
+#include "lober/lober.h"
+#include "lober/systems.hpp"
+
+struct lober_model {
+  lober::System system;
+};
+
+namespace lober::detail::c {
+
+/// Throws UsageError for a null pointer, DataError for a system without a map.
+[[nodiscard]] const PlanarMap& map_of(const lober_model* model);
+/// Throws DataError, with the reason, where the system has none.
+[[nodiscard]] const Connection& connection_of(const lober_model* model);
+
+}  // namespace lober::detail::c

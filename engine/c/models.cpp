@@ -1,0 +1,194 @@
+// Systems, their points and manifolds, for C.
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/c/call.hpp"
+#include "engine/c/model.hpp"
+#include "lober/error.hpp"
+#include "lober/fixed_points.hpp"
+#include "lober/local_manifold.hpp"
+#include "lober/manifolds.hpp"
+
+namespace lober::detail::c {
+namespace {
+
+using Work = std::function<void(lober_result&)>;
+
+std::function<bool(const GrowthProgress&)> growth_progress() {
+  const std::function<bool(double)> function = progress();
+  if (!function) return {};
+  return [function](const GrowthProgress&) { return function(-1); };
+}
+
+std::vector<double> doubles_of(const Buffer<double>& values) {
+  return {values.begin(), values.end()};
+}
+
+Work fixed_points_work(const lober_model* model, Options& given) {
+  const PlanarMap& map = map_of(model);
+  const System& system = model->system;
+  FixedPointOptions options;
+  options.period = static_cast<int>(given.integer("period", options.period, 1));
+  options.grid = static_cast<int>(given.integer("grid", options.grid, 1));
+  const auto turns = static_cast<double>(given.integer("turns", 0, -1'000'000));
+  options.shift = {turns * system.lattice.x, turns * system.lattice.y};
+  const Rectangle box = given.box("box").value_or(system.window);
+  return [=, &map](lober_result& result) {
+    const std::function<bool(double)> report = progress();
+    const FixedPointSearch found =
+        search_fixed_points(map, box, options, 384, [&](int) { return !report || report(-1); });
+    std::vector<Point> points;
+    lober_result::Doubles derivatives, residues;
+    std::string kinds;
+    for (const FixedPoint& point : found.points) {
+      points.push_back(point.at);
+      const Matrix2& d = point.derivative;
+      derivatives.insert(derivatives.end(), {d.xx, d.xy, d.yx, d.yy});
+      residues.push_back(residue(point));
+      kinds += (kinds.empty() ? "" : "\n") + std::string(name_of(point.kind));
+    }
+    result.add_points("points", std::move(points));
+    result.add("derivatives", std::move(derivatives), 4);
+    result.add("residues", std::move(residues));
+    result.add("kinds", std::move(kinds));
+  };
+}
+
+Work grow_work(const lober_model* model, Options& given) {
+  static constexpr std::array<std::pair<std::string_view, ManifoldSide>, 2> sides{
+      {{"unstable", ManifoldSide::unstable}, {"stable", ManifoldSide::stable}}};
+  const PlanarMap& map = map_of(model);
+  const auto side = given.choice<ManifoldSide>("side", ManifoldSide::unstable, sides);
+  std::optional<Point> saddle = given.point("saddle"), branch = given.point("branch");
+  if (!saddle) {
+    saddle = connection_of(model).saddle(side);
+    if (!branch) branch = connection_of(model).direction(side);
+  }
+  LocalManifoldOptions local_options;
+  local_options.period = static_cast<int>(given.integer("period", 1, 1));
+  GrowthOptions options;
+  options.tolerance = given.number("tolerance", 1e-5);
+  options.iterates = static_cast<int>(given.integer("iterates", options.iterates));
+  options.length = given.number("length", options.length);
+  options.max_points = static_cast<std::size_t>(given.integer("max_points", 100'000'000));
+  options.progress = growth_progress();
+  if (options.iterates < 0 && !(options.length < std::numeric_limits<double>::infinity())) {
+    throw UsageError("iterates or length has to be given: manifolds do not end");
+  }
+  return [=, &map](lober_result& result) {
+    const LocalManifold local = local_manifold(map, *saddle, side, local_options);
+    GrownManifold grown = grow(map, local, branch ? branch_towards(local, *branch) : Branch::plus, options);
+    if (grown.stop == GrowthStop::cancelled) throw Cancelled();
+    result.add("parameters", doubles_of(grown.parameters));
+    result.add("generation_begin",
+               lober_result::Integers(grown.generation_begin.begin(), grown.generation_begin.end()));
+    result.add("saddle", lober_result::Doubles{local.saddle.x, local.saddle.y}, 2);
+    result.add("multiplier", local.multiplier);
+    result.add("defect", local.defect_across);
+    result.add("length", grown.length);
+    result.add("stop", std::string(name(grown.stop)));
+    result.add_points("points", std::move(grown.points));
+  };
+}
+
+Work image_work(const lober_model* model, const double* curve, std::size_t n, Options& given) {
+  const PlanarMap& map = map_of(model);
+  const CurveView view{points_of(curve, n, "curve"), given.flag("closed", true)};
+  const int iterates = static_cast<int>(given.integer("iterates", 1, -1'000'000));
+  ImageOptions options;
+  options.tolerance = given.number("tolerance", 1e-5);
+  options.max_length = given.number("max_length", options.max_length);
+  options.max_points = static_cast<std::size_t>(given.integer("max_points", 100'000'000));
+  options.progress = growth_progress();
+  return [=, &map](lober_result& result) {
+    validate(view, "curve");
+    CurveImage image = image_of(map, iterates, view, options);
+    if (image.stop == GrowthStop::cancelled) throw Cancelled();
+    result.add("parameters", doubles_of(image.parameters));
+    result.add("stop", std::string(name(image.stop)));
+    result.add_points("points", std::move(image.points));
+  };
+}
+
+}  // namespace
+
+const PlanarMap& map_of(const lober_model* model) {
+  if (!model) throw UsageError("no model is given");
+  if (!model->system.map) throw DataError("system " + model->system.info.name + " has no map for these parameters");
+  return *model->system.map;
+}
+
+const Connection& connection_of(const lober_model* model) {
+  (void)map_of(model);
+  const System& system = model->system;
+  if (system.connection) return *system.connection;
+  throw DataError("system " + system.info.name + " has no connection of its own" +
+                  (system.no_connection.empty() ? "" : ": " + system.no_connection));
+}
+
+}  // namespace lober::detail::c
+
+int lober_model_open(const char* name, const char* parameters, const char* options, lober_model** model) {
+  using namespace lober::detail::c;
+  if (model) *model = nullptr;
+  return guarded([&] {
+    if (!name || !model) throw lober::UsageError("no name, or no room for the model, is given");
+    lober::ParameterValues values;
+    for (const auto& [parameter, value] : words_of(parameters))
+      values.emplace_back(parameter, number_of(parameter, value));
+    Options given(options);
+    lober::IntegrationOptions integration;
+    integration.tolerance = given.number("tolerance", integration.tolerance);
+    given.require_all_known();
+    *model = new lober_model{lober::make_system(name, values, integration)};
+  });
+}
+
+void lober_model_free(lober_model* model) {
+  delete model;
+}
+
+int lober_models(lober_result** result) {
+  using namespace lober::detail::c;
+  return operation(nullptr, result, [](Options&) {
+    return [](lober_result& made) {
+      std::string names, summaries;
+      for (const lober::SystemInfo& info : lober::list_systems()) {
+        names += (names.empty() ? "" : "\n") + info.name;
+        summaries += (summaries.empty() ? "" : "\n") + info.summary;
+      }
+      made.add("names", std::move(names));
+      made.add("summaries", std::move(summaries));
+    };
+  });
+}
+
+int lober_iterate(const lober_model* model, double* points, size_t n, int iterates) {
+  using namespace lober::detail::c;
+  return guarded([&] {
+    const lober::PlanarMap& map = map_of(model);
+    (void)points_of(points, n, "points");
+    const std::span<lober::Point> all(reinterpret_cast<lober::Point*>(points), n);
+    constexpr std::size_t together = 4096;
+    lober::detail::for_each_block(n, together, [&](std::size_t begin, std::size_t end) {
+      map.iterate(all.subspan(begin, end - begin), iterates);
+    });
+  });
+}
+
+int lober_fixed_points(const lober_model* model, const char* options, lober_result** result) {
+  using namespace lober::detail::c;
+  return operation(options, result, [=](Options& given) { return fixed_points_work(model, given); });
+}
+
+int lober_grow(const lober_model* model, const char* options, lober_result** result) {
+  using namespace lober::detail::c;
+  return operation(options, result, [=](Options& given) { return grow_work(model, given); });
+}
+
+int lober_image(const lober_model* model, const double* curve, size_t n, const char* options, lober_result** result) {
+  using namespace lober::detail::c;
+  return operation(options, result, [=](Options& given) { return image_work(model, curve, n, given); });
+}

@@ -1,0 +1,57 @@
+// Options of the C interface: a text of words NAME=VALUE (private to engine/c).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lober/point.hpp"
+
+namespace lober::detail::c {
+
+/// The words of a text in their order. Throws UsageError for one that is not of the form NAME=VALUE, or comes twice.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> words_of(const char* text);
+/// Throws UsageError that names the option.
+[[nodiscard]] double number_of(const std::string& name, const std::string& value);
+
+/// Each option is asked for once, with its default; require_all_known() then refuses those that nobody asked for.
+class Options {
+ public:
+  explicit Options(const char* text) : words_(words_of(text)) {}
+
+  [[nodiscard]] double number(const std::string& name, double otherwise);
+  [[nodiscard]] std::int64_t integer(const std::string& name, std::int64_t otherwise, std::int64_t least = 0);
+  [[nodiscard]] bool flag(const std::string& name, bool otherwise);
+  [[nodiscard]] std::optional<Point> point(const std::string& name);
+  [[nodiscard]] std::optional<Rectangle> box(const std::string& name);
+  [[nodiscard]] std::optional<std::string> text(const std::string& name);
+  /// One of some names.
+  template <typename Value>
+  [[nodiscard]] Value choice(const std::string& name, Value otherwise,
+                             std::span<const std::pair<std::string_view, Value>> values) {
+    const std::optional<std::string> given = text(name);
+    if (!given) return otherwise;
+    std::string names;
+    for (const auto& [word, value] : values) {
+      if (*given == word) return value;
+      names += (names.empty() ? "" : ", ") + std::string(word);
+    }
+    refuse(name, *given, "one of " + names);
+  }
+  [[nodiscard]] int threads() { return static_cast<int>(integer("threads", 0)); }
+  void require_all_known() const;
+
+ private:
+  [[noreturn]] static void refuse(const std::string& name, const std::string& value, const std::string& wanted);
+  [[nodiscard]] std::vector<double> numbers(const std::string& name, const std::string& value, std::size_t count) const;
+
+  std::vector<std::pair<std::string, std::string>> words_;
+  std::set<std::string> known_;
+};
+
+}  // namespace lober::detail::c
