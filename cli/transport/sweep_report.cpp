@@ -66,7 +66,24 @@ Json row_json(const SweepRow& row) {
           {"lobe_area12_by_action", row.lobe_area12_by_action},
           {"lobe_area21_by_action", row.lobe_area21_by_action},
           {"remark", row.remark.empty() ? Json() : Json(row.remark)},
-          {"difference", row.difference}};
+          {"difference", row.difference},
+          {"follows", row.follows}};
+}
+
+// Between which values pips could not be followed.
+std::string breaks_text(const SweepReport& report) {
+  const auto& rows = report.result.rows;
+  const auto known = [](const SweepRow& row) { return row.failure.empty() && !std::isnan(row.difference); };
+  std::string text;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    if (!known(rows[k - 1]) || !known(rows[k]) || rows[k].follows) continue;
+    text += fmt::format("{}{:.6g} and {:.6g}", text.empty() ? "" : ", ", rows[k - 1].value, rows[k].value);
+  }
+  if (text.empty()) return text;
+  return fmt::format(
+      "W(q) - W(q') may be of other pips on either side, which could not be followed, between {} = {}; "
+      "a smaller step may do\n",
+      report.range.name, text);
 }
 
 // The known differences next to the ends of the range.
@@ -158,6 +175,7 @@ std::string sweep_table(const SweepReport& report) {
     text += "\n";
   }
   text += remarks_text(report);
+  text += breaks_text(report);
   for (const SweepZero& zero : report.result.zeros) {
     text +=
         fmt::format("\nW(q) - W(q') changes sign at {} = {:.12g} +- {:.1e}", report.range.name, zero.value, zero.width);

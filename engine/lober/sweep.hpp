@@ -46,6 +46,9 @@ struct SweepRow {
   /// crosses zero where the two sides of the turnstile change places. It is the area of a lobe only as long as there
   /// are two pips an iterate. NaN without an action.
   double difference = 0;
+  /// Whether the pips are those of the row before, followed from there; else the difference may jump in between, and no
+  /// zero is looked for.
+  bool follows = false;
 };
 
 /// A sign change of the difference between two values next to each other.

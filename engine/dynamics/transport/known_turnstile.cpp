@@ -89,8 +89,11 @@ KnownTurnstile known_turnstile(const ManifoldTangle& found) {
 
 std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Connection& connection,
                                                   const KnownTurnstile& from) {
+  Connection between = connection;
+  between.from = from.u.saddle;
+  between.to = from.s.saddle;
   KnownTurnstile known;
-  std::tie(known.u, known.s) = local_manifolds(map, connection, &from.u, &from.s);
+  std::tie(known.u, known.s) = local_manifolds(map, between, &from.u, &from.s);
   const double images = images_to_the_middle(from);
   try {
     known.orbits.resize(1);

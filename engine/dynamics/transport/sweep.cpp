@@ -106,7 +106,9 @@ class SweepOfValues {
         done_(done),
         value_at_(std::move(value_at)),
         known_(values.size()),
-        found_(values.size()) {}
+        found_(values.size()),
+        follows_(values.size()),
+        is_own_(values.size()) {}
 
   std::vector<SweepValue> run() {
     const std::size_t groups = (values_.size() + together - 1) / together;
@@ -117,11 +119,14 @@ class SweepOfValues {
       known_[k] = found_[k].known;
     });
     for_each_block(groups, 1, [&](std::size_t g, std::size_t) { continue_from(g); });
+    continue_over_gaps();
     const std::vector<std::size_t> bip = bips();
     for_each_block(values_.size(), 1, [&](std::size_t k, std::size_t) {
       make_row(k, bip[k / together]);
       ++done_;
     });
+    for (std::size_t k = 1; k < values_.size(); ++k)
+      found_[k].row.follows = follows_[k] != 0 && is_own_[k] == 0 && is_own_[k - 1] == 0;
     return std::move(found_);
   }
 
@@ -136,6 +141,7 @@ class SweepOfValues {
     for (std::size_t k = group * together; k < end; ++k) {
       if (k > group * together) {
         if (last) known_[k] = continued(k, *last);
+        follows_[k] = known_[k] && known_[k - 1];
         if (!known_[k]) {
           found_[k] = value_at_(values_[k], nullptr);
           known_[k] = found_[k].known;
@@ -146,9 +152,22 @@ class SweepOfValues {
     if (end < values_.size() && last) at_begin_[group + 1] = continued(end, *last);
   }
 
+  // Where a system's own guess finds no saddle any more, one that was followed there may be; from either side.
+  void continue_over_gaps() {
+    const auto fill = [&](std::size_t k, std::size_t from) {
+      if (!known_[k] && known_[from]) {
+        known_[k] = continued(k, *known_[from]);
+        if (known_[k]) follows_[std::max(k, from)] = 1;
+      }
+      if (k % together == 0 && k > 0 && from == k - 1 && !at_begin_[k / together]) at_begin_[k / together] = known_[k];
+    };
+    for (std::size_t k = 1; k < values_.size(); ++k) fill(k, k - 1);
+    for (std::size_t k = values_.size(); k-- > 1;) fill(k - 1, k);
+  }
+
   // The bip of each group, as the number of a pip in its turnstiles; 0: the one they have. It is that of the group
   // whose first tangle took the fewest points, or of the first one, if it was asked for.
-  [[nodiscard]] std::vector<std::size_t> bips() const {
+  [[nodiscard]] std::vector<std::size_t> bips() {
     std::vector<std::size_t> same(at_begin_.size());  // as the bip of the first group
     std::size_t fewest = std::numeric_limits<std::size_t>::max(), chosen = 0;
     for (std::size_t g = 0; g < same.size(); ++g) {
@@ -157,8 +176,10 @@ class SweepOfValues {
       const std::size_t period = here->orbits.size() - 1;
       const auto& there = at_begin_[g];
       const bool is_linked = g > 0 && there && same[g - 1] > 0 && same[g - 1] < there->orbits.size();
-      same[g] = is_linked ? here->same_pip(*there, same[g - 1]).value_or(period) : period;
-      if (bip_is_given_ || here->points >= fewest) continue;
+      const auto number = is_linked ? here->same_pip(*there, same[g - 1]) : std::nullopt;
+      same[g] = number.value_or(period);
+      follows_[g * together] = number.has_value();
+      if (bip_is_given_ || here->points == 0 || here->points >= fewest) continue;
       fewest = here->points;
       chosen = (period - same[g]) % period;
     }
@@ -181,14 +202,16 @@ class SweepOfValues {
 
   void make_row(std::size_t k, std::size_t bip) {
     SweepValue& value = found_[k];
-    const bool is_made = value.known || !value.row.failure.empty();
-    if (is_made && (bip == 0 || !known_[k])) return;
+    if (value.known && bip == 0) return;
+    const bool has_failed = !value.row.failure.empty();
     if (known_[k]) {
       const std::size_t last = known_[k]->orbits.size() - 1;
       const KnownBip known = known_[k]->bip(bip > 0 && bip < last ? bip : last);
-      value = value_at_(values_[k], &known);
+      SweepValue made = value_at_(values_[k], &known);
+      is_own_[k] = !made.known;
+      if (made.known) value = std::move(made);
     }
-    if (!value.known) value = value_at_(values_[k], nullptr);
+    if (!value.known && !has_failed) value = value_at_(values_[k], nullptr);
   }
 
   const Family& family_;
@@ -199,6 +222,8 @@ class SweepOfValues {
   std::vector<std::optional<KnownTurnstile>> known_;     // as continued
   std::vector<std::optional<KnownTurnstile>> at_begin_;  // that of the group before continued to the first of a group
   std::vector<SweepValue> found_;
+  // For each value, whether what is known of it has the pips of the value before; whether its row has pips of its own.
+  std::vector<char> follows_, is_own_;
 };
 
 bool is_zero(const SweepRow& row) {
@@ -239,6 +264,7 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
     const SweepRow &first = result.rows[k], &last = result.rows[k + 1];
     if (is_zero(first)) result.zeros.push_back(exact_zero(first));
     if (!first.failure.empty() || !last.failure.empty() || !(first.difference * last.difference < 0)) continue;
+    if (!last.follows) continue;
     SweepZero zero;
     zero.low = first.value;
     zero.high = last.value;

@@ -115,6 +115,29 @@ TEST(Sweep, FollowsOnePip) {
   }
 }
 
+// The periodic orbit moves on with the energy, away from where the system guesses it: alone, -1.52 finds a centre.
+TEST(Sweep, FollowsTheSaddle) {
+  const Family family = [](double energy) -> FamilyMember {
+    const System system = make_system("pcr3bp", {{"energy", energy}});
+    return {system.map, *system.connection, system.lattice};
+  };
+  EXPECT_THROW((void)grow_tangle(*family(-1.52).map, family(-1.52).connection), DataError);
+  const std::array values{-1.53, -1.528, -1.526, -1.524, -1.522, -1.52};
+  const std::array backwards{-1.52, -1.522, -1.524, -1.526, -1.528, -1.53};
+  const Sweep there = sweep(family, values), back = sweep(family, backwards);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const SweepRow &row = there.rows[k], &other = back.rows[values.size() - 1 - k];
+    ASSERT_EQ(row.failure, "") << values[k];
+    ASSERT_EQ(other.failure, "") << values[k];
+    EXPECT_NEAR(row.from.x, other.from.x, 1e-9);
+    EXPECT_NEAR(row.lobe_area21.value, row.lobe_area21_by_action, row.lobe_area21.error);
+    EXPECT_NEAR(row.lobe_area21_by_action, other.lobe_area21_by_action, 1e-9);
+    if (k > 0) {
+      EXPECT_GT(row.multiplier, there.rows[k - 1].multiplier);
+    }
+  }
+}
+
 // Counts points that are mapped; those with derivatives count three.
 class CountingMap final : public PlanarMap {
  public:
