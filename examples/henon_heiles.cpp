@@ -2,6 +2,8 @@
 // with its section x = 0, px > 0 in (y, py).
 //
 //     c++ -std=c++20 -shared -fPIC -O2 -I. examples/henon_heiles.cpp -o henon_heiles.so
+#include <limits>
+
 #include "lober/lober_system.h"
 
 namespace {
@@ -52,6 +54,8 @@ double hamiltonian(const double* /*parameters*/, const double* z, double /*t*/) 
 }
 
 constexpr lober_parameter parameters[] = {{"energy", 0.125, "of the section; orbits escape above 1/6"}};
+constexpr lober_range ranges[] = {
+    {0, std::numeric_limits<double>::infinity(), 1, 0}};  // the bottom of the well is at 0
 constexpr lober_conjugate_pair pairs[] = {{0, 2, nullptr}, {1, 3, nullptr}};
 constexpr lober_section section{.coordinate = 0,
                                 .value = 0,
@@ -62,7 +66,8 @@ constexpr lober_section section{.coordinate = 0,
                                 .energy_parameter = 0,
                                 .bound_coordinate = 0,
                                 .bound = 0,
-                                .bound_side = 0};
+                                .bound_side = 0,
+                                .period = 0};
 constexpr lober_flow flow{.dimension = 4,
                           .velocity = velocity,
                           .jacobian = jacobian,
@@ -84,7 +89,10 @@ constexpr lober_system description{.abi = LOBER_SYSTEM_ABI,
                                    .flow = &flow,
                                    .connection_count = 0,
                                    .connection = nullptr,
-                                   .all_bound_region_1 = 0};
+                                   .all_bound_region_1 = 0,
+                                   .ranges = ranges,
+                                   .perturbation = nullptr,
+                                   .second_lattice = {0, 0}};
 
 }  // namespace
 

@@ -49,7 +49,10 @@ static const lober_system description = {LOBER_SYSTEM_ABI,
                                          NULL,
                                          0,
                                          NULL,
-                                         0};
+                                         0,
+                                         NULL, /* any angle but the multiples of pi, which have no action */
+                                         NULL,
+                                         {0, 0}};
 
 const lober_system* lober_system_describe(void) {
   return &description;

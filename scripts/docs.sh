@@ -15,11 +15,12 @@ trap 'rm -rf "$work"' EXIT
 export LOBER=$lober
 
 # File, cheap or costly, and the command: its last argument is the picture; what goes to a .txt is what it prints. Files
-# of work/ are what later commands read, as @work.
+# of work/ are what later commands read, as @work. @script NAME: what scripts/docs-figures/NAME.sh prints.
 figures='
 docs/demo.svg                       cheap   overlay examples/resonance.dat examples/resonance_image.dat --svg
 docs/tangle.svg                     cheap   tangle examples/manifolds.dat --smooth --overlaps --svg
 docs/section.svg                    cheap   section pendulum --orbits 40 --iterates 120 --svg
+docs/section-abc.svg                cheap   section abc --orbits 400 --iterates 300 --svg
 docs/winding.svg                    cheap   winding examples/loops.csv --grid 300,300 --svg
 docs/paper/fig-01.svg        cheap   tangle --system ovp --param gamma=0.5 --before 2 --after 1 --tolerance 1e-4 --labels --svg
 docs/paper/fig-02a.svg       cheap   tangle --system henon --before 2 --after 2 --tolerance 1e-4 --labels --window=-2.4,-2.2,3,2.6 --svg
@@ -38,6 +39,11 @@ docs/paper/fig-11b.svg       cheap   tangle --system ovp --param gamma=1.81 --af
 docs/paper/fig-11c.svg       cheap   tangle --system ovp1 --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --svg
 docs/paper/fig-11d.svg       cheap   tangle --system ovp1 --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --svg
 docs/paper/fig-11e.svg       cheap   tangle --system ovp --param gamma=0.5 --param eps=0.5 --after 1 --tolerance 1e-4 --svg
+docs/paper/fig-11a-zoom.svg  cheap   tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --window=-1.75,-0.05,-0.75,0.95 --svg
+docs/paper/fig-11b-zoom.svg  cheap   tangle --system ovp --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --window=-1.8,-0.05,-0.8,0.95 --svg
+docs/paper/fig-12-zoom.svg   cheap   image ovp --boundary --param gamma=0.5 --iterates -4:0 --tolerance 1e-4 --window 0.6,-0.02,1.6,0.98 --svg
+docs/paper/fig-13-zoom.svg   cheap   transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --window=-1.75,-0.05,-0.75,0.95 --picture
+docs/paper/fig-08.svg        cheap   @script densifier-bars
 docs/paper/fig-12.svg        cheap   image ovp --boundary --param gamma=0.5 --iterates -4:0 --tolerance 1e-4 --svg
 docs/paper/fig-13.svg        cheap   transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --picture
 docs/paper/fig-14a.svg       costly  transport ovp --sweep gamma=0.2:2.5:0.05 --find-zero --melnikov --tolerance 1e-3 --svg
@@ -52,6 +58,7 @@ docs/paper/fig-16c.svg       cheap   levels capsize --energy 0.28 --box=-1.8,-0.
 docs/paper/fig-17a.svg       cheap   section capsize --param energy=0.22 --orbits 60 --iterates 500 --svg
 docs/paper/fig-17b.svg       cheap   section capsize --param energy=0.25 --orbits 60 --iterates 500 --svg
 docs/paper/fig-17c.svg       cheap   section capsize --param energy=0.28 --orbits 60 --iterates 500 --svg
+docs/paper/exit-times.svg    cheap   section capsize --exit-times --iterates 6 --svg
 docs/paper/fig-18.svg        costly  escape capsize --energy 0.28 --crossings 0 --tubes
 docs/paper/fig-19a.svg       costly  escape capsize --energy 0.25307 --crossings 1 --svg
 docs/paper/fig-19b.svg       costly  escape capsize --energy 0.25307 --crossings 4 --svg
@@ -96,8 +103,12 @@ make_figures() {
       *.svg) arguments="$arguments $made" ;;
     esac
     # shellcheck disable=SC2086
-    "$lober" $arguments >"$work/printed" 2>"$work/err" ||
-      { echo "$figure cannot be made: $(cat "$work/err")"; stale=$((stale + 1)); continue; }
+    if [[ $arguments == @script* ]]; then
+      read -r _ name _ <<<"$arguments"
+      "scripts/docs-figures/$name.sh" >"$made" 2>"$work/err"
+    else
+      "$lober" $arguments >"$work/printed" 2>"$work/err"
+    fi || { echo "$figure cannot be made: $(cat "$work/err")"; stale=$((stale + 1)); continue; }
     [[ $figure != *.txt ]] || cp "$work/printed" "$made"
     [[ $figure == work/* ]] || settle "$figure" "$made"
   done <<<"$figures"

@@ -115,9 +115,8 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
       .value("FILE");
   parser
       .add("--curves", request.curves,
-           "Write the curves of all tubes on the section, their images and pre-images to FILE as Tecplot zones "
-           "(default: "
-           "no file).")
+           "Write the periodic orbits, as points of position, and the curves of all tubes on the section, their images "
+           "and pre-images to FILE as Tecplot zones (default: no file).")
       .value("FILE");
   parser
       .add("--tubes", request.tubes,

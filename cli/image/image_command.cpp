@@ -26,7 +26,7 @@ namespace {
 struct Request {
   std::string system, curve;
   std::vector<std::string> parameters;
-  std::vector<double> circle, rectangle, box;
+  std::vector<double> circle, rectangle, box, window;
   bool boundary = false, open = false;
   std::string iterates = "1", output, json, svg;
   int first = 0, last = 0;  // of iterates
@@ -91,7 +91,9 @@ void add_options(OptionParser& parser, Request& request) {
            "number of the iterate, a file for each (.npy, .csv, .txt, .dat or .raw). An image with gaps is written "
            "in parts, each an open curve (default: no file).")
       .value("FILE");
-  parser.add("--svg", request.svg, "Draw all images as an SVG picture in FILE (default: no file).").value("FILE");
+  const Option picture =
+      parser.add("--svg", request.svg, "Draw all images as an SVG picture in FILE (default: no file).").value("FILE");
+  add_window_option(parser, request.window, picture);
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
 }
@@ -301,7 +303,7 @@ void run(const Request& request) {
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
     if (!request.output.empty()) write_images(request.output, report);
-    if (!request.svg.empty()) write_image_picture(request.svg, report);
+    if (!request.svg.empty()) write_image_picture(request.svg, report, window_of(request.window));
     report.write_seconds = write_watch.seconds();
     if (!request.json.empty()) write_image_json(request.json, report, [&] { return watch.seconds(); });
   }

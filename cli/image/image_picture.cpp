@@ -33,7 +33,7 @@ std::string parts_path(const View& view, const std::vector<ImagePart>& parts) {
 
 }  // namespace
 
-void write_image_picture(const std::string& path, const ImageReport& report) {
+void write_image_picture(const std::string& path, const ImageReport& report, const std::optional<Rectangle>& given) {
   // What lies in the box, where the curves meet the tolerance.
   const Rectangle& box = report.options.box;
   Rectangle window;
@@ -46,10 +46,12 @@ void write_image_picture(const std::string& path, const ImageReport& report) {
       }
     }
   }
+  if (given) window = *given;
   if (window.empty()) window = box;
   const View view(window);
   std::string svg;
-  begin_picture(svg, view, "A curve, its images and pre-images", static_cast<int>(1 + (report.images.size() + 1) / 2));
+  begin_picture(svg, view, "A curve, its images and pre-images", static_cast<int>(1 + (report.images.size() + 1) / 2),
+                given.has_value());
   // The outermost first, so that the curve itself is on top.
   int furthest = 0;
   for (const CurveImage& image : report.images) furthest = std::max(furthest, std::abs(image.iterate));

@@ -44,7 +44,8 @@ struct ImageReport {
 /// The short table for people.
 [[nodiscard]] std::string image_table(const ImageReport& report);
 /// Curves in one colour for pre-images, one for images.
-void write_image_picture(const std::string& path, const ImageReport& report);
+/// `window`: the part of the plane that is drawn; without one all.
+void write_image_picture(const std::string& path, const ImageReport& report, const std::optional<Rectangle>& window);
 /// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
 void write_image_json(const std::string& path, const ImageReport& report,
                       const std::function<double()>& seconds_so_far);

@@ -15,6 +15,7 @@
 #include "cli/report/svg.hpp"
 #include "cli/section/section_output.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "lober/error.hpp"
 #include "lober/orbits.hpp"
 #include "lober/threads.hpp"
 
@@ -22,13 +23,14 @@ namespace lober::cli {
 namespace {
 
 constexpr double cell_pixels = 3;  // of the picture
+constexpr double exit_cell_pixels = 4;
 
 struct Request {
   std::string system;
   std::vector<std::string> parameters, start;
   std::vector<double> box;
   std::size_t orbits = 1000, iterates = 1000;
-  bool lifted = false;
+  bool lifted = false, exit_times = false;
   IntegrationOptions integration;
   std::string output, svg, json;
   int threads = 0;
@@ -63,7 +65,8 @@ void add_options(OptionParser& parser, Request& request) {
   parser.add_flag(
       "--lifted", request.lifted,
       "Leave lifted angles as they come (default: points of a map that repeats after a shift, such as 2 pi, "
-      "are shifted into one cell from the left side of the box on).");
+      "are shifted into one cell from the left side of the box on, and from its lower side where both coordinates are "
+      "angles).");
   add_integration_option(parser, request.integration);
   parser
       .add("-o,--output", request.output,
@@ -71,8 +74,16 @@ void add_options(OptionParser& parser, Request& request) {
            "where an orbit is lost; .csv, lines of orbit, iterate, x, y; - is text on standard output (default: no "
            "file).")
       .value("FILE");
-  parser.add("--svg", request.svg, "Draw the density of the points as an SVG picture in FILE (default: no file).")
-      .value("FILE");
+  const Option picture =
+      parser.add("--svg", request.svg, "Draw the density of the points as an SVG picture in FILE (default: no file).")
+          .value("FILE");
+  parser
+      .add_flag(
+          "--exit-times", request.exit_times,
+          "Draw after how many crossings of the section orbits leave, the first point being crossing 1, in place of "
+          "the density: one orbit begins in each cell of the picture. Works for systems whose orbits escape.")
+      .needs(picture)
+      .excludes(orbits);
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
 }
@@ -82,6 +93,9 @@ void check(const Request& request) {
     throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");
   }
   if (!request.output.empty()) OrbitFile::require_name(request.output);
+  if (request.exit_times && !request.start.empty()) {
+    throw UsageError("--exit-times and --start cannot be given together: orbits begin in the cells of the picture");
+  }
 }
 
 struct Result {
@@ -90,8 +104,15 @@ struct Result {
   OrbitOptions options;
   std::size_t orbits = 0, lost = 0, unreached = 0;
   std::uint64_t points = 0, inside = 0;
+  std::optional<ExitTimes> exit_times;
   double seconds = 0;
 };
+
+ExitTimes exit_times_of(const Rectangle& box) {
+  const View view(box);
+  return {box, static_cast<std::size_t>(view.width() / exit_cell_pixels),
+          static_cast<std::size_t>(view.height() / exit_cell_pixels)};
+}
 
 Density density_of(const Rectangle& box) {
   const View view(box);
@@ -111,7 +132,9 @@ void follow(const Request& request, std::span<const Point> starts, Result& resul
     for (std::size_t k = 0; k < count; ++k) {
       const std::span<const Point> orbit = points.subspan(k * each, each);
       // Such a start is not a point of the section.
-      if (!result.system.map->is_defined_at(orbit.front())) {
+      const bool reached = result.system.map->is_defined_at(orbit.front());
+      if (result.exit_times) result.exit_times->add(orbit, reached);
+      if (!reached) {
         ++result.unreached;
         continue;
       }
@@ -128,13 +151,24 @@ std::string table(const Result& result) {
   text += fmt::format("orbits     {} of {} iterates\n", result.orbits, result.options.iterates);
   if (!(result.options.lattice == Point{})) {
     text +=
-        fmt::format("folded     by shifts of ({:.10g}, {:.10g})\n", result.options.lattice.x, result.options.lattice.y);
+        fmt::format("folded     by shifts of ({:.10g}, {:.10g})", result.options.lattice.x, result.options.lattice.y);
+    const Point& second = result.options.second_lattice;
+    text += second == Point{} ? "\n" : fmt::format(" and ({:.10g}, {:.10g})\n", second.x, second.y);
   }
   text += fmt::format("points     {}, {} in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]\n", result.points, result.inside,
                       result.box.min_x, result.box.max_x, result.box.min_y, result.box.max_y);
   if (result.unreached > 0) {
     text += fmt::format("no orbit   {} of the starts, which the energy does not reach or the section excludes\n",
                         result.unreached);
+  }
+  if (result.exit_times) {
+    const std::vector<std::uint64_t> counts = result.exit_times->counts();
+    const double all = static_cast<double>(result.orbits - counts[0]);
+    for (std::size_t n = 1; n < counts.size(); ++n) {
+      const double share = 100 * static_cast<double>(counts[n]) / all;
+      text += fmt::format("leave      after crossing {}: {} orbits, {:.4g} %\n", n, counts[n], share);
+    }
+    text += fmt::format("stay       {} orbits\n", result.exit_times->staying());
   }
   if (result.lost > 0) text += fmt::format("lost       {} orbits, which cannot be followed to the end\n", result.lost);
   return text;
@@ -146,11 +180,21 @@ void write_json(const Request& request, const Result& result, const std::functio
   json.member("options", {{"orbits", result.orbits},
                           {"iterates", result.options.iterates},
                           {"box", {result.box.min_x, result.box.min_y, result.box.max_x, result.box.max_y}},
-                          {"lattice", point_json(result.options.lattice)}});
+                          {"lattice", point_json(result.options.lattice)},
+                          {"second_lattice", point_json(result.options.second_lattice)}});
   json.member("points", result.points);
   json.member("points_in_box", result.inside);
   json.member("lost_orbits", result.lost);
   json.member("unreached_starts", result.unreached);
+  if (result.exit_times) {
+    Json leaving = Json::array();
+    const std::vector<std::uint64_t> counts = result.exit_times->counts();
+    for (std::size_t n = 1; n < counts.size(); ++n) leaving.push_back({{"crossings", n}, {"orbits", counts[n]}});
+    json.member("exit_times", {{"columns", result.exit_times->columns()},
+                               {"rows", result.exit_times->rows()},
+                               {"leaving", leaving},
+                               {"staying", result.exit_times->staying()}});
+  }
   json.finish({{"orbits", result.seconds}, {"total", seconds_so_far()}});
 }
 
@@ -171,14 +215,22 @@ void run(const Request& request) {
   if (!request.box.empty())
     result.box = Rectangle::of({request.box[0], request.box[1]}, {request.box[2], request.box[3]});
   result.options.iterates = request.iterates;
-  if (!request.lifted) result.options.lattice = result.system.lattice;
+  if (!request.lifted) {
+    result.options.lattice = result.system.lattice;
+    result.options.second_lattice = result.system.second_lattice;
+  }
   // One cell of what repeats, exactly.
   if (request.box.empty() && result.options.lattice.x > 0) {
     result.box.max_x = result.box.min_x + result.options.lattice.x;
   }
+  if (request.box.empty() && result.options.second_lattice.y > 0) {
+    result.box.max_y = result.box.min_y + result.options.second_lattice.y;
+  }
   result.options.origin = {result.box.min_x, result.box.min_y};
-  const Buffer<Point> starts =
-      request.start.empty() ? spread_points(result.box, request.orbits) : points_of("--start", request.start);
+  if (request.exit_times) result.exit_times.emplace(exit_times_of(result.box));
+  const Buffer<Point> starts = result.exit_times       ? result.exit_times->starts()
+                               : request.start.empty() ? spread_points(result.box, request.orbits)
+                                                       : points_of("--start", request.start);
   result.orbits = starts.size();
   {
     Progress progress;
@@ -189,7 +241,11 @@ void run(const Request& request) {
     result.seconds = orbits_watch.seconds();
     result.points = density.inside() + density.outside();
     result.inside = density.inside();
-    if (!request.svg.empty()) write_section_picture(request.svg, density, system_text(result.system));
+    if (result.exit_times) {
+      write_exit_times_picture(request.svg, *result.exit_times, request.iterates, system_text(result.system));
+    } else if (!request.svg.empty()) {
+      write_section_picture(request.svg, density, system_text(result.system));
+    }
     if (!request.json.empty()) write_json(request, result, [&] { return watch.seconds(); });
   }
   if (!takes_standard_output(outputs)) print(table(result));

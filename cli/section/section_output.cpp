@@ -24,33 +24,52 @@ std::size_t level_of(std::uint32_t count, std::uint32_t largest) {
   return static_cast<std::size_t>(level) * colours.size() / static_cast<std::size_t>(levels);
 }
 
-std::string cells_path(const View& view, const Density& density, std::size_t level) {
-  const Rectangle& window = density.window();
+// The cells of a grid for which `has(column, row)`, as rectangles along its rows.
+template <typename Has>
+std::string cells_path(const View& view, const Rectangle& window, std::size_t columns, std::size_t rows,
+                       const Has& has) {
   const auto corner = [&](std::size_t column, std::size_t row) {
     const auto along = [](double low, double high, std::size_t k, std::size_t cells) {
       const double t = static_cast<double>(k) / static_cast<double>(cells);
       return low * (1 - t) + high * t;
     };
-    return view({along(window.min_x, window.max_x, column, density.columns()),
-                 along(window.min_y, window.max_y, row, density.rows())});
-  };
-  const std::uint32_t largest = density.largest();
-  const auto has = [&](std::size_t column, std::size_t row) {
-    const std::uint32_t count = density.count(column, row);
-    return count > 0 && level_of(count, largest) == level;
+    return view({along(window.min_x, window.max_x, column, columns), along(window.min_y, window.max_y, row, rows)});
   };
   std::string path;
-  for (std::size_t row = 0; row < density.rows(); ++row) {
-    for (std::size_t column = 0; column < density.columns(); ++column) {
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
       if (!has(column, row)) continue;
       const std::size_t first = column;
-      while (column < density.columns() && has(column, row)) ++column;
+      while (column < columns && has(column, row)) ++column;
       const Pixel low = corner(first, row), high = corner(column, row + 1);
       const int x = subpixel(low.x), y = subpixel(low.y), width = subpixel(high.x) - x;
       append_all(path, "M", x, " ", y, "h", width, "v", subpixel(high.y) - y, "h", -width, "z");
     }
   }
   return path;
+}
+
+std::string level_path(const View& view, const Density& density, std::size_t level) {
+  const std::uint32_t largest = density.largest();
+  return cells_path(view, density.window(), density.columns(), density.rows(),
+                    [&](std::size_t column, std::size_t row) {
+                      const std::uint32_t count = density.count(column, row);
+                      return count > 0 && level_of(count, largest) == level;
+                    });
+}
+
+// Of those that leave after crossing 1, 2, ..., the last one for all later ones; and of those that stay.
+constexpr std::array<const char*, 8> exit_colours{"#440154", "#46327e", "#365c8d", "#277f8e",
+                                                  "#1fa187", "#4ac16d", "#a0da39", "#fde725"};
+constexpr const char* staying_colour = "#dddddd";
+
+std::string window_text(const Rectangle& window) {
+  return "[" + rounded(window.min_x) + ", " + rounded(window.max_x) + "] x [" + rounded(window.min_y) + ", " +
+         rounded(window.max_y) + "]";
+}
+
+std::string cell_swatch(const char* colour) {
+  return std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colour + "\"/>";
 }
 
 }  // namespace
@@ -76,6 +95,44 @@ void Density::add(std::span<const Point> points) {
 
 std::uint32_t Density::largest() const {
   return *std::max_element(counts_.begin(), counts_.end());
+}
+
+ExitTimes::ExitTimes(const Rectangle& window, std::size_t columns, std::size_t rows)
+    : window_(window), columns_(columns), rows_(rows) {
+  times_.reserve(columns * rows);
+}
+
+Buffer<Point> ExitTimes::starts() const {
+  Buffer<Point> points(columns_ * rows_);
+  const auto middle = [](double low, double high, std::size_t k, std::size_t cells) {
+    const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(cells);
+    return low * (1 - t) + high * t;
+  };
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points[k] = {middle(window_.min_x, window_.max_x, k % columns_, columns_),
+                 middle(window_.min_y, window_.max_y, k / columns_, rows_)};
+  }
+  return points;
+}
+
+void ExitTimes::add(std::span<const Point> orbit, bool reached) {
+  if (!reached) return times_.push_back(none);
+  const auto lost = std::find_if(orbit.begin(), orbit.end(), [](const Point& point) { return std::isnan(point.x); });
+  times_.push_back(lost == orbit.end() ? stays : static_cast<std::uint32_t>(lost - orbit.begin()));
+}
+
+std::vector<std::uint64_t> ExitTimes::counts() const {
+  std::vector<std::uint64_t> counts(1);
+  for (const std::uint32_t time : times_) {
+    if (time == stays) continue;
+    if (time >= counts.size()) counts.resize(time + std::size_t{1});
+    ++counts[time];
+  }
+  return counts;
+}
+
+std::uint64_t ExitTimes::staying() const {
+  return static_cast<std::uint64_t>(std::count(times_.begin(), times_.end(), stays));
 }
 
 void OrbitFile::require_name(const std::string& path) {
@@ -107,14 +164,12 @@ void write_section_picture(const std::string& path, const Density& density, cons
   std::string svg;
   begin_picture(svg, view, title, 4);
   for (std::size_t level = 0; level < colours.size() && density.inside() > 0; ++level) {
-    append_all(svg, "<path fill=\"", colours[level], "\" d=\"", cells_path(view, density, level), "\"/>\n");
+    append_all(svg, "<path fill=\"", colours[level], "\" d=\"", level_path(view, density, level), "\"/>\n");
   }
   begin_legend(svg);
-  const Rectangle& window = density.window();
   add_legend_entry(svg, view, 0, 0, "", title);
-  add_legend_entry(svg, view, 1, 0, "",
-                   "[" + rounded(window.min_x) + ", " + rounded(window.max_x) + "] x [" + rounded(window.min_y) + ", " +
-                       rounded(window.max_y) + "]");
+  // Beside a short title there is room.
+  if (title.size() < 50) add_legend_entry(svg, view, 1, 0, "", window_text(density.window()));
   // The least and the largest count of each level.
   const std::uint32_t largest = density.inside() > 0 ? density.largest() : 0;
   int entries = 0;
@@ -126,13 +181,47 @@ void write_section_picture(const std::string& path, const Density& density, cons
       high = std::min<std::uint64_t>(2 * power - 1, largest);
     }
     if (low == 0) continue;
-    const std::string swatch =
-        std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colours[level] + "\"/>";
-    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, swatch,
+    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, cell_swatch(colours[level]),
                      (low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high)) +
                          (high == 1 ? " point a cell" : " points a cell"));
     ++entries;
   }
+  end_picture(svg);
+  write_file(path, svg);
+}
+
+void write_exit_times_picture(const std::string& path, const ExitTimes& times, std::size_t iterates,
+                              const std::string& title) {
+  const View view(times.window());
+  const std::vector<std::uint64_t> counts = times.counts();
+  const std::size_t shown = std::min(counts.size(), exit_colours.size() + 1);
+  std::string svg;
+  begin_picture(svg, view, title, static_cast<int>(1 + (shown + 1) / 2));
+  const auto draw = [&](const char* colour, const auto& has) {
+    append_all(svg, "<path fill=\"", colour, "\" d=\"",
+               cells_path(view, times.window(), times.columns(), times.rows(),
+                          [&](std::size_t column, std::size_t row) { return has(times.of(column, row)); }),
+               "\"/>\n");
+  };
+  draw(staying_colour, [](std::uint32_t time) { return time == ExitTimes::stays; });
+  const auto is_last = [&](std::size_t n) { return n == exit_colours.size(); };
+  for (std::size_t n = 1; n < shown; ++n) {
+    draw(exit_colours[n - 1],
+         [&](std::uint32_t time) { return time != ExitTimes::stays && (is_last(n) ? time >= n : time == n); });
+  }
+  begin_legend(svg);
+  add_legend_entry(svg, view, 0, 0, "", title);
+  add_legend_entry(svg, view, 1, 0, "", window_text(times.window()));
+  int entries = 0;
+  const auto entry = [&](const char* colour, const std::string& text) {
+    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, cell_swatch(colour), text);
+    ++entries;
+  };
+  for (std::size_t n = 1; n < shown; ++n) {
+    entry(exit_colours[n - 1],
+          "leaves after crossing " + std::to_string(n) + (is_last(n) && counts.size() > shown ? " or later" : ""));
+  }
+  entry(staying_colour, "does not leave in " + std::to_string(iterates) + " crossings");
   end_picture(svg);
   write_file(path, svg);
 }

@@ -59,12 +59,10 @@ std::string list_text(std::span<const SystemInfo> infos) {
   return text + "`lober systems NAME` lists the parameters of one; a name with a slash or .so is a shared library.\n";
 }
 
-// "; above 0", "; 0 to 0.5"; empty for any number.
+// "; positive", "; in [0, 0.5]"; "; any number" where there is no bound.
 std::string range_text(const Parameter& parameter) {
-  const bool low = std::isfinite(parameter.min), high = std::isfinite(parameter.max);
-  if (low && high) return fmt::format("; {} to {}", parameter.min, parameter.max);
-  if (low) return fmt::format("; {} {}", parameter.min_excluded ? "above" : "at least", parameter.min);
-  return "";
+  const std::string range = parameter.range();
+  return "; " + (range.empty() ? "any number" : range) + (parameter.perturbation ? "; size of the perturbation" : "");
 }
 
 // Those in the window; none where the system has no map or no such point.
@@ -86,6 +84,9 @@ std::string details_text(const System& system, std::span<const FixedPoint> point
                         window.min_y, window.max_y);
   }
   if (!(system.lattice == Point{})) text += "repeats    after a shift by " + text_of(system.lattice) + "\n";
+  if (!(system.second_lattice == Point{})) {
+    text += "repeats    after a shift by " + text_of(system.second_lattice) + "\n";
+  }
   std::vector<Connection> connections = system.further;
   if (system.connection) connections.insert(connections.begin(), *system.connection);
   for (const Connection& connection : connections) {
@@ -115,7 +116,9 @@ Json parameters_json(const SystemInfo& info) {
                     {"meaning", parameter.meaning},
                     {"min", limit(parameter.min)},
                     {"max", limit(parameter.max)},
-                    {"min_excluded", parameter.min_excluded}});
+                    {"min_excluded", parameter.min_excluded},
+                    {"max_excluded", parameter.max_excluded},
+                    {"perturbation", parameter.perturbation}});
   }
   return list;
 }
@@ -130,6 +133,7 @@ Json details_json(const System& system, std::span<const FixedPoint> points) {
   json["map"] = system.map != nullptr;
   json["window"] = {system.window.min_x, system.window.min_y, system.window.max_x, system.window.max_y};
   json["lattice"] = point_json(system.lattice);
+  json["second_lattice"] = point_json(system.second_lattice);
   Json connections = Json::array();
   const auto add = [&](const Connection& connection) {
     Json one{{"from", point_json(connection.from)},

@@ -9,21 +9,20 @@
 
 namespace lober::cli {
 
-void require_eps(const System& system) {
-  const auto is_eps = [](const Parameter& parameter) { return parameter.name == "eps"; };
-  const std::vector<Parameter>& parameters = system.info.parameters;
-  if (system.flow && std::any_of(parameters.begin(), parameters.end(), is_eps)) return;
-  throw UsageError("--melnikov needs a flow with a parameter eps, the size of its perturbation; " + system.info.name +
-                   " has none");
+const Parameter& perturbation_of(const System& system) {
+  const Parameter* const perturbation = system.info.perturbation();
+  if (system.flow && perturbation != nullptr) return *perturbation;
+  throw UsageError("--melnikov needs a flow with a parameter that is the size of a perturbation, such as eps of ovp; " +
+                   system.info.name + " has none");
 }
 
 Melnikov melnikov_of(const SystemRequest& request, const ParameterValues& values, const System& system,
                      const Connection& connection) {
-  require_eps(system);
+  const std::string& name = perturbation_of(system).name;
   const auto member = [&](double eps) {
     ParameterValues changed = values;
-    std::erase_if(changed, [](const auto& value) { return value.first == "eps"; });
-    changed.emplace_back("eps", eps);
+    std::erase_if(changed, [&](const auto& value) { return value.first == name; });
+    changed.emplace_back(name, eps);
     return system_of(request, changed).flow;
   };
   return melnikov(member, connection, request.integration);
@@ -52,7 +51,7 @@ Json melnikov_json(const MelnikovReport& report) {
     lobes.push_back({{"begin", lobe.begin}, {"end", lobe.end}, {"area", -report.eps * lobe.integral}});
   }
   const auto sides = [](const Melnikov::Sides& areas) { return Json{{"left", areas.left}, {"right", areas.right}}; };
-  return {{"parameter", "eps"},
+  return {{"parameter", report.parameter},
           {"eps", report.eps},
           {"period", m.period},
           {"saddles", {point_json(m.from), point_json(m.to)}},

@@ -27,6 +27,7 @@ struct Request {
   SystemRequest system;
   TransportOptions options;
   std::string sweep, json, svg, picture;
+  std::vector<double> window;  // of the picture
   bool find_zero = false, all_regions = false, melnikov = false;
   int threads = 0;
 };
@@ -53,9 +54,9 @@ std::vector<Connection> further_of(const Request& request, const System& system)
 // Sums of the lobes of the turnstile, by action where the map has one.
 MelnikovReport melnikov_report(const TransportReport& report, Melnikov function) {
   MelnikovReport result;
-  for (const Parameter& parameter : report.system.info.parameters) {
-    if (parameter.name == "eps") result.eps = parameter.value;
-  }
+  const Parameter& perturbation = perturbation_of(report.system);
+  result.parameter = perturbation.name;
+  result.eps = perturbation.value;
   result.estimate = function.lobe_areas(result.eps);
   result.function = std::move(function);
   const ManifoldTangle& manifolds = report.manifolds();
@@ -131,7 +132,7 @@ void run_one(const Request& request) {
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
     if (!request.svg.empty()) write_transport_curve(request.svg, report);
-    if (!request.picture.empty()) write_transport_picture(request.picture, report);
+    if (!request.picture.empty()) write_transport_picture(request.picture, report, window_of(request.window));
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
   }
@@ -144,17 +145,14 @@ template <typename Member>
 void add_melnikov(const Request& request, SweepReport& report, const Member& member, Progress& progress) {
   progress.phase("Melnikov's function", 0.9, 0.99);
   const ParameterValues fixed = parameter_values(request.system.parameters);
-  const bool of_eps = report.range.name == "eps";
+  const bool of_eps = report.range.name == perturbation_of(report.system).name;
   std::optional<Melnikov> function;
   report.first_order.emplace();
   for (const SweepRow& row : report.result.rows) {
     double area = std::numeric_limits<double>::quiet_NaN();
     if (row.failure.empty()) {
       const System system = member(row.value);
-      double eps = 0;
-      for (const Parameter& parameter : system.info.parameters) {
-        if (parameter.name == "eps") eps = parameter.value;
-      }
+      const double eps = perturbation_of(system).value;
       try {
         if (!function || !of_eps) {
           ParameterValues values = fixed;
@@ -189,7 +187,7 @@ void run_sweep(const Request& request) {
   };
   report.system = member(report.range.values.front());  // also so that wrong names are reported at once
   if (report.system.no_connection.empty()) (void)connection_of(request.system, report.system);
-  if (request.melnikov) require_eps(report.system);
+  if (request.melnikov) (void)perturbation_of(report.system);
   SweepOptions options;
   options.tangle.tolerance = request.options.tolerance;
   options.tangle.max_points = request.options.max_points;
@@ -267,20 +265,22 @@ void run_transport(const std::vector<std::string>& arguments) {
                 "changes its sign.")
       .needs(sweep_option);
   parser.add_flag("--melnikov", request.melnikov,
-                  "Compute Melnikov's function too, and the areas of lobes to first order in the parameter eps of the "
-                  "system beside the exact ones; with --sweep for every value.");
+                  "Compute Melnikov's function too, and the areas of lobes to first order in the parameter that is "
+                  "the size of the system's perturbation (eps) beside the exact ones; with --sweep for every value.");
   add_json_option(parser, request.json);
   parser
       .add("--svg", request.svg,
            "Draw a(n) and T(n), or with --sweep the areas over the parameter, as an SVG picture in FILE (default: no "
            "file).")
       .value("FILE");
-  parser
-      .add("--picture", request.picture,
-           "Draw the manifolds, the boundary, the turnstile and its images as an SVG picture in FILE (default: no "
-           "file).")
-      .value("FILE")
-      .excludes(sweep_option);
+  const Option picture =
+      parser
+          .add("--picture", request.picture,
+               "Draw the manifolds, the boundary, the turnstile and its images as an SVG picture in FILE (default: no "
+               "file).")
+          .value("FILE")
+          .excludes(sweep_option);
+  add_window_option(parser, request.window, picture);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   run_with_threads(request.threads, [&] { request.sweep.empty() ? run_one(request) : run_sweep(request); });

@@ -80,7 +80,8 @@ void write_transport_curve(const std::string& path, const TransportReport& repor
                     {}});
 }
 
-void write_transport_picture(const std::string& path, const TransportReport& report) {
+void write_transport_picture(const std::string& path, const TransportReport& report,
+                             const std::optional<Rectangle>& window) {
   const ManifoldTangle& manifolds = report.manifolds();
   const Tangle& tangle = manifolds.tangle;
   // As the overlaps are computed: nothing is followed for longer than half of the iterates.
@@ -89,9 +90,9 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   const auto leaving = lobes_between(manifolds, before, 0, true), entering = lobes_between(manifolds, 1, after, false);
   const auto outwards = lobes_between(manifolds, 1, 0, true), inwards = lobes_between(manifolds, 1, 0, false);
   const auto common = common_pieces(tangle, leaving, entering);
-  const View view(window_of(tangle, leaving, inwards));
+  const View view(window ? *window : window_of(tangle, leaving, inwards));
   std::string svg;
-  begin_picture(svg, view, "Turnstile of " + system_text(report.system), 4);
+  begin_picture(svg, view, "Turnstile of " + system_text(report.system), 4, window.has_value());
   add_stroked(svg, palette::boundary, 6, line_path(view, boundary_outline(tangle)));
   add_filled(svg, palette::leaving, "nonzero", outlines_path(view, tangle, leaving));
   add_filled(svg, palette::entering, "nonzero", outlines_path(view, tangle, entering));

@@ -19,14 +19,15 @@ namespace lober::cli {
 
 /// Lobes of the first boundary to first order in the perturbation, beside their areas.
 struct MelnikovReport {
-  double eps = 0;
+  std::string parameter;  ///< the size of the perturbation
+  double eps = 0;         ///< its value
   Melnikov function;
   Melnikov::Sides estimate, exact;  ///< exact by action, where the map has one
 };
 
 /// Throws UsageError for a system that is not a flow with a parameter eps.
-void require_eps(const System& system);
-/// Of a system, whose parameter eps is the size of the perturbation. Throws as require_eps and `melnikov`.
+[[nodiscard]] const Parameter& perturbation_of(const System& system);
+/// Of a system with such a parameter. Throws as perturbation_of and `melnikov`.
 [[nodiscard]] Melnikov melnikov_of(const SystemRequest& request, const ParameterValues& values, const System& system,
                                    const Connection& connection);
 
@@ -79,6 +80,8 @@ void write_transport_json(const std::string& path, const CurvesTransportReport& 
 /// a(n) and T(n) over n as SVG.
 void write_transport_curve(const std::string& path, const TransportReport& report);
 /// Manifolds, boundary, turnstile, its images and pre-images and what they have in common, as SVG.
-void write_transport_picture(const std::string& path, const TransportReport& report);
+/// `window`: the part of the plane that is drawn; without one all.
+void write_transport_picture(const std::string& path, const TransportReport& report,
+                             const std::optional<Rectangle>& window);
 
 }  // namespace lober::cli

@@ -118,7 +118,8 @@ struct Escape {
 /// The table, n by n, as far as it is affordable (options.max_points, options.budget) and trajectories can be
 /// followed. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
 /// that is not across a coordinate of position, has no direction or is bounded; DataError when an orbit or tube cannot
-/// be found within the budget, or a tube crosses the section in both directions; Cancelled before any row is known. The
+/// be found within the budget, a tube crosses the section in both directions, or one runs to infinity where it should
+/// enter the well; Cancelled before any row is known. The
 /// same bits for any number of threads, as long as the budget does not end it. Images multiply by about the same factor
 /// each time, and with them time and memory.
 [[nodiscard]] LOBER_API Escape escape(const Flow& flow, const Section& section, double energy,

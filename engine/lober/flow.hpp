@@ -68,6 +68,9 @@ struct Section {
   int bound_coordinate = 0;
   double bound = 0;
   int bound_side = 0;
+  /// Of an angle: state[coordinate] = value + k * period is the same section for every whole number k. The flow must
+  /// not change when the coordinate is shifted by it. 0: the coordinate is not an angle.
+  double period = 0;
 };
 
 /// Immutable and safe to use from several threads at the same time.

@@ -23,8 +23,10 @@ extern "C" {
 #endif
 
 /* Raised whenever the structures below change their layout. Version 2 added the connections at the end of lober_system,
-   version 3 velocity_batch at the end of lober_flow; libraries built for earlier versions are still loaded. */
-#define LOBER_SYSTEM_ABI 3
+   version 3 velocity_batch at the end of lober_flow, version 4 the ranges, the perturbation and the second lattice at the
+   end of lober_system and the period at the end of lober_section; libraries built for earlier versions are still
+   loaded. */
+#define LOBER_SYSTEM_ABI 4
 #define LOBER_MAX_DIMENSION 6
 
 typedef enum lober_kind { LOBER_MAP = 1, LOBER_FLOW = 2 } lober_kind;
@@ -34,6 +36,13 @@ typedef struct lober_parameter {
   double default_value;
   const char* meaning;
 } lober_parameter;
+
+/* The values of a parameter that make sense: min to max, without min or max where it is excluded. -INFINITY and INFINITY
+   (math.h) where there is no bound. Others are refused before any function of the library is called with them. */
+typedef struct lober_range {
+  double min, max;
+  int min_excluded, max_excluded;
+} lober_range;
 
 /* A diffeomorphism of the plane; points are x, y. */
 typedef struct lober_map {
@@ -65,6 +74,9 @@ typedef struct lober_section {
   int bound_coordinate;
   double bound;
   int bound_side;
+  /* From version 4 on: where the coordinate is an angle, its period; crossings of value + k * period count for every
+     whole number k. 0: the coordinate is not an angle. */
+  double period;
 } lober_section;
 
 /* dx/dt = velocity(x, t) in `dimension` coordinates. */
@@ -123,6 +135,14 @@ typedef struct lober_system {
   int (*connection)(const double* parameters, size_t index, lober_connection* connection);
   /* Not 0: region 1 is bounded by all of them together, such as the strip of a cylinder between two boundaries. */
   int all_bound_region_1;
+  /* From version 4 on. NULL, or a range for each parameter, in their order. */
+  const lober_range* ranges;
+  /* The name of the parameter that is the size of a perturbation, without which (at 0) manifolds coincide; NULL for
+     none. Libraries of earlier versions have one if they call a parameter "eps". */
+  const char* perturbation;
+  /* A second shift in another direction after which the map repeats itself, where both coordinates are angles; 0, 0 for
+     none. */
+  double second_lattice[2];
 } lober_system;
 
 #define LOBER_EXPORT __attribute__((visibility("default")))

@@ -19,12 +19,16 @@ namespace lober {
 /// The point shifted by a whole number of times the lattice, so that it lies less than one shift past `origin` along
 /// it; unchanged where the lattice is (0, 0). To rounding.
 [[nodiscard]] LOBER_API Point folded(Point point, Point lattice, Point origin);
+/// The same for two lattices: into the parallelogram that they span from `origin` on. One that is (0, 0) does not count;
+/// neither does the second one where it is a multiple of the first.
+[[nodiscard]] LOBER_API Point folded(Point point, Point lattice, Point second_lattice, Point origin);
 
 struct OrbitOptions {
   std::size_t iterates = 0;
   /// Shift of the plane after which the map repeats itself: points are folded after every step, to what lies past
   /// `origin`; (0, 0): they are left as they come.
   Point lattice{}, origin{};
+  Point second_lattice{};  ///< another one, of a map that repeats itself in two directions
 };
 
 /// Follows every point and hands over the orbits, in order, some at a time: the numbers of the first of them, and of

@@ -22,10 +22,17 @@ struct Parameter {
   std::string name;
   double value = 0;  ///< the default in a SystemInfo, the chosen value in a System
   std::string meaning;
-  /// The values that make sense: min to max, without min where it is excluded. Shared libraries declare none.
+  /// The values that make sense: min to max, without min or max where it is excluded.
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool min_excluded = false;
+  bool max_excluded = false;
+  /// Whether it is the size of a perturbation, without which (at 0) manifolds coincide: that of Melnikov's method.
+  bool perturbation = false;
+
+  [[nodiscard]] LOBER_API bool allows(double number) const;
+  /// The values as words: "positive", "above 2", "at least -1", "in [0, 0.5)"; empty where any number will do.
+  [[nodiscard]] LOBER_API std::string range() const;
 };
 
 /// What a system is, before its parameters are chosen.
@@ -33,6 +40,9 @@ struct SystemInfo {
   std::string name;
   std::string summary;  ///< one line: equations or their source, and the planar map
   std::vector<Parameter> parameters;
+
+  /// The parameter that is the size of a perturbation; null where there is none.
+  [[nodiscard]] LOBER_API const Parameter* perturbation() const;
 };
 
 /// An affine map z -> linear z + shift of the plane that takes orbits of the planar map f to orbits: it commutes with
@@ -68,6 +78,8 @@ struct System {
   Rectangle window;
   /// Shift of the plane after which the map repeats itself, (0, 0) when there is none: (2 pi, 0) for a lifted angle.
   Point lattice;
+  /// A second one in another direction, where both coordinates are angles; (0, 0) otherwise.
+  Point second_lattice{};
   std::optional<Connection> connection;  ///< whose tangle is of interest; its boundary bounds region 1
   /// Why a system that has a connection for other parameters has none for these; empty elsewhere.
   std::string no_connection{};

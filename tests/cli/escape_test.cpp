@@ -51,6 +51,7 @@ TEST_F(EscapeProgram, WritesCurvesThatGiveTheTable) {
   EXPECT_NEAR(fraction("entrance left f^3", "exit right f^-1"), 0.111522124886, 1e-4);
   EXPECT_NEAR(fraction("entrance left f^2", "exit left f^-3"), 0.029905210198, 1e-4);
   EXPECT_EQ(fraction("entrance left", "exit right"), 0);
+  EXPECT_NE(read("curves.dat").find("orbit left"), std::string::npos);
   const Outcome refused = run({"escape", "capsize", "--curves", "curves.csv"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("--curves writes Tecplot zones"), std::string::npos) << refused.err;
@@ -119,6 +120,25 @@ TEST_F(EscapeProgram, TakesASystemOfTheUser) {
   }
   EXPECT_NEAR(left, 0.5319069, 1e-5);
   EXPECT_NEAR(left, right, 1e-6);
+}
+
+// x = 0 passes through the bottleneck of (0, 1), so that it meets the branch that leaves the well first. Three
+// bottlenecks are open, of which one is named.
+TEST_F(EscapeProgram, SaysWhereATubeRunsToInfinity) {
+  for (const char* crossings : {"1", "4"}) {
+    const Outcome outcome = run({"escape", LOBER_EXAMPLES "/henon_heiles.so", "--saddle", "0,1,0,0", "--energy", "0.18",
+                                 "--crossings", crossings});
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    for (const char* words : {"tube of the bottleneck (0, 1) runs to infinity", "is above that of 3 saddles",
+                              "(0.866025", "(-0.866025", "--section"}) {
+      EXPECT_NE(outcome.err.find(words), std::string::npos) << words << ": " << outcome.err;
+    }
+  }
+  // With a section within the well the same tube is whole.
+  const Outcome within = run({"escape", LOBER_EXAMPLES "/henon_heiles.so", "--saddle", "0,1,0,0", "--energy", "0.18",
+                              "--section", "y=-0.2", "--direction", "-", "--crossings", "0"});
+  EXPECT_EQ(within.status, 0) << within.err;
 }
 
 TEST_F(EscapeProgram, SameBytesForAnyNumberOfThreads) {

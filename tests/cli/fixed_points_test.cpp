@@ -84,8 +84,8 @@ TEST_F(FixedPointsProgram, RefusesWhatMakesNoSense) {
   refused({"henon", "--box", "1,1,0,2"}, "X0 < X1");
   refused({"henon", "--grid", "1"}, "--grid");
   refused({"henon", "--grid", "100", "--max-grid", "50"}, "--max-grid has to be at least");
-  refused({"ovp", "--param", "eps=9"}, "eps must lie in [-8, 8]");
-  refused({"pcr3bp", "--param", "mu=0.6"}, "mu must lie in [0, 0.5]");
+  refused({"ovp", "--param", "eps=9"}, "eps must be in [-8, 8], not 9");
+  refused({"pcr3bp", "--param", "mu=0.6"}, "mu must be in [0, 0.5], not 0.6");
   refused({"henon", "--csv", "points.json"}, "--csv");
 }
 

@@ -87,6 +87,44 @@ TEST_F(SectionProgram, CountsStartsThatTheEnergyDoesNotReachApart) {
   EXPECT_EQ(table.out.find("lost "), std::string::npos) << table.out;
 }
 
+// Both coordinates of the ABC flow's section are angles; half of the starts lie where the flow falls.
+TEST_F(SectionProgram, FoldsTwoAngles) {
+  const Outcome outcome = run({"section", "abc", "--orbits", "40", "--iterates", "50", "--json", "-"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_GT(json["options"]["second_lattice"][1], 6.28);
+  EXPECT_GT(json["unreached_starts"], 10);
+  EXPECT_LT(json["unreached_starts"], 30);
+  EXPECT_EQ(json["points"], json["points_in_box"]);
+  const Outcome table = run({"section", "abc", "--orbits", "10", "--iterates", "5", "--svg", "abc.svg"});
+  EXPECT_NE(table.out.find("and (0, 6.28318"), std::string::npos) << table.out;
+  // What preserves a flux and no area has no transport of areas.
+  const Outcome refused = run({"transport", "abc"});
+  EXPECT_NE(refused.status, 0);
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+}
+
+// The part of U1 that leaves after its first crossing is what two tubes of known area cut from it: 2 (R^2/2) J of pi e
+// R.
+TEST_F(SectionProgram, TellsWhenOrbitsLeave) {
+  const Outcome outcome =
+      run({"section", "capsize", "--exit-times", "--iterates", "3", "--svg", "exit.svg", "--json", "-"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  const Json& times = json["exit_times"];
+  ASSERT_GE(times["leaving"].size(), 2U);
+  double leaving = 0;
+  for (const Json& row : times["leaving"]) leaving += row["orbits"].get<double>();
+  EXPECT_EQ(leaving, json["lost_orbits"].get<double>());
+  const double all = leaving + times["staying"].get<double>();
+  EXPECT_EQ(all + json["unreached_starts"].get<double>(), times["columns"].get<double>() * times["rows"].get<double>());
+  const double expected = 2 * 0.012534801639697775517 / (std::acos(-1.0) * 0.25307 * 1.6);
+  EXPECT_NEAR(times["leaving"][0]["orbits"].get<double>() / all, expected, 0.03 * expected);
+  EXPECT_NE(read("exit.svg").find("leaves after crossing 2"), std::string::npos);
+  const Outcome table = run({"section", "capsize", "--exit-times", "--iterates", "1", "--svg", "exit.svg"});
+  EXPECT_NE(table.out.find("leave      after crossing 1: "), std::string::npos) << table.out;
+}
+
 TEST_F(SectionProgram, RefusesWhatMakesNoSense) {
   const auto refused = [&](std::vector<std::string> arguments, int status, const std::string& words) {
     arguments.insert(arguments.begin(), "section");
@@ -103,6 +141,8 @@ TEST_F(SectionProgram, RefusesWhatMakesNoSense) {
   refused({"henon", "--start", "nowhere"}, 1, "nowhere: ");
   refused({"henon", "--box", "0,0,1,0"}, 2, "X0 < X1");
   refused({"henon", "-o", "orbits.dat"}, 2, "use one of these endings");
+  refused({"capsize", "--exit-times"}, 2, "--svg");
+  refused({"capsize", "--exit-times", "--svg", "a.svg", "--start", "0,0"}, 2, "cannot be given together");
   refused({"nosuch"}, 2, "nosuch");
 }
 

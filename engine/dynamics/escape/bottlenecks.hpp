@@ -95,6 +95,7 @@ class Bottlenecks {
       if (static_cast<int>(carried_[k].curves->size()) <= images) carry_one(k, cut_too);
     });
     measure_defects();
+    for (std::size_t k = 0; k < carried_.size(); ++k) require_in_well(k);
   }
 
   // What the next images are expected to need: points of the largest one, crossings of trajectories of all.
@@ -167,6 +168,67 @@ class Bottlenecks {
       ends_.push_back({&*tubes_[2 * k], &*tubes_[2 * k + 1], list[k].entry_branch, list[k].exit_branch,
                        list[k].exit[0].direction, list[k].entry[0].direction});
     }
+  }
+
+  // A tube whose image is far larger than the flow allows, and all of whose trajectories are lost, does not enter the
+  // well: the section has met its branch on the other side of the bottleneck first.
+  void require_in_well(std::size_t k) const {
+    const Carried& tube = carried_[k];
+    const Bottleneck& bottleneck = list[k / 2];
+    const TubeCurve& last = tube.curves->back();
+    if (tube.curves->size() < 2 || !last.complete || last.area < 2 * bottleneck.area) return;
+    constexpr std::size_t samples = 64;
+    std::array<double, samples> u{};
+    std::array<FlowState, samples> states;
+    for (std::size_t j = 0; j < samples; ++j) u[j] = (static_cast<double>(j) + 0.5) / samples;
+    tubes_[k]->begin(tube.branch, u, states);
+    const double time = (k % 2 == 0 ? 1 : -1) * options_.integration.max_time;
+    flow_.integrate(states, 0, time, options_.integration);
+    if (std::any_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); })) return;
+    const std::string which = k % 2 == 0 ? "unstable" : "stable";
+    const std::vector<SaddlePoint> open = open_saddles();
+    std::string names;
+    for (const SaddlePoint& saddle : open) names += (names.empty() ? "" : ", ") + name_of_saddle(saddle);
+    throw DataError("the " + which + " tube of the bottleneck " + name_of_saddle(bottleneck.orbit.saddle) +
+                    " runs to infinity: its image " + std::to_string(tube.curves->size() - 1) + " has the area " +
+                    format_rounded(last.area) + " instead of " + format_rounded(bottleneck.area) + ", and all of " +
+                    std::to_string(samples) + " trajectories are lost. The energy " +
+                    format_number(bottleneck.orbit.energy) + " is above that of " + std::to_string(open.size()) +
+                    (open.size() == 1 ? " saddle, " : " saddles, ") + names +
+                    "; give each that bounds the well by --saddle, and by --section one that lies within the well and "
+                    "that none of their orbits meets");
+  }
+
+  // Those of rank 1 below the energy, of Newton's method from a grid about the named ones: a help for a message.
+  [[nodiscard]] std::vector<SaddlePoint> open_saddles() const {
+    constexpr int cells = 8;
+    double reach = 0;
+    const auto q = [&](const SaddlePoint& saddle, std::size_t k) {
+      return saddle.at[static_cast<std::size_t>(flow_.conjugate_pairs()[k].q)];
+    };
+    std::vector<SaddlePoint> found;
+    const auto add = [&](const SaddlePoint& saddle) {
+      const bool known = std::any_of(found.begin(), found.end(), [&](const SaddlePoint& other) {
+        return std::hypot(q(other, 0) - q(saddle, 0), q(other, 1) - q(saddle, 1)) < 1e-6 * (1 + reach);
+      });
+      if (!known && saddle.energy < list[0].orbit.energy) found.push_back(saddle);
+    };
+    for (const Bottleneck& bottleneck : list) {
+      add(bottleneck.orbit.saddle);
+      for (const std::size_t k : {0U, 1U}) reach = std::max(reach, 1.5 * std::fabs(q(bottleneck.orbit.saddle, k)));
+    }
+    for (int i = 0; i <= cells; ++i) {
+      for (int j = 0; j <= cells; ++j) {
+        FlowState guess{};
+        guess[static_cast<std::size_t>(flow_.conjugate_pairs()[0].q)] = reach * (2.0 * i / cells - 1);
+        guess[static_cast<std::size_t>(flow_.conjugate_pairs()[1].q)] = reach * (2.0 * j / cells - 1);
+        try {
+          add(saddle_point(flow_, guess));
+        } catch (const Error&) {  // no saddle of rank 1 is near
+        }
+      }
+    }
+    return found;
   }
 
   void carry_one(std::size_t k, bool cut_too) {

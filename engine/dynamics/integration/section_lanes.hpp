@@ -61,8 +61,9 @@ class SectionLanes {
   struct Lane {
     std::size_t item = 0;
     double t = 0;
-    double h = 0;     // as long as errors allow
-    double side = 0;  // of the section, where the step begins; only the sign matters
+    double h = 0;      // as long as errors allow
+    double level = 0;  // value of the coordinate on the section: one of them, where it is an angle
+    double side = 0;   // of the section, where the step begins; only the sign matters
     int tries = 0;
     bool locating = false;
     // While a crossing is located:
@@ -73,7 +74,27 @@ class SectionLanes {
     double end[size]{};
   };
 
-  [[nodiscard]] double off(double coordinate) const { return coordinate - section_.value; }
+  [[nodiscard]] static double off(const Lane& here, double coordinate) { return coordinate - here.level; }
+
+  // Of the values at which an angle is on the section, the one nearest to the coordinate.
+  [[nodiscard]] double nearest_level(double coordinate) const {
+    if (section_.period == 0) return section_.value;
+    return section_.value + section_.period * std::floor((coordinate - section_.value) / section_.period + 0.5);
+  }
+
+  // On a step from `begin` to `end`, shorter than half a period, at most one of those values lies between them.
+  void choose_level(Lane& here, double begin, double end) const {
+    if (section_.period == 0) return;
+    const auto passed = [&](double level) { return (begin - level) * (end - level) <= 0; };
+    double level = nearest_level(begin);
+    if (begin != level && !passed(level)) {
+      const double last = nearest_level(end);
+      level = passed(last) ? last : nearest_level(0.5 * (begin + end));
+    }
+    if (level == here.level) return;
+    here.level = level;
+    here.side = begin - level;
+  }
 
   // False: the trajectory is lost at once.
   bool start(StepBlock<size>& block, std::size_t lane, const double* state) {
@@ -84,7 +105,8 @@ class SectionLanes {
     here.t = 0;
     here.tries = 0;
     here.locating = false;
-    here.side = off(state[axis_]);
+    here.level = nearest_level(state[axis_]);
+    here.side = off(here, state[axis_]);
     if (here.side == 0) here.side = forward_ * slope[axis_];
     here.h = forward_ * first_step(state, slope, guarded_, options_.tolerance);
     if (here.side == 0 || std::isnan(here.side)) {  // along the section
@@ -111,6 +133,13 @@ class SectionLanes {
       return true;
     }
     if (!end_in_bounds(block, lane, guarded_, options_.escape)) return lost(here);
+    const double begin = block.x[axis_][lane], end = block.end[axis_][lane];
+    if (section_.period > 0 && std::abs(end - begin) >= 0.5 * section_.period) {
+      here.h = 0.5 * h;
+      set_step(block, lane);
+      return true;
+    }
+    choose_level(here, begin, end);
     here.step = h;
     for (int i = 0; i < size; ++i) here.end[i] = block.end[i][lane];
     find_brackets(block, lane);
@@ -120,7 +149,7 @@ class SectionLanes {
   // Where the section is crossed on the last step.
   void find_brackets(const StepBlock<size>& block, std::size_t lane) {
     Lane& here = lanes_[lane];
-    const double h = here.step, x = off(block.x[axis_][lane]), at_end = off(block.end[axis_][lane]);
+    const double h = here.step, x = off(here, block.x[axis_][lane]), at_end = off(here, block.end[axis_][lane]);
     here.bracket.side = here.next.side = 0;
     double values[inner + 2];
     values[0] = x;
@@ -164,7 +193,7 @@ class SectionLanes {
     for (int i = 0; i < size; ++i) block.x[i][lane] = here.end[i];
     here.t += here.step;
     if (std::abs(here.t) >= options_.max_time) return lost(here);
-    const double value = off(here.end[axis_]);
+    const double value = off(here, here.end[axis_]);
     here.side = value != 0 ? value : forward_ * end_slope(here);
     set_step(block, lane);
     return true;
@@ -174,7 +203,7 @@ class SectionLanes {
   bool located(StepBlock<size>& block, std::size_t lane) {
     Lane& here = lanes_[lane];
     Bracket& bracket = here.bracket;
-    const double value = off(block.end[axis_][lane]);
+    const double value = off(here, block.end[axis_][lane]);
     double next = here.s - value / block.end_slope[axis_][lane];
     bool done = value == 0 || next == here.s || !std::isfinite(value) || ++here.rounds == 60;
     if (!done) {
@@ -221,12 +250,12 @@ class SectionLanes {
         if (block.way[k - 1][axis_][lane] * side < block.way[lowest - 1][axis_][lane] * side) lowest = k;
       }
       const double part = h / (inner + 1);
-      if (probe(part * lowest) * side <= 0) return part * lowest;
+      if (probe(here, part * lowest) * side <= 0) return part * lowest;
       a = part * (lowest - 1);
       b = part * (lowest + 1);
-      if (lowest > 1 && probe(a) * side <= 0) return a;
+      if (lowest > 1 && probe(here, a) * side <= 0) return a;
       slope_a = lowest > 1 ? probe_.end_slope[axis_][0] : slope_a;
-      if (lowest < inner && probe(b) * side <= 0) return b;
+      if (lowest < inner && probe(here, b) * side <= 0) return b;
       slope_b = lowest < inner ? probe_.end_slope[axis_][0] : slope_b;
       if (side * slope_a * h >= 0 || side * slope_b * h <= 0) return std::nullopt;
     }
@@ -234,7 +263,7 @@ class SectionLanes {
     for (int k = 0; k < 60; ++k) {
       double s = k % 3 == 2 ? 0.5 * (a + b) : a - slope_a * (b - a) / (slope_b - slope_a);
       if (!(std::min(a, b) < s && s < std::max(a, b))) s = 0.5 * (a + b);
-      const double value = probe(s), slope = probe_.end_slope[axis_][0];
+      const double value = probe(here, s), slope = probe_.end_slope[axis_][0];
       if (value * side <= 0) return s;
       // What is left of the way down, were the slope to stay the largest seen.
       const double steepest = std::max(std::abs(slope_a), std::abs(slope_b));
@@ -246,10 +275,10 @@ class SectionLanes {
   }
 
   /// How far from the section a step of length s ends; its slope is then in probe_.
-  double probe(double s) {
+  double probe(const Lane& here, double s) {
     probe_.h[0] = s;
     steps_one_by_one(rhs_, probe_, 1);
-    return off(probe_.end[axis_][0]);
+    return off(here, probe_.end[axis_][0]);
   }
 
   double end_slope(const Lane& here) const {

@@ -43,6 +43,9 @@ class SectionChart {
       }
       used[static_cast<std::size_t>(coordinate)] = true;
     }
+    if (!(section.period >= 0 && std::isfinite(section.period))) {
+      throw UsageError("the period of the section's coordinate must be 0 or positive");
+    }
     if (section.direction == 0) throw UsageError("a return map needs a direction of crossing");
     if (bad(section.bound_coordinate)) throw UsageError("the section is bounded in a coordinate that does not exist");
     if (!hamiltonian) return;
@@ -52,14 +55,21 @@ class SectionChart {
     }
   }
 
-  /// The state of a point; false where the energy does not reach, or outside the section's bound.
+  /// The state of a point; false where the energy does not reach, where the flow crosses in the other direction, or
+  /// outside the section's bound.
   [[nodiscard]] bool lift(Point point, State& x) const {
     x = {};
     x[at(section_.coordinate)] = section_.value;
     x[at(section_.chart_x)] = point.x;
     x[at(section_.chart_y)] = point.y;
     if (section_.bound_side * (x[at(section_.bound_coordinate)] - section_.bound) < 0) return false;
-    return n == 3 || solve(x);
+    if constexpr (n != 3) {
+      return solve(x);
+    } else {
+      State v;
+      field_.velocity(x.data(), v.data(), x.data());
+      return section_.direction * v[at(section_.coordinate)] > 0;
+    }
   }
 
   [[nodiscard]] Point project(const double* x) const { return {x[at(section_.chart_x)], x[at(section_.chart_y)]}; }

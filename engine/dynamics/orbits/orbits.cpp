@@ -37,10 +37,21 @@ Point folded(Point point, Point lattice, Point origin) {
   return {point.x - turns * lattice.x, point.y - turns * lattice.y};
 }
 
+Point folded(Point point, Point lattice, Point second_lattice, Point origin) {
+  const double span = lattice.x * second_lattice.y - lattice.y * second_lattice.x;
+  if (span == 0) return folded(point, lattice == Point{} ? second_lattice : lattice, origin);
+  const double x = point.x - origin.x, y = point.y - origin.y;
+  const double turns = std::floor((x * second_lattice.y - y * second_lattice.x) / span);
+  const double second_turns = std::floor((lattice.x * y - lattice.y * x) / span);
+  return {point.x - turns * lattice.x - second_turns * second_lattice.x,
+          point.y - turns * lattice.y - second_turns * second_lattice.y};
+}
+
 void follow_orbits(const PlanarMap& map, std::span<const Point> starts, const OrbitOptions& options,
                    const std::function<bool(std::size_t first, std::span<const Point> points)>& take) {
   const std::size_t each = options.iterates + 1, together = std::max(group, map.batch());
   const std::size_t at_once = std::clamp<std::size_t>(block_points / each, together, std::max(together, starts.size()));
+  const auto fold = [&](Point point) { return folded(point, options.lattice, options.second_lattice, options.origin); };
   Buffer<Point> points;
   for (std::size_t first = 0; first < starts.size(); first += at_once) {
     const std::size_t count = std::min(at_once, starts.size() - first);
@@ -48,12 +59,11 @@ void follow_orbits(const PlanarMap& map, std::span<const Point> starts, const Or
     for_each_block(count, together, [&](std::size_t begin, std::size_t end) {
       const std::size_t size = end - begin;
       std::vector<Point> state(size);
-      for (std::size_t k = 0; k < size; ++k)
-        state[k] = folded(starts[first + begin + k], options.lattice, options.origin);
+      for (std::size_t k = 0; k < size; ++k) state[k] = fold(starts[first + begin + k]);
       for (std::size_t n = 0; n < each; ++n) {
         if (n > 0) map.iterate(state, 1);
         for (std::size_t k = 0; k < size; ++k) {
-          if (n > 0) state[k] = folded(state[k], options.lattice, options.origin);
+          if (n > 0) state[k] = fold(state[k]);
           points[(begin + k) * each + n] = state[k];
         }
         if (n % 1024 == 1023) throw_if_cancelled();

@@ -13,7 +13,7 @@ SystemEntry double_gyre_entry() {
   const SystemInfo info{"double-gyre",
                         "Double gyre (Shadden, Lekien & Marsden 2005) in [0, 2] x [0, 1]; period map",
                         {{"A", 0.1, "amplitude of the stream function"},
-                         {"eps", 0.1, "amplitude of the wall's motion"},
+                         perturbation("eps", 0.1, "amplitude of the wall's motion"),
                          positive("omega", 2 * std::numbers::pi / 10, "frequency of the wall's motion"),
                          {"phase", 0, "of the section, as a fraction of the period"}}};
   return {info, [](std::span<const double> values, const IntegrationOptions& options) {

@@ -11,7 +11,7 @@ namespace lober::detail {
 SystemEntry duffing_entry() {
   const SystemInfo info{"duffing",
                         "Duffing oscillator x'' = x - x^3 - delta x' + eps cos(omega t); period map in (x, x')",
-                        {{"eps", 0.1, "amplitude of the force"},
+                        {perturbation("eps", 0.1, "amplitude of the force"),
                          positive("omega", 1, "frequency of the force"),
                          {"delta", 0, "damping; 0 for a Hamiltonian system"},
                          {"phase", 0, "of the section, as a fraction of the period"}}};

@@ -15,6 +15,7 @@ struct SystemEntry {
   std::function<System(std::span<const double> values, const IntegrationOptions& options)> make;
 };
 
+SystemEntry abc_entry();
 SystemEntry standard_map_entry();
 SystemEntry henon_map_entry();
 SystemEntry vortex_pair_entry();
@@ -28,6 +29,13 @@ SystemEntry three_body_entry();
 /// A parameter that has to be above 0.
 inline Parameter positive(const char* name, double value, const char* meaning) {
   return {name, value, meaning, 0, std::numeric_limits<double>::infinity(), true};
+}
+
+/// The size of a perturbation.
+inline Parameter perturbation(const char* name, double value, const char* meaning) {
+  Parameter parameter{name, value, meaning};
+  parameter.perturbation = true;
+  return parameter;
 }
 
 /// The system of an entry with values by name.

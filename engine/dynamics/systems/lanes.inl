@@ -1,6 +1,7 @@
 // The steps of the built-in systems in vectors, compiled once for each instruction set (kernels/inline.hpp).
 #include "engine/dynamics/integration/lane_steps.hpp"
 #include "engine/dynamics/maps/right_hand_sides.hpp"
+#include "engine/dynamics/systems/fields/abc.hpp"
 #include "engine/dynamics/systems/fields/capsize.hpp"
 #include "engine/dynamics/systems/fields/double_gyre.hpp"
 #include "engine/dynamics/systems/fields/duffing.hpp"
@@ -29,6 +30,7 @@ void steps_in_vectors(const Rhs& rhs, StepBlock<Rhs::size>& block, std::size_t c
   LOBER_STEPS_OF(AlongFlow<Field>) \
   LOBER_STEPS_OF(WithTangents<Field, 2>)
 
+LOBER_STEPS(Abc)
 LOBER_STEPS(VortexPair)
 LOBER_STEPS(FirstOrderVortexPair)
 LOBER_STEPS(Duffing)

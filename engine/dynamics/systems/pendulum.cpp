@@ -12,7 +12,7 @@ namespace lober::detail {
 SystemEntry pendulum_entry() {
   const SystemInfo info{"pendulum",
                         "Forced pendulum x'' = -sin x - delta x' + eps cos(omega t), x lifted; period map in (x, x')",
-                        {{"eps", 0.1, "amplitude of the torque"},
+                        {perturbation("eps", 0.1, "amplitude of the torque"),
                          positive("omega", 1, "frequency of the torque"),
                          {"delta", 0, "damping; 0 for a Hamiltonian system"},
                          {"phase", 0, "of the section, as a fraction of the period"}}};

@@ -15,9 +15,16 @@ using namespace detail;
 namespace {
 
 std::vector<SystemEntry> entries() {
-  return {capsize_entry(),    double_gyre_entry(), duffing_entry(),
-          henon_map_entry(),  vortex_pair_entry(), first_order_vortex_pair_entry(),
-          three_body_entry(), pendulum_entry(),    standard_map_entry()};
+  return {abc_entry(),
+          capsize_entry(),
+          double_gyre_entry(),
+          duffing_entry(),
+          henon_map_entry(),
+          vortex_pair_entry(),
+          first_order_vortex_pair_entry(),
+          three_body_entry(),
+          pendulum_entry(),
+          standard_map_entry()};
 }
 
 /// "a, b, c" of the names of things.
@@ -29,17 +36,34 @@ std::string joined(const Things& things, const Name& name) {
 }
 
 void require_in_range(const std::string& system, const Parameter& parameter, double value) {
-  const bool above = parameter.min_excluded ? value > parameter.min : value >= parameter.min;
-  if (above && value <= parameter.max) return;
-  const bool half_line = parameter.max == std::numeric_limits<double>::infinity();
-  const std::string range = half_line && parameter.min == 0 && parameter.min_excluded ? "be positive"
-                            : half_line
-                                ? "be at least " + format_number(parameter.min)
-                                : "lie in [" + format_number(parameter.min) + ", " + format_number(parameter.max) + "]";
-  throw UsageError("system " + system + ": parameter " + parameter.name + " must " + range);
+  if (parameter.allows(value)) return;
+  throw UsageError("system " + system + ": parameter " + parameter.name + " must be " + parameter.range() + ", not " +
+                   format_number(value));
 }
 
 }  // namespace
+
+bool Parameter::allows(double number) const {
+  return (min_excluded ? number > min : number >= min) && (max_excluded ? number < max : number <= max);
+}
+
+std::string Parameter::range() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (min == -infinity && max == infinity) return "";
+  if (max == infinity) {
+    if (min == 0 && min_excluded) return "positive";
+    return (min_excluded ? "above " : "at least ") + format_number(min);
+  }
+  if (min == -infinity) return (max_excluded ? "below " : "at most ") + format_number(max);
+  return std::string("in ") + (min_excluded ? "(" : "[") + format_number(min) + ", " + format_number(max) +
+         (max_excluded ? ")" : "]");
+}
+
+const Parameter* SystemInfo::perturbation() const {
+  const auto found =
+      std::find_if(parameters.begin(), parameters.end(), [](const Parameter& p) { return p.perturbation; });
+  return found == parameters.end() ? nullptr : &*found;
+}
 
 Point Symmetry::operator()(Point z) const {
   return {linear.xx * z.x + linear.xy * z.y + shift.x, linear.yx * z.x + linear.yy * z.y + shift.y};

@@ -2,12 +2,15 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "engine/base/input_guard.hpp"
+#include "engine/base/text.hpp"
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/maps/formula_map.hpp"
 #include "engine/dynamics/systems/library_checks.hpp"
@@ -164,7 +167,7 @@ std::shared_ptr<const Flow> make_flow(Loaded loaded) {
   }
 }
 
-Section section_of(const lober_section& section) {
+Section section_of(const lober_section& section, unsigned abi) {
   return {.coordinate = section.coordinate,
           .value = section.value,
           .direction = section.direction,
@@ -173,7 +176,8 @@ Section section_of(const lober_section& section) {
           .solved = section.solved,
           .bound_coordinate = section.bound_coordinate,
           .bound = section.bound,
-          .bound_side = section.bound_side};
+          .bound_side = section.bound_side,
+          .period = abi >= 4 ? section.period : 0};
 }
 
 /// Sets the planar map of a flow, if its description says which.
@@ -182,7 +186,7 @@ void set_map(System& made, const lober_system& system, std::span<const double> v
   const lober_flow& flow = *system.flow;
   if (flow.section != nullptr) {
     const int energy = flow.section->energy_parameter;
-    made.section = section_of(*flow.section);
+    made.section = section_of(*flow.section, system.abi);
     made.map =
         made.flow->section_map(*made.section, energy < 0 ? 0 : values[static_cast<std::size_t>(energy)], options);
   } else if (flow.dimension == 2 && flow.period != nullptr) {
@@ -228,6 +232,7 @@ System make(const Library& library, const lober_system& system, std::span<const 
   System made;
   made.window = window(system.window[0], system.window[1], system.window[2], system.window[3]);
   made.lattice = {system.lattice[0], system.lattice[1]};
+  if (system.abi >= 4) made.second_lattice = {system.second_lattice[0], system.second_lattice[1]};
   set_connections(made, system, values);
   if (system.kind == LOBER_FLOW) {
     const bool periodic = system.flow->period != nullptr && system.flow->period(values.data()) != 0;
@@ -261,6 +266,44 @@ const char* fault(const lober_flow& flow, std::size_t parameters) {
     return "the section of a Hamiltonian flow needs energy_parameter";
   }
   return nullptr;
+}
+
+/// Parameters with their ranges and their roles.
+std::vector<Parameter> parameters_of(const lober_system& system) {
+  std::vector<Parameter> parameters;
+  const std::string_view perturbation = system.abi < 4                   ? "eps"
+                                        : system.perturbation != nullptr ? system.perturbation
+                                                                         : "";
+  for (std::size_t k = 0; k < system.parameter_count; ++k) {
+    const lober_parameter& given = system.parameters[k];
+    Parameter parameter{given.name, given.default_value, given.meaning};
+    if (system.abi >= 4 && system.ranges != nullptr) {
+      const lober_range& range = system.ranges[k];
+      parameter.min = range.min;
+      parameter.max = range.max;
+      parameter.min_excluded = range.min_excluded != 0;
+      parameter.max_excluded = range.max_excluded != 0;
+    }
+    parameter.perturbation = parameter.name == perturbation;
+    parameters.push_back(std::move(parameter));
+  }
+  return parameters;
+}
+
+/// What is wrong with ranges and roles, or empty.
+std::string fault(const lober_system& system, const std::vector<Parameter>& parameters) {
+  for (const Parameter& parameter : parameters) {
+    if (!(parameter.min <= parameter.max)) return "the range of parameter " + parameter.name + " is empty";
+    if (!parameter.allows(parameter.value)) {
+      return "the default of parameter " + parameter.name + ", " + format_number(parameter.value) +
+             ", is outside of its range";
+    }
+  }
+  const bool named = system.abi >= 4 && system.perturbation != nullptr;
+  if (named && std::none_of(parameters.begin(), parameters.end(), [](const Parameter& p) { return p.perturbation; })) {
+    return std::string("the perturbation is called ") + system.perturbation + ", and no parameter is";
+  }
+  return "";
 }
 
 /// What is wrong with a description, or null.
@@ -306,10 +349,9 @@ SystemEntry load_system(const std::string& path) {
   SystemEntry entry;
   entry.info.name = system->name;
   entry.info.summary = system->summary;
-  for (std::size_t k = 0; k < system->parameter_count; ++k) {
-    const lober_parameter& parameter = system->parameters[k];
-    entry.info.parameters.push_back({parameter.name, parameter.default_value, parameter.meaning});
-  }
+  entry.info.parameters = parameters_of(*system);
+  if (const std::string what = fault(*system, entry.info.parameters); !what.empty())
+    throw DataError(path + ": " + what);
   entry.make = [library, system](std::span<const double> values, const IntegrationOptions& options) {
     return make(library, *system, values, options);
   };

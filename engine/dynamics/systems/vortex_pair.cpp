@@ -15,7 +15,7 @@ SystemEntry entry(const char* name, const char* summary) {
                   summary,
                   {positive("gamma", 0.5, "dimensionless period of the strain over 2 pi"),
                    // Forty terms of the vortices' motion are kept: more than enough up to 8.
-                   {"eps", 0.1, "amplitude of the strain", -8, 8},
+                   {"eps", 0.1, "amplitude of the strain", -8, 8, false, false, true},
                    {"phase", 0, "of the section, as a fraction of the period"}}};
   return {info, [](std::span<const double> values, const IntegrationOptions& options) {
             System system;

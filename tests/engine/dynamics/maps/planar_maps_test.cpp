@@ -219,7 +219,7 @@ TEST(Symmetry, TimeReversalConjugatesMapAndInverse) {
 }
 
 TEST(Symmetry, TheLatticeOfALiftedMapCommutes) {
-  for (const char* const name : {"standard", "pendulum"}) {
+  for (const char* const name : {"standard", "pendulum", "abc"}) {
     const System system = make_system(name);
     const Point here = image(*system.map, {0.4, 0.7}, 1);
     const Point there = image(*system.map, {0.4 + system.lattice.x, 0.7 + system.lattice.y}, 1);

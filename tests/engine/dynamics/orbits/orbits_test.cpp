@@ -64,6 +64,33 @@ TEST(Orbits, AreFoldedIntoOneCell) {
   EXPECT_NEAR(slanted.y, 2, 1e-12);
 }
 
+// On the torus, of angles that wind both ways: (x, y) in the parallelogram of two slanted lattices as well.
+TEST(Orbits, AreFoldedOnTheTorus) {
+  constexpr double pi = std::numbers::pi;
+  const System system = make_system("abc");
+  const Buffer<Point> starts = spread_points(Rectangle::of({-1, -3}, {1, 3}), 20);
+  const OrbitOptions torus{
+      .iterates = 30, .lattice = system.lattice, .origin = {-pi, -pi}, .second_lattice = system.second_lattice};
+  const std::vector<Point> found = orbits_of(*system.map, starts, torus);
+  const std::vector<Point> lifted = orbits_of(*system.map, starts, {.iterates = 30});
+  bool turned = false;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (std::isnan(found[k].x)) continue;
+    EXPECT_LT(std::fabs(found[k].x), pi + 1e-12);
+    EXPECT_LT(std::fabs(found[k].y), pi + 1e-12);
+    turned = turned || std::fabs(lifted[k].y) > 20;
+    // Chaotic orbits keep this to few iterates only.
+    if (k % 31 > 3) continue;
+    EXPECT_NEAR(std::remainder(found[k].x - lifted[k].x, 2 * pi), 0, 1e-7);
+    EXPECT_NEAR(std::remainder(found[k].y - lifted[k].y, 2 * pi), 0, 1e-7);
+  }
+  EXPECT_TRUE(turned);
+  EXPECT_EQ(folded({7, 5}, {}, {}, {1, 1}), (Point{7, 5}));
+  EXPECT_EQ(folded({7, 5}, {}, {0, 2}, {0, 0}), (Point{7, 1}));
+  EXPECT_EQ(folded({7, 5}, {2, 0}, {0, 2}, {0, 0}), (Point{1, 1}));
+  EXPECT_EQ(folded({7.5, 5}, {2, 0}, {1, 2}, {0, 0}), (Point{1.5, 1}));
+}
+
 TEST(Orbits, EndWhereTheyAreLost) {
   const System system = make_system("henon");
   const std::vector<Point> starts{{0, 0}, {50, 50}};

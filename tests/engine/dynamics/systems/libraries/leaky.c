@@ -50,7 +50,7 @@ static int connection(const double* a, size_t index, lober_connection* found) {
 static const lober_map map = {forward, backward, derivative, NULL};
 static const lober_parameter parameters[] = {{"k", 0.5, "of the map"}, {"c", 0.001, "of the leak"}};
 static const lober_system description = {
-    LOBER_SYSTEM_ABI, LOBER_MAP, "leaky", "", 2, parameters, {-3, -3, 3, 3}, {0, 0}, &map, NULL, 1, connection, 0};
+    LOBER_SYSTEM_ABI, LOBER_MAP, "leaky", "", 2, parameters, {-3, -3, 3, 3}, {0, 0}, &map, NULL, 1, connection, 0, NULL, NULL, {0, 0}};
 
 const lober_system* lober_system_describe(void) {
   return &description;

@@ -41,7 +41,7 @@ static int connection(const double* a, size_t index, lober_connection* found) {
 }
 
 static const lober_system description = {LOBER_SYSTEM_ABI, LOBER_MAP, "henon-c", "", 1,          &k, {-3, -3, 3, 3},
-                                         {0, 0},           &map,      NULL,      1,  connection, 0};
+                                         {0, 0},           &map,      NULL,      1,  connection, 0, NULL, NULL, {0, 0}};
 
 const lober_system* lober_system_describe(void) {
   return &description;

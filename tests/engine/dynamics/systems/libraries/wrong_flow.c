@@ -41,7 +41,7 @@ static void velocity_batch(const double* a, size_t count, const double* x, const
 static const lober_conjugate_pair pairs[] = {{0, 1, NULL}};
 static const lober_flow flow = {2, velocity, jacobian, period, hamiltonian, 1, pairs, NULL, velocity_batch};
 static const lober_system description = {LOBER_SYSTEM_ABI, LOBER_FLOW, "slip", "", 0,    NULL, {-2, -2, 2, 2},
-                                         {0, 0},           NULL,       &flow,  0,  NULL, 0};
+                                         {0, 0},           NULL,       &flow,  0,  NULL, 0, NULL, NULL, {0, 0}};
 
 const lober_system* lober_system_describe(void) {
   return &description;

@@ -32,7 +32,7 @@ static double action(const double* a, double x, double to) {
 static const lober_map map = {forward, backward, derivative, action};
 static const lober_parameter k = {"k", 0.5, "of the map"};
 static const lober_system description = {LOBER_SYSTEM_ABI, LOBER_MAP, "slip", "", 1,    &k, {-3, -3, 3, 3},
-                                         {0, 0},           &map,      NULL,   0,  NULL, 0};
+                                         {0, 0},           &map,      NULL,   0,  NULL, 0, NULL, NULL, {0, 0}};
 
 const lober_system* lober_system_describe(void) {
   return &description;
