@@ -33,7 +33,7 @@ if [ "$form" = shared ]; then
   readelf -d "$library_folder/liblober.so" | grep -q "SONAME.*\[$soname\]" || fail "the name of the library is not $soname"
   [ "$(readlink -f "$library_folder/$soname")" = "$library_folder/liblober.so.$version" ] || fail "no liblober.so.$version"
   foreign=$(nm -DC --defined-only "$library_folder/liblober.so" | cut -d' ' -f3- |
-    grep -vE '^((typeinfo (name )?|vtable )for )?lober::|^lober_[a-z_]+$|^LOBER_[0-9.]+$' || true)
+    grep -vE '^((typeinfo (name )?|vtable )for )?lober::|^lober_[a-z_]+(@@LOBER_[0-9.]+)?$|^LOBER_[0-9.]+$' || true)
   [ -z "$foreign" ] || fail "exported, and not ours:
 $(head -n 20 <<<"$foreign")"
 fi

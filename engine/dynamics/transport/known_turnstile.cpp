@@ -40,9 +40,21 @@ ConnectingOrbit preimage(const PlanarMap& map, const KnownTurnstile& known, Conn
   return q;
 }
 
-bool in_order(const KnownTurnstile& known) {
-  for (std::size_t k = 0; k + 1 < known.orbits.size(); ++k) {
-    if (!(time_of_orbit(known, k + 1) > time_of_orbit(known, k) + apart)) return false;
+constexpr double lost = std::numeric_limits<double>::infinity();
+
+// Orbits that are not behind the one before are another pip's, and lost. False if q is.
+bool order(KnownTurnstile& known) {
+  const std::size_t last = known.orbits.size() - 1;
+  double before = time_of_orbit(known, 0);
+  for (std::size_t k = 1; k <= last; ++k) {
+    if (known.is_lost(k)) continue;
+    const double time = time_of_orbit(known, k);
+    if (time > before + apart && (k == last || time < time_of_orbit(known, last) - apart)) {
+      before = time;
+    } else {
+      if (k == last) return false;
+      known.orbits[k].residual = lost;
+    }
   }
   return true;
 }
@@ -50,6 +62,9 @@ bool in_order(const KnownTurnstile& known) {
 }  // namespace
 
 std::optional<double> KnownTurnstile::difference() const {
+  for (std::size_t k = 0; k < orbits.size(); ++k) {
+    if (is_lost(k)) return std::nullopt;
+  }
   const auto area = lobe_area_by_action(orbits[(orbits.size() - 1) / 2], orbits.back());
   return area ? std::optional(-*area) : std::nullopt;
 }
@@ -61,6 +76,7 @@ double KnownTurnstile::error() const {
 std::optional<std::size_t> KnownTurnstile::same_pip(const KnownTurnstile& other, std::size_t number) const {
   const double time = time_of_orbit(other, number);
   for (std::size_t k = 1; k < orbits.size(); ++k) {
+    if (is_lost(k)) continue;
     const double images = time - time_of_orbit(*this, k);
     if (std::fabs(images - std::round(images)) <= one_image) return k;
   }
@@ -95,18 +111,21 @@ std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Co
   KnownTurnstile known;
   std::tie(known.u, known.s) = local_manifolds(map, between, &from.u, &from.s);
   const double images = images_to_the_middle(from);
-  try {
-    known.orbits.resize(1);
-    for (std::size_t k = 1; k < from.orbits.size(); ++k) {
-      const ConnectingOrbit& orbit = from.orbits[k];
-      known.orbits.push_back(connecting_orbit(map, known.u, known.s, moved(from.u, known.u, orbit.u, images),
-                                              moved(from.s, known.s, orbit.s, -images)));
+  const std::size_t last = from.orbits.size() - 1;
+  known.orbits.resize(last + 1);
+  for (std::size_t k = last; k > 0; --k) {
+    const ConnectingOrbit& orbit = from.orbits[k];
+    try {
+      known.orbits[k].residual = lost;
+      if (from.is_lost(k)) continue;
+      known.orbits[k] = connecting_orbit(map, known.u, known.s, moved(from.u, known.u, orbit.u, images),
+                                         moved(from.s, known.s, orbit.s, -images));
+    } catch (const DataError&) {
+      if (k == last) return std::nullopt;
     }
-    known.orbits.front() = preimage(map, known, known.orbits.back());
-  } catch (const DataError&) {
-    return std::nullopt;
   }
-  return in_order(known) ? std::optional(std::move(known)) : std::nullopt;
+  known.orbits.front() = preimage(map, known, known.orbits.back());
+  return order(known) ? std::optional(std::move(known)) : std::nullopt;
 }
 
 }  // namespace lober::detail

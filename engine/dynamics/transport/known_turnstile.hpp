@@ -4,6 +4,7 @@
 // method finds them in a few steps; no manifold is grown.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -18,7 +19,10 @@ struct KnownTurnstile {
   std::vector<ConnectingOrbit> orbits;  ///< of the pips of one iterate, from f^-1(q) to q
   std::size_t points = 0;               ///< of both manifolds as grown; none where it was continued
 
-  /// W(q) - W(q') as in SweepRow::difference; nothing without an action.
+  /// Pips come and go in pairs; one that was there before is lost, and its orbit without meaning.
+  [[nodiscard]] bool is_lost(std::size_t number) const { return std::isinf(orbits[number].residual); }
+
+  /// W(q) - W(q') as in SweepRow::difference; nothing without an action, or when a pip is lost.
   [[nodiscard]] std::optional<double> difference() const;
   /// Of the difference, an estimate.
   [[nodiscard]] double error() const;
@@ -32,7 +36,7 @@ struct KnownTurnstile {
 [[nodiscard]] KnownTurnstile known_turnstile(const ManifoldTangle& found);
 
 /// That of a map near the one of `from`, with the same pips; of q the image in the middle between the saddles. Nothing
-/// where pips are not found or not in the order they were in. Throws as local_manifold.
+/// where q is not found, or not behind the others. Throws as local_manifold.
 [[nodiscard]] std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Connection& connection,
                                                                 const KnownTurnstile& from);
 

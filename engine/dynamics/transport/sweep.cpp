@@ -137,7 +137,7 @@ class SweepOfValues {
   // worked out from nothing.
   void continue_from(std::size_t group) {
     const std::size_t end = std::min((group + 1) * together, values_.size());
-    const KnownTurnstile* last = nullptr;
+    std::optional<std::size_t> last;
     for (std::size_t k = group * together; k < end; ++k) {
       if (k > group * together) {
         if (last) known_[k] = continued(k, *last);
@@ -147,7 +147,7 @@ class SweepOfValues {
           known_[k] = found_[k].known;
         }
       }
-      if (known_[k]) last = &*known_[k];
+      if (known_[k]) last = k;
     }
     if (end < values_.size() && last) at_begin_[group + 1] = continued(end, *last);
   }
@@ -156,7 +156,7 @@ class SweepOfValues {
   void continue_over_gaps() {
     const auto fill = [&](std::size_t k, std::size_t from) {
       if (!known_[k] && known_[from]) {
-        known_[k] = continued(k, *known_[from]);
+        known_[k] = continued(k, from);
         if (known_[k]) follows_[std::max(k, from)] = 1;
       }
       if (k % together == 0 && k > 0 && from == k - 1 && !at_begin_[k / together]) at_begin_[k / together] = known_[k];
@@ -175,7 +175,8 @@ class SweepOfValues {
       if (!here) continue;
       const std::size_t period = here->orbits.size() - 1;
       const auto& there = at_begin_[g];
-      const bool is_linked = g > 0 && there && same[g - 1] > 0 && same[g - 1] < there->orbits.size();
+      const bool is_linked =
+          g > 0 && there && same[g - 1] > 0 && same[g - 1] < there->orbits.size() && !there->is_lost(same[g - 1]);
       const auto number = is_linked ? here->same_pip(*there, same[g - 1]) : std::nullopt;
       same[g] = number.value_or(period);
       follows_[g * together] = number.has_value();
@@ -189,15 +190,26 @@ class SweepOfValues {
     return same;
   }
 
-  [[nodiscard]] std::optional<KnownTurnstile> continued(std::size_t k, const KnownTurnstile& from) const {
+  // The turnstile of value k from that of another one, in smaller steps where one is too large.
+  [[nodiscard]] std::optional<KnownTurnstile> continued(std::size_t k, std::size_t from) const {
+    constexpr int halvings = 3;
+    return followed(values_[from], *known_[from], values_[k], halvings);
+  }
+
+  [[nodiscard]] std::optional<KnownTurnstile> followed(double from, const KnownTurnstile& known, double to,
+                                                       int halvings) const {
+    std::optional<KnownTurnstile> there;
     try {
-      const FamilyMember member = family_(values_[k]);
-      return continued_turnstile(*member.map, member.connection, from);
+      const FamilyMember member = family_(to);
+      there = continued_turnstile(*member.map, member.connection, known);
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception&) {  // the row says why
-      return std::nullopt;
     }
+    if (there || halvings == 0) return there;
+    const double middle = 0.5 * (from + to);
+    const std::optional<KnownTurnstile> halfway = followed(from, known, middle, halvings - 1);
+    return halfway ? followed(middle, *halfway, to, halvings - 1) : std::nullopt;
   }
 
   void make_row(std::size_t k, std::size_t bip) {
@@ -206,9 +218,11 @@ class SweepOfValues {
     const bool has_failed = !value.row.failure.empty();
     if (known_[k]) {
       const std::size_t last = known_[k]->orbits.size() - 1;
-      const KnownBip known = known_[k]->bip(bip > 0 && bip < last ? bip : last);
+      const bool is_last = bip == 0 || bip >= last;
+      const bool is_there = is_last || !known_[k]->is_lost(bip);
+      const KnownBip known = known_[k]->bip(is_last || !is_there ? last : bip);
       SweepValue made = value_at_(values_[k], &known);
-      is_own_[k] = !made.known;
+      is_own_[k] = !made.known || !is_there;
       if (made.known) value = std::move(made);
     }
     if (!value.known && !has_failed) value = value_at_(values_[k], nullptr);
