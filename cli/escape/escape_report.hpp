@@ -39,9 +39,10 @@ struct EscapeReport {
 void write_escape_json(const std::string& path, const EscapeReport& report,
                        const std::function<double()>& seconds_so_far);
 
-/// The periodic orbits as 256 points of position each, "orbit left", "orbit right", and all curves as zones: "entrance left", "entrance left f^1", ..., "exit left", "exit left f^-1", ...; f is the map to
-/// the next crossing, in either direction. " cut" follows for a curve that is the image of what has not left yet, "
-/// open" for one that trajectories which do not get here leave open.
+/// The periodic orbits as 256 points of position each, "orbit left", "orbit right", and all curves as zones: "entrance
+/// left", "entrance left f^1", ..., "exit left", "exit left f^-1", ...; f is the map to the next crossing, in either
+/// direction. " cut" follows for a curve that is the image of what has not left yet, " open" for one that trajectories
+/// which do not get here leave open.
 void write_escape_curves(const std::string& path, const EscapeReport& report);
 
 /// Whether tubes are written as legacy VTK, not drawn as SVG. Throws UsageError for another ending.

@@ -43,7 +43,7 @@ int guarded(const std::function<void()>& function) noexcept {
   } catch (const std::exception& error) {
     return failed(LOBER_INTERNAL_ERROR, error.what());
   } catch (...) {
-    return failed(LOBER_INTERNAL_ERROR, "an exception that is none of lober's");
+    return failed(LOBER_INTERNAL_ERROR, "an exception of a kind that lober does not throw");
   }
 }
 

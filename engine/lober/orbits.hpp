@@ -19,8 +19,8 @@ namespace lober {
 /// The point shifted by a whole number of times the lattice, so that it lies less than one shift past `origin` along
 /// it; unchanged where the lattice is (0, 0). To rounding.
 [[nodiscard]] LOBER_API Point folded(Point point, Point lattice, Point origin);
-/// The same for two lattices: into the parallelogram that they span from `origin` on. One that is (0, 0) does not count;
-/// neither does the second one where it is a multiple of the first.
+/// The same for two lattices: into the parallelogram that they span from `origin` on. One that is (0, 0) does not
+/// count; neither does the second one where it is a multiple of the first.
 [[nodiscard]] LOBER_API Point folded(Point point, Point lattice, Point second_lattice, Point origin);
 
 struct OrbitOptions {
