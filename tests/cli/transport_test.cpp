@@ -226,8 +226,8 @@ TEST_F(TransportCommand, SweepComparesWithMelnikovsFunction) {
   const double coarse = number(1, "lobe_area21_by_action") - number(1, "first_order");
   EXPECT_GT(coarse / fine, 3.5);
   EXPECT_NE(read("s.svg").find("first order in eps (Melnikov)"), std::string::npos);
-  expect_failure({"standard", "--melnikov"}, 2, "a parameter eps");
-  expect_failure({"standard", "--melnikov", "--sweep", "K=1:2:1"}, 2, "a parameter eps");
+  expect_failure({"standard", "--melnikov"}, 2, "the size of a perturbation, such as eps of ovp");
+  expect_failure({"standard", "--melnikov", "--sweep", "K=1:2:1"}, 2, "the size of a perturbation, such as eps of ovp");
 }
 
 TEST_F(TransportCommand, SignChangeOfTheVortexPair) {
@@ -256,7 +256,7 @@ TEST_F(TransportCommand, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(TransportCommand, Refuses) {
-  expect_failure({"nosuch"}, 2, "there are: capsize");
+  expect_failure({"nosuch"}, 2, "there are: abc, capsize");
   expect_failure({"ovp", "--param", "gama=0.5"}, 2, "it has: gamma, eps, phase");
   expect_failure({"ovp", "--param", "gamma"}, 2, "NAME=VALUE");
   expect_failure({"ovp", "--param", "gamma=-1"}, 2, "gamma must be positive");
