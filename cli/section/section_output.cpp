@@ -19,8 +19,8 @@ constexpr std::array<const char*, 6> colours{"#b5c8dc", "#93b0d0", "#6b93bf", "#
 
 // One level of counts is twice the one before, up to the last.
 std::size_t level_of(std::uint32_t count, std::uint32_t largest) {
-  const int levels = std::bit_width(largest);
-  const int level = std::bit_width(count) - 1;
+  const int levels = static_cast<int>(std::bit_width(largest));
+  const int level = static_cast<int>(std::bit_width(count)) - 1;
   return static_cast<std::size_t>(level) * colours.size() / static_cast<std::size_t>(levels);
 }
 

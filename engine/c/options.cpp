@@ -100,12 +100,12 @@ std::optional<Rectangle> Options::box(const std::string& name) {
 }
 
 void Options::require_all_known() const {
-  for (const auto& [name, value] : words_) {
-    if (known_.contains(name)) continue;
-    std::string names;
-    for (const std::string& known : known_) names += (names.empty() ? "" : ", ") + known;
-    throw UsageError("\"" + name + "\" is not an option here; there are " + names);
-  }
+  const auto unknown =
+      std::find_if(words_.begin(), words_.end(), [&](const auto& word) { return !known_.contains(word.first); });
+  if (unknown == words_.end()) return;
+  std::string message = "\"" + unknown->first + "\" is not an option here; there are ";
+  for (const std::string& known : known_) message += (known == *known_.begin() ? "" : ", ") + known;
+  throw UsageError(message);
 }
 
 }  // namespace lober::detail::c
