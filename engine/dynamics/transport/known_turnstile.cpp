@@ -32,7 +32,7 @@ double images_to_the_middle(const KnownTurnstile& known) {
   return std::round((time_of(known.s, q.s) - time_of(known.u, q.u)) / 2);
 }
 
-// f^-1(q) is no orbit of its own; near a saddle Newton's method would find it less well.
+// f^-1(q) is not an orbit of its own; near a saddle Newton's method would find it less well.
 ConnectingOrbit preimage(const PlanarMap& map, const KnownTurnstile& known, ConnectingOrbit q) {
   q.u = position_at(known.u, time_of(known.u, q.u) - 1, q.u.parameter);
   q.s = position_at(known.s, time_of(known.s, q.s) + 1, q.s.parameter);

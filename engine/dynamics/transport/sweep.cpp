@@ -10,7 +10,6 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/transport/area_preservation.hpp"
-#include "engine/dynamics/transport/known_turnstile.hpp"
 #include "engine/dynamics/transport/sweep_zero.hpp"
 #include "engine/dynamics/transport/turnstile.hpp"
 #include "engine/dynamics/transport/wrapped_tangle.hpp"
@@ -198,14 +197,7 @@ class SweepOfValues {
 
   [[nodiscard]] std::optional<KnownTurnstile> followed(double from, const KnownTurnstile& known, double to,
                                                        int halvings) const {
-    std::optional<KnownTurnstile> there;
-    try {
-      const FamilyMember member = family_(to);
-      there = continued_turnstile(*member.map, member.connection, known);
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const std::exception&) {  // the row says why
-    }
+    std::optional<KnownTurnstile> there = continued_to(family_, to, known);
     if (there || halvings == 0) return there;
     const double middle = 0.5 * (from + to);
     const std::optional<KnownTurnstile> halfway = followed(from, known, middle, halvings - 1);

@@ -4,11 +4,9 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <exception>
 #include <utility>
 #include <vector>
 
-#include "lober/error.hpp"
 
 namespace lober::detail {
 namespace {
@@ -93,14 +91,7 @@ class Refinement {
       return std::fabs(a.first - value) < std::fabs(b.first - value);
     });
     if (nearest == known_.end()) return from_scratch(value);
-    std::optional<KnownTurnstile> found;
-    try {
-      const FamilyMember member = family_(value);
-      found = continued_turnstile(*member.map, member.connection, nearest->second);
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const std::exception&) {  // as from scratch, which says why
-    }
+    std::optional<KnownTurnstile> found = continued_to(family_, value, nearest->second);
     const std::optional<double> difference = found ? found->difference() : std::nullopt;
     if (!difference) return from_scratch(value);
     ++zero_.evaluations;

@@ -3,16 +3,9 @@
 
 #include <functional>
 
-#include "engine/dynamics/transport/known_turnstile.hpp"
-#include "lober/sweep.hpp"
+#include "engine/dynamics/transport/sweep_value.hpp"
 
 namespace lober::detail {
-
-/// A row of a sweep, and its turnstile if it has one.
-struct SweepValue {
-  SweepRow row;
-  std::optional<KnownTurnstile> known;
-};
 
 /// The zero of the difference between two rows with differences of opposite signs. Values in between are continued from
 /// the turnstiles of their neighbours; at the zero itself `row_at` grows a tangle from nothing, and where that says
