@@ -154,11 +154,11 @@ class SweepOfValues {
   // Where a system's own guess finds no saddle any more, one that was followed there may be; from either side.
   void continue_over_gaps() {
     const auto fill = [&](std::size_t k, std::size_t from) {
-      if (!known_[k] && known_[from]) {
-        known_[k] = continued(k, from);
-        if (known_[k]) follows_[std::max(k, from)] = 1;
-      }
-      if (k % together == 0 && k > 0 && from == k - 1 && !at_begin_[k / together]) at_begin_[k / together] = known_[k];
+      if (known_[k] || !known_[from]) return;
+      known_[k] = continued(k, from);
+      if (!known_[k]) return;
+      follows_[std::max(k, from)] = 1;
+      if (k % together == 0 && from < k) at_begin_[k / together] = known_[k];
     };
     for (std::size_t k = 1; k < values_.size(); ++k) fill(k, k - 1);
     for (std::size_t k = values_.size(); k-- > 1;) fill(k - 1, k);
