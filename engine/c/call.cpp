@@ -51,7 +51,7 @@ int operation(const char* options, lober_result** result,
               const std::function<std::function<void(lober_result&)>(Options&)>& prepare) noexcept {
   if (result) *result = nullptr;
   return guarded([&] {
-    if (!result) throw UsageError("there is no room for the result");
+    if (!result) throw UsageError("result is a null pointer");
     Options given(options);
     const int threads = given.threads();
     const std::function<void(lober_result&)> work = prepare(given);

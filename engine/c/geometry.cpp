@@ -57,10 +57,11 @@ Work overlay_work(const double* points1, std::size_t n1, const double* points2, 
 }
 
 Work interior_work(const double* points1, std::size_t n1, const double* points2, std::size_t n2, Options& given) {
-  static constexpr std::array<std::pair<std::string_view, InteriorMethod>, 2> methods{
-      {{"split", InteriorMethod::split}, {"ends", InteriorMethod::ends}}};
+  static constexpr std::array methods{InteriorMethod::split, InteriorMethod::ends};
   InteriorOptions options;
-  options.method = given.choice<InteriorMethod>("method", options.method, methods);
+  options.method = given.choice<InteriorMethod>("method", options.method, methods, [](InteriorMethod method) {
+    return std::string_view(method == InteriorMethod::split ? "split" : "ends");
+  });
   options.passes = static_cast<int>(given.integer("passes", options.passes));
   options.points = static_cast<int>(given.integer("points", options.points));
   options.check_simple = given.flag("check_simple", options.check_simple);
@@ -78,11 +79,8 @@ Work interior_work(const double* points1, std::size_t n1, const double* points2,
 }
 
 Work regions_work(const double* points1, std::size_t n1, const double* points2, std::size_t n2, Options& given) {
-  static constexpr std::array<std::pair<std::string_view, FillRule>, 4> rules{{{"nonzero", FillRule::nonzero},
-                                                                               {"evenodd", FillRule::evenodd},
-                                                                               {"positive", FillRule::positive},
-                                                                               {"negative", FillRule::negative}}};
-  const FillRule rule = given.choice<FillRule>("rule", FillRule::nonzero, rules);
+  const auto rule =
+      given.choice<FillRule>("rule", FillRule::nonzero, all_fill_rules, [](FillRule one) { return name(one); });
   RegionOptions options;
   options.progress = progress();
   return [=](lober_result& result) {
@@ -128,16 +126,16 @@ Work winding_work(const double* curve, std::size_t n, const double* points, std:
 }
 
 Work densify_work(const double* points, std::size_t n, Options& given) {
-  static constexpr std::array<std::pair<std::string_view, Interpolation>, 3> interpolations{
-      {{"linear", Interpolation::linear}, {"dritschel", Interpolation::dritschel}, {"spline", Interpolation::spline}}};
+  static constexpr std::array interpolations{Interpolation::linear, Interpolation::dritschel, Interpolation::spline};
   Criteria criteria;
   criteria.max_length = given.number("max_length", criteria.max_length);
   criteria.angle = given.number("angle", criteria.angle);
   criteria.distance_angle = given.number("distance_angle", criteria.distance_angle);
   criteria.min_length = given.number("min_length", criteria.min_length);
   DensifyOptions options;
-  options.interpolation = given.choice<Interpolation>("interpolation", options.interpolation, interpolations);
-  options.max_points = static_cast<std::size_t>(given.integer("max_points", 100'000'000));
+  options.interpolation = given.choice<Interpolation>("interpolation", options.interpolation, interpolations,
+                                                      [](Interpolation one) { return name(one); });
+  options.max_points = given.count("max_points", options.max_points);
   const CurveView view{points_of(points, n, "curve"), given.flag("closed", true)};
   return [=](lober_result& result) {
     validate(view, "curve");
@@ -186,7 +184,7 @@ int lober_winding(const double* curve, size_t n, const double* points, size_t co
 int lober_signed_area(const double* curve, size_t n, double* area) {
   using namespace lober::detail::c;
   return guarded([&] {
-    if (!area) throw lober::UsageError("there is no room for the area");
+    if (!area) throw lober::UsageError("area is a null pointer");
     const lober::ClosedCurve closed = closed_curve(curve, n, "curve");
     lober::validate(closed, "curve");
     *area = lober::signed_area(closed);

@@ -57,10 +57,11 @@ Work fixed_points_work(const lober_model* model, Options& given) {
 }
 
 Work grow_work(const lober_model* model, Options& given) {
-  static constexpr std::array<std::pair<std::string_view, ManifoldSide>, 2> sides{
-      {{"unstable", ManifoldSide::unstable}, {"stable", ManifoldSide::stable}}};
+  static constexpr std::array sides{ManifoldSide::unstable, ManifoldSide::stable};
   const PlanarMap& map = map_of(model);
-  const auto side = given.choice<ManifoldSide>("side", ManifoldSide::unstable, sides);
+  const auto side = given.choice<ManifoldSide>("side", ManifoldSide::unstable, sides, [](ManifoldSide one) {
+    return std::string_view(one == ManifoldSide::unstable ? "unstable" : "stable");
+  });
   std::optional<Point> saddle = given.point("saddle"), branch = given.point("branch");
   if (!saddle) {
     saddle = connection_of(model).saddle(side);
@@ -72,7 +73,7 @@ Work grow_work(const lober_model* model, Options& given) {
   options.tolerance = given.number("tolerance", 1e-5);
   options.iterates = static_cast<int>(given.integer("iterates", options.iterates));
   options.length = given.number("length", options.length);
-  options.max_points = static_cast<std::size_t>(given.integer("max_points", 100'000'000));
+  options.max_points = given.count("max_points", options.max_points);
   options.progress = growth_progress();
   if (options.iterates < 0 && !(options.length < std::numeric_limits<double>::infinity())) {
     throw UsageError("iterates or length has to be given: manifolds do not end");
@@ -100,7 +101,7 @@ Work image_work(const lober_model* model, const double* curve, std::size_t n, Op
   ImageOptions options;
   options.tolerance = given.number("tolerance", 1e-5);
   options.max_length = given.number("max_length", options.max_length);
-  options.max_points = static_cast<std::size_t>(given.integer("max_points", 100'000'000));
+  options.max_points = given.count("max_points", options.max_points);
   options.progress = growth_progress();
   return [=, &map](lober_result& result) {
     validate(view, "curve");
@@ -134,7 +135,7 @@ int lober_model_open(const char* name, const char* parameters, const char* optio
   using namespace lober::detail::c;
   if (model) *model = nullptr;
   return guarded([&] {
-    if (!name || !model) throw lober::UsageError("no name, or no room for the model, is given");
+    if (!name || !model) throw lober::UsageError("name or model is a null pointer");
     lober::ParameterValues values;
     for (const auto& [parameter, value] : words_of(parameters))
       values.emplace_back(parameter, number_of(parameter, value));

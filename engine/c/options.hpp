@@ -30,16 +30,20 @@ class Options {
   [[nodiscard]] std::optional<Point> point(const std::string& name);
   [[nodiscard]] std::optional<Rectangle> box(const std::string& name);
   [[nodiscard]] std::optional<std::string> text(const std::string& name);
-  /// One of some names.
-  template <typename Value>
-  [[nodiscard]] Value choice(const std::string& name, Value otherwise,
-                             std::span<const std::pair<std::string_view, Value>> values) {
+  /// A number of points or the like.
+  [[nodiscard]] std::size_t count(const std::string& name, std::size_t otherwise) {
+    return static_cast<std::size_t>(integer(name, static_cast<std::int64_t>(otherwise)));
+  }
+  /// One of some values, by the names that `word_of` gives them.
+  template <typename Value, typename WordOf>
+  [[nodiscard]] Value choice(const std::string& name, Value otherwise, std::span<const Value> values,
+                             const WordOf& word_of) {
     const std::optional<std::string> given = text(name);
     if (!given) return otherwise;
     std::string names;
-    for (const auto& [word, value] : values) {
-      if (*given == word) return value;
-      names += (names.empty() ? "" : ", ") + std::string(word);
+    for (const Value value : values) {
+      if (*given == word_of(value)) return value;
+      names += (names.empty() ? "" : ", ") + std::string(word_of(value));
     }
     refuse(name, *given, "one of " + names);
   }

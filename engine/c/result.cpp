@@ -69,7 +69,7 @@ const lober_result& there(const lober_result* result) {
 }
 
 lober_array& room(lober_array* array) {
-  if (array == nullptr) throw lober::UsageError("there is no room for the array");
+  if (array == nullptr) throw lober::UsageError("array is a null pointer");
   return *array;
 }
 

@@ -39,7 +39,7 @@ std::vector<std::vector<Point>> polygons_of(const lober_result& of, std::string_
       return outline(*of.overlay, pairing, piece);
     }
     throw UsageError("\"" + std::string(kind) +
-                     "\" is no pairing; there are c1_minus_c2, c2_minus_c1, intersection, union");
+                     "\" is not a pairing; there are c1_minus_c2, c2_minus_c1, intersection, union");
   }
   if (!of.tangle) {
     throw UsageError("the result has no outlines: they are of a tangle, or of an overlay with the option outlines=1");
@@ -48,7 +48,8 @@ std::vector<std::vector<Point>> polygons_of(const lober_result& of, std::string_
     require_piece(piece, of.tangle->lobes.size(), kind);
     return {lobe_outline(*of.tangle, piece)};
   }
-  if (kind != "boundary") throw UsageError("\"" + std::string(kind) + "\" is no kind; there are lobes, boundary");
+  if (kind != "boundary")
+    throw UsageError("\"" + std::string(kind) + "\" is not a kind of outline; there are lobes, boundary");
   require_piece(piece, of.tangle->boundary ? 1 : 0, kind);
   return {boundary_outline(*of.tangle)};
 }
@@ -94,7 +95,7 @@ int lober_tangle(const double* u, size_t nu, const double* s, size_t ns, const c
 int lober_outline(const lober_result* of, const char* kind, size_t piece, lober_result** result) {
   using namespace lober::detail::c;
   return operation(nullptr, result, [=](Options&) -> Work {
-    if (!of || !kind) throw lober::UsageError("no result, or no kind of piece, is given");
+    if (!of || !kind) throw lober::UsageError("of or kind is a null pointer");
     return [=](lober_result& made) {
       std::vector<lober::Point> points;
       lober_result::Integers begin;

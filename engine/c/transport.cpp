@@ -46,7 +46,7 @@ Work tangle_work(const lober_model* model, Options& given) {
   options.before = static_cast<int>(given.integer("before", options.before, 1));
   options.after = static_cast<int>(given.integer("after", options.after));
   options.smooth = given.flag("smooth", options.smooth);
-  options.max_points = static_cast<std::size_t>(given.integer("max_points", 20'000'000));
+  options.max_points = given.count("max_points", options.max_points);
   options.bip_near = given.point("bip_near");
   options.progress = text_progress();
   return [=, &map, &connection](lober_result& result) {
@@ -84,10 +84,10 @@ Work transport_work(const lober_model* model, Options& given) {
   TransportOptions options;
   options.iterates = static_cast<int>(given.integer("iterates", options.iterates, 1));
   options.tolerance = given.number("tolerance", options.tolerance);
-  options.max_points = static_cast<std::size_t>(given.integer("max_points", 20'000'000));
+  options.max_points = given.count("max_points", options.max_points);
   options.bip_near = given.point("bip_near");
-  options.particles = static_cast<std::uint64_t>(given.integer("particles", 0));
-  options.seed = static_cast<std::uint64_t>(given.integer("seed", 1));
+  options.particles = given.count("particles", options.particles);
+  options.seed = given.count("seed", options.seed);
   options.lattice = model->system.lattice;
   if (model->system.further_needed) options.further = model->system.further;
   options.progress = text_progress();
