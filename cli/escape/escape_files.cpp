@@ -1,7 +1,5 @@
 // The curves of an escape as Tecplot zones.
 
-#include <array>
-
 #include "cli/escape/escape_report.hpp"
 #include "cli/report/text.hpp"
 #include "lober/files.hpp"
@@ -23,15 +21,11 @@ void add_zones(std::vector<Zone>& zones, const std::string& title, const char* m
 
 // Points of the periodic orbit at equal times, in the two coordinates of position: it does not meet the section.
 std::vector<Point> orbit_positions(const Flow& flow, const PeriodicOrbit& orbit) {
-  constexpr int count = 256;
+  constexpr std::size_t count = 256;
   const auto pairs = flow.conjugate_pairs();
   std::vector<Point> points;
-  for (int k = 0; k < count; ++k) {
-    std::array<FlowState, 1> state{orbit.state};
-    // From the nearer end: the orbit is unstable.
-    const double share = static_cast<double>(k) / count;
-    flow.integrate(state, 0, (2 * k <= count ? share : share - 1) * orbit.period, {.tolerance = 1e-14});
-    points.push_back({state[0][static_cast<std::size_t>(pairs[0].q)], state[0][static_cast<std::size_t>(pairs[1].q)]});
+  for (const FlowState& state : states_along(flow, orbit, count, {.tolerance = 1e-14})) {
+    points.push_back({state[static_cast<std::size_t>(pairs[0].q)], state[static_cast<std::size_t>(pairs[1].q)]});
   }
   return points;
 }

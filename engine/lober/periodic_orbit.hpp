@@ -8,6 +8,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 #include "lober/export.hpp"
 #include "lober/flow.hpp"
@@ -50,5 +52,10 @@ struct PeriodicOrbit {
 /// continuation gets stuck. A few hundred evaluations of the return map.
 [[nodiscard]] LOBER_API PeriodicOrbit periodic_orbit(const Flow& flow, const SaddlePoint& saddle, double energy,
                                                      const IntegrationOptions& options);
+
+/// `count` states at equal times along the orbit, from `state` on: the first half integrated forwards, the rest
+/// backwards, as the orbit is unstable. Each is integrated from `state` by itself, over half a period at most.
+[[nodiscard]] LOBER_API std::vector<FlowState> states_along(const Flow& flow, const PeriodicOrbit& orbit,
+                                                            std::size_t count, const IntegrationOptions& options);
 
 }  // namespace lober

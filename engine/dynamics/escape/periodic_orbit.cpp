@@ -287,4 +287,14 @@ PeriodicOrbit periodic_orbit(const Flow& flow, const SaddlePoint& saddle, double
   return orbit;
 }
 
+std::vector<FlowState> states_along(const Flow& flow, const PeriodicOrbit& orbit, std::size_t count,
+                                    const IntegrationOptions& options) {
+  std::vector<FlowState> states(count, orbit.state);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(count);
+    flow.integrate({&states[k], 1}, 0, (2 * k <= count ? share : share - 1) * orbit.period, options);
+  }
+  return states;
+}
+
 }  // namespace lober

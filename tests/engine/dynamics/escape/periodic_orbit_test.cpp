@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include "lober/error.hpp"
 #include "lober/systems.hpp"
@@ -76,6 +79,23 @@ TEST(PeriodicOrbit, LyapunovOrbitsAreSymmetric) {
     EXPECT_NEAR(orbit.state[2] + orbit.state[1], 0, 1e-10);
     EXPECT_NEAR(orbit.turning[0][1], -orbit.turning[1][1], 1e-10);
     EXPECT_FALSE(orbit.brake);
+  }
+}
+
+// Each state is taken to the next one, where the halves from either side meet too, and the last one to the first.
+TEST(PeriodicOrbit, StatesAlongItFollowEachOther) {
+  for (const char* const name : {"capsize", "pcr3bp"}) {
+    const System system = make_system(name);
+    const PeriodicOrbit orbit = orbit_of(system, system.saddles[0], name == std::string("capsize") ? 0.25307 : -1.515);
+    constexpr std::size_t count = 31;
+    const std::vector<FlowState> states = states_along(*system.flow, orbit, count, exact);
+    ASSERT_EQ(states.size(), count);
+    EXPECT_EQ(states[0], orbit.state);
+    for (std::size_t k = 0; k < count; ++k) {
+      FlowState next = states[k];
+      system.flow->integrate({&next, 1}, 0, orbit.period / count, exact);
+      for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(next[i], states[(k + 1) % count][i], 1e-9) << name << " " << k;
+    }
   }
 }
 
