@@ -108,16 +108,11 @@ struct Result {
   double seconds = 0;
 };
 
-ExitTimes exit_times_of(const Rectangle& box) {
+// A Density, or ExitTimes, with cells of that many pixels of the picture.
+template <typename Cells>
+Cells cells_of(const Rectangle& box, double pixels) {
   const View view(box);
-  return {box, static_cast<std::size_t>(view.width() / exit_cell_pixels),
-          static_cast<std::size_t>(view.height() / exit_cell_pixels)};
-}
-
-Density density_of(const Rectangle& box) {
-  const View view(box);
-  return {box, static_cast<std::size_t>(view.width() / cell_pixels),
-          static_cast<std::size_t>(view.height() / cell_pixels)};
+  return {box, static_cast<std::size_t>(view.width() / pixels), static_cast<std::size_t>(view.height() / pixels)};
 }
 
 void follow(const Request& request, std::span<const Point> starts, Result& result, Density& density,
@@ -227,7 +222,7 @@ void run(const Request& request) {
     result.box.max_y = result.box.min_y + result.options.second_lattice.y;
   }
   result.options.origin = {result.box.min_x, result.box.min_y};
-  if (request.exit_times) result.exit_times.emplace(exit_times_of(result.box));
+  if (request.exit_times) result.exit_times = cells_of<ExitTimes>(result.box, exit_cell_pixels);
   const Buffer<Point> starts = result.exit_times       ? result.exit_times->starts()
                                : request.start.empty() ? spread_points(result.box, request.orbits)
                                                        : points_of("--start", request.start);
@@ -235,7 +230,7 @@ void run(const Request& request) {
   {
     Progress progress;
     progress.phase("orbits", 0, 1);
-    Density density = density_of(result.box);
+    auto density = cells_of<Density>(result.box, cell_pixels);
     const detail::Stopwatch orbits_watch;
     follow(request, starts, result, density, progress);
     result.seconds = orbits_watch.seconds();
