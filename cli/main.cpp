@@ -39,7 +39,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr const char* usage = R"(lober: exact crossings, lobes and areas of curves for phase-space transport
+constexpr const char* program_usage = R"(lober: exact crossings, lobes and areas of curves for phase-space transport
 
 usage:
   lober overlay C1 C2 [options]          computes crossings, lobes and areas of two closed curves
@@ -79,9 +79,9 @@ understood; 3 two independent routes to one quantity disagree beyond their error
 130 the command was interrupted
 )";
 
-constexpr std::array<std::string_view, 14> commands{"overlay",      "interior", "winding",   "densify", "tangle",
-                                                    "grow",         "image",    "transport", "batch",   "escape",
-                                                    "fixed-points", "section",  "levels",    "systems"};
+constexpr std::array<std::string_view, 14> command_names{"overlay",      "interior", "winding",   "densify", "tangle",
+                                                         "grow",         "image",    "transport", "batch",   "escape",
+                                                         "fixed-points", "section",  "levels",    "systems"};
 
 // A misspelt name would quietly run the best copies.
 void check_instruction_set() {
@@ -114,7 +114,7 @@ std::size_t letters_between(std::string_view a, std::string_view b) {
 std::string command_meant(const std::string& word) {
   std::error_code ignored;
   if (word.empty() || word.front() == '-' || std::filesystem::exists(detail::file_of_curve(word), ignored)) return {};
-  for (const std::string_view command : commands) {
+  for (const std::string_view command : command_names) {
     const std::size_t most = command.size() > 4 ? 2 : 1;
     const bool begun = word.size() > 2 && command.starts_with(word);
     if (begun || letters_between(word, command) <= most) return std::string(command);
@@ -122,20 +122,20 @@ std::string command_meant(const std::string& word) {
   return {};
 }
 
-void run(const std::vector<std::string>& arguments) {
+void run_program(const std::vector<std::string>& arguments) {
   check_instruction_set();
   if (arguments.empty()) throw UsageError("no command is given (see lober --help)");
   const detail::InputGuard guard;
   const std::string& first = arguments[0];
   if (first == "--help" || first == "-h" || (first == "help" && arguments.size() == 1)) {
-    print(usage);
+    print(program_usage);
   } else if (first == "help" && !std::filesystem::exists(first)) {  // a file could be meant, in a published form
-    if (std::find(commands.begin(), commands.end(), arguments[1]) == commands.end()) {
+    if (std::find(command_names.begin(), command_names.end(), arguments[1]) == command_names.end()) {
       throw UsageError("there is no command \"" + arguments[1] + "\" (see lober --help)");
     }
     std::vector<std::string> command(arguments.begin() + 1, arguments.end());
     command.emplace_back("--help");
-    run(command);
+    run_program(command);
   } else if (first == "--version") {
     print(std::string("lober ") + version() + "\n");
   } else if (first == "overlay") {
@@ -189,7 +189,7 @@ int guarded(const std::vector<std::string>& arguments) {
   watch_for_interrupt();
   const CancellationScope cancellation(interrupt_flag());
   try {
-    run(arguments);
+    run_program(arguments);
     return 0;
   } catch (const UsageError& error) {
     return fail(error.what(), 2);

@@ -1,19 +1,30 @@
-# Headers of the standard library that almost every file reads, directly or not: half the time of a compilation without
-# much optimisation. On in the presets but `debug`; there, and where clang-tidy reads, a missing #include is an error.
-# Further arguments: more of them; without, the libraries of engine/ share what base compiled.
-set(LOBER_COMMON_HEADERS <algorithm> <array> <atomic> <cmath> <functional> <memory> <mutex> <optional> <span> <string>
-    <string_view> <vector>)
-function(lober_precompile target)
-  if(NOT LOBER_PRECOMPILE)
+# Compiles the sources of a target together, whole folders in units of 10 to 16 files: the headers that they share are
+# read once a unit, which is most of what compiling them takes. Names in unnamed namespaces are therefore unique within a
+# target. Off in the preset `debug` and where clang-tidy reads: there each file is compiled by itself, and a missing #include
+# is an error. Files with options of their own stay alone.
+function(lober_unity target)
+  if(NOT LOBER_UNITY)
     return()
   endif()
-  # False alarms of GCC 12 on std::string (its bug 105651), which in a precompiled header is not a system header to it.
-  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
-  if(TARGET lober_base AND NOT ARGN AND NOT target STREQUAL "lober_base")
-    target_precompile_headers(${target} REUSE_FROM lober_base)
-  else()
-    target_precompile_headers(${target} PRIVATE ${LOBER_COMMON_HEADERS} ${ARGN})
-  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  set(unit 0)
+  set(files 0)
+  set(folder "")
+  foreach(source ${sources})
+    get_source_file_property(group ${source} UNITY_GROUP)
+    if(group)
+      continue()  # as in another target of this folder
+    endif()
+    cmake_path(GET source PARENT_PATH its_folder)
+    if((files GREATER_EQUAL 10 AND NOT its_folder STREQUAL folder) OR files GREATER_EQUAL 16)
+      math(EXPR unit "${unit} + 1")
+      set(files 0)
+    endif()
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP unit_${unit})
+    math(EXPR files "${files} + 1")
+    set(folder ${its_folder})
+  endforeach()
 endfunction()
 
 # Flags of our own code. `lober_own_code(TARGET)` is called on every target that we compile.

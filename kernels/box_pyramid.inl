@@ -1,4 +1,5 @@
-// Body of distribute and refine, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
+// Body of distribute and refine (kernels/all.inl).
+#pragma once
 
 #include "kernels/box_pyramid.hpp"
 #include "kernels/simd.hpp"

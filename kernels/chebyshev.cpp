@@ -4,19 +4,14 @@
 #include <cstddef>
 #include <numbers>
 
-#include "kernels/cpu.hpp"
-
-#include "kernels/chebyshev.inl"
+#include "kernels/kernel_table.hpp"
 
 namespace lober::detail {
-void chebyshev_points_avx2(const Point* coefficients, std::size_t degrees, double centre, double half_width,
-                           const double* parameters, std::size_t size, Point* points);
 
 void chebyshev_points(std::span<const Point> coefficients, double centre, double half_width,
                       std::span<const double> parameters, std::span<Point> points) {
-  const auto copy = has_avx2() ? chebyshev_points_avx2 : evaluate;
-  copy(coefficients.data(), coefficients.size(), centre, half_width, parameters.data(), parameters.size(),
-       points.data());
+  kernels().chebyshev_points(coefficients.data(), coefficients.size(), centre, half_width, parameters.data(),
+                             parameters.size(), points.data());
 }
 
 void chebyshev_coefficients(std::span<const Point> points, std::span<Point> coefficients) {

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
-#include "kernels/cpu.hpp"
+#include "kernels/kernel_table.hpp"
 #include "kernels/predicates.hpp"
 #include "kernels/simd.hpp"
 
-#include "kernels/crossing_parameters.inl"
-
 namespace lober::detail {
-
-unsigned four_parameters_avx2(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
 
 std::size_t crossing_parameters(const SegmentCrossing* crossings, std::size_t count, double scale,
                                 CrossingParameters* parameters) {
@@ -26,7 +22,7 @@ std::size_t crossing_parameters(const SegmentCrossing* crossings, std::size_t co
       from = padded;
       to = padded_parameters;
     }
-    const unsigned shallow = has_avx2() ? four_parameters_avx2(from, scale, to) : four_parameters(from, scale, to);
+    const unsigned shallow = kernels().four_parameters(from, scale, to);
     if (together < lanes) std::copy_n(padded_parameters, together, parameters + begin);
     if (shallow == 0) continue;
     for (std::size_t k = 0; k < together; ++k) {

@@ -1,4 +1,8 @@
-// Body of crossing_parameters, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
+// Body of crossing_parameters (kernels/all.inl).
+#pragma once
+
+#include "kernels/crossing_parameters.hpp"
+#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {

@@ -1,4 +1,5 @@
-// Body of keep_near, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
+// Body of keep_near (kernels/all.inl).
+#pragma once
 
 #include "kernels/frame_filter.hpp"
 #include "kernels/simd.hpp"

@@ -1,4 +1,8 @@
-// Points of a cubic piece, two at a time: (x, y, x, y). See kernels/simd.hpp for the copies.
+// Points of a cubic piece, two at a time: (x, y, x, y). See kernels/all.inl for the copies.
+#pragma once
+
+#include "kernels/interpolation.hpp"
+#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {

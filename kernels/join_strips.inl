@@ -1,4 +1,5 @@
-// Body of join_strips (strip.cpp).
+// Body of join_strips (kernels/all.inl).
+#pragma once
 
 #include "kernels/simd.hpp"
 #include "kernels/strip_lanes.inl"

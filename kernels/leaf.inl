@@ -1,5 +1,7 @@
-// Body of summarise_leaves, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
+// Body of summarise_leaves (kernels/all.inl).
+#pragma once
 
+#include "kernels/leaf.hpp"
 #include "kernels/shoelace.hpp"
 #include "kernels/shoelace.inl"
 

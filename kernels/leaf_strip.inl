@@ -1,4 +1,5 @@
-// Body of leaf_strip (strip.cpp).
+// Body of leaf_strip (kernels/all.inl).
+#pragma once
 
 #include "kernels/leaf.hpp"
 #include "kernels/simd.hpp"

@@ -1,13 +1,9 @@
 #include "kernels/moments.hpp"
 
-#include "kernels/cpu.hpp"
+#include "kernels/kernel_table.hpp"
 #include "kernels/simd.hpp"
 
-#include "kernels/moments.inl"
-
 namespace lober::detail {
-
-Moments moments_of_quarters_avx2(const Point* points, std::size_t quarter, Point origin, double factor);
 
 Moments moments_of_segment(Point a, Point b, Point origin, double factor) {
   const DD ax = two_diff(a.x * factor, origin.x), ay = two_diff(a.y * factor, origin.y);
@@ -19,10 +15,7 @@ Moments moments_of_segment(Point a, Point b, Point origin, double factor) {
 Moments moments_along(const Point* points, std::size_t count, Point origin, double factor) {
   const std::size_t quarter = count / lanes;
   Moments sum;
-  if (quarter > 0) {
-    sum = has_avx2() ? moments_of_quarters_avx2(points, quarter, origin, factor)
-                     : moments_of_quarters(points, quarter, origin, factor);
-  }
+  if (quarter > 0) sum = kernels().moments_of_quarters(points, quarter, origin, factor);
   for (std::size_t k = quarter * lanes; k < count; ++k) {
     sum += moments_of_segment(points[k], points[k + 1], origin, factor);
   }

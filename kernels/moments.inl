@@ -1,4 +1,8 @@
-// Body of moments_along, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
+// Body of moments_along (kernels/all.inl).
+#pragma once
+
+#include "kernels/moments.hpp"
+#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {

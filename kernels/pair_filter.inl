@@ -1,6 +1,9 @@
-// Body of filter_pairs, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
+// Body of filter_pairs (kernels/all.inl).
+#pragma once
 
+#include "kernels/pair_filter.hpp"
 #include "kernels/predicates.hpp"
+#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {
@@ -43,8 +46,8 @@ inline void verdicts_of_four(const Point* const (&first)[lanes], const Point* co
   }
 }
 
-inline void filter(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
-                   PairVerdict* verdicts) {
+inline void filter_all_pairs(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
+                             PairVerdict* verdicts) {
   for (std::size_t begin = 0; begin < count; begin += lanes) {
     const Point* p[lanes];
     const Point* q[lanes];

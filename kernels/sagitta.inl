@@ -1,4 +1,5 @@
-// Body of twice_chord_areas and add_arc_measures, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
+// Body of twice_chord_areas and add_arc_measures (kernels/all.inl).
+#pragma once
 
 #include "kernels/sagitta.hpp"
 #include "kernels/simd.hpp"

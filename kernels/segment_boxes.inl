@@ -1,4 +1,11 @@
-// Body of segment_boxes and meeting_segments, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
+// Body of segment_boxes and meeting_segments (kernels/all.inl).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/segment_boxes.hpp"
+#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {
@@ -142,6 +149,12 @@ inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, co
     }
   }
   return count;
+}
+
+inline void all_segment_boxes(const Point* points, SegmentBoxes& boxes) {
+  boxes_of(points, boxes);
+  group_boxes(boxes);
+  fit_slab(points, boxes.slab);
 }
 
 }  // namespace

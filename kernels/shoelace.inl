@@ -1,4 +1,10 @@
-// Bodies of shoelace_prefixes and sums_at, compiled once for plain x86-64 and once for AVX2 + FMA (kernels/simd.hpp).
+// Bodies of shoelace_prefixes and sums_at (kernels/all.inl).
+#pragma once
+
+#include "kernels/shoelace.hpp"
+#include "kernels/simd.hpp"
+
+#pragma once
 
 namespace lober::detail {
 namespace {

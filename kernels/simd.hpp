@@ -1,9 +1,9 @@
 // Four doubles side by side, in the compiler's portable vector type.
 //
-// A kernel that is worth it is written once over `Lanes` in a *.inl file, which two .cpp files include: one compiled
-// for plain x86-64 (each Lanes is two SSE2 registers; any other machine works too), one for AVX2 + FMA. Lanes hold
-// independent sums that are joined in a fixed order, and the one thing that FMA changes, the error of a product,
-// is exact either way, so both give the same bits.
+// A kernel that is worth it is written once over `Lanes` in a *.inl file, which is compiled for plain x86-64 (each
+// Lanes is two SSE2 registers; any other machine works too), for AVX2 + FMA and for AVX-512 (kernels/all.inl). Lanes
+// hold independent sums that are joined in a fixed order, and the one thing that FMA changes, the error of a product,
+// is exact either way, so all give the same bits.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Body of keep_near (strip.cpp).
+// Body of keep_near (kernels/all.inl).
+#pragma once
 
 #include "kernels/simd.hpp"
 #include "kernels/strip_lanes.inl"

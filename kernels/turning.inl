@@ -1,4 +1,7 @@
-// Body of turns_along and parts_needed, compiled once for plain x86-64 and once for AVX2 (kernels/simd.hpp).
+// Body of turns_along and parts_needed (kernels/all.inl).
+#pragma once
+
+#include "kernels/turning.hpp"
 
 namespace lober::detail {
 namespace {
@@ -24,14 +27,15 @@ inline void turns_of_few(const Point* points, std::size_t segments, double* leng
 }
 
 // In steps that share a segment, for the vertex between them.
-inline void turns(const Point* points, std::size_t segments, double* lengths, double* curvatures) {
+inline void all_turns_along(const Point* points, std::size_t segments, double* lengths, double* curvatures) {
   for (std::size_t k = 0; k < segments; k += turns_at_once) {
     const std::size_t rest = segments - k;
     turns_of_few(points + k, rest < turns_at_once + 1 ? rest : turns_at_once + 1, lengths + k, curvatures + k);
   }
 }
 
-inline void parts(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts) {
+inline void all_parts_needed(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked,
+                             double* parts) {
   const double per_tolerance = 1 / (8 * asked.tolerance), per_longest = 1 / asked.max_length;
   for (std::size_t k = 0; k < count; ++k) {
     const double by_bulge = std::sqrt(curvatures[k] * lengths[k] * lengths[k] * per_tolerance);

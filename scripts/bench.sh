@@ -55,5 +55,7 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo
   build/bin/bench_batch "${batch[@]}"
 } >"$draft"
-cp "$draft" "$results"
+# Under each heading, so that a table that is quoted alone can be told from older ones.
+awk -v where="_$processor, $(nproc) cores; commit $commit._" \
+  '/^##+ / { print; print ""; print where; next } { print }' "$draft" >"$results"
 echo "wrote $results"

@@ -1,95 +1,136 @@
 #!/usr/bin/env bash
-# What a change has to pass to land: `make test` first, then format, documents, consumers, benchmarks, the scenes at a
-# million points; the same code with clang under sanitizers with a chosen part of the tests, fuzz targets, clang-tidy.
-# LOBER_CI_ALL=1 (`make ci`) takes all tests there, LOBER_CI_SANITIZED= (empty) leaves these steps out. Each step has a
-# limit of its own, and none begins after an hour.
-# Ends with the line `N passed, N failed, N skipped`: the tests of `make test`, and each further step as one.
+# What a change has to pass to land, what shows most per minute first: `make test` (one project that uses lober among
+# it), format, words, the Python module, documents, the same code with clang under ASan and UBSan with a chosen part of the tests.
+# Then the steps that watch a part of the sources: they run when that part is not as it was when they last passed
+# (.ci/passed, which `make ci` writes and a commit brings along), and share a limit. `make ci` (LOBER_CI_ALL=1) runs all
+# steps, with more tests and without the common limit.
+# Ends with what was left out and why, and the line `N passed, N failed, N skipped`: the tests of `make test` one by one,
+# each further step as one.
+# usage: ci.sh [--limits]   --limits prints the limit of each step in minutes and runs nothing
 set -uo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit
 export LOBER_CI_CORES=${LOBER_CI_CORES:-$(nproc)}
-sanitized=${LOBER_CI_SANITIZED-1}
-last_begin=${LOBER_CI_LAST_BEGIN:-60}  # minutes
-passed=0 failed=0 skipped=0 summary=()
+all=${LOBER_CI_ALL:-}
+record=.ci/passed
+watching_minutes=16  # of all steps that watch something together
+passed=0 failed=0 skipped=0 summary=() left_out=() limits_only=
+[ "${1:-}" = --limits ] && limits_only=1
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-minutes() { echo $((SECONDS / 60)); }
+took() { echo "$((($SECONDS - $1) / 60)) min $((($SECONDS - $1) % 60)) s"; }
 
-# step NAME LIMIT COMMAND...
+leave_out() {
+  left_out+=("$1: $2")
+  skipped=$((skipped + 1))
+}
+
+# step NAME MINUTES COMMAND...
 step() {
   local name=$1 limit=$2 begin=$SECONDS status
   shift 2
-  if [ "$(minutes)" -ge "$last_begin" ]; then
-    summary+=("left out  $name: it is minute $(minutes)")
-    skipped=$((skipped + 1))
-    return 1
+  if [ -n "$limits_only" ]; then
+    echo "$limit $name"
+    return 0
   fi
   echo "== $name"
-  timeout --kill-after=30 "$limit" "$@"
+  timeout --kill-after=30 "${limit}m" "$@"
   status=$?
-  local took="$(((SECONDS - begin) / 60)) min $(((SECONDS - begin) % 60)) s"
   case $status in
-    0) summary+=("passed    $name, $took") passed=$((passed + 1)) ;;
+    0) summary+=("passed    $name, $(took "$begin")") passed=$((passed + 1)) ;;
     77) summary+=("skipped   $name, see above") skipped=$((skipped + 1)) ;;
-    124 | 137) summary+=("FAILED    $name: not done within $limit") failed=$((failed + 1)) ;;
-    *) summary+=("FAILED    $name, status $status, $took") failed=$((failed + 1)) ;;
+    124 | 137)
+      if [ -n "${may_run_out:-}" ]; then
+        leave_out "$name" "the $watching_minutes minutes of the steps that watch sources were over"
+      else
+        summary+=("FAILED    $name: not done within $limit minutes") failed=$((failed + 1))
+      fi
+      ;;
+    *) summary+=("FAILED    $name, status $status, $(took "$begin")") failed=$((failed + 1)) ;;
   esac
   return $status
 }
 
-leave_out() {
-  summary+=("skipped   $1: $2")
-  skipped=$((skipped + 1))
+# One number for the content of the tracked files that are named.
+state_of() {
+  # shellcheck disable=SC2086
+  git ls-files -z -- $1 | xargs -0 -r git hash-object | git hash-object --stdin
 }
 
-# The tests come first, and count one by one.
-echo "== make test"
-timeout --kill-after=30 55m make test 2>&1 | tee "$log"
-status=${PIPESTATUS[0]}
-counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$log" | tail -n 1)
-if [ -n "$counts" ]; then
-  read -r passed failed skipped < <(echo "$counts" | sed 's/[^0-9]\+/ /g')
-fi
-if [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; then failed=1; fi
-summary+=("make test: ${counts:-no result}, status $status, $(minutes) min")
+# watching NAME MINUTES FILES COMMAND...: the step when FILES have changed since it last passed.
+watching() {
+  local name=$1 limit=$2 files=$3 state may_run_out="" left
+  shift 3
+  [ -n "$limits_only" ] && return
+  state=$(state_of "$files")
+  if [ -z "$all" ]; then
+    if grep -qxF "$name: $state" "$record" 2>/dev/null; then
+      leave_out "$name" "as they were when it last passed: ${files//$'\n'/ }"
+      return
+    fi
+    left=$((watching_minutes - (SECONDS - watching_begin) / 60))
+    if [ "$left" -le 0 ]; then
+      leave_out "$name" "the $watching_minutes minutes of the steps that watch sources were over"
+      return
+    fi
+    if [ "$left" -lt "$limit" ]; then limit=$left may_run_out=1; fi
+  fi
+  step "$name" "$limit" "$@" || return
+  touch "$record"
+  { grep -v "^$name: " "$record"; echo "$name: $state"; } | sort >"$record.new"
+  mv "$record.new" "$record"
+}
 
-step "Debian packages" 10m scripts/install-packages.sh clang clang-tidy clang-format libclang-rt-14-dev
-step "format" 5m scripts/check-format.sh
-step "words" 1m scripts/check-words.sh
-step "the Python module, its tests and types" 15m make -s python
-if [ -x scripts/check-readme.sh ]; then
-  step "commands and code of README and documents" 15m scripts/check-readme.sh
-else
-  leave_out "commands and code of README and documents" "no scripts/check-readme.sh"
+make_test() {
+  make test 2>&1 | tee "$log"
+  return "${PIPESTATUS[0]}"
+}
+export -f make_test
+export log
+
+step "make test" 30 bash -c make_test
+if [ -z "$limits_only" ]; then
+  # The tests count one by one.
+  counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$log" | tail -n 1)
+  if [ -n "$counts" ]; then
+    before=$failed
+    read -r passed failed skipped < <(echo "$counts" | sed 's/[^0-9]\+/ /g')
+    if [ "$failed" -lt "$before" ]; then failed=$before; fi
+  fi
 fi
-step "another project builds lober inside it, with GCC and clang" 15m scripts/run-consumers.sh build
-step "the benchmarks build" 10m make -s bench-build
-step "the same bits at a million points" 8m env LOBER_SCENE_POINTS=1000000 build/bin/lober_determinism_tests \
-    --gtest_brief=1 --gtest_filter='*Overlay*'
-if [ -n "${LOBER_CI_ALL:-}$sanitized" ]; then
-  instrumented=(lober lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
-  threaded=(lober_determinism_tests lober_thread_tests)
-  if [ -n "${LOBER_CI_ALL:-}" ]; then
-    instrumented=()
-    threaded+=(lober)
-  fi
-  if step "clang with ASan and UBSan, warnings as errors" 25m scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
-    step "tests under ASan and UBSan" 15m scripts/ci-sanitized.sh build-asan
-    step "fuzz targets, half a minute each" 8m scripts/fuzz.sh 30 build-asan
-  else
-    leave_out "tests under ASan and UBSan, fuzz targets" "there is no build"
-  fi
-  if step "clang with ThreadSanitizer" 20m scripts/ci-build.sh tsan "${threaded[@]}"; then
-    step "tests under ThreadSanitizer" 12m scripts/ci-sanitized.sh build-tsan
-  else
-    leave_out "tests under ThreadSanitizer" "there is no build"
-  fi
-  step "clang-tidy on what changed" 9m scripts/tidy-changed.sh 5
-else
-  leave_out "clang, ASan, UBSan, fuzz targets, ThreadSanitizer, clang-tidy" "LOBER_CI_SANITIZED is empty"
+step "Debian packages" 3 scripts/install-packages.sh clang clang-tidy clang-format libclang-rt-14-dev
+step "format" 1 scripts/check-format.sh
+step "words" 1 scripts/check-words.sh
+step "numbers of README" 1 scripts/check-numbers.sh
+step "the Python module, its tests and types" 5 make -s python
+step "commands and code of README and documents" 6 scripts/check-readme.sh
+instrumented=(lober lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
+[ -z "$all" ] || instrumented=()
+if step "clang with ASan and UBSan, warnings as errors" 7 scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
+  step "tests under ASan and UBSan" 5 scripts/ci-sanitized.sh build-asan
 fi
+if [ -n "$limits_only" ]; then
+  echo "$watching_minutes what watches sources, together"
+  exit
+fi
+
+watching_begin=$SECONDS
+parallel=$(git grep -l 'engine/base/parallel/' -- engine)
+watching "the same bits at a million points" 4 "kernels engine/base engine/geometry" \
+    env LOBER_SCENE_POINTS=1000000 build/bin/lober_determinism_tests --gtest_brief=1 --gtest_filter='*Overlay*'
+watching "fuzz targets, half a minute each" 4 "engine/files engine/batch/*store* engine/batch/*bytes* tests/fuzz tests/corpus" \
+    scripts/fuzz.sh 30 build-asan
+threaded=(lober_determinism_tests lober_thread_tests)
+[ -z "$all" ] || threaded+=(lober)
+watching "tests under ThreadSanitizer" 12 "engine/base engine/batch $parallel cmake scripts/tsan.supp" \
+    scripts/ci-threads.sh "${threaded[@]}"
+watching "all projects that use lober" 10 "engine/lober engine/*.cmake CMakeLists.txt cmake tests/consumer tests/api" \
+    scripts/run-consumers.sh build
+watching "the benchmarks build" 6 "bench engine/*.hpp kernels/*.hpp" make -s bench-build
+watching "clang-tidy on what changed" 6 "kernels engine cli .clang-tidy" scripts/tidy-changed.sh 5
 
 echo
 printf '%s\n' "${summary[@]}"
+[ ${#left_out[@]} -eq 0 ] || printf 'left out: %s\n' "${left_out[@]}"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

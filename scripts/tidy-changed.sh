@@ -39,7 +39,7 @@ if [ ${#files[@]} -eq 0 ]; then
   exit 0
 fi
 # A build folder of its own: clang cannot read headers that GCC has precompiled.
-cmake -S . -B build-tidy -G Ninja -DCMAKE_BUILD_TYPE=Release -DLOBER_PRECOMPILE=OFF >/dev/null
+cmake -S . -B build-tidy -G Ninja -DCMAKE_BUILD_TYPE=Release -DLOBER_UNITY=OFF >/dev/null
 
 end=$((SECONDS + 60 * minutes))
 logs=$(mktemp -d)

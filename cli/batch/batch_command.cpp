@@ -163,7 +163,7 @@ void merge_stores(const Arguments& arguments) {
   warn_of(counts.damaged);
 }
 
-constexpr const char* usage = R"(lober batch: many curves and pairs
+constexpr const char* batch_usage = R"(lober batch: many curves and pairs
 
 usage:
   lober batch run MANIFEST [options]    computes the results that are not in the store yet; the first interrupt lets
@@ -192,7 +192,7 @@ void run_batch_command(const Arguments& arguments) {
           "a subcommand is missing; give run, check, status, export, merge, manifest or operations (see lober batch "
           "--help)");
     }
-    return print(usage);
+    return print(batch_usage);
   }
   const Arguments rest(arguments.begin() + 1, arguments.end());
   const std::string& verb = arguments[0];

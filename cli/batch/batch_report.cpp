@@ -13,7 +13,7 @@
 namespace lober::cli {
 namespace {
 
-std::string duration(double seconds) {
+std::string format_time_left(double seconds) {
   if (seconds < 100) return fmt::format("{:.1f} s", seconds);
   const auto whole = static_cast<long>(seconds);
   return whole < 3600 ? fmt::format("{}:{:02} min", whole / 60, whole % 60)
@@ -51,8 +51,8 @@ void BatchProgress::show(const QueueProgress& progress) {
                   rate(static_cast<double>(progress.done)), rate(static_cast<double>(progress.points_done)));
   if (progress.failed != 0) line += fmt::format(", {} failed", progress.failed);
   if (progress.cost_done > 0) {
-    line +=
-        ", left about " + duration(seconds * std::max(progress.cost - progress.cost_done, 0.0) / progress.cost_done);
+    line += ", left about " +
+            format_time_left(seconds * std::max(progress.cost - progress.cost_done, 0.0) / progress.cost_done);
   }
   std::fputs(terminal_ ? ("\r\x1b[K" + line).c_str() : (line + "\n").c_str(), stderr);
   drawn_ = terminal_;

@@ -15,7 +15,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct DensifyRequest {
   std::vector<std::string> curves;
   std::string output, against_output, json;
   bool open = false, open_against = false;
@@ -27,7 +27,7 @@ struct Request {
   int threads = 0;
 };
 
-void add_options(OptionParser& parser, Request& request, std::string& interpolation) {
+void add_options(OptionParser& parser, DensifyRequest& request, std::string& interpolation) {
   DensifySteps& steps = request.steps;
   parser
       .add("CURVES", request.curves,
@@ -102,7 +102,7 @@ void add_options(OptionParser& parser, Request& request, std::string& interpolat
 }
 
 // Checks that the parser cannot make.
-void check(const Request& request) {
+void check(const DensifyRequest& request) {
   const DensifySteps& steps = request.steps;
   const bool near = steps.passes > 0 || steps.crossings;
   if (near && request.curves.size() < 2)
@@ -122,8 +122,8 @@ void check(const Request& request) {
 }
 
 // Nothing when the arguments asked for help, which is printed.
-std::optional<Request> parse(const std::vector<std::string>& arguments) {
-  Request request;
+std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& arguments) {
+  DensifyRequest request;
   DensifySteps& steps = request.steps;
   steps.max_points = DensifyOptions{}.max_points;
   std::string interpolation;
@@ -147,7 +147,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
 }
 
 // The criteria with what was not given taken from the size of the curve.
-Criteria criteria_for(const Request& request, CurveView curve) {
+Criteria criteria_for(const DensifyRequest& request, CurveView curve) {
   const Criteria usual = hobson_criteria(curve);
   const bool angles = request.hobson || request.alpha < Criteria::off || request.distance_angle < Criteria::off;
   Criteria criteria{request.max_length, request.alpha, request.distance_angle, std::max(request.min_length, 0.0)};
@@ -157,7 +157,7 @@ Criteria criteria_for(const Request& request, CurveView curve) {
   return criteria;
 }
 
-void compute(const Request& request, DensifyReport& report, Progress& progress) {
+void compute(const DensifyRequest& request, DensifyReport& report, Progress& progress) {
   DensifySteps& steps = report.steps;
   DensifiedCurve& result = report.result;
   const auto& given = report.inputs[0].curve;
@@ -190,7 +190,7 @@ void compute(const Request& request, DensifyReport& report, Progress& progress) 
   }
 }
 
-void run(const Request& request) {
+void run(const DensifyRequest& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs{{"-o", request.output}};
   if (!request.against_output.empty()) outputs.push_back({"--against-output", request.against_output});
@@ -221,7 +221,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_densify(const std::vector<std::string>& arguments) {
-  const std::optional<Request> request = parse(arguments);
+  const std::optional<DensifyRequest> request = parse_densify(arguments);
   if (request) run_with_threads(request->threads, [&] { run(*request); });
 }
 

@@ -10,21 +10,16 @@
 namespace lober::cli {
 namespace {
 
-// Criteria that are off are infinite, which JSON cannot say.
-Json number(double value) {
-  return value < Criteria::off ? Json(value) : Json(nullptr);
-}
-
 Json options_json(const DensifySteps& steps) {
   Json options{{"interpolation", name(steps.interpolation)}, {"max_points", steps.max_points}};
   if (steps.simplify) {
     options["simplify"] = {{"tolerance", steps.simplify->tolerance},
-                           {"max_length", number(steps.simplify->max_length)}};
+                           {"max_length", number_json(steps.simplify->max_length)}};
   }
   if (steps.criteria) {
-    options["criteria"] = {{"max_length", number(steps.criteria->max_length)},
-                           {"alpha", number(steps.criteria->angle)},
-                           {"distance_angle", number(steps.criteria->distance_angle)},
+    options["criteria"] = {{"max_length", number_json(steps.criteria->max_length)},
+                           {"alpha", number_json(steps.criteria->angle)},
+                           {"distance_angle", number_json(steps.criteria->distance_angle)},
                            {"min_length", steps.criteria->min_length}};
   }
   if (steps.passes > 0) options["near"] = {{"passes", steps.passes}, {"points", steps.points}};

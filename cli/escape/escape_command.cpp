@@ -22,7 +22,7 @@ namespace {
 
 constexpr double default_budget = 30;  // a quarter of a minute on two cores
 
-struct Request {
+struct EscapeRequest {
   std::string system;
   std::optional<double> energy;
   std::vector<std::string> parameters, saddles;
@@ -34,8 +34,8 @@ struct Request {
   int threads = 0;
 };
 
-std::optional<Request> parse(const std::vector<std::string>& arguments) {
-  Request request;
+std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& arguments) {
+  EscapeRequest request;
   double energy = 0;
   OptionParser parser(
       "Computes the escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, "
@@ -134,7 +134,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   return request;
 }
 
-double number(std::string_view text, const std::string& where) {
+double finite_number(std::string_view text, const std::string& where) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -156,7 +156,7 @@ std::pair<std::string, double> assignment(const std::string& text, const std::st
     throw UsageError(option + ": \"" + text + "\" is not of the form " + forms);
   }
   found = text[at];
-  return {text.substr(0, at), number(std::string_view(text).substr(at + 1), option)};
+  return {text.substr(0, at), finite_number(std::string_view(text).substr(at + 1), option)};
 }
 
 int position_coordinate(const Flow& flow, const std::string& name, const std::string& option) {
@@ -173,7 +173,7 @@ FlowState saddle_of(const std::string& text, const System& system) {
   std::size_t count = 0;
   for (std::size_t begin = 0; begin <= text.size(); ++count) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const double value = number(std::string_view(text).substr(begin, end - begin), "--saddle");
+    const double value = finite_number(std::string_view(text).substr(begin, end - begin), "--saddle");
     if (count < 4) state[count] = value;
     begin = end + 1;
   }
@@ -187,7 +187,7 @@ FlowState saddle_of(const std::string& text, const System& system) {
   return system.saddles[static_cast<std::size_t>(index) - 1];
 }
 
-System system_of(const Request& request) {
+System system_with_energy(const EscapeRequest& request) {
   ParameterValues values;
   char separator = 0;
   for (const std::string& parameter : request.parameters) {
@@ -206,7 +206,7 @@ System system_of(const Request& request) {
   return make_system(request.system, values);
 }
 
-double energy_of(const Request& request, const System& system) {
+double given_energy(const EscapeRequest& request, const System& system) {
   if (request.energy) return *request.energy;
   for (const Parameter& parameter : system.info.parameters) {
     if (parameter.name == "energy") return parameter.value;
@@ -214,7 +214,7 @@ double energy_of(const Request& request, const System& system) {
   throw UsageError("--energy is missing, and system " + system.info.name + " has no parameter energy; give --energy E");
 }
 
-Section section_of(const Request& request, const System& system) {
+Section section_of(const EscapeRequest& request, const System& system) {
   const Flow& flow = *system.flow;
   if (request.section.empty() && !system.section) {
     throw UsageError("--section is missing, and system " + system.info.name +
@@ -241,8 +241,8 @@ Section section_of(const Request& request, const System& system) {
   return section;
 }
 
-void compute(const Request& request, bool print_at_once, EscapeReport& report, Progress& progress) {
-  const System system = system_of(request);
+void compute(const EscapeRequest& request, bool print_at_once, EscapeReport& report, Progress& progress) {
+  const System system = system_with_energy(request);
   if (!system.flow) throw UsageError("lober escape needs a flow, and system " + system.info.name + " is a map");
   report.system = system.info;
   report.flow = system.flow;
@@ -253,7 +253,7 @@ void compute(const Request& request, bool print_at_once, EscapeReport& report, P
   if (saddles.empty()) {
     throw UsageError("--saddle is missing, and system " + system.info.name + " names no saddles; give --saddle");
   }
-  const double energy = energy_of(request, system);
+  const double energy = given_energy(request, system);
   const Section section = section_of(request, system);
 
   progress.phase("tubes", 0, request.trajectories > 0 ? 0.5 : 0.95);
@@ -311,7 +311,7 @@ void draw(const std::string& path, const EscapeReport& report) {
   write_file(path, picture);
 }
 
-void run(const Request& request) {
+void run(const EscapeRequest& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
@@ -352,7 +352,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_escape(const std::vector<std::string>& arguments) {
-  const std::optional<Request> request = parse(arguments);
+  const std::optional<EscapeRequest> request = parse_escape(arguments);
   if (request) run_with_threads(request->threads, [&] { run(*request); });
 }
 

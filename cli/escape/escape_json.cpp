@@ -7,11 +7,6 @@
 namespace lober::cli {
 namespace {
 
-// NaN where something is not known, which JSON cannot say.
-Json number(double value) {
-  return value == value ? Json(value) : Json(nullptr);
-}
-
 Json state_json(const FlowState& state) {
   return {state[0], state[1], state[2], state[3]};
 }
@@ -64,12 +59,12 @@ Json table_json(const EscapeReport& report, const std::vector<std::string>& name
                {"exit", names[row.exit]},
                {"crossings", row.crossings},
                {"iterates", row.iterates},
-               {"fraction", number(row.fraction)},
-               {"error", number(row.error)},
+               {"fraction", number_json(row.fraction)},
+               {"error", number_json(row.error)},
                {"cut", row.cut},
                {"split", {row.forward, row.backward}},
-               {"other", number(row.other)},
-               {"other_error", number(row.other_error)},
+               {"other", number_json(row.other)},
+               {"other_error", number_json(row.other_error)},
                {"other_split", {row.other_forward, row.other_backward}}};
     if (report.check) {
       const MonteCarloFraction& counted = report.check->table[k];

@@ -17,7 +17,6 @@ namespace {
 constexpr const char* entry_colour = "#c0392b";
 constexpr const char* exit_colour = "#1e8449";
 constexpr const char* common_colour = "#1f3a68";
-constexpr std::size_t max_points = 14'000;  // of a path
 
 struct Drawn {
   CurveView curve;
@@ -64,7 +63,7 @@ Polygons common_polygons(const ClosedCurve& first, const ClosedCurve& second) {
 
 void add_overlap(std::string& path, const View& view, const ClosedCurve& first, const ClosedCurve& second) {
   const Polygons polygons = common_polygons(first, second);
-  path += path_of(view, max_points, [&](PathWriter& writer) {
+  path += path_of(view, max_manifold_path_points, [&](PathWriter& writer) {
     for (const std::vector<Point>& polygon : polygons) writer.add_polygon(polygon);
   });
 }
@@ -99,10 +98,6 @@ std::string overlaps_path(const View& view, const Escape& result) {
   return path;
 }
 
-std::string curve_path(const View& view, const CurveView& curve) {
-  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_polygon(curve.points); });
-}
-
 }  // namespace
 
 std::string escape_picture(const EscapeReport& report) {
@@ -117,7 +112,7 @@ std::string escape_picture(const EscapeReport& report) {
   // First curves are thick, later images thinner.
   for (const Drawn& drawn : curves) {
     add_stroked(svg, drawn.entry ? entry_colour : exit_colour, drawn.image == 0 ? 2.2 : 1.0,
-                curve_path(view, drawn.curve));
+                polygon_path(view, drawn.curve.points, max_manifold_path_points));
   }
   begin_legend(svg);
   add_legend_entry(svg, view, 0, 0, line_swatch(entry_colour, 2), "unstable tubes and their images");

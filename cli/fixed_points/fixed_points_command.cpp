@@ -12,7 +12,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct FixedPointsRequest {
   std::string system;
   std::vector<std::string> parameters;
   std::vector<double> box;
@@ -22,7 +22,7 @@ struct Request {
   std::string csv, json;
 };
 
-void add_options(OptionParser& parser, Request& request) {
+void add_options(OptionParser& parser, FixedPointsRequest& request) {
   add_system_option(parser, request.system, true);
   add_parameter_option(parser, request.parameters);
   parser
@@ -58,12 +58,12 @@ void add_options(OptionParser& parser, Request& request) {
   add_threads_option(parser, request.threads);
 }
 
-Rectangle box_of(const Request& request, const System& system) {
+Rectangle box_of(const FixedPointsRequest& request, const System& system) {
   if (request.box.empty()) return system.window;
   return Rectangle::of({request.box[0], request.box[1]}, {request.box[2], request.box[3]});
 }
 
-void check(const Request& request) {
+void check(const FixedPointsRequest& request) {
   if (!request.box.empty() && !(request.box[0] < request.box[2] && request.box[1] < request.box[3])) {
     throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");
   }
@@ -72,7 +72,7 @@ void check(const Request& request) {
   }
 }
 
-void run(const Request& request) {
+void run(const FixedPointsRequest& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs;
   if (!request.csv.empty()) outputs.push_back({"--csv", request.csv});
@@ -107,7 +107,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_fixed_points(const std::vector<std::string>& arguments) {
-  Request request;
+  FixedPointsRequest request;
   OptionParser parser(
       "Finds the fixed and periodic points of a map, or of a flow's Poincare map, in a box, with their multipliers, "
       "residues and types.",

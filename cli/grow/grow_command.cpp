@@ -18,7 +18,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct GrowRequest {
   std::string system;
   std::vector<std::string> parameters;
   std::vector<double> from, box;
@@ -29,7 +29,7 @@ struct Request {
   GrowthOptions growth;
 };
 
-void add_options(OptionParser& parser, Request& request) {
+void add_options(OptionParser& parser, GrowRequest& request) {
   GrowthOptions& growth = request.growth;
   add_system_option(parser, request.system, true);
   add_parameter_option(parser, request.parameters);
@@ -92,7 +92,7 @@ void add_options(OptionParser& parser, Request& request) {
 }
 
 // Checks that the parser cannot make.
-void check(Request& request) {
+void check(GrowRequest& request) {
   if (request.unstable == request.stable) {
     throw UsageError("the side of the manifold is missing; give --unstable or --stable (see lober grow --help)");
   }
@@ -135,17 +135,17 @@ class GrowthFraction {
   int iterates_ = 0;
 };
 
-ManifoldSide manifold_side(const Request& request) {
+ManifoldSide manifold_side(const GrowRequest& request) {
   return request.stable ? ManifoldSide::stable : ManifoldSide::unstable;
 }
 
 // Whether it is the manifold of the tangle that the system is known for: the user names no other saddle.
-bool of_tangle(const Request& request, const System& system) {
+bool of_tangle(const GrowRequest& request, const System& system) {
   return request.from.empty() && request.period == 1 && system.connection;
 }
 
 // The one that the user named, that of the tangle, or the only one in the system's window.
-Point saddle_of(const Request& request, const System& system) {
+Point saddle_of(const GrowRequest& request, const System& system) {
   if (request.from.size() == 2) return {request.from[0], request.from[1]};
   if (of_tangle(request, system)) return system.connection->saddle(manifold_side(request));
   std::vector<Point> saddles;
@@ -166,13 +166,13 @@ Point saddle_of(const Request& request, const System& system) {
   return saddles.front();
 }
 
-Branch branch_of(const Request& request, const System& system, const LocalManifold& local) {
+Branch branch_of(const GrowRequest& request, const System& system, const LocalManifold& local) {
   if (request.branch == "-" || request.branch == "minus") return Branch::minus;
   if (!request.branch.empty() || !of_tangle(request, system)) return Branch::plus;
   return branch_towards(local, system.connection->direction(manifold_side(request)));
 }
 
-void run(const Request& request) {
+void run(const GrowRequest& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs;
   if (!request.output.empty()) outputs.push_back({"-o", request.output});
@@ -222,7 +222,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_grow(const std::vector<std::string>& arguments) {
-  Request request;
+  GrowRequest request;
   OptionParser parser(
       "Grows a branch of the stable or unstable manifold of a saddle of a map, or of a flow's Poincare map.",
       "lober grow");

@@ -2,21 +2,17 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <array>
 #include <cstdlib>
-#include <limits>
 
 #include "cli/program/system_options.hpp"
+#include "cli/report/growth_diagnostics.hpp"
 #include "cli/report/json_file.hpp"
 #include "cli/report/text.hpp"
 
 namespace lober::cli {
 namespace {
 
-constexpr std::array causes{GrowthDiagnosticCause::failed, GrowthDiagnosticCause::spacing,
-                            GrowthDiagnosticCause::max_rounds, GrowthDiagnosticCause::left_box};
-
-std::string_view meaning_of(GrowthDiagnosticCause cause) {
+std::string_view growth_cause_text(GrowthDiagnosticCause cause) {
   switch (cause) {
     case GrowthDiagnosticCause::failed:
       return "the map fails between their ends, which are joined by a straight line";
@@ -30,26 +26,13 @@ std::string_view meaning_of(GrowthDiagnosticCause cause) {
   return {};
 }
 
-// Segments with a diagnostic of this cause.
-std::size_t with_diagnostic(const GrownManifold& manifold, GrowthDiagnosticCause cause) {
-  std::size_t sum = 0;
-  for (const GrowthDiagnostic& diagnostic : manifold.diagnostics)
-    sum += diagnostic.cause == cause ? diagnostic.count : 0;
-  return sum;
-}
-
-// What is off is infinite, which JSON cannot say.
-Json number(double value) {
-  return value < std::numeric_limits<double>::infinity() ? Json(value) : Json(nullptr);
-}
-
 Json options_json(const GrowReport& report) {
   const GrowthOptions& options = report.options;
   Json json{{"side", report.local.side == ManifoldSide::unstable ? "unstable" : "stable"},
             {"branch", report.branch == Branch::plus ? "+" : "-"},
             {"tolerance", options.tolerance},
             {"iterates", options.iterates < 0 ? Json(nullptr) : Json(options.iterates)},
-            {"length", number(options.length)},
+            {"length", number_json(options.length)},
             {"max_points", options.max_points}};
   if (!options.box.empty()) {
     json["box"] = {options.box.min_x, options.box.min_y, options.box.max_x, options.box.max_y};
@@ -84,8 +67,8 @@ Json result_json(const GrownManifold& manifold) {
 
 void write_diagnostics(detail::OutputFile& file, const GrownManifold& manifold) {
   Json counts = Json::object();
-  for (const GrowthDiagnosticCause cause : causes) {
-    if (const std::size_t count = with_diagnostic(manifold, cause)) counts[std::string(name(cause))] = count;
+  for (const GrowthDiagnosticCause cause : growth_causes) {
+    if (const std::size_t count = segments_with(manifold.diagnostics, cause)) counts[std::string(name(cause))] = count;
   }
   std::string text;
   append_all(text, "\"diagnostics\": {\"counts\":", dumped(counts), ",\"list\":[");
@@ -145,14 +128,12 @@ std::string grow_summary(const GrowReport& report) {
       fmt::format("grown                {} points, length {:.10g}: the local manifold and {}\n", manifold.points.size(),
                   manifold.length, counted(manifold.generation_begin.size() - 2, "image of it", "images of it"));
   text += fmt::format("growing ended        {}\n", end_of_growth(report));
-  for (const GrowthDiagnosticCause cause : causes) {
-    const std::size_t count = with_diagnostic(manifold, cause);
+  for (const GrowthDiagnosticCause cause : growth_causes) {
+    const std::size_t count = segments_with(manifold.diagnostics, cause);
     if (count == 0) continue;
-    const auto first = std::find_if(manifold.diagnostics.begin(), manifold.diagnostics.end(),
-                                    [&](const GrowthDiagnostic& diagnostic) { return diagnostic.cause == cause; });
-    const Point at = manifold.points[first->first];
+    const Point at = first_point_with(manifold, cause);
     text += fmt::format("{:<20} {}, the first at ({:.6g}, {:.6g}): {}\n", name(cause),
-                        counted(count, "segment", "segments"), at.x, at.y, meaning_of(cause));
+                        counted(count, "segment", "segments"), at.x, at.y, growth_cause_text(cause));
   }
   return text;
 }

@@ -23,7 +23,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct ImageRequest {
   std::string system, curve;
   std::vector<std::string> parameters;
   std::vector<double> circle, rectangle, box, window;
@@ -35,7 +35,7 @@ struct Request {
   ImageOptions options;
 };
 
-void add_options(OptionParser& parser, Request& request) {
+void add_options(OptionParser& parser, ImageRequest& request) {
   parser
       .add("SYSTEM", request.system, "The name of a built-in system, or the path of a shared library (lober_system.h).")
       .required();
@@ -108,7 +108,7 @@ int iterate_of(const std::string& text) {
 }
 
 // Checks that the parser cannot make.
-void check(Request& request) {
+void check(ImageRequest& request) {
   if (request.curve.empty() && request.circle.empty() && request.rectangle.empty() && !request.boundary) {
     throw UsageError(
         "the curve is missing; name a file, or give --circle, --rectangle or --boundary (see lober image --help)");
@@ -130,7 +130,7 @@ void check(Request& request) {
   }
 }
 
-std::vector<Output> outputs_of(const Request& request) {
+std::vector<Output> outputs_of(const ImageRequest& request) {
   std::vector<Output> outputs;
   if (!request.output.empty()) {
     for (int n = request.first; n <= request.last; ++n) {
@@ -153,7 +153,7 @@ struct Given {
   std::vector<Point> second{};  // the other boundary of a strip
 };
 
-Given circle(const Request& request, ImageReport& report) {
+Given circle(const ImageRequest& request, ImageReport& report) {
   const Point centre{request.circle[0], request.circle[1]};
   const double radius = request.circle[2];
   report.curve = fmt::format("circle of radius {:.10g} about ({:.10g}, {:.10g})", radius, centre.x, centre.y);
@@ -191,7 +191,7 @@ Given boundary(const System& system, ImageReport& report, Progress& progress) {
   return given;
 }
 
-Given curve_of(const Request& request, ImageReport& report, Progress& progress) {
+Given curve_of(const ImageRequest& request, ImageReport& report, Progress& progress) {
   if (!request.circle.empty()) return circle(request, report);
   if (!request.rectangle.empty()) {
     const std::vector<double>& r = request.rectangle;
@@ -216,7 +216,7 @@ double length_of(const ImagePart& part) {
   return length;
 }
 
-void measure(ImageReport& report) {
+void measure_images(ImageReport& report) {
   for (const CurveImage& image : report.images) {
     report.parts.push_back(parts_of(image));
     double length = 0;
@@ -229,7 +229,7 @@ void measure(ImageReport& report) {
 }
 
 // A map that preserves area keeps that of the curve, as far as both polygons meet their tolerance.
-void compare_areas(ImageReport& report) {
+void compare_image_areas(ImageReport& report) {
   Point image =
       report.images.empty() || report.images.front().points.empty() ? Point{} : report.images.front().points[0];
   const Point from = image;
@@ -249,7 +249,7 @@ void compare_areas(ImageReport& report) {
   }
 }
 
-void compute(const Request& request, ImageReport& report, Progress& progress) {
+void compute(const ImageRequest& request, ImageReport& report, Progress& progress) {
   progress.phase("curve", 0, 0.2);
   const detail::Stopwatch curve_watch;
   const Given given = curve_of(request, report, progress);
@@ -280,11 +280,11 @@ void compute(const Request& request, ImageReport& report, Progress& progress) {
   }
   options.progress = {};
   report.image_seconds = image_watch.seconds();
-  measure(report);
-  compare_areas(report);
+  measure_images(report);
+  compare_image_areas(report);
 }
 
-void run(const Request& request) {
+void run(const ImageRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   std::vector<std::string> inputs = files_of_system(request.system);
@@ -314,7 +314,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_image(const std::vector<std::string>& arguments) {
-  Request request;
+  ImageRequest request;
   OptionParser parser(
       "Computes images and pre-images of a curve under a map, or a flow's Poincare map, to a tolerance.",
       "lober image");

@@ -9,7 +9,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::string_view placeholder = "{n}";
+constexpr std::string_view iterate_placeholder = "{n}";
 
 // The zones of an image: closed ones without a copy of their first point at the end.
 void add_zones(std::vector<Zone>& zones, const std::string& name, const std::vector<ImagePart>& parts) {
@@ -23,20 +23,21 @@ void add_zones(std::vector<Zone>& zones, const std::string& name, const std::vec
 }  // namespace
 
 bool takes_images(const std::string& path) {
-  return path != "-" && (path.find(placeholder) != std::string::npos || format_of(path) == PointFormat::tecplot);
+  return path != "-" &&
+         (path.find(iterate_placeholder) != std::string::npos || format_of(path) == PointFormat::tecplot);
 }
 
 std::string image_path(const std::string& path, int iterate, std::size_t curve, std::size_t part) {
-  const std::size_t at = path.find(placeholder);
+  const std::size_t at = path.find(iterate_placeholder);
   if (at == std::string::npos) return path;
   std::string number = std::to_string(iterate);
   if (curve > 0) number += fmt::format("-boundary{}", curve + 1);
   if (part > 0) number += fmt::format("-part{}", part);
-  return std::string(path).replace(at, placeholder.size(), number);
+  return std::string(path).replace(at, iterate_placeholder.size(), number);
 }
 
 void write_images(const std::string& path, const ImageReport& report) {
-  if (path.find(placeholder) == std::string::npos) {
+  if (path.find(iterate_placeholder) == std::string::npos) {
     std::vector<Zone> zones;
     for (std::size_t k = 0; k < report.images.size(); ++k) {
       add_zones(zones, image_name(report.images[k].iterate, report.curve_of(k)), report.parts[k]);

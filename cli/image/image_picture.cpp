@@ -10,19 +10,17 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_points = 200'000;
-
-const char* colour_of(int iterate) {
+const char* iterate_colour(int iterate) {
   return iterate < 0 ? palette::stable : iterate > 0 ? palette::unstable : "#222222";
 }
 
 // The nearer to the curve, the wider.
-double width_of(int iterate) {
+double iterate_width(int iterate) {
   return iterate == 0 ? 2.2 : std::max(0.5, 1.6 - 0.3 * (std::abs(iterate) - 1));
 }
 
 std::string parts_path(const View& view, const std::vector<ImagePart>& parts) {
-  return path_of(view, max_points, [&](PathWriter& writer) {
+  return path_of(view, max_path_points, [&](PathWriter& writer) {
     for (const ImagePart& part : parts) {
       std::vector<Point> line(part.points.begin(), part.points.end());
       if (part.closed) line.push_back(line.front());
@@ -59,18 +57,18 @@ void write_image_picture(const std::string& path, const ImageReport& report, con
     for (std::size_t k = 0; k < report.images.size(); ++k) {
       const int iterate = report.images[k].iterate;
       if (std::abs(iterate) != distance) continue;
-      add_stroked(svg, colour_of(iterate), width_of(iterate), parts_path(view, report.parts[k]));
+      add_stroked(svg, iterate_colour(iterate), iterate_width(iterate), parts_path(view, report.parts[k]));
     }
   }
   begin_legend(svg);
-  add_legend_entry(svg, view, 0, 0, line_swatch(colour_of(0), width_of(0)), report.curve);
+  add_legend_entry(svg, view, 0, 0, line_swatch(iterate_colour(0), iterate_width(0)), report.curve);
   for (std::size_t k = 0; k < report.images.size(); ++k) {
     const int iterate = report.images[k].iterate;
     std::string text =
         image_name(iterate, report.curve_of(k)) + ": " + std::to_string(report.images[k].points.size()) + " points";
     if (report.parts[k].size() > 1) text += " in " + std::to_string(report.parts[k].size()) + " parts";
     add_legend_entry(svg, view, static_cast<int>(k % 2), static_cast<int>(1 + k / 2),
-                     line_swatch(colour_of(iterate), width_of(iterate)), text);
+                     line_swatch(iterate_colour(iterate), iterate_width(iterate)), text);
   }
   end_picture(svg);
   write_file(path, svg);

@@ -5,37 +5,18 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "cli/program/system_options.hpp"
 #include "cli/report/agreement_report.hpp"
+#include "cli/report/growth_diagnostics.hpp"
 #include "cli/report/json_file.hpp"
 #include "cli/report/report.hpp"
 
 namespace lober::cli {
 namespace {
 
-constexpr std::array causes{GrowthDiagnosticCause::failed, GrowthDiagnosticCause::spacing,
-                            GrowthDiagnosticCause::max_rounds, GrowthDiagnosticCause::left_box};
-
-std::size_t segments_with(const CurveImage& image, GrowthDiagnosticCause cause) {
-  std::size_t sum = 0;
-  for (const GrowthDiagnostic& diagnostic : image.diagnostics) {
-    if (diagnostic.cause == cause) sum += diagnostic.count;
-  }
-  return sum;
-}
-
-// Where the diagnostic is for the first time.
-Point first_place(const CurveImage& image, GrowthDiagnosticCause cause) {
-  for (const GrowthDiagnostic& diagnostic : image.diagnostics) {
-    if (diagnostic.cause == cause) return image.points[diagnostic.first];
-  }
-  return {};
-}
-
-const char* meaning(GrowthDiagnosticCause cause) {
+const char* cause_text(GrowthDiagnosticCause cause) {
   switch (cause) {
     case GrowthDiagnosticCause::failed:
       return "gaps, where points have no image";
@@ -54,11 +35,11 @@ std::string remarks(const ImageReport& report) {
   for (std::size_t k = 0; k < report.images.size(); ++k) {
     const CurveImage& image = report.images[k];
     const std::string of = image_name(image.iterate, report.curve_of(k));
-    for (const GrowthDiagnosticCause cause : causes) {
-      const std::size_t count = segments_with(image, cause);
+    for (const GrowthDiagnosticCause cause : growth_causes) {
+      const std::size_t count = segments_with(image.diagnostics, cause);
       if (count == 0) continue;
-      const Point at = first_place(image, cause);
-      text += fmt::format("{:<6} {} {}, the first at ({:.6g}, {:.6g})\n", of, count, meaning(cause), at.x, at.y);
+      const Point at = first_point_with(image, cause);
+      text += fmt::format("{:<6} {} {}, the first at ({:.6g}, {:.6g})\n", of, count, cause_text(cause), at.x, at.y);
     }
     if (image.stop == GrowthStop::points) {
       text += fmt::format("{:<6} ends early: --max-points is reached\n", of);
@@ -73,9 +54,10 @@ Json part_json(const ImagePart& part) {
 
 Json diagnostics_json(const CurveImage& image) {
   Json list = Json::array();
-  for (const GrowthDiagnosticCause cause : causes) {
-    if (const std::size_t count = segments_with(image, cause)) {
-      list.push_back({{"cause", name(cause)}, {"count", count}, {"first_at", point_json(first_place(image, cause))}});
+  for (const GrowthDiagnosticCause cause : growth_causes) {
+    if (const std::size_t count = segments_with(image.diagnostics, cause)) {
+      list.push_back(
+          {{"cause", name(cause)}, {"count", count}, {"first_at", point_json(first_point_with(image, cause))}});
     }
   }
   return list;

@@ -19,7 +19,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct InteriorRequest {
   std::array<std::string, 2> curves;
   std::string json, svg;
   InteriorOptions options;
@@ -30,8 +30,8 @@ struct Request {
 };
 
 // Nothing when the arguments asked for help, which is printed.
-std::optional<Request> parse(const std::vector<std::string>& arguments) {
-  Request request;
+std::optional<InteriorRequest> parse_interior(const std::vector<std::string>& arguments) {
+  InteriorRequest request;
   bool no_densify = false, no_check = false;
   std::pair<int, int> densify;
   std::string rule;
@@ -81,7 +81,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   return request;
 }
 
-std::array<NamedCurve, 2> read_inputs(const Request& request, Progress& progress) {
+std::array<NamedCurve, 2> read_inputs(const InteriorRequest& request, Progress& progress) {
   progress.phase("reading", 0, 0.25);
   std::array<NamedCurve, 2> inputs;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -92,7 +92,7 @@ std::array<NamedCurve, 2> read_inputs(const Request& request, Progress& progress
   return inputs;
 }
 
-InteriorReport compute(const Request& request, Progress& progress) {
+InteriorReport compute(const InteriorRequest& request, Progress& progress) {
   InteriorReport report;
   report.options = request.options;
   const detail::Stopwatch read_watch;
@@ -130,14 +130,14 @@ InteriorReport compute(const Request& request, Progress& progress) {
   return report;
 }
 
-void check_outputs_of(const Request& request) {
+void check_outputs_of(const InteriorRequest& request) {
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
   if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
   check_outputs(outputs, request.curves);
 }
 
-void run_by_rule(const Request& request) {
+void run_by_rule(const InteriorRequest& request) {
   const detail::Stopwatch watch;
   check_outputs_of(request);
   RuledInteriorReport report;
@@ -163,7 +163,7 @@ void run_by_rule(const Request& request) {
       report.read_seconds, timing.index, timing.search, timing.nodes, timing.graph, timing.faces, watch.seconds()));
 }
 
-void run(const Request& request) {
+void run(const InteriorRequest& request) {
   const detail::Stopwatch watch;
   check_outputs_of(request);
   InteriorReport report;
@@ -187,7 +187,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_interior(const std::vector<std::string>& arguments) {
-  const std::optional<Request> request = parse(arguments);
+  const std::optional<InteriorRequest> request = parse_interior(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();
   run_with_threads(request->threads, [&] { request->rule ? run_by_rule(*request) : run(*request); });

@@ -12,9 +12,8 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_points = 200'000;
 constexpr double arrow_spacing = 140;  // pixels along a curve
-constexpr std::array<const char*, 2> colours{"#1f5fa8", "#c8501e"};
+constexpr std::array<const char*, 2> curve_colours{"#1f5fa8", "#c8501e"};
 constexpr const char* on_colour = "#222222";
 
 struct Part {
@@ -23,7 +22,7 @@ struct Part {
 };
 
 // A curve, counter-clockwise, cut where it passes to another side of the other one.
-std::vector<Part> parts_of(const Crossings& nodes, int curve) {
+std::vector<Part> side_parts(const Crossings& nodes, int curve) {
   const IndexedCurve other(curve == 1 ? nodes.curve2() : nodes.curve1());
   std::vector<LabelledPoint> points = labelled_points(nodes, curve);
   if (curve == 1 ? nodes.clockwise1() : nodes.clockwise2()) std::reverse(points.begin(), points.end());
@@ -42,7 +41,7 @@ std::vector<Part> parts_of(const Crossings& nodes, int curve) {
 }
 
 std::string side_path(const View& view, const std::vector<Part>& parts, Side side) {
-  return path_of(view, max_points, [&](PathWriter& writer) {
+  return path_of(view, max_path_points, [&](PathWriter& writer) {
     for (const Part& part : parts) {
       if (part.side == side) writer.add_line(part.line);
     }
@@ -84,8 +83,8 @@ void write_interior_picture(const std::string& path, const InteriorReport& repor
   begin_picture(svg, view, "Paths of the interior method", 4);
   bool shared = false;
   for (const int curve : {1, 2}) {
-    const char* const colour = colours[static_cast<std::size_t>(curve - 1)];
-    const std::vector<Part> parts = parts_of(nodes, curve);
+    const char* const colour = curve_colours[static_cast<std::size_t>(curve - 1)];
+    const std::vector<Part> parts = side_parts(nodes, curve);
     add_stroked(svg, colour, 2.4, side_path(view, parts, Side::outside));
     append_all(svg, "<g stroke-dasharray=\"", 9 * subpixels, " ", 6 * subpixels, "\">\n");
     add_stroked(svg, colour, 2.4, side_path(view, parts, Side::inside));
@@ -96,10 +95,10 @@ void write_interior_picture(const std::string& path, const InteriorReport& repor
     add_arrows(svg, view, parts, colour);
   }
   begin_legend(svg);
-  add_legend_entry(svg, view, 0, 0, line_swatch(colours[0], 2.4), "C1 outside of C2, I2 = +1");
-  add_legend_entry(svg, view, 1, 0, line_swatch(colours[1], 2.4), "C2 outside of C1, I1 = +1");
-  add_legend_entry(svg, view, 0, 1, dashed_swatch(colours[0]), "C1 inside of C2, I2 = \u22121");
-  add_legend_entry(svg, view, 1, 1, dashed_swatch(colours[1]), "C2 inside of C1, I1 = \u22121");
+  add_legend_entry(svg, view, 0, 0, line_swatch(curve_colours[0], 2.4), "C1 outside of C2, I2 = +1");
+  add_legend_entry(svg, view, 1, 0, line_swatch(curve_colours[1], 2.4), "C2 outside of C1, I1 = +1");
+  add_legend_entry(svg, view, 0, 1, dashed_swatch(curve_colours[0]), "C1 inside of C2, I2 = \u22121");
+  add_legend_entry(svg, view, 1, 1, dashed_swatch(curve_colours[1]), "C2 inside of C1, I1 = \u22121");
   add_legend_entry(svg, view, 0, 2, "", "Q2 = " + rounded(result.q2) + ": along solid lines, the union");
   add_legend_entry(svg, view, 1, 2, "", "Q3 = " + rounded(result.q3) + ": along dashed lines, the intersection");
   add_legend_entry(svg, view, 0, 3, "", "Q1 = " + rounded(result.q1) + ": the one less the other");

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t max_shaded = 8;  // levels
 
-struct Request {
+struct LevelsRequest {
   SystemRequest system;
   double time = 0;
   std::vector<double> at, box, grid;
@@ -29,7 +29,7 @@ struct Request {
   int threads = 0;
 };
 
-void add_options(OptionParser& parser, Request& request) {
+void add_options(OptionParser& parser, LevelsRequest& request) {
   add_system_option(parser, request.system.name, true);
   add_parameter_option(parser, request.system.parameters);
   const Option at =
@@ -78,7 +78,7 @@ void add_options(OptionParser& parser, Request& request) {
   add_threads_option(parser, request.threads);
 }
 
-void check(const Request& request) {
+void check(const LevelsRequest& request) {
   if (!request.box.empty() && !(request.box[0] < request.box[2] && request.box[1] < request.box[3])) {
     throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");
   }
@@ -127,7 +127,7 @@ std::vector<Equilibrium> saddles_of(const System& system, double time) {
   return saddles;
 }
 
-Rectangle box_of(const Request& request, const LevelsReport& report) {
+Rectangle box_of(const LevelsRequest& request, const LevelsReport& report) {
   if (!request.box.empty()) {
     return Rectangle::of({request.box[0], request.box[1]}, {request.box[2], request.box[3]});
   }
@@ -158,7 +158,7 @@ std::vector<double> spread_levels(const LevelGrid& grid, std::size_t number) {
 }
 
 // Also through the saddles, unless the levels are given or Hill's region is asked for.
-void choose_levels(const Request& request, const LevelGrid& grid, LevelsReport& report) {
+void choose_levels(const LevelsRequest& request, const LevelGrid& grid, LevelsReport& report) {
   std::vector<double> values = request.at;
   if (report.energy) values = {*report.energy};
   if (values.empty()) {
@@ -180,7 +180,7 @@ void choose_levels(const Request& request, const LevelGrid& grid, LevelsReport& 
   report.shaded = !request.at.empty() && report.levels.size() <= max_shaded;
 }
 
-void run(const Request& request) {
+void run(const LevelsRequest& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs;
   for (const auto& [option, path] :
@@ -229,7 +229,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_levels(const std::vector<std::string>& arguments) {
-  Request request;
+  LevelsRequest request;
   OptionParser parser(
       "Computes level curves of the energy of a flow: streamlines of a planar flow with those through its saddles, "
       "curves of equal potential and Hill's region of a flow of two degrees of freedom.",

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/levels/levels_report.hpp"
+#include "cli/report/cells.hpp"
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
 #include "lober/files.hpp"
@@ -12,45 +13,31 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_points = 60'000;  // of the curves of a level
+constexpr std::size_t max_level_points = 60'000;  // of the curves of a level
 constexpr std::array<const char*, 7> band_colours{"#5d86b0", "#7f9fc2", "#a0b8d3", "#bfcfe1",
                                                   "#d9e1eb", "#e9e6df", "#e3d9c9"};
 constexpr const char* forbidden_colour = "#c9c6be";
 constexpr const char* line_colour = "#44505e";
 constexpr const char* saddle_colour = "#b3261e";
 
-// The cells whose mean value lies in a band, as rectangles along the rows.
+// The cells whose mean value lies in a band.
 template <typename InBand>
-std::string cells_path(const View& view, const LevelGrid& grid, const InBand& in_band) {
+std::string band_path(const View& view, const LevelGrid& grid, const InBand& in_band) {
   const auto has = [&](std::size_t column, std::size_t row) {
     const double mean = 0.25 * (grid.value(column, row) + grid.value(column + 1, row) + grid.value(column, row + 1) +
                                 grid.value(column + 1, row + 1));
     return in_band(mean);
   };
-  std::string path;
-  for (std::size_t row = 0; row < grid.rows(); ++row) {
-    for (std::size_t column = 0; column < grid.columns(); ++column) {
-      if (!has(column, row)) continue;
-      const std::size_t first = column;
-      while (column < grid.columns() && has(column, row)) ++column;
-      const Pixel low = view(grid.node(first, row)), high = view(grid.node(column, row + 1));
-      const int x = subpixel(low.x), y = subpixel(low.y), width = subpixel(high.x) - x;
-      append_all(path, "M", x, " ", y, "h", width, "v", subpixel(high.y) - y, "h", -width, "z");
-    }
-  }
-  return path;
+  return cells_path(view, grid.columns(), grid.rows(), has,
+                    [&](std::size_t column, std::size_t row) { return grid.node(column, row); });
 }
 
 void add_cells(std::string& svg, const char* colour, const std::string& path) {
   append_all(svg, "<path fill=\"", colour, "\" d=\"", path, "\"/>\n");
 }
 
-std::string swatch(const char* colour) {
-  return std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colour + "\"/>";
-}
-
 std::string curves_path(const View& view, const Level& level) {
-  return path_of(view, max_points, [&](PathWriter& writer) {
+  return path_of(view, max_level_points, [&](PathWriter& writer) {
     for (const LevelCurve& curve : level.curves) {
       std::vector<Point> line = curve.points;
       if (curve.closed) line.push_back(line.front());
@@ -76,18 +63,18 @@ void write_levels_picture(const std::string& path, const LevelsReport& report, c
   if (report.energy) {
     const double energy = *report.energy;
     // Without a value, as at a mass, the potential has no lower bound: motion is possible there.
-    add_cells(drawn, forbidden_colour, cells_path(view, grid, [&](double value) { return value > energy; }));
-    entries.push_back({swatch(forbidden_colour), "potential above " + rounded(energy) + ": no motion"});
+    add_cells(drawn, forbidden_colour, band_path(view, grid, [&](double value) { return value > energy; }));
+    entries.push_back({opaque_swatch(forbidden_colour), "potential above " + rounded(energy) + ": no motion"});
   } else if (report.shaded) {
     for (std::size_t k = 0; k <= report.levels.size(); ++k) {
       const double low = k == 0 ? -HUGE_VAL : report.levels[k - 1].value;
       const double high = k == report.levels.size() ? HUGE_VAL : report.levels[k].value;
       const char* colour = band_colours[k * (band_colours.size() - 1) / report.levels.size()];
-      add_cells(drawn, colour, cells_path(view, grid, [&](double value) { return value >= low && value < high; }));
+      add_cells(drawn, colour, band_path(view, grid, [&](double value) { return value >= low && value < high; }));
       const std::string text = k == 0                      ? "below " + rounded(high)
                                : k == report.levels.size() ? rounded(low) + " and above"
                                                            : rounded(low) + " to " + rounded(high);
-      entries.push_back({swatch(colour), std::string(report.quantity()) + " " + text});
+      entries.push_back({opaque_swatch(colour), std::string(report.quantity()) + " " + text});
     }
   }
   // Lines through saddles on top of the others.

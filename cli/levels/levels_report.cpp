@@ -15,7 +15,7 @@ std::size_t closed_of(const Level& level) {
       std::count_if(level.curves.begin(), level.curves.end(), [](const LevelCurve& curve) { return curve.closed; }));
 }
 
-std::size_t points_of(const Level& level) {
+std::size_t point_count(const Level& level) {
   std::size_t points = 0;
   for (const LevelCurve& curve : level.curves) points += curve.points.size();
   return points;
@@ -33,7 +33,7 @@ std::string levels_table(const LevelsReport& report, const LevelGrid& grid) {
   text += fmt::format("\n{:>22} {:>7} {:>7} {:>8}  {}\n", report.quantity(), "curves", "closed", "points", "saddle");
   for (const Level& level : report.levels) {
     text += fmt::format("{:>22.16g} {:>7} {:>7} {:>8}", level.value, level.curves.size(), closed_of(level),
-                        points_of(level));
+                        point_count(level));
     if (level.saddle) text += fmt::format("  ({:.10g}, {:.10g})", level.saddle->x, level.saddle->y);
     text += "\n";
   }
@@ -58,7 +58,7 @@ void write_levels_json(const std::string& path, const LevelsReport& report, cons
                       {"saddle", level.saddle ? point_json(*level.saddle) : Json()},
                       {"curves", level.curves.size()},
                       {"closed", closed_of(level)},
-                      {"points", points_of(level)}});
+                      {"points", point_count(level)}});
   }
   json.member("saddles", saddles);
   json.member("levels", levels);

@@ -10,15 +10,15 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t shown_crossings = 50;
-constexpr std::size_t shown_matrix = 12;
+constexpr std::size_t max_table_crossings = 50;
+constexpr std::size_t max_matrix_rows = 12;
 
 struct PairingText {
   const char* title;
   const char* first;   // the function of C1 that gamma takes at rho = +1
   const char* second;  // the function of C2 that it takes at rho = -1
 };
-constexpr std::array<PairingText, 2> texts{{{"C1 \\ C2", "A+_C1", "A-_C2"}, {"C2 \\ C1", "A-_C1", "A+_C2"}}};
+constexpr std::array<PairingText, 2> pairing_texts{{{"C1 \\ C2", "A+_C1", "A-_C2"}, {"C2 \\ C1", "A-_C1", "A+_C2"}}};
 
 // A function of two crossings that is 1 where the second one is `next` of the first one, and 0 elsewhere.
 void add_matrix(std::string& text, const char* title, const std::vector<SigmaStep>& steps,
@@ -33,12 +33,6 @@ void add_matrix(std::string& text, const char* title, const std::vector<SigmaSte
   }
 }
 
-std::size_t classes_of(const std::vector<SigmaStep>& steps) {
-  std::size_t count = 0;
-  for (const SigmaStep& step : steps) count = std::max(count, step.class_number + std::size_t{1});
-  return count;
-}
-
 double half_sum(const std::vector<SigmaStep>& steps) {
   double sum = 0;
   for (const SigmaStep& step : steps) sum += step.s;
@@ -47,16 +41,16 @@ double half_sum(const std::vector<SigmaStep>& steps) {
 
 void add_pairing(std::string& text, const std::vector<SigmaStep>& steps, const PairingText& names) {
   text += fmt::format("\n{}: {}; half the sum of S is {:.16g}\n", names.title,
-                      counted(classes_of(steps), "class", "classes"), half_sum(steps));
+                      counted(class_count(steps), "class", "classes"), half_sum(steps));
   text += fmt::format("{:>8} {:>4} {:>6} {:>6} {:>6} {:>6} {:>24}\n", "crossing", "rho", names.first, names.second,
                       "sigma", "class", "S");
-  const std::size_t rows = std::min(shown_crossings, steps.size());
+  const std::size_t rows = std::min(max_table_crossings, steps.size());
   for (const SigmaStep& step : std::span(steps).first(rows)) {
     text += fmt::format("{:>8} {:>+4} {:>6} {:>6} {:>6} {:>6} {:>24.16g}\n", step.crossing, step.rho, step.along1,
                         step.along2, step.sigma, step.class_number, step.s);
   }
   if (steps.size() > rows) text += fmt::format("{:>8} and {} more\n", "...", steps.size() - rows);
-  if (steps.empty() || steps.size() > shown_matrix) return;
+  if (steps.empty() || steps.size() > max_matrix_rows) return;
   add_matrix(text, names.first, steps, &SigmaStep::along1);
   add_matrix(text, names.second, steps, &SigmaStep::along2);
   add_matrix(text, "gamma", steps, &SigmaStep::sigma);
@@ -80,15 +74,21 @@ Json steps_json(const std::vector<SigmaStep>& steps) {
                     {"class", step.class_number},
                     {"s", step.s}});
   }
-  return {{"classes", classes_of(steps)}, {"half_sum", half_sum(steps)}, {"list", std::move(list)}};
+  return {{"classes", class_count(steps)}, {"half_sum", half_sum(steps)}, {"list", std::move(list)}};
 }
 
 }  // namespace
 
+std::size_t class_count(const std::vector<SigmaStep>& steps) {
+  std::size_t count = 0;
+  for (const SigmaStep& step : steps) count = std::max(count, step.class_number + std::size_t{1});
+  return count;
+}
+
 std::string classes_text(const OverlayReport& report) {
   std::string text;
   if (!report.steps) return text;
-  for (std::size_t k = 0; k < texts.size(); ++k) add_pairing(text, (*report.steps)[k], texts[k]);
+  for (std::size_t k = 0; k < pairing_texts.size(); ++k) add_pairing(text, (*report.steps)[k], pairing_texts[k]);
   return text;
 }
 

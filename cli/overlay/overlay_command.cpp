@@ -22,7 +22,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct OverlayRequest {
   std::array<std::string, 2> curves;
   std::string lobes, crossings, json, svg;
   OverlayOptions options;
@@ -36,8 +36,8 @@ struct Request {
 };
 
 // Nothing when the arguments asked for help, which is printed.
-std::optional<Request> parse(const std::vector<std::string>& arguments) {
-  Request request;
+std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& arguments) {
+  OverlayRequest request;
   bool areas_only = false, no_check = false;
   std::string rule;
   OptionParser parser(
@@ -93,7 +93,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   return request;
 }
 
-std::vector<Output> outputs_of(const Request& request) {
+std::vector<Output> outputs_of(const OverlayRequest& request) {
   std::vector<Output> outputs;
   for (const auto& [option, path] : {std::pair{"--json", request.json},
                                      {"--lobes", request.lobes},
@@ -104,7 +104,7 @@ std::vector<Output> outputs_of(const Request& request) {
   return outputs;
 }
 
-std::array<NamedCurve, 2> read_inputs(const Request& request, Progress& progress) {
+std::array<NamedCurve, 2> read_inputs(const OverlayRequest& request, Progress& progress) {
   progress.phase("reading", 0, 0.25);
   std::array<NamedCurve, 2> inputs;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -148,7 +148,7 @@ void add_classes(OverlayReport& report) {
   }
 }
 
-OverlayReport compute(const Request& request, Progress& progress) {
+OverlayReport compute(const OverlayRequest& request, Progress& progress) {
   OverlayReport report;
   report.options = request.options;
   ReportTiming& timing = report.timing;
@@ -214,7 +214,7 @@ OverlayReport compute(const Request& request, Progress& progress) {
   return report;
 }
 
-void run(const Request& request) {
+void run(const OverlayRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   check_outputs(outputs, request.curves);
@@ -240,7 +240,7 @@ void run(const Request& request) {
   require_agreement(report.agreement);
 }
 
-RegionsReport compute_by_rule(const Request& request, Progress& progress) {
+RegionsReport compute_by_rule(const OverlayRequest& request, Progress& progress) {
   RegionsReport report;
   report.rule = *request.rule;
   report.index = request.options.index;
@@ -267,7 +267,7 @@ RegionsReport compute_by_rule(const Request& request, Progress& progress) {
   return report;
 }
 
-void run_by_rule(const Request& request) {
+void run_by_rule(const OverlayRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   check_outputs(outputs, request.curves);
@@ -293,7 +293,7 @@ void run_by_rule(const Request& request) {
 }  // namespace
 
 void run_overlay(const std::vector<std::string>& arguments) {
-  const std::optional<Request> request = parse(arguments);
+  const std::optional<OverlayRequest> request = parse_overlay(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();
   run_with_threads(request->threads, [&] { request->rule ? run_by_rule(*request) : run(*request); });

@@ -10,26 +10,21 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_points = 200'000;
-constexpr std::size_t max_dots = 500;
+constexpr std::size_t max_overlay_dots = 500;
 
 constexpr const char* colour1 = "#1f5fa8";
 constexpr const char* colour2 = "#c8501e";
 
 std::string pieces_path(const View& view, const Overlay& result, Pairing pairing) {
-  return path_of(view, max_points, [&](PathWriter& writer) {
+  return path_of(view, max_path_points, [&](PathWriter& writer) {
     for (std::size_t k = 0; k < result.pieces(pairing).size(); ++k) {
       for (const std::vector<Point>& polygon : outline(result, pairing, k)) writer.add_polygon(polygon);
     }
   });
 }
 
-std::string curve_path(const View& view, const CurveView& curve) {
-  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_polygon(curve.points); });
-}
-
 void add_dots(std::string& svg, const View& view, const Crossings& nodes) {
-  if (nodes.crossings() >= max_dots) return;
+  if (nodes.crossings() >= max_overlay_dots) return;
   svg += "<g fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"" + std::to_string(subpixels) + "\">\n";
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const Node node = nodes[k];
@@ -139,12 +134,6 @@ void add_numbered_dots(std::string& svg, const View& view, const Crossings& node
   }
 }
 
-std::size_t classes_in(const std::vector<SigmaStep>& steps) {
-  std::size_t count = 0;
-  for (const SigmaStep& step : steps) count = std::max(count, step.class_number + std::size_t{1});
-  return count;
-}
-
 std::vector<Point> closed(const CurveView& curve) {
   std::vector<Point> line(curve.points.begin(), curve.points.end());
   line.push_back(line.front());
@@ -155,7 +144,7 @@ void draw_classes(std::string& svg, const View& view, const OverlayReport& repor
   const Overlay& result = report.result;
   const Crossings& nodes = result.nodes;
   const std::vector<SigmaStep>& steps = (*report.steps)[0];
-  const std::size_t classes = classes_in(steps), entries = std::min(classes, class_colours.size());
+  const std::size_t classes = class_count(steps), entries = std::min(classes, class_colours.size());
   begin_picture(svg, view, "Crossings of two curves and their classes", static_cast<int>(4 + (entries + 1) / 2),
                 clipped);
   Labels labels(view);
@@ -174,12 +163,12 @@ void draw_classes(std::string& svg, const View& view, const OverlayReport& repor
   }
   for (std::size_t k = 0; k < loops.size(); ++k) {
     add_filled(svg, class_colours[k % class_colours.size()], "evenodd",
-               path_of(view, max_points, [&](PathWriter& writer) {
+               path_of(view, max_path_points, [&](PathWriter& writer) {
                  for (const std::vector<Point>& loop : loops[k]) writer.add_polygon(loop);
                }));
   }
-  add_stroked(svg, colour1, 2.4, curve_path(view, nodes.curve1()));
-  add_stroked(svg, colour2, 1.6, curve_path(view, nodes.curve2()));
+  add_stroked(svg, colour1, 2.4, polygon_path(view, nodes.curve1().points, max_path_points));
+  add_stroked(svg, colour2, 1.6, polygon_path(view, nodes.curve2().points, max_path_points));
   if (nodes.crossings() <= max_numbered) {
     for (const auto& list : loops) {
       for (const std::vector<Point>& loop : list) add_sigma_arrows(svg, view, nodes, loop);
@@ -245,8 +234,8 @@ void write_picture(const std::string& path, const OverlayReport& report, const s
   add_filled(svg, colour1, "evenodd", pieces_path(view, result, Pairing::c1_minus_c2));
   add_filled(svg, colour2, "evenodd", pieces_path(view, result, Pairing::c2_minus_c1));
   // The first curve is the wider one, so that it can be seen where they share an arc.
-  add_stroked(svg, colour1, 2.4, curve_path(view, c1));
-  add_stroked(svg, colour2, 1.2, curve_path(view, c2));
+  add_stroked(svg, colour1, 2.4, polygon_path(view, c1.points, max_path_points));
+  add_stroked(svg, colour2, 1.2, polygon_path(view, c2.points, max_path_points));
   add_dots(svg, view, result.nodes);
   begin_legend(svg);
   add_legend(svg, view, report);

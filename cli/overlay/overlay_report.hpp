@@ -56,6 +56,8 @@ struct OverlayReport {
 /// The short aligned table for people.
 [[nodiscard]] std::string overlay_table(const OverlayReport& report);
 
+/// The number of classes of sigma.
+[[nodiscard]] std::size_t class_count(const std::vector<SigmaStep>& steps);
 /// rho, A, gamma, sigma, class and S of the crossings, for both pairings; empty unless they were asked for.
 [[nodiscard]] std::string classes_text(const OverlayReport& report);
 /// The member `sigma` of the JSON.

@@ -9,7 +9,7 @@
 namespace lober::cli {
 namespace {
 
-std::atomic<bool> seen{false};
+std::atomic<bool> interrupt_seen{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "the handler of a signal may set it");
 bool on_terminal = false;
 
@@ -19,7 +19,7 @@ void say(std::string_view text) {
 }
 
 void on_interrupt(int) {
-  if (seen.exchange(true)) std::_Exit(130);
+  if (interrupt_seen.exchange(true)) std::_Exit(130);
   if (on_terminal) say("\r\x1b[K");  // over the line of the progress
   say("lober: interrupted, ending; a second interrupt ends it at once\n");
 }
@@ -32,11 +32,11 @@ void watch_for_interrupt() {
 }
 
 const std::atomic<bool>& interrupt_flag() {
-  return seen;
+  return interrupt_seen;
 }
 
 bool interrupted() {
-  return seen.load(std::memory_order_relaxed);
+  return interrupt_seen.load(std::memory_order_relaxed);
 }
 
 }  // namespace lober::cli

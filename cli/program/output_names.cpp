@@ -34,16 +34,16 @@ constexpr std::array<std::string_view, 2> zone_endings{".dat", ".tec"};
 constexpr std::array<std::string_view, 1> table_endings{".csv"};
 
 /// What the options of one kind write. Without endings: text under any name that is not of another format.
-struct Kind {
+struct OutputKind {
   Names options;
   std::string_view what;
   Names endings;
 };
-constexpr std::array<Kind, 5> kinds{{{json_options, "JSON", json_endings},
-                                     {picture_options, "an SVG picture", picture_endings},
-                                     {zone_options, "Tecplot zones", zone_endings},
-                                     {table_options, "comma-separated columns", table_endings},
-                                     {published_options, "text in the format of Lober 1.8", {}}}};
+constexpr std::array<OutputKind, 5> output_kinds{{{json_options, "JSON", json_endings},
+                                                  {picture_options, "an SVG picture", picture_endings},
+                                                  {zone_options, "Tecplot zones", zone_endings},
+                                                  {table_options, "comma-separated columns", table_endings},
+                                                  {published_options, "text in the format of Lober 1.8", {}}}};
 
 constexpr std::array<std::string_view, 24> of_other_formats{
     ".bin", ".csv", ".db",  ".geojson", ".gz",  ".h5",  ".hdf5", ".json", ".jsonl", ".mat",  ".nc",   ".npy",
@@ -61,7 +61,7 @@ std::string ending_of(const std::string& path) {
   return is_ending ? ending : std::string{};
 }
 
-bool contains(Names names, std::string_view name) {
+bool is_among(Names names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -78,12 +78,12 @@ PointFormat format_of(const std::string& path) {
 }
 
 void require_fitting_name(std::string_view option, const std::string& path) {
-  const auto kind =
-      std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return contains(k.options, option); });
-  if (kind == kinds.end()) return;
+  const auto kind = std::find_if(output_kinds.begin(), output_kinds.end(),
+                                 [&](const OutputKind& k) { return is_among(k.options, option); });
+  if (kind == output_kinds.end()) return;
   const std::string ending = ending_of(path);
-  if (ending.empty() || contains(kind->endings, ending)) return;
-  if (kind->endings.empty() && !contains(of_other_formats, ending)) return;
+  if (ending.empty() || is_among(kind->endings, ending)) return;
+  if (kind->endings.empty() && !is_among(of_other_formats, ending)) return;
   std::string message = std::string(option) + " writes " + std::string(kind->what) + ", but " + path +
                         " has the ending of another format; use ";
   if (kind->endings.empty()) {

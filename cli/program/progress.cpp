@@ -15,7 +15,7 @@
 namespace lober::cli {
 namespace {
 
-std::string duration(double seconds) {
+std::string format_duration(double seconds) {
   if (seconds < 120) return fmt::format("{:.0f} s", seconds);
   if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.1f} h", seconds / 3600);
@@ -31,11 +31,11 @@ std::string progress_line(const ProgressState& state) {
     line += fmt::format(" {:.3g} {}, {:.3g} {}/s,", state.amount, state.unit,
                         state.amount / std::max(state.seconds, 1e-9), state.unit);
   }
-  line += " " + duration(state.seconds);
+  line += " " + format_duration(state.seconds);
   if (known) {
-    line += ", about " + duration(state.seconds * (1 - state.fraction) / state.fraction) + " left";
+    line += ", about " + format_duration(state.seconds * (1 - state.fraction) / state.fraction) + " left";
   } else if (state.next_step > 0) {
-    line += ", next step in about " + duration(state.next_step);
+    line += ", next step in about " + format_duration(state.next_step);
   } else {
     line += ", time left not known yet";
   }

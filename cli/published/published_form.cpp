@@ -19,7 +19,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct PublishedFormRequest {
   std::array<std::string, 2> curves;
   std::string result;
   bool light = false;                              // the interior method
@@ -53,8 +53,8 @@ EndsDensification after_dens(const std::vector<std::string>& arguments, std::siz
   throw UsageError("-DENS takes two whole numbers from 0 to 1000000, <nPass> <nDens>");
 }
 
-Request parse(const std::vector<std::string>& arguments) {
-  Request request;
+PublishedFormRequest parse_published_form(const std::vector<std::string>& arguments) {
+  PublishedFormRequest request;
   std::vector<std::string> files;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
     if (arguments[k] == "-light") {
@@ -79,13 +79,13 @@ Request parse(const std::vector<std::string>& arguments) {
 }
 
 // What both methods give.
-struct Result {
+struct PublishedResult {
   Areas areas;
   Areas error;
   Crossings nodes;
 };
 
-std::string result_line(const Result& result) {
+std::string result_line(const PublishedResult& result) {
   const auto percent = [](double error, double area) { return area == 0 ? 0 : 100 * error / area; };
   std::string line;
   append_all(line, result.areas.c1_minus_c2, "\t", percent(result.error.c1_minus_c2, result.areas.c1_minus_c2), "\t",
@@ -93,7 +93,8 @@ std::string result_line(const Result& result) {
   return line;
 }
 
-Result by_overlay(const IndexedCurve& c1, const IndexedCurve& c2, const std::function<bool(double)>& progress) {
+PublishedResult by_overlay(const IndexedCurve& c1, const IndexedCurve& c2,
+                           const std::function<bool(double)>& progress) {
   OverlayOptions options;
   options.pieces = false;
   options.progress = progress;
@@ -102,8 +103,9 @@ Result by_overlay(const IndexedCurve& c1, const IndexedCurve& c2, const std::fun
 }
 
 // Segments are split where the curves meet unless -DENS asks for the rule of the article instead.
-Result by_interior(const IndexedCurve& c1, const IndexedCurve& c2,
-                   const std::optional<EndsDensification>& densification, const std::function<bool(double)>& progress) {
+PublishedResult by_interior(const IndexedCurve& c1, const IndexedCurve& c2,
+                            const std::optional<EndsDensification>& densification,
+                            const std::function<bool(double)>& progress) {
   InteriorOptions options;
   options.progress = progress;
   if (densification) {
@@ -112,14 +114,14 @@ Result by_interior(const IndexedCurve& c1, const IndexedCurve& c2,
     options.points = densification->points;
   }
   MeasuredAreas measured = measure_areas(c1, c2, options);
-  Result result{measured.result.areas, measured.result.rounding, std::move(measured.result.nodes)};
+  PublishedResult result{measured.result.areas, measured.result.rounding, std::move(measured.result.nodes)};
   if (measured.splitting) {
     for (const NamedArea& area : named_areas) result.error.*area.member += (*measured.splitting).*area.member;
   }
   return result;
 }
 
-void write_points(const std::string& path, const std::vector<LabelledPoint>& points, Side side) {
+void write_labelled_points(const std::string& path, const std::vector<LabelledPoint>& points, Side side) {
   Zone zone;
   for (const LabelledPoint& point : points) {
     if (point.side == side) zone.points.push_back(point.point);
@@ -133,7 +135,7 @@ struct PointFile {
   int curve;
   Side side;
 };
-constexpr std::array<PointFile, 6> point_files{{
+constexpr std::array<PointFile, 6> published_point_files{{
     {"c12.dat", 1, Side::outside},
     {"c21.dat", 2, Side::outside},
     {"c11.dat", 1, Side::inside},
@@ -168,9 +170,9 @@ void require_earlier_result(const std::string& path) {
 }  // namespace
 
 void run_published_form(const std::vector<std::string>& arguments) {
-  const Request request = parse(arguments);
+  const PublishedFormRequest request = parse_published_form(arguments);
   std::vector<Output> outputs{{"<rslt>", request.result}};
-  for (const PointFile& file : point_files) outputs.push_back({"this command", file.path});
+  for (const PointFile& file : published_point_files) outputs.push_back({"this command", file.path});
   check_outputs(outputs, request.curves);
   require_earlier_result(request.result);
 
@@ -181,7 +183,7 @@ void run_published_form(const std::vector<std::string>& arguments) {
   progress.of(static_cast<double>(inputs[0].curve.points.size() + inputs[1].curve.points.size()), "points");
   progress.phase(request.light ? "interior" : "overlay", 0.3, 0.8);
   const auto advance = [&](double fraction) { return progress.advance(fraction); };
-  Result result;
+  PublishedResult result;
   try {
     const IndexedCurve c1(inputs[0].curve), c2(inputs[1].curve);
     result = request.light ? by_interior(c1, c2, request.densification, advance) : by_overlay(c1, c2, advance);
@@ -193,8 +195,8 @@ void run_published_form(const std::vector<std::string>& arguments) {
   const EndsDensification densification = request.densification.value_or(EndsDensification{});
   const std::array<std::vector<LabelledPoint>, 2> points{labelled_points(result.nodes, 1, densification),
                                                          labelled_points(result.nodes, 2, densification)};
-  for (const PointFile& file : point_files) {
-    write_points(file.path, points[static_cast<std::size_t>(file.curve - 1)], file.side);
+  for (const PointFile& file : published_point_files) {
+    write_labelled_points(file.path, points[static_cast<std::size_t>(file.curve - 1)], file.side);
   }
   write_file(request.result, result_line(result));
 }

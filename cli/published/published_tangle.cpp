@@ -30,14 +30,14 @@ void append_raster_zone(std::string& text, const LobeRaster& raster, const std::
   }
 }
 
-constexpr std::size_t fewest = 8;  // arguments that are not options
-constexpr const char* form =
+constexpr std::size_t min_words = 8;  // arguments that are not options
+constexpr const char* published_tangle_form =
     "lober <u> <s> <lobefile> <manifile> <pipsfile> <uskip> <sskip> <nzones> [<lobebfile> [<lobeseq>]] [-BIP k]";
 constexpr const char* boundary_file = "separ.dat";
 constexpr std::string_view raster_header = "VARIABLES=\"x\"\"y\"\"lobe\"";
 constexpr std::string_view zones_header = "VARIABLES=\"x\"\"y\"";
 
-struct Request {
+struct PublishedTangleRequest {
   std::array<std::string, 2> manifolds;
   std::string raster, both, pips, lobes, sequence;  // the last two may be empty
   std::array<std::size_t, 2> skip{};
@@ -51,7 +51,8 @@ std::size_t whole_number(const std::string& text, const char* what) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc{} || stop != end || value > most) {
-    throw UsageError(std::string(what) + " has to be a whole number from 0, not \"" + text + "\" (" + form + ")");
+    throw UsageError(std::string(what) + " has to be a whole number from 0, not \"" + text + "\" (" +
+                     published_tangle_form + ")");
   }
   return value;
 }
@@ -60,39 +61,41 @@ bool is_option(const std::string& argument) {
   return argument.starts_with("-") && argument != "-";
 }
 
-Request parse(const std::vector<std::string>& arguments) {
-  Request request;
+PublishedTangleRequest parse_published_tangle(const std::vector<std::string>& arguments) {
+  PublishedTangleRequest request;
   std::vector<std::string> words;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
     if (arguments[k] == "-BIP") {
       if (++k == arguments.size())
-        throw UsageError("-BIP k is given without k, the number of a pip (" + std::string(form) + ")");
+        throw UsageError("-BIP k is given without k, the number of a pip (" + std::string(published_tangle_form) + ")");
       request.bip = whole_number(arguments[k], "-BIP k");
     } else if (is_option(arguments[k])) {
-      throw UsageError("unknown option " + arguments[k] + " (" + form + ")");
+      throw UsageError("unknown option " + arguments[k] + " (" + published_tangle_form + ")");
     } else {
       words.push_back(arguments[k]);
     }
   }
-  if (words.size() < fewest) throw UsageError("arguments are missing: " + std::string(form));
-  if (words.size() > fewest + 2) throw UsageError("too many arguments: " + words[fewest + 2] + " (" + form + ")");
+  if (words.size() < min_words) throw UsageError("arguments are missing: " + std::string(published_tangle_form));
+  if (words.size() > min_words + 2)
+    throw UsageError("too many arguments: " + words[min_words + 2] + " (" + published_tangle_form + ")");
   request.manifolds = {words[0], words[1]};
   request.raster = words[2];
   request.both = words[3];
   request.pips = words[4];
   request.skip = {whole_number(words[5], "<uskip>"), whole_number(words[6], "<sskip>")};
   request.pairs = whole_number(words[7], "<nzones>");
-  if (request.pairs == 0) throw UsageError("<nzones> has to be at least 1, not 0 (" + std::string(form) + ")");
-  if (words.size() > fewest) request.lobes = words[fewest];
-  if (words.size() > fewest + 1) request.sequence = words[fewest + 1];
+  if (request.pairs == 0)
+    throw UsageError("<nzones> has to be at least 1, not 0 (" + std::string(published_tangle_form) + ")");
+  if (words.size() > min_words) request.lobes = words[min_words];
+  if (words.size() > min_words + 1) request.sequence = words[min_words + 1];
   return request;
 }
 
-std::string sequence_file(const Request& request, std::size_t number) {
+std::string sequence_file(const PublishedTangleRequest& request, std::size_t number) {
   return request.sequence + std::to_string(number) + ".dat";
 }
 
-std::vector<Output> outputs_of(const Request& request, std::size_t lobes) {
+std::vector<Output> outputs_of(const PublishedTangleRequest& request, std::size_t lobes) {
   std::vector<Output> outputs{{"<lobefile>", request.raster},
                               {"<manifile>", request.both},
                               {"<pipsfile>", request.pips},
@@ -105,7 +108,7 @@ std::vector<Output> outputs_of(const Request& request, std::size_t lobes) {
 }
 
 // The zones from `skip` on, as manifolds.
-std::vector<NamedCurve> read_zones(const Request& request, std::size_t which) {
+std::vector<NamedCurve> read_zones(const PublishedTangleRequest& request, std::size_t which) {
   const std::string& path = request.manifolds[which];
   const std::size_t skip = request.skip[which];
   CurveFile file = read_curve_file(path, {.hash = false});
@@ -143,7 +146,7 @@ std::string table_of(std::size_t pair, const Tangle& found) {
 }
 
 // What goes to the files, of all pairs.
-struct Zones {
+struct PublishedZones {
   std::string raster = std::string(raster_header) + "\n";
   std::vector<Zone> both, pips, lobes, boundaries;
   std::string table;  // on standard output
@@ -169,7 +172,7 @@ struct Zones {
 
 // As for <rslt> of the other forms: what is named by its place replaces only what this form writes there, Tecplot text
 // with these variables.
-void require_earlier_results(const Request& request) {
+void require_earlier_results(const PublishedTangleRequest& request) {
   const auto require = [](const std::string& option, const std::string& path, std::string_view header) {
     std::error_code ignored;
     if (path.empty() || !std::filesystem::is_regular_file(path, ignored)) return;
@@ -186,7 +189,7 @@ void require_earlier_results(const Request& request) {
   require("<lobebfile>", request.lobes, zones_header);
 }
 
-void write(const Request& request, const Zones& zones) {
+void write(const PublishedTangleRequest& request, const PublishedZones& zones) {
   write_file(request.raster, zones.raster);
   write_tecplot(request.both, zones.both);
   write_tecplot(request.pips, zones.pips, ZoneLines::always);
@@ -202,18 +205,18 @@ void write(const Request& request, const Zones& zones) {
 
 bool is_published_tangle(const std::vector<std::string>& arguments) {
   const auto words = std::count_if(arguments.begin(), arguments.end(), [](const auto& a) { return !is_option(a); });
-  return static_cast<std::size_t>(words) >= fewest ||
+  return static_cast<std::size_t>(words) >= min_words ||
          std::find(arguments.begin(), arguments.end(), "-BIP") != arguments.end();
 }
 
 void run_published_tangle(const std::vector<std::string>& arguments) {
-  const Request request = parse(arguments);
+  const PublishedTangleRequest request = parse_published_tangle(arguments);
   check_outputs(outputs_of(request, 1), request.manifolds);
   require_earlier_results(request);
   Progress progress;
   progress.phase("reading", 0, 0.3);
   const std::array<std::vector<NamedCurve>, 2> manifolds{read_zones(request, 0), read_zones(request, 1)};
-  Zones zones;
+  PublishedZones zones;
   TangleOptions options;
   options.bip = request.bip;
   for (std::size_t pair = 0; pair < request.pairs; ++pair) {

@@ -1,10 +1,17 @@
 #include "cli/report/json.hpp"
+
+#include <cmath>
+
 #include "lober/version.hpp"
 
 namespace lober::cli {
 
 std::string dumped(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json number_json(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json areas_json(const Areas& areas) {

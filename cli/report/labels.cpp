@@ -9,8 +9,8 @@
 namespace lober::cli {
 namespace {
 
-constexpr double small = 0.72;  // size of subscripts
-constexpr double leader = 16;   // pixels between dot and label from which a line leads from one to the other
+constexpr double script_scale = 0.72;   // size of subscripts
+constexpr double leader_distance = 16;  // pixels between dot and label from which a line leads from one to the other
 
 struct Run {
   std::string text;
@@ -34,20 +34,14 @@ std::vector<Run> runs_of(std::string_view text) {
 }
 
 // Of a sans-serif font, generously.
-double width_of(std::span<const Run> runs, double size) {
+double text_width(std::span<const Run> runs, double size) {
   double width = 0;
   for (const Run& run : runs) {
     const double letters = static_cast<double>(std::count_if(
         run.text.begin(), run.text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-    width += letters * size * 0.62 * (run.shift == 0 ? 1 : small);
+    width += letters * size * 0.62 * (run.shift == 0 ? 1 : script_scale);
   }
   return width;
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) c == '<' ? result += "&lt;" : c == '&' ? result += "&amp;" : result += c;
-  return result;
 }
 
 double tenth(double value) {
@@ -70,7 +64,7 @@ void Labels::avoid(Pixel dot, double radius) {
 void Labels::draw(const Rectangle& box, Pixel at, double radius, std::string_view text, double size) {
   const Pixel nearest{std::clamp(at.x, box.min_x, box.max_x), std::clamp(at.y, box.min_y, box.max_y)};
   const double distance = std::hypot(nearest.x - at.x, nearest.y - at.y);
-  if (distance > radius + leader) {
+  if (distance > radius + leader_distance) {
     const double begin = (radius + 2) / distance;
     append_all(svg_, "<path d=\"M", tenth(at.x + begin * (nearest.x - at.x)), " ",
                tenth(at.y + begin * (nearest.y - at.y)), "L", tenth(nearest.x), " ", tenth(nearest.y),
@@ -91,7 +85,7 @@ void Labels::draw(const Rectangle& box, Pixel at, double radius, std::string_vie
       continue;
     }
     append_all(svg_, "<tspan dy=\"", tenth(wanted - level), "\"");
-    if (run.shift != 0) append_all(svg_, " font-size=\"", tenth(small * size), "\"");
+    if (run.shift != 0) append_all(svg_, " font-size=\"", tenth(script_scale * size), "\"");
     append_all(svg_, ">", escaped(run.text), "</tspan>");
     level = wanted;
   }
@@ -99,14 +93,14 @@ void Labels::draw(const Rectangle& box, Pixel at, double radius, std::string_vie
 }
 
 void Labels::add_beside(Pixel dot, double radius, std::string_view text, double size) {
-  const auto box = layout_.put_beside(dot, radius, width_of(runs_of(text), size), 1.1 * size);
+  const auto box = layout_.put_beside(dot, radius, text_width(runs_of(text), size), 1.1 * size);
   if (box) draw(*box, dot, radius, text, size);
 }
 
 void Labels::add_inside(std::span<const Point> polygon, std::string_view text, double size) {
   std::vector<Point> outline;
   for (const Point& point : polygon) outline.push_back(view_(point));
-  const double width = width_of(runs_of(text), size), height = 1.1 * size;
+  const double width = text_width(runs_of(text), size), height = 1.1 * size;
   const auto found = layout_.roomiest(outline, width / height);
   if (!found) return;
   if (const auto box = layout_.put_about(found->at, width, height)) draw(*box, found->at, 0, text, size);
@@ -118,7 +112,7 @@ void Labels::add_outside(std::span<const Point> polygon, std::string_view text, 
   std::vector<Point> outline{{0, 0}, {right, 0}, {right, bottom}, {0, bottom}, {0, 0}};
   for (const Point& point : polygon) outline.push_back(view_(point));
   if (!polygon.empty()) outline.push_back(view_(polygon.front()));
-  const double width = width_of(runs_of(text), size), height = 1.1 * size;
+  const double width = text_width(runs_of(text), size), height = 1.1 * size;
   const auto found = layout_.roomiest(outline, width / height);
   if (!found) return;
   if (const auto box = layout_.put_about(found->at, width, height)) draw(*box, found->at, 0, text, size);

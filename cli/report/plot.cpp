@@ -11,14 +11,14 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_points = 5'000;
+constexpr std::size_t max_plot_points = 5'000;
 
 bool drawable(Point point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
 // 1, 2 or 5 times a power of ten, so that there are at most `max_steps` steps.
-double step_of(double range, int max_steps) {
+double tick_step(double range, int max_steps) {
   const double power = std::pow(10, std::floor(std::log10(range / max_steps)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (range / (factor * power) <= max_steps) return factor * power;
@@ -58,7 +58,7 @@ class Axes {
   [[nodiscard]] std::string path(std::span<const Point> line) const {
     std::vector<Point> moved;
     for (const Point point : line) moved.push_back(in_plot(point));
-    return path_of(view_, max_points, [&](PathWriter& writer) { writer.add_line(moved); });
+    return path_of(view_, max_plot_points, [&](PathWriter& writer) { writer.add_line(moved); });
   }
 
  private:
@@ -71,7 +71,7 @@ struct Tick {
   std::string label;
 };
 std::vector<Tick> ticks(double low, double high, int most) {
-  const double step = step_of(high - low, most);
+  const double step = tick_step(high - low, most);
   std::vector<Tick> list;
   for (double k = std::ceil(low / step); k * step <= high; ++k) {
     list.push_back({k * step, rounded(std::round(k * step * 1e12) / 1e12 + 0.0)});

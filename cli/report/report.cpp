@@ -59,7 +59,7 @@ std::string inputs_text(const std::array<NamedCurve, 2>& inputs, const std::arra
 std::vector<std::uint32_t> largest(std::span<const double> areas) {
   std::vector<std::uint32_t> order(areas.size());
   std::iota(order.begin(), order.end(), 0U);
-  const std::size_t count = std::min(shown, order.size());
+  const std::size_t count = std::min(max_table_rows, order.size());
   std::partial_sort(
       order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
       [&](std::uint32_t x, std::uint32_t y) { return areas[x] != areas[y] ? areas[x] > areas[y] : x < y; });

@@ -49,9 +49,9 @@ inline constexpr std::array<NamedArea, 7> named_areas{{
 [[nodiscard]] std::string inputs_text(const std::array<NamedCurve, 2>& inputs,
                                       const std::array<Orientation, 2>& orientations);
 
-/// As many pieces of one kind are shown in a table.
-inline constexpr std::size_t shown = 10;
-/// The numbers of the largest pieces, largest first, at most `shown`.
+/// The largest number of pieces of one kind, or of points, that a table lists.
+inline constexpr std::size_t max_table_rows = 10;
+/// The numbers of the largest pieces, largest first, at most max_table_rows.
 [[nodiscard]] std::vector<std::uint32_t> largest(std::span<const double> areas);
 
 }  // namespace lober::cli

@@ -11,28 +11,8 @@
 namespace lober::cli {
 namespace {
 
-constexpr double widest = 0.5, tallest = 1.25;  // height to width of the plot
+constexpr double min_aspect = 0.5, max_aspect = 1.25;  // height to width of the plot
 constexpr double legend_line = 24;
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 // The frame of the plot with its margins.
 struct Frame {
@@ -93,9 +73,9 @@ View::View(const Rectangle& window) : low_{window.min_x, window.min_y} {
   // Halves, because a difference of two finite numbers need not be finite.
   half_ = {0.5 * window.max_x - 0.5 * low_.x, 0.5 * window.max_y - 0.5 * low_.y};
   const double aspect = half_.x > 0 ? half_.y / half_.x : 1;
-  height_ = picture_width * std::clamp(aspect, widest, tallest);
-  const bool keep_scale = aspect >= widest;
-  plot_width_ = keep_scale && aspect > tallest && aspect < 4 ? height_ / aspect : picture_width;
+  height_ = picture_width * std::clamp(aspect, min_aspect, max_aspect);
+  const bool keep_scale = aspect >= min_aspect;
+  plot_width_ = keep_scale && aspect > max_aspect && aspect < 4 ? height_ / aspect : picture_width;
 }
 
 double View::left() const {
@@ -176,6 +156,14 @@ void PathWriter::draw(std::span<const Pixel> line, bool closed) {
   if (closed) path_ += "z";
 }
 
+std::string polygon_path(const View& view, std::span<const Point> polygon, std::size_t max_points) {
+  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_polygon(polygon); });
+}
+
+std::string line_path(const View& view, std::span<const Point> line, std::size_t max_points) {
+  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_line(line); });
+}
+
 void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines, bool clipped) {
   const double full_width = picture_width + 2 * picture_margin;
   const double full_height = view.height() + 2 * picture_margin + legend_lines * legend_line + 12;
@@ -228,6 +216,12 @@ std::string filled_swatch(std::string_view colour) {
   return swatch;
 }
 
+std::string opaque_swatch(std::string_view colour) {
+  std::string swatch;
+  append_all(swatch, "<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"", colour, "\"/>");
+  return swatch;
+}
+
 void add_legend_entry(std::string& svg, const View& view, int column, int line, std::string_view swatch,
                       std::string_view text) {
   const double x = picture_margin + column * picture_width / 2;
@@ -239,6 +233,26 @@ void add_legend_entry(std::string& svg, const View& view, int column, int line, 
 
 void end_picture(std::string& svg) {
   svg += "</svg>\n";
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
 }
 
 std::string rounded(double value) {

@@ -72,6 +72,13 @@ template <typename Draw>
   }
 }
 
+// Largest numbers of points of a path.
+inline constexpr std::size_t max_path_points = 200'000;
+inline constexpr std::size_t max_manifold_path_points = 14'000;  ///< of manifolds: five paths stay below a megabyte
+
+[[nodiscard]] std::string polygon_path(const View& view, std::span<const Point> polygon, std::size_t max_points);
+[[nodiscard]] std::string line_path(const View& view, std::span<const Point> line, std::size_t max_points);
+
 /// Opens the picture of a plot with `lines` lines of legend; then come elements in subpixels. `clipped`: nothing is
 /// seen beyond the plot, for windows that curves leave.
 void begin_picture(std::string& svg, const View& view, std::string_view title, int legend_lines, bool clipped = false);
@@ -85,10 +92,14 @@ void add_arrow_head(std::string& svg, Pixel from, Pixel apex, double length, std
 void begin_legend(std::string& svg);
 [[nodiscard]] std::string line_swatch(std::string_view colour, double pixels);
 [[nodiscard]] std::string filled_swatch(std::string_view colour);
+[[nodiscard]] std::string opaque_swatch(std::string_view colour);
 /// `column` 0 or 1; `line` from 0.
 void add_legend_entry(std::string& svg, const View& view, int column, int line, std::string_view swatch,
                       std::string_view text);
 void end_picture(std::string& svg);
+
+/// The text of an element, with entities for the characters that have a meaning in SVG.
+[[nodiscard]] std::string escaped(std::string_view text);
 
 /// A number with six digits.
 [[nodiscard]] std::string rounded(double value);

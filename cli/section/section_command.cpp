@@ -25,7 +25,7 @@ namespace {
 constexpr double cell_pixels = 3;  // of the picture
 constexpr double exit_cell_pixels = 4;
 
-struct Request {
+struct SectionRequest {
   std::string system;
   std::vector<std::string> parameters, start;
   std::vector<double> box;
@@ -36,7 +36,7 @@ struct Request {
   int threads = 0;
 };
 
-void add_options(OptionParser& parser, Request& request) {
+void add_options(OptionParser& parser, SectionRequest& request) {
   add_system_option(parser, request.system, true);
   add_parameter_option(parser, request.parameters);
   const Option orbits =
@@ -88,7 +88,7 @@ void add_options(OptionParser& parser, Request& request) {
   add_threads_option(parser, request.threads);
 }
 
-void check(const Request& request) {
+void check(const SectionRequest& request) {
   if (!request.box.empty() && !(request.box[0] < request.box[2] && request.box[1] < request.box[3])) {
     throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");
   }
@@ -98,7 +98,7 @@ void check(const Request& request) {
   }
 }
 
-struct Result {
+struct SectionResult {
   System system;
   Rectangle box;
   OrbitOptions options;
@@ -115,7 +115,7 @@ Cells cells_of(const Rectangle& box, double pixels) {
   return {box, static_cast<std::size_t>(view.width() / pixels), static_cast<std::size_t>(view.height() / pixels)};
 }
 
-void follow(const Request& request, std::span<const Point> starts, Result& result, Density& density,
+void follow(const SectionRequest& request, std::span<const Point> starts, SectionResult& result, Density& density,
             Progress& progress) {
   std::optional<OrbitFile> file;
   if (!request.output.empty()) file.emplace(request.output, starts.size(), request.iterates);
@@ -141,7 +141,7 @@ void follow(const Request& request, std::span<const Point> starts, Result& resul
   if (file) file->finish();
 }
 
-std::string table(const Result& result) {
+std::string section_table(const SectionResult& result) {
   std::string text = system_text(result.system) + "\n";
   text += fmt::format("orbits     {} of {} iterates\n", result.orbits, result.options.iterates);
   if (!(result.options.lattice == Point{})) {
@@ -169,7 +169,8 @@ std::string table(const Result& result) {
   return text;
 }
 
-void write_json(const Request& request, const Result& result, const std::function<double()>& seconds_so_far) {
+void write_section_json(const SectionRequest& request, const SectionResult& result,
+                        const std::function<double()>& seconds_so_far) {
   JsonFile json(request.json, "section");
   json.member("system", system_json(result.system, request.integration));
   json.member("options", {{"orbits", result.orbits},
@@ -193,7 +194,7 @@ void write_json(const Request& request, const Result& result, const std::functio
   json.finish({{"orbits", result.seconds}, {"total", seconds_so_far()}});
 }
 
-void run(const Request& request) {
+void run(const SectionRequest& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs;
   for (const auto& [option, path] :
@@ -203,7 +204,7 @@ void run(const Request& request) {
   std::vector<std::string> inputs = files_of_system(request.system);
   for (std::string& file : point_files("--start", request.start)) inputs.push_back(std::move(file));
   check_outputs(outputs, inputs);
-  Result result;
+  SectionResult result;
   result.system = system_of({request.system, request.parameters, request.integration, {}, {}, {}, {}, {}},
                             parameter_values(request.parameters));
   result.box = result.system.window;
@@ -241,15 +242,15 @@ void run(const Request& request) {
     } else if (!request.svg.empty()) {
       write_section_picture(request.svg, density, system_text(result.system));
     }
-    if (!request.json.empty()) write_json(request, result, [&] { return watch.seconds(); });
+    if (!request.json.empty()) write_section_json(request, result, [&] { return watch.seconds(); });
   }
-  if (!takes_standard_output(outputs)) print(table(result));
+  if (!takes_standard_output(outputs)) print(section_table(result));
 }
 
 }  // namespace
 
 void run_section(const std::vector<std::string>& arguments) {
-  Request request;
+  SectionRequest request;
   OptionParser parser("Follows orbits of a map, or of a flow's Poincare map, and writes or draws their points.",
                       "lober section");
   add_options(parser, request);

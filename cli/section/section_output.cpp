@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/program/output_names.hpp"
+#include "cli/report/cells.hpp"
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
 #include "engine/files/binary_file.hpp"
@@ -15,47 +16,29 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::array<const char*, 6> colours{"#b5c8dc", "#93b0d0", "#6b93bf", "#3f6fa5", "#224b7d", "#0d2749"};
+constexpr std::array<const char*, 6> density_colours{"#b5c8dc", "#93b0d0", "#6b93bf", "#3f6fa5", "#224b7d", "#0d2749"};
 
 // One level of counts is twice the one before, up to the last.
 std::size_t level_of(std::uint32_t count, std::uint32_t largest) {
   const int levels = static_cast<int>(std::bit_width(largest));
   const int level = static_cast<int>(std::bit_width(count)) - 1;
-  return static_cast<std::size_t>(level) * colours.size() / static_cast<std::size_t>(levels);
+  return static_cast<std::size_t>(level) * density_colours.size() / static_cast<std::size_t>(levels);
 }
 
-// The cells of a grid for which `has(column, row)`, as rectangles along its rows.
-template <typename Has>
-std::string cells_path(const View& view, const Rectangle& window, std::size_t columns, std::size_t rows,
-                       const Has& has) {
-  const auto corner = [&](std::size_t column, std::size_t row) {
-    const auto along = [](double low, double high, std::size_t k, std::size_t cells) {
-      const double t = static_cast<double>(k) / static_cast<double>(cells);
-      return low * (1 - t) + high * t;
-    };
-    return view({along(window.min_x, window.max_x, column, columns), along(window.min_y, window.max_y, row, rows)});
-  };
-  std::string path;
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t column = 0; column < columns; ++column) {
-      if (!has(column, row)) continue;
-      const std::size_t first = column;
-      while (column < columns && has(column, row)) ++column;
-      const Pixel low = corner(first, row), high = corner(column, row + 1);
-      const int x = subpixel(low.x), y = subpixel(low.y), width = subpixel(high.x) - x;
-      append_all(path, "M", x, " ", y, "h", width, "v", subpixel(high.y) - y, "h", -width, "z");
-    }
-  }
-  return path;
+// The cells of a Density, or of ExitTimes, for which `has(column, row)`.
+template <typename Cells, typename Has>
+std::string section_cells_path(const View& view, const Cells& cells, const Has& has) {
+  return cells_path(view, cells.columns(), cells.rows(), has, [&](std::size_t column, std::size_t row) {
+    return cell_corner(cells.window(), cells.columns(), cells.rows(), column, row);
+  });
 }
 
 std::string level_path(const View& view, const Density& density, std::size_t level) {
   const std::uint32_t largest = density.largest();
-  return cells_path(view, density.window(), density.columns(), density.rows(),
-                    [&](std::size_t column, std::size_t row) {
-                      const std::uint32_t count = density.count(column, row);
-                      return count > 0 && level_of(count, largest) == level;
-                    });
+  return section_cells_path(view, density, [&](std::size_t column, std::size_t row) {
+    const std::uint32_t count = density.count(column, row);
+    return count > 0 && level_of(count, largest) == level;
+  });
 }
 
 // Of those that leave after crossing 1, 2, ..., the last one for all later ones; and of those that stay.
@@ -66,10 +49,6 @@ constexpr const char* staying_colour = "#dddddd";
 std::string window_text(const Rectangle& window) {
   return "[" + rounded(window.min_x) + ", " + rounded(window.max_x) + "] x [" + rounded(window.min_y) + ", " +
          rounded(window.max_y) + "]";
-}
-
-std::string cell_swatch(const char* colour) {
-  return std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colour + "\"/>";
 }
 
 }  // namespace
@@ -163,8 +142,8 @@ void write_section_picture(const std::string& path, const Density& density, cons
   const View view(density.window());
   std::string svg;
   begin_picture(svg, view, title, 4);
-  for (std::size_t level = 0; level < colours.size() && density.inside() > 0; ++level) {
-    append_all(svg, "<path fill=\"", colours[level], "\" d=\"", level_path(view, density, level), "\"/>\n");
+  for (std::size_t level = 0; level < density_colours.size() && density.inside() > 0; ++level) {
+    append_all(svg, "<path fill=\"", density_colours[level], "\" d=\"", level_path(view, density, level), "\"/>\n");
   }
   begin_legend(svg);
   add_legend_entry(svg, view, 0, 0, "", title);
@@ -173,7 +152,7 @@ void write_section_picture(const std::string& path, const Density& density, cons
   // The least and the largest count of each level.
   const std::uint32_t largest = density.inside() > 0 ? density.largest() : 0;
   int entries = 0;
-  for (std::size_t level = 0; level < colours.size(); ++level) {
+  for (std::size_t level = 0; level < density_colours.size(); ++level) {
     std::uint64_t low = 0, high = 0;
     for (std::uint64_t power = 1; power <= largest; power *= 2) {
       if (level_of(static_cast<std::uint32_t>(power), largest) != level) continue;
@@ -181,7 +160,7 @@ void write_section_picture(const std::string& path, const Density& density, cons
       high = std::min<std::uint64_t>(2 * power - 1, largest);
     }
     if (low == 0) continue;
-    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, cell_swatch(colours[level]),
+    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, opaque_swatch(density_colours[level]),
                      (low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high)) +
                          (high == 1 ? " point a cell" : " points a cell"));
     ++entries;
@@ -199,8 +178,8 @@ void write_exit_times_picture(const std::string& path, const ExitTimes& times, s
   begin_picture(svg, view, title, static_cast<int>(1 + (shown + 1) / 2));
   const auto draw = [&](const char* colour, const auto& has) {
     append_all(svg, "<path fill=\"", colour, "\" d=\"",
-               cells_path(view, times.window(), times.columns(), times.rows(),
-                          [&](std::size_t column, std::size_t row) { return has(times.of(column, row)); }),
+               section_cells_path(view, times,
+                                  [&](std::size_t column, std::size_t row) { return has(times.of(column, row)); }),
                "\"/>\n");
   };
   draw(staying_colour, [](std::uint32_t time) { return time == ExitTimes::stays; });
@@ -214,7 +193,7 @@ void write_exit_times_picture(const std::string& path, const ExitTimes& times, s
   add_legend_entry(svg, view, 1, 0, "", window_text(times.window()));
   int entries = 0;
   const auto entry = [&](const char* colour, const std::string& text) {
-    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, cell_swatch(colour), text);
+    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, opaque_swatch(colour), text);
     ++entries;
   };
   for (std::size_t n = 1; n < shown; ++n) {

@@ -32,7 +32,7 @@ std::vector<std::string> commands_for(const System& system) {
 }
 
 // A linear form of x and y with small coefficients: "2 - x".
-std::string form(double of_x, double of_y, double constant) {
+std::string linear_form_text(double of_x, double of_y, double constant) {
   std::string text = constant == 0 ? "" : fmt::format("{:.10g}", constant);
   const auto add = [&](double coefficient, const char* name) {
     if (coefficient == 0) return;
@@ -46,8 +46,9 @@ std::string form(double of_x, double of_y, double constant) {
 }
 
 std::string symmetry_text(const Symmetry& symmetry) {
-  return fmt::format("(x, y) -> ({}, {}) {}", form(symmetry.linear.xx, symmetry.linear.xy, symmetry.shift.x),
-                     form(symmetry.linear.yx, symmetry.linear.yy, symmetry.shift.y),
+  return fmt::format("(x, y) -> ({}, {}) {}",
+                     linear_form_text(symmetry.linear.xx, symmetry.linear.xy, symmetry.shift.x),
+                     linear_form_text(symmetry.linear.yx, symmetry.linear.yy, symmetry.shift.y),
                      symmetry.reversor ? "turns the map into its inverse" : "commutes with the map");
 }
 
@@ -108,14 +109,13 @@ std::string details_text(const System& system, std::span<const FixedPoint> point
 }
 
 Json parameters_json(const SystemInfo& info) {
-  const auto limit = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   Json list = Json::array();
   for (const Parameter& parameter : info.parameters) {
     list.push_back({{"name", parameter.name},
                     {"value", parameter.value},
                     {"meaning", parameter.meaning},
-                    {"min", limit(parameter.min)},
-                    {"max", limit(parameter.max)},
+                    {"min", number_json(parameter.min)},
+                    {"max", number_json(parameter.max)},
                     {"min_excluded", parameter.min_excluded},
                     {"max_excluded", parameter.max_excluded},
                     {"perturbation", parameter.perturbation}});

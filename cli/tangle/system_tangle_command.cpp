@@ -15,14 +15,14 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct SystemTangleRequest {
   SystemRequest system;
   ManifoldTangleOptions options;
   TangleOutputs outputs;
   int threads = 0;
 };
 
-TangleReport compute(const Request& request, Progress& progress) {
+TangleReport compute(const SystemTangleRequest& request, Progress& progress) {
   TangleReport report;
   report.origin.emplace();
   TangleOrigin& origin = *report.origin;
@@ -52,7 +52,7 @@ TangleReport compute(const Request& request, Progress& progress) {
   return report;
 }
 
-void run(const Request& request) {
+void run(const SystemTangleRequest& request) {
   const detail::Stopwatch watch;
   check_outputs(request.outputs.files(), files_of_system(request.system.name));
   TangleReport report;
@@ -76,7 +76,7 @@ bool names_system(const std::vector<std::string>& arguments) {
 }
 
 void run_system_tangle(const std::vector<std::string>& arguments) {
-  Request request;
+  SystemTangleRequest request;
   OptionParser parser(
       "Finds the tangle of a system's manifolds, which are grown from its equations: pips, lobes, boundary and "
       "turnstile, with areas by geometry and by action.",

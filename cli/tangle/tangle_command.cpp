@@ -19,7 +19,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct TangleRequest {
   std::array<std::string, 2> curves;
   std::array<bool, 2> reverse{};
   TangleOutputs outputs;
@@ -29,7 +29,7 @@ struct Request {
 };
 
 template <typename Number>
-std::optional<Number> number(std::string_view text) {
+std::optional<Number> parse_number(std::string_view text) {
   Number value{};
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
@@ -40,11 +40,11 @@ std::optional<Number> number(std::string_view text) {
 void set_bip(const std::string& text, TangleOptions& options) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) {
-    options.bip = number<std::uint32_t>(text);
+    options.bip = parse_number<std::uint32_t>(text);
     if (options.bip) return;
   } else {
     const std::string_view view(text);
-    const auto x = number<double>(view.substr(0, comma)), y = number<double>(view.substr(comma + 1));
+    const auto x = parse_number<double>(view.substr(0, comma)), y = parse_number<double>(view.substr(comma + 1));
     if (x && y && std::isfinite(*x) && std::isfinite(*y)) {
       options.bip_near = Point{*x, *y};
       return;
@@ -54,8 +54,8 @@ void set_bip(const std::string& text, TangleOptions& options) {
 }
 
 // Nothing when the arguments asked for help, which is printed.
-std::optional<Request> parse(const std::vector<std::string>& arguments) {
-  Request request;
+std::optional<TangleRequest> parse_tangle(const std::vector<std::string>& arguments) {
+  TangleRequest request;
   bool no_check = false;
   std::string bip;
   OptionParser parser(
@@ -95,7 +95,7 @@ std::optional<Request> parse(const std::vector<std::string>& arguments) {
   return request;
 }
 
-void read_inputs(const Request& request, Progress& progress, TangleReport& report) {
+void read_inputs(const TangleRequest& request, Progress& progress, TangleReport& report) {
   progress.phase("reading", 0, 0.3);
   std::array<std::string, 2> specs = request.curves;
   const bool one_file = specs[1].empty();
@@ -111,7 +111,7 @@ void read_inputs(const Request& request, Progress& progress, TangleReport& repor
   report.reversed = request.reverse;
 }
 
-TangleReport compute(const Request& request, Progress& progress) {
+TangleReport compute(const TangleRequest& request, Progress& progress) {
   TangleReport report;
   report.options = request.options;
   const detail::Stopwatch read_watch;
@@ -131,7 +131,7 @@ TangleReport compute(const Request& request, Progress& progress) {
   return report;
 }
 
-void run(const Request& request) {
+void run(const TangleRequest& request) {
   const detail::Stopwatch watch;
   std::vector<std::string> inputs{request.curves[0]};
   if (!request.curves[1].empty()) inputs.push_back(request.curves[1]);
@@ -157,7 +157,7 @@ void run(const Request& request) {
 
 void run_tangle(const std::vector<std::string>& arguments) {
   if (names_system(arguments)) return run_system_tangle(arguments);
-  const std::optional<Request> request = parse(arguments);
+  const std::optional<TangleRequest> request = parse_tangle(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();
   run_with_threads(request->threads, [&] { run(*request); });

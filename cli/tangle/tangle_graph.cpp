@@ -7,10 +7,10 @@ namespace lober::cli {
 namespace {
 
 // One row a crossing, so that a million of them stay readable and short.
-constexpr const char* columns =
+constexpr const char* node_columns =
     R"(["order_u","order_s","x","y","segment_u","t_u","segment_s","t_s","rho","kind","generation","arc_u","arc_s"])";
 
-const Json meaning{
+const Json member_meanings{
     {"order_u", "place along U, from 0; the rows are in this order"},
     {"order_s", "place along S, from 0"},
     {"rho", "1: S passes from the right of U to its left; -1: from left to right; 0: it stays on one side"},
@@ -22,7 +22,7 @@ const Json meaning{
      "lobe k is bounded by arc k of U, the crossings u[0] to u[1] in order_u, and by arc k of S, the crossings s[0] to "
      "s[1] in order_s; both ends are pips"}};
 
-const char* kind_of(int rho, bool pip) {
+const char* node_kind(int rho, bool pip) {
   if (rho == 0) return "touch";
   return pip ? "pip" : "sip";
 }
@@ -34,8 +34,8 @@ void write_nodes(detail::OutputFile& file, const Tangle& result) {
   write_list(file, result.nodes.size(), [&](std::string& text, std::size_t k) {
     const Node node = result.nodes[k];
     put(text, "[", k, ",", result.nodes.rank2(k), ",", node.begin.x, ",", node.begin.y, ",", node.begin1.segment, ",",
-        node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",", node.rho, ",\"", kind_of(node.rho, is_pip[k]),
-        "\",", arcs[k].generation(), ",", arcs[k].u, ",", arcs[k].s, "]");
+        node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",", node.rho, ",\"",
+        node_kind(node.rho, is_pip[k]), "\",", arcs[k].generation(), ",", arcs[k].u, ",", arcs[k].s, "]");
   });
 }
 
@@ -52,7 +52,7 @@ void write_tangle_graph(const std::string& path, const TangleReport& report) {
   Json pips = Json::array();
   for (const Pip& pip : result.pips) pips.push_back(pip.node);
   json.member("inputs", inputs);
-  json.member("meaning", meaning);
+  json.member("meaning", member_meanings);
   json.member("crossings", meetings_json(result.nodes));
   json.member("pips", pips);
   json.member("bip", result.boundary ? Json(result.boundary->bip) : Json());
@@ -62,7 +62,7 @@ void write_tangle_graph(const std::string& path, const TangleReport& report) {
     put(text, "{\"index\":", k, ",\"area\":", result.lobes[k].area, ",\"u\":[", first, ",", last, "],\"s\":[",
         result.nodes.rank2(last), ",", result.nodes.rank2(first), "]}");
   });
-  json.file().write(std::string("\"columns\": ") + columns + ",\n\"nodes\": ");
+  json.file().write(std::string("\"columns\": ") + node_columns + ",\n\"nodes\": ");
   write_nodes(json.file(), result);
   json.file().write("}\n");
   json.file().commit();

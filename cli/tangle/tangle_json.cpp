@@ -95,7 +95,7 @@ Json images_json(const Images& images) {
 }
 
 // The lobes between f^-1(bip) and the bip, or why they are not known.
-Json turnstile_json(const Images& images) {
+Json turnstile_lobes_json(const Images& images) {
   Json lobes = Json::array();
   for (std::size_t k = images.turnstile_begin; k < images.turnstile_end; ++k) lobes.push_back(k);
   const bool known = !lobes.empty();
@@ -174,7 +174,7 @@ void write_tangle_json(const std::string& path, TangleReport& report, const std:
   json.member("bip", bip_json(result));
   json.member("boundary", boundary_json(result));
   json.member("images", images_json(result.images));
-  json.member("turnstile", turnstile_json(result.images));
+  json.member("turnstile", turnstile_lobes_json(result.images));
   if (report.overlaps) {
     json.list("overlaps", report.overlaps->size(), [&](std::string& text, std::size_t k) {
       const LobeOverlap& both = (*report.overlaps)[k];

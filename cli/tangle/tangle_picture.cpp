@@ -12,8 +12,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_points = 14'000;  // of a path: five paths stay below a megabyte
-constexpr std::size_t max_dots = 500;
+constexpr std::size_t max_tangle_dots = 500;
 constexpr double dot_spacing = 5;  // pixels between pips that get a dot
 
 // Lobes of one orientation, and the colour that says what they do.
@@ -24,7 +23,7 @@ const char* lobes_colour(const Tangle& tangle, int orientation) {
   return orientation > 0 ? palette::left_of_unstable : palette::right_of_unstable;
 }
 
-Rectangle window_of(const Tangle& tangle) {
+Rectangle tangle_window(const Tangle& tangle) {
   if (!tangle.boundary) return include(include({}, tangle.u().points), tangle.s().points);
   Rectangle box = include({}, boundary_outline(tangle));
   for (std::size_t k = 0; k < tangle.lobes.size(); ++k) box = include(box, lobe_outline(tangle, k));
@@ -41,13 +40,9 @@ std::string lobes_path(const View& view, const Tangle& tangle, int orientation) 
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::fabs(tangle.lobes[a].area) > std::fabs(tangle.lobes[b].area);
   });
-  return path_of(view, max_points, [&](PathWriter& writer) {
+  return path_of(view, max_manifold_path_points, [&](PathWriter& writer) {
     for (std::size_t k = 0; k < order.size() && !writer.full(); ++k) writer.add_polygon(lobe_outline(tangle, order[k]));
   });
-}
-
-std::string line_path(const View& view, std::span<const Point> points) {
-  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_line(points); });
 }
 
 // Pips gather at the fixed points: those that would hide each other are left out.
@@ -58,7 +53,7 @@ void add_pips(std::string& svg, const View& view, const Tangle& tangle) {
     if (dots.empty() || std::hypot(at.x - dots.back().x, at.y - dots.back().y) >= dot_spacing) dots.push_back(at);
   }
   const std::string pixel = std::to_string(subpixels), two_pixels = std::to_string(2 * subpixels);
-  if (dots.size() <= max_dots) {
+  if (dots.size() <= max_tangle_dots) {
     svg += "<g fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"" + pixel + "\">\n";
     for (const Pixel& dot : dots) add_dot(svg, dot, 3);
     svg += "</g>\n";
@@ -116,7 +111,7 @@ std::vector<Point> sips_of(const Tangle& tangle) {
 }
 
 void add_sips(std::string& svg, const View& view, std::span<const Point> sips) {
-  if (sips.size() > max_dots) return;
+  if (sips.size() > max_tangle_dots) return;
   svg += "<g fill=\"#fbfaf7\" stroke=\"#222222\" stroke-width=\"" + std::to_string(subpixels) + "\">\n";
   for (const Point& sip : sips) add_dot(svg, view(sip), 2.5);
   svg += "</g>\n";
@@ -188,17 +183,17 @@ std::string labels_of(const View& view, const Tangle& tangle, std::span<const Po
 
 void write_tangle_picture(const std::string& path, const TangleReport& report, const TanglePicture& options) {
   const Tangle& tangle = report.result;
-  const View view(options.window ? *options.window : window_of(tangle));
+  const View view(options.window ? *options.window : tangle_window(tangle));
   const std::vector<Point> sips = options.labels ? sips_of(tangle) : std::vector<Point>{};
   std::string svg;
   begin_picture(svg, view, "Tangle of two manifolds", options.labels ? 4 : 3, options.window.has_value());
   if (tangle.boundary) {
-    add_stroked(svg, palette::boundary, 6, line_path(view, boundary_outline(tangle)));
+    add_stroked(svg, palette::boundary, 6, line_path(view, boundary_outline(tangle), max_manifold_path_points));
   }
   add_filled(svg, lobes_colour(tangle, 1), "nonzero", lobes_path(view, tangle, 1));
   add_filled(svg, lobes_colour(tangle, -1), "nonzero", lobes_path(view, tangle, -1));
-  add_stroked(svg, palette::stable, 1.2, line_path(view, tangle.s().points));
-  add_stroked(svg, palette::unstable, 1.2, line_path(view, tangle.u().points));
+  add_stroked(svg, palette::stable, 1.2, line_path(view, tangle.s().points, max_manifold_path_points));
+  add_stroked(svg, palette::unstable, 1.2, line_path(view, tangle.u().points, max_manifold_path_points));
   if (options.labels) {
     add_sips(svg, view, sips);
     svg += "<g fill=\"#222222\">\n";

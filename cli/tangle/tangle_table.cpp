@@ -13,7 +13,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t shown_lobes = 24;  // those around the bip
+constexpr std::size_t max_table_lobes = 24;  // those around the bip
 
 std::string manifolds_text(const TangleReport& report) {
   const std::array<std::string, 2> specs{spec_of(report.inputs[0]), spec_of(report.inputs[1])};
@@ -75,7 +75,7 @@ void add_lobes(std::string& text, const TangleReport& report) {
   if (count == 0) return;
   text += fmt::format("\n{:>6}  {:<8} {:>23} {:>12} {:>12} {:>11} {:>11}\n", "lobe", "label", "signed area", "inside",
                       "outside", "perimeter", "width");
-  const std::size_t bip = result.boundary->bip, most = std::min(shown_lobes, count);
+  const std::size_t bip = result.boundary->bip, most = std::min(max_table_lobes, count);
   const std::size_t first = std::min(bip > most / 2 ? bip - most / 2 : 0, count - most);
   if (first > 0) text += fmt::format("{:>6}  {} before\n", "...", first);
   for (std::size_t k = first; k < first + most; ++k) {

@@ -16,7 +16,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct CurvesTransportRequest {
   std::vector<std::string> files;
   std::vector<double> bip;
   std::uint32_t period = 0;
@@ -28,7 +28,7 @@ struct Request {
   std::string json;
 };
 
-void run(const Request& request) {
+void run(const CurvesTransportRequest& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs;
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
@@ -74,7 +74,7 @@ bool names_manifolds(const std::vector<std::string>& arguments) {
 }
 
 void run_curves_transport(const std::vector<std::string>& arguments) {
-  Request request;
+  CurvesTransportRequest request;
   OptionParser parser(
       "Computes the transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n) "
       "by lobes and by boundaries, for as many n as there are images of the bip on the curves. No map is needed.",

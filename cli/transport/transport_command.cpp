@@ -23,7 +23,7 @@
 namespace lober::cli {
 namespace {
 
-struct Request {
+struct TransportRequest {
   SystemRequest system;
   TransportOptions options;
   std::string sweep, json, svg, picture;
@@ -32,7 +32,7 @@ struct Request {
   int threads = 0;
 };
 
-std::vector<Output> outputs_of(const Request& request) {
+std::vector<Output> outputs_of(const TransportRequest& request) {
   std::vector<Output> outputs;
   for (const auto& [option, path] :
        {std::pair{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}}) {
@@ -44,7 +44,7 @@ std::vector<Output> outputs_of(const Request& request) {
 
 // The other boundaries of the system, when they are asked for or the first region is not bounded without them. Other
 // saddles than the system's have none.
-std::vector<Connection> further_of(const Request& request, const System& system) {
+std::vector<Connection> further_of(const TransportRequest& request, const System& system) {
   const SystemRequest& given = request.system;
   const bool own = given.from.empty() && given.to.empty() && given.u_direction.empty() && given.s_direction.empty();
   if (!own || !(request.all_regions || system.further_needed)) return {};
@@ -75,7 +75,7 @@ MelnikovReport melnikov_report(const TransportReport& report, Melnikov function)
 // table comes in the end, since a disagreement has to be its first line.
 class Rows {
  public:
-  Rows(const Request& request, Progress& progress) : request_(request), progress_(progress) {}
+  Rows(const TransportRequest& request, Progress& progress) : request_(request), progress_(progress) {}
 
   void add(const TransportStep& step, const Agreement& agreement) {
     steps_.push_back(step);
@@ -89,13 +89,13 @@ class Rows {
   }
 
  private:
-  const Request& request_;
+  const TransportRequest& request_;
   Progress& progress_;
   std::vector<TransportStep> steps_;
   Agreement agreement_;
 };
 
-void run_one(const Request& request) {
+void run_one(const TransportRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   TransportReport report;
@@ -142,7 +142,7 @@ void run_one(const Request& request) {
 
 // Of every value that has lobes; one that has no connecting orbit there has no estimate.
 template <typename Member>
-void add_melnikov(const Request& request, SweepReport& report, const Member& member, Progress& progress) {
+void add_melnikov(const TransportRequest& request, SweepReport& report, const Member& member, Progress& progress) {
   progress.phase("Melnikov's function", 0.9, 0.99);
   const ParameterValues fixed = parameter_values(request.system.parameters);
   const bool of_eps = report.range.name == perturbation_of(report.system).name;
@@ -171,7 +171,7 @@ void add_melnikov(const Request& request, SweepReport& report, const Member& mem
   }
 }
 
-void run_sweep(const Request& request) {
+void run_sweep(const TransportRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs = outputs_of(request);
   SweepReport report;
@@ -222,7 +222,7 @@ void run_sweep(const Request& request) {
 
 void run_transport(const std::vector<std::string>& arguments) {
   if (names_manifolds(arguments)) return run_curves_transport(arguments);
-  Request request;
+  TransportRequest request;
   OptionParser parser(
       "Computes the transport across the boundary that a stable and an unstable manifold of a map make: grows them, "
       "finds the turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries. With --manifolds FILE "

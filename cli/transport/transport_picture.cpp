@@ -13,14 +13,10 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_points = 5'000;  // of a path
-
-std::string line_path(const View& view, std::span<const Point> points) {
-  return path_of(view, max_points, [&](PathWriter& writer) { writer.add_line(points); });
-}
+constexpr std::size_t max_transport_path_points = 5'000;  // of a path
 
 std::string outlines_path(const View& view, const Tangle& tangle, std::span<const std::size_t> lobes) {
-  return path_of(view, max_points, [&](PathWriter& writer) {
+  return path_of(view, max_transport_path_points, [&](PathWriter& writer) {
     for (const std::size_t k : lobes) writer.add_polygon(lobe_outline(tangle, k));
   });
 }
@@ -57,7 +53,8 @@ std::vector<std::vector<Point>> common_pieces(const Tangle& tangle, std::span<co
   return polygons;
 }
 
-Rectangle window_of(const Tangle& tangle, std::span<const std::size_t> leaving, std::span<const std::size_t> entering) {
+Rectangle turnstile_window(const Tangle& tangle, std::span<const std::size_t> leaving,
+                           std::span<const std::size_t> entering) {
   Rectangle box = include({}, boundary_outline(tangle));
   for (const auto& lobes : {leaving, entering}) {
     for (const std::size_t k : lobes) box = include(box, lobe_outline(tangle, k));
@@ -90,19 +87,19 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   const auto leaving = lobes_between(manifolds, before, 0, true), entering = lobes_between(manifolds, 1, after, false);
   const auto outwards = lobes_between(manifolds, 1, 0, true), inwards = lobes_between(manifolds, 1, 0, false);
   const auto common = common_pieces(tangle, leaving, entering);
-  const View view(window ? *window : window_of(tangle, leaving, inwards));
+  const View view(window ? *window : turnstile_window(tangle, leaving, inwards));
   std::string svg;
   begin_picture(svg, view, "Turnstile of " + system_text(report.system), 4, window.has_value());
-  add_stroked(svg, palette::boundary, 6, line_path(view, boundary_outline(tangle)));
+  add_stroked(svg, palette::boundary, 6, line_path(view, boundary_outline(tangle), max_transport_path_points));
   add_filled(svg, palette::leaving, "nonzero", outlines_path(view, tangle, leaving));
   add_filled(svg, palette::entering, "nonzero", outlines_path(view, tangle, entering));
   add_filled(svg, palette::leaving, "nonzero", outlines_path(view, tangle, outwards));
   add_filled(svg, palette::entering, "nonzero", outlines_path(view, tangle, inwards));
-  add_filled(svg, palette::common, "nonzero", path_of(view, max_points, [&](PathWriter& writer) {
+  add_filled(svg, palette::common, "nonzero", path_of(view, max_transport_path_points, [&](PathWriter& writer) {
                for (const std::vector<Point>& polygon : common) writer.add_polygon(polygon);
              }));
-  add_stroked(svg, palette::stable, 1, line_path(view, tangle.s().points));
-  add_stroked(svg, palette::unstable, 1, line_path(view, tangle.u().points));
+  add_stroked(svg, palette::stable, 1, line_path(view, tangle.s().points, max_transport_path_points));
+  add_stroked(svg, palette::unstable, 1, line_path(view, tangle.u().points, max_transport_path_points));
   svg += "<g fill=\"#222222\">\n";
   for (const ConnectingOrbit& orbit : manifolds.orbits) add_dot(svg, view(orbit.at), 4);
   svg += "</g>\n";

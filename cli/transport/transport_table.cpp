@@ -11,10 +11,10 @@
 namespace lober::cli {
 namespace {
 
-std::string number(double value) {
+std::string format_value(double value) {
   return std::isnan(value) ? std::string("-") : fmt::format("{:.14g}", value);
 }
-std::string bar(Measured value) {
+std::string format_error(Measured value) {
   return std::isnan(value.value) || std::isnan(value.error) ? std::string("-") : fmt::format("{:.0e}", value.error);
 }
 
@@ -36,12 +36,13 @@ std::string pair_text(std::span<const TransportStep> steps) {
   text += particles ? fmt::format(" {:>14} {:>8}\n", "by particles", "+-") : "\n";
   for (const TransportStep& step : steps) {
     const Measured out = step.total(0, 1), boundaries = step.by_boundaries(0, 1);
-    text += fmt::format("{:>4} {:>18} {:>18} {:>18} {:>18} {:>8} {:>18} {:>8}", step.n, number(step.flux(0, 1).value),
-                        number(step.flux(1, 0).value), number(out.value), number(step.total(1, 0).value), bar(out),
-                        number(boundaries.value), bar(boundaries));
+    text +=
+        fmt::format("{:>4} {:>18} {:>18} {:>18} {:>18} {:>8} {:>18} {:>8}", step.n, format_value(step.flux(0, 1).value),
+                    format_value(step.flux(1, 0).value), format_value(out.value), format_value(step.total(1, 0).value),
+                    format_error(out), format_value(boundaries.value), format_error(boundaries));
     if (particles) {
       const Measured counted = step.by_particles(0, 1);
-      text += fmt::format(" {:>14.6g} {:>8}", counted.value, bar(counted));
+      text += fmt::format(" {:>14.6g} {:>8}", counted.value, format_error(counted));
     }
     text += "\n";
   }
@@ -65,8 +66,9 @@ std::string matrix_text(std::span<const TransportStep> steps) {
                        return fmt::format(" {:>18}", fmt::format("T{}{}(n)", i + 1, j + 1));
                      });
   for (const TransportStep& step : steps) {
-    text += fmt::format("{:>4}", step.n) +
-            pairs([&](std::size_t i, std::size_t j) { return fmt::format(" {:>18}", number(step.total(i, j).value)); });
+    text += fmt::format("{:>4}", step.n) + pairs([&](std::size_t i, std::size_t j) {
+              return fmt::format(" {:>18}", format_value(step.total(i, j).value));
+            });
   }
   return text;
 }
@@ -79,8 +81,8 @@ std::string transport_steps_table(std::span<const TransportStep> steps) {
 
 std::string transport_row_text(const TransportStep& step) {
   const Measured lobes = step.total(0, 1), boundaries = step.by_boundaries(0, 1);
-  return fmt::format("n = {}: T12 {} +- {} by lobes, {} +- {} by boundaries\n", step.n, number(lobes.value), bar(lobes),
-                     number(boundaries.value), bar(boundaries));
+  return fmt::format("n = {}: T12 {} +- {} by lobes, {} +- {} by boundaries\n", step.n, format_value(lobes.value),
+                     format_error(lobes), format_value(boundaries.value), format_error(boundaries));
 }
 
 std::string interrupted_transport_table(std::span<const TransportStep> steps, const Agreement& agreement,

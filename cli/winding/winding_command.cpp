@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t max_cells = 100'000'000;
 constexpr std::size_t block_points = std::size_t{1} << 18;  // between two reports of progress
 
-struct Request {
+struct WindingRequest {
   std::string curve;
   std::vector<std::string> at;
   std::vector<int> grid;
@@ -35,7 +35,7 @@ struct Request {
   int threads = 0;
 };
 
-void add_options(OptionParser& parser, Request& request) {
+void add_options(OptionParser& parser, WindingRequest& request) {
   parser
       .add("CURVE", request.curve,
            "The closed curve, which may cross itself: FILE, or FILE#ZONE for one zone of it (by number from 0, or by "
@@ -78,7 +78,7 @@ void add_options(OptionParser& parser, Request& request) {
 }
 
 // Checks that the parser cannot make.
-void check(const Request& request) {
+void check(const WindingRequest& request) {
   if (request.at.empty() && request.grid.empty()) {
     throw UsageError("the points are missing; give --at or --grid (see lober winding --help)");
   }
@@ -92,13 +92,13 @@ void check(const Request& request) {
   if (!request.output.empty()) (void)format_of(request.output);
 }
 
-std::vector<std::string> inputs_of(const Request& request) {
+std::vector<std::string> inputs_of(const WindingRequest& request) {
   std::vector<std::string> inputs = point_files("--at", request.at);
   inputs.insert(inputs.begin(), request.curve);
   return inputs;
 }
 
-WindingGrid grid_of(const Request& request, CurveView curve) {
+WindingGrid grid_of(const WindingRequest& request, CurveView curve) {
   WindingGrid grid{{}, static_cast<std::size_t>(request.grid[0]), static_cast<std::size_t>(request.grid[1])};
   if (!request.box.empty()) {
     grid.window = Rectangle::of({request.box[0], request.box[1]}, {request.box[2], request.box[3]});
@@ -110,7 +110,7 @@ WindingGrid grid_of(const Request& request, CurveView curve) {
 
 // J comes from angles and the winding number from crossings of a ray: two routes. A curve has at most as many angles as
 // segments, each right to 2^-51 of a turn (engine/lober/interior.hpp).
-void compare(WindingReport& report) {
+void compare_with_turns(WindingReport& report) {
   report.bar = std::ldexp(static_cast<double>(report.input.curve.points.size() + 8), -51);
   const auto compare_at = [&](std::size_t k, double turns) {
     report.agreement.compare(
@@ -126,7 +126,7 @@ void compare(WindingReport& report) {
   }
 }
 
-void count(WindingReport& report) {
+void count_windings(WindingReport& report) {
   std::map<int, std::size_t> counts;
   for (const Winding& winding : report.windings) {
     if (winding.on) {
@@ -138,7 +138,7 @@ void count(WindingReport& report) {
   for (const auto& [winding, points] : counts) report.counts.push_back({winding, points});
 }
 
-WindingReport compute(const Request& request, Progress& progress) {
+WindingReport compute(const WindingRequest& request, Progress& progress) {
   WindingReport report;
   progress.phase("reading", 0, 0.2);
   const detail::Stopwatch read_watch;
@@ -169,12 +169,12 @@ WindingReport compute(const Request& request, Progress& progress) {
       throw Cancelled();
   }
   report.winding_seconds = winding_watch.seconds();
-  count(report);
-  compare(report);
+  count_windings(report);
+  compare_with_turns(report);
   return report;
 }
 
-void run(const Request& request) {
+void run(const WindingRequest& request) {
   const detail::Stopwatch watch;
   std::vector<Output> outputs;
   for (const auto& [option, path] :
@@ -200,7 +200,7 @@ void run(const Request& request) {
 }  // namespace
 
 void run_winding(const std::vector<std::string>& arguments) {
-  Request request;
+  WindingRequest request;
   OptionParser parser(
       "Computes how often a closed curve, which may cross itself, winds round points, and the interior function J.",
       "lober winding");

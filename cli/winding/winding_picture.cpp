@@ -1,53 +1,44 @@
 // The picture of a field of winding numbers: the cells of each number in one colour, and the curve.
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
+#include "cli/report/cells.hpp"
 #include "cli/report/svg.hpp"
+#include "cli/report/text.hpp"
 #include "cli/winding/winding_report.hpp"
 
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_curve_points = 200'000;
-constexpr std::size_t max_entries = 12;
+constexpr std::size_t max_legend_entries = 12;
 
 // Blue for counter-clockwise and red for clockwise turns, the darker the more of them.
-constexpr std::array<const char*, 4> positive{"#a9c6e4", "#6397cb", "#2f6aa8", "#173e6b"};
-constexpr std::array<const char*, 4> negative{"#efbfa8", "#dd8a63", "#bd5526", "#7d3210"};
+constexpr std::array<const char*, 4> counter_clockwise_colours{"#a9c6e4", "#6397cb", "#2f6aa8", "#173e6b"};
+constexpr std::array<const char*, 4> clockwise_colours{"#efbfa8", "#dd8a63", "#bd5526", "#7d3210"};
 
-const char* colour_of(int winding) {
-  const auto& colours = winding > 0 ? positive : negative;
+const char* winding_colour(int winding) {
+  const auto& colours = winding > 0 ? counter_clockwise_colours : clockwise_colours;
   return colours[std::min(colours.size(), static_cast<std::size_t>(std::abs(winding))) - 1];
 }
 
-// A rectangle for each run of cells of this number in a row.
-std::string cells_path(const View& view, const WindingReport& report, int winding) {
+// The cells of this number.
+std::string winding_path(const View& view, const WindingReport& report, int winding) {
   const WindingGrid& grid = *report.grid;
   const auto corner = [&](std::size_t column, std::size_t row) {
-    const auto along = [](double low, double high, std::size_t k, std::size_t cells) {
-      const double fraction = static_cast<double>(k) / static_cast<double>(cells);
-      return low * (1 - fraction) + high * fraction;
-    };
-    return view({along(grid.window.min_x, grid.window.max_x, column, grid.columns),
-                 along(grid.window.min_y, grid.window.max_y, row, grid.rows)});
+    return view(cell_corner(grid.window, grid.columns, grid.rows, column, row));
   };
   const auto has = [&](std::size_t column, std::size_t row) {
     const Winding& cell = report.windings[row * grid.columns + column];
     return !cell.on && cell.number == winding;
   };
   std::string path;
-  for (std::size_t row = 0; row < grid.rows; ++row) {
-    for (std::size_t column = 0; column < grid.columns; ++column) {
-      if (!has(column, row)) continue;
-      const std::size_t first = column;
-      while (column < grid.columns && has(column, row)) ++column;
-      const Pixel low = corner(first, row), high = corner(column, row + 1);
-      const int x0 = subpixel(low.x), y0 = subpixel(low.y), x1 = subpixel(high.x), y1 = subpixel(high.y);
-      path += "M" + std::to_string(x0) + " " + std::to_string(y0) + "H" + std::to_string(x1) + "V" +
-              std::to_string(y1) + "H" + std::to_string(x0) + "z";
-    }
-  }
+  for_runs_of_cells(grid.columns, grid.rows, has, [&](std::size_t row, std::size_t first, std::size_t end) {
+    const Pixel low = corner(first, row), high = corner(end, row + 1);
+    append_all(path, "M", subpixel(low.x), " ", subpixel(low.y), "H", subpixel(high.x), "V", subpixel(high.y), "H",
+               subpixel(low.x), "z");
+  });
   return path;
 }
 
@@ -61,22 +52,22 @@ void write_winding_picture(const std::string& path, const WindingReport& report)
   }
   // All numbers are drawn; the legend has the commonest.
   std::vector<WindingCount> listed = entries;
-  if (listed.size() > max_entries) {
-    std::nth_element(listed.begin(), listed.begin() + max_entries, listed.end(),
+  if (listed.size() > max_legend_entries) {
+    std::nth_element(listed.begin(), listed.begin() + max_legend_entries, listed.end(),
                      [](const WindingCount& a, const WindingCount& b) {
                        return a.points != b.points ? a.points > b.points : a.winding < b.winding;
                      });
-    listed.resize(max_entries);
+    listed.resize(max_legend_entries);
     std::sort(listed.begin(), listed.end(),
               [](const WindingCount& a, const WindingCount& b) { return a.winding < b.winding; });
   }
   std::string svg;
   begin_picture(svg, view, "Winding numbers of a curve", static_cast<int>(1 + (listed.size() + 1) / 2));
   for (const WindingCount& entry : entries) {
-    svg += std::string("<path fill=\"") + colour_of(entry.winding) + "\" d=\"" +
-           cells_path(view, report, entry.winding) + "\"/>\n";
+    svg += std::string("<path fill=\"") + winding_colour(entry.winding) + "\" d=\"" +
+           winding_path(view, report, entry.winding) + "\"/>\n";
   }
-  add_stroked(svg, "#222222", 1.2, path_of(view, max_curve_points, [&](PathWriter& writer) {
+  add_stroked(svg, "#222222", 1.2, path_of(view, max_path_points, [&](PathWriter& writer) {
                 std::vector<Point> closed = report.input.curve.points;
                 closed.push_back(closed.front());
                 writer.add_line(closed);
@@ -85,9 +76,8 @@ void write_winding_picture(const std::string& path, const WindingReport& report)
   add_legend_entry(svg, view, 0, 0, line_swatch("#222222", 1.2),
                    "the curve, signed area " + rounded(report.signed_area));
   for (std::size_t k = 0; k < listed.size(); ++k) {
-    std::string swatch =
-        std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colour_of(listed[k].winding) + "\"/>";
-    add_legend_entry(svg, view, static_cast<int>(k % 2), static_cast<int>(1 + k / 2), swatch,
+    add_legend_entry(svg, view, static_cast<int>(k % 2), static_cast<int>(1 + k / 2),
+                     opaque_swatch(winding_colour(listed[k].winding)),
                      "winding number " + std::to_string(listed[k].winding) + ": " + std::to_string(listed[k].points) +
                          (listed[k].points == 1 ? " point" : " points"));
   }

@@ -20,7 +20,7 @@ Orientation orientation_of(const WindingReport& report) {
 
 void add_points(std::string& text, const WindingReport& report) {
   text += fmt::format("\n{:>20} {:>20} {:>8} {:>20}\n", "x", "y", "winding", "J");
-  const std::size_t rows = std::min(shown, report.points.size());
+  const std::size_t rows = std::min(max_table_rows, report.points.size());
   for (std::size_t k = 0; k < rows; ++k) {
     const std::string winding = report.windings[k].on ? "on" : std::to_string(report.windings[k].number);
     text += fmt::format("{:>20.12g} {:>20.12g} {:>8} {:>20.15g}\n", report.points[k].x, report.points[k].y, winding,

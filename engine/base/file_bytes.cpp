@@ -17,7 +17,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t piece = std::size_t{4} << 20;  // of one call, and of one thread
+constexpr std::size_t piece_bytes = std::size_t{4} << 20;  // of one call, and of one thread
 
 [[noreturn]] void fail(const std::string& path) {
   const int code = errno;
@@ -67,7 +67,7 @@ std::size_t filled(std::span<std::byte> bytes, const std::string& path, const Re
 void read_regular(const Descriptor& file, const struct stat& before, const std::string& path,
                   Buffer<std::byte>& buffer) {
   buffer.resize(static_cast<std::size_t>(before.st_size));
-  for_each_block(buffer.size(), piece, [&](std::size_t begin, std::size_t end) {
+  for_each_block(buffer.size(), piece_bytes, [&](std::size_t begin, std::size_t end) {
     const std::size_t got = filled(std::span(buffer).subspan(begin, end - begin), path,
                                    [&](std::byte* to, std::size_t size, std::size_t from) {
                                      return ::pread(file.number(), to, size, static_cast<::off_t>(begin + from));
@@ -96,7 +96,7 @@ void read_to_end(const Descriptor& file, const std::string& path, Buffer<std::by
       if (used != 0) std::memcpy(larger.data(), buffer.data(), used);
       buffer = std::move(larger);
     }
-    const ::ssize_t got = ::read(file.number(), buffer.data() + used, std::min(piece, buffer.size() - used));
+    const ::ssize_t got = ::read(file.number(), buffer.data() + used, std::min(piece_bytes, buffer.size() - used));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(path);
     if (got == 0) break;

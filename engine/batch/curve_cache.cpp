@@ -8,7 +8,7 @@
 
 namespace lober::detail {
 namespace {
-constexpr std::size_t bytes_per_point = sizeof(Point) + 5;  // with the index and the sums, measured: 20.4
+constexpr std::size_t bytes_per_cached_point = sizeof(Point) + 5;  // with the index and the sums, measured: 20.4
 }
 
 std::vector<CurveId> CurveCache::add(CurveUnit what) {
@@ -16,7 +16,7 @@ std::vector<CurveId> CurveCache::add(CurveUnit what) {
   std::vector<CurveId> ids;
   Unit unit;
   unit.first = static_cast<CurveId>(members_.size());
-  unit.bytes = what.points * bytes_per_point;
+  unit.bytes = what.points * bytes_per_cached_point;
   for (std::size_t k = 0; k < what.curves; ++k) {
     ids.push_back(static_cast<CurveId>(members_.size()));
     members_.push_back({number, {}, nullptr, {}, 0});

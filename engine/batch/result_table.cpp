@@ -80,7 +80,7 @@ Statement ResultTable::statement(const std::string& before, const std::string& b
 Statement& ResultTable::select() const {
   if (select_) return *select_;
   std::string columns = "SELECT key, run, seconds, message, lists, sum";
-  for (const Column& column : operation_.columns) columns += ", " + quoted(column.name);
+  for (const Column& column : operation_.columns) columns += ", " + quoted_name(column.name);
   return select_.emplace(statement(columns + " FROM ", " WHERE id = ?1"));
 }
 

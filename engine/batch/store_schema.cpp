@@ -19,7 +19,7 @@ std::string create_table(const Operation& operation) {
   std::string sql = "CREATE TABLE " + table_of(operation) +
                     " (id INTEGER PRIMARY KEY, key BLOB, run INTEGER, job INTEGER, \"group\" INTEGER, curve1 TEXT, "
                     "curve2 TEXT, seconds, message TEXT, lists TEXT, sum INTEGER";
-  for (const Column& column : operation.columns) sql += ", " + quoted(column.name);
+  for (const Column& column : operation.columns) sql += ", " + quoted_name(column.name);
   return sql + ");\n";
 }
 
@@ -34,12 +34,12 @@ std::string jobs_with_rows(const Operation& operation) {
 
 // "intersection" is also the `area` of an overlap.
 std::string create_view(const Operation& operation) {
-  std::string sql =
-      "CREATE VIEW " + quoted(operation.view) + " AS SELECT j.job, g.name AS \"group\", g.options, j.curve1, j.curve2";
+  std::string sql = "CREATE VIEW " + quoted_name(operation.view) +
+                    " AS SELECT j.job, g.name AS \"group\", g.options, j.curve1, j.curve2";
   for (const Column& column : operation.columns) {
     if (column.name == "intersection") sql += ", r.intersection AS area";
   }
-  for (const Column& column : operation.columns) sql += ", r." + quoted(column.name);
+  for (const Column& column : operation.columns) sql += ", r." + quoted_name(column.name);
   return sql + ", r.lists, r.seconds FROM " + jobs_with_rows(operation) + " WHERE r.message IS NULL;\n";
 }
 
@@ -57,7 +57,7 @@ std::string table_of(const Operation& operation) {
   return "results_" + operation.name;
 }
 
-std::string quoted(const std::string& name) {
+std::string quoted_name(const std::string& name) {
   return '"' + name + '"';
 }
 

@@ -17,7 +17,7 @@ inline constexpr int store_format = 5;
 /// "results_overlay".
 [[nodiscard]] std::string table_of(const Operation& operation);
 /// A name as SQL takes it whatever it is.
-[[nodiscard]] std::string quoted(const std::string& name);
+[[nodiscard]] std::string quoted_name(const std::string& name);
 /// Creates all tables and views.
 [[nodiscard]] std::string store_schema();
 /// Whether they are there, to the letter: a column of another name would be filled and not be found again.

@@ -63,7 +63,7 @@ constexpr std::array magics{
     Magic{"# vtk DataFile"sv, "a VTK file", "write its points as two columns of text"},
 };
 
-std::string_view as_text(std::span<const std::byte> bytes) {
+std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -163,7 +163,7 @@ std::string foreign_text(std::string_view text) {
 }
 
 std::string foreign_format(std::span<const std::byte> all) {
-  const std::string_view bytes = as_text(all);
+  const std::string_view bytes = text_of(all);
   for (const Magic& magic : magics) {
     if (bytes.starts_with(magic.bytes)) return sentence(magic.what, magic.remedy);
   }

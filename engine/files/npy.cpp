@@ -39,7 +39,7 @@ class HeaderParser {
       } else if (key == "shape") {
         header.shape = tuple();
       } else {
-        fail("unknown key " + quoted(key));
+        fail("unknown key " + quoted_text(key));
       }
       if (!take(',')) {
         expect('}');
@@ -67,7 +67,7 @@ class HeaderParser {
   }
 
   void expect(char c) {
-    if (!take(c)) fail(std::string("expected '") + c + "' before " + quoted(rest_));
+    if (!take(c)) fail(std::string("expected '") + c + "' before " + quoted_text(rest_));
   }
 
   std::string string() {
@@ -94,7 +94,7 @@ class HeaderParser {
       rest_.remove_prefix(word.size());
       return value;
     }
-    fail("expected True or False before " + quoted(rest_));
+    fail("expected True or False before " + quoted_text(rest_));
   }
 
   std::vector<std::size_t> tuple() {
@@ -104,7 +104,7 @@ class HeaderParser {
       skip_blanks();
       std::size_t size = 0;
       const auto [stop, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), size);
-      if (error != std::errc{}) fail("expected a size before " + quoted(rest_));
+      if (error != std::errc{}) fail("expected a size before " + quoted_text(rest_));
       rest_.remove_prefix(static_cast<std::size_t>(stop - rest_.data()));
       sizes.push_back(size);
       if (!take(',')) {
@@ -132,7 +132,7 @@ Layout layout_of(const Header& header, const std::string& path) {
   constexpr bool little = std::endian::native == std::endian::little;
   const bool known = type.size() == 3 && (type.ends_with("f8") || type.ends_with("f4")) &&
                      std::string_view("<>=").find(type.front()) != std::string_view::npos;
-  if (!known) throw DataError(path + ": element type " + quoted(type) + ": expected <f8, >f8, <f4 or >f4");
+  if (!known) throw DataError(path + ": element type " + quoted_text(type) + ": expected <f8, >f8, <f4 or >f4");
   const std::vector<std::size_t>& shape = *header.shape;
   const bool rows = shape.size() == 2 && shape[1] == 2;
   const bool columns = shape.size() == 2 && shape[0] == 2;

@@ -93,7 +93,7 @@ bool is_ordinary(const std::array<Column, 2>& xy) {
   });
 }
 
-std::string as_npy(const std::string& path, std::string_view type) {
+std::string npy_command(const std::string& path, std::string_view type) {
   return "make an NPY file of it: python3 -c \"import numpy as n; n.save('points.npy', n.fromfile('" + path + "', '" +
          std::string(type) + "').reshape(-1, 2))\"";
 }
@@ -107,7 +107,7 @@ bool insists_on_raw(const std::string& path) {
 std::string implausible_raw(const std::string& path, std::span<const std::byte> bytes) {
   const std::string or_insist = "; raw float64 pairs it is if its name ends in " + std::string(insisting);
   if (is_smooth_curve(as_float32(bytes))) {
-    return "looks like raw float32 pairs, and float64 pairs are read: " + as_npy(path, "f4") + or_insist;
+    return "looks like raw float32 pairs, and float64 pairs are read: " + npy_command(path, "f4") + or_insist;
   }
   const auto is_usual = [](const std::array<Column, 2>& xy) {
     return all_finite(xy[0]) && all_finite(xy[1]) && is_ordinary(xy);
@@ -116,7 +116,7 @@ std::string implausible_raw(const std::string& path, std::span<const std::byte> 
   if (is_usual(xy)) return {};
   if (is_usual(as_swapped_float64(bytes))) {
     const std::string_view other = std::endian::native == std::endian::little ? ">f8" : "<f8";
-    return "looks like raw float64 pairs of the other byte order: " + as_npy(path, other) + or_insist;
+    return "looks like raw float64 pairs of the other byte order: " + npy_command(path, other) + or_insist;
   }
   if (is_ordinary(xy)) return {};  // the reader of the points reports which of them is not finite
   const Decades x = decades_of(xy[0]), y = decades_of(xy[1]);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t sniffed = 4096;
 
-std::string_view as_text(std::span<const std::byte> bytes) {
+std::string_view text_in(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -50,13 +50,13 @@ bool is_text(std::string_view head) {
 
 std::size_t byte_order_mark(std::span<const std::byte> bytes) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
-  return as_text(bytes).starts_with(mark) ? mark.size() : 0;
+  return text_in(bytes).starts_with(mark) ? mark.size() : 0;
 }
 
 Content sniff(std::span<const std::byte> bytes) {
   const std::span<const std::byte> head = bytes.first(std::min(bytes.size(), sniffed));
-  if (as_text(head).starts_with("\x93NUMPY")) return Content::npy;
-  return is_text(as_text(head.subspan(byte_order_mark(head)))) ? Content::text : Content::raw;
+  if (text_in(head).starts_with("\x93NUMPY")) return Content::npy;
+  return is_text(text_in(head.subspan(byte_order_mark(head)))) ? Content::text : Content::raw;
 }
 
 }  // namespace lober::detail

@@ -13,9 +13,6 @@ namespace {
 constexpr char upper(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
-constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
-}
 constexpr bool is_key(char c) {
   return (upper(c) >= 'A' && upper(c) <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
@@ -75,7 +72,7 @@ class Scanner {
     return taken;
   }
 
-  [[noreturn]] void unterminated() const { location_.fail("unterminated string: " + quoted(rest_)); }
+  [[noreturn]] void unterminated() const { location_.fail("unterminated string: " + quoted_text(rest_)); }
 
   /// "..." in which \" and \\ stand for " and \ .
   std::string escaped_string() {
@@ -179,7 +176,7 @@ void read_zone_attributes(std::string_view line, const SourceLocation& location,
     const std::string_view before = scanner.rest();
     const std::string key = scanner.key();
     if (key.empty() || !scanner.more() || !scanner.take('=')) {
-      location.fail("expected KEY=VALUE in a ZONE record, found " + quoted(before));
+      location.fail("expected KEY=VALUE in a ZONE record, found " + quoted_text(before));
     }
     scanner.more();
     read_attribute(key, scanner.value(), location, zone);

@@ -92,7 +92,7 @@ class Assembler {
     }
     Point ignored;
     std::string message = parse_point_line(text, ignored);
-    if (message.empty()) message = "not a point: " + quoted(text);
+    if (message.empty()) message = "not a point: " + quoted_text(text);
     location.fail(message);
   }
 

@@ -10,9 +10,6 @@ namespace lober::detail {
 namespace {
 
 // '\r' is a blank: with the line break of DOS it stands at the end of the line.
-constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
-}
 constexpr bool is_separator(char c) {
   return c == ',' || c == ';';
 }
@@ -64,7 +61,7 @@ const char* parse_fast(const char* p, const char* end, Point& point) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string quoted_text(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string result = "\"";
   for (const char c : text.substr(0, longest)) {
@@ -86,9 +83,9 @@ std::string parse_point_line(std::string_view line, Point& point) {
       case NumberKind::finite:
         break;
       case NumberKind::not_a_number:
-        return "not a number: " + quoted(fields[i]);
+        return "not a number: " + quoted_text(fields[i]);
       case NumberKind::not_finite:
-        return "not a finite number: " + quoted(fields[i]);
+        return "not a finite number: " + quoted_text(fields[i]);
     }
   }
   return columns == 2 ? std::string{} : "expected two columns, found " + std::to_string(columns);

@@ -32,6 +32,10 @@ struct TextChunk {
   std::optional<LineError> error;  ///< reading stopped there
 };
 
+[[nodiscard]] constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
 /// Fills the chunk from its `text`.
 void parse_chunk(TextChunk& chunk);
 
@@ -42,6 +46,6 @@ void parse_chunk(TextChunk& chunk);
 [[nodiscard]] bool has_number(std::string_view line);
 
 /// Text of a file for a message: quoted, shortened, without control characters.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string quoted_text(std::string_view text);
 
 }  // namespace lober::detail

@@ -9,15 +9,15 @@ namespace {
 
 // Of the innermost call of the main thread.
 std::atomic<std::atomic<bool>*> flag_of_main{nullptr};
-struct sigaction before;  // what SIGINT did before the outermost one
+struct sigaction handler_before;  // what SIGINT did before the outermost one
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free, "the handler of a signal reads it");
 
 void on_interrupt(int signal, siginfo_t* info, void* context) {
   if (std::atomic<bool>* const flag = flag_of_main.load()) flag->store(true);
-  if ((before.sa_flags & SA_SIGINFO) != 0) {
-    before.sa_sigaction(signal, info, context);
+  if ((handler_before.sa_flags & SA_SIGINFO) != 0) {
+    handler_before.sa_sigaction(signal, info, context);
   } else {
-    before.sa_handler(signal);
+    handler_before.sa_handler(signal);
   }
 }
 
@@ -41,7 +41,7 @@ Interrupt::Interrupt() {
   if (around_ == nullptr) {
     struct sigaction now {};
     if (sigaction(SIGINT, nullptr, &now) != 0 || !has_handler(now)) return;
-    before = now;
+    handler_before = now;
     struct sigaction ours {};
     ours.sa_sigaction = on_interrupt;
     ours.sa_flags = SA_SIGINFO | (now.sa_flags & SA_ONSTACK);
@@ -62,7 +62,7 @@ Interrupt::~Interrupt() {
   // A handler that a callback has put in place of ours stays.
   struct sigaction now {};
   if (sigaction(SIGINT, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) != 0 && now.sa_sigaction == on_interrupt) {
-    sigaction(SIGINT, &before, nullptr);
+    sigaction(SIGINT, &handler_before, nullptr);
   }
 }
 

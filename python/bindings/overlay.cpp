@@ -15,8 +15,8 @@ namespace {
 
 using Result = std::shared_ptr<Overlay>;
 
-Result make(const Array& c1, const Array& c2, bool pieces, bool check_simple, const std::string& index, int threads,
-            const py::object& progress) {
+Result make_overlay(const Array& c1, const Array& c2, bool pieces, bool check_simple, const std::string& index,
+                    int threads, const py::object& progress) {
   const ProgressCallback callback(progress);
   OverlayOptions options;
   options.index = index_of(index);
@@ -106,7 +106,7 @@ void bind_overlay(py::module_& module) {
       .def("slivers", slivers_of)
       .def("sigma", sigma_of)
       .def("smooth", smooth_of);
-  module.def("overlay", make, py::arg("c1").noconvert(), py::arg("c2").noconvert(), py::arg("pieces"),
+  module.def("overlay", make_overlay, py::arg("c1").noconvert(), py::arg("c2").noconvert(), py::arg("pieces"),
              py::arg("check_simple"), py::arg("index"), py::arg("threads"), py::arg("progress"));
 }
 

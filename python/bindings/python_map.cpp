@@ -97,8 +97,9 @@ class PythonMap final : public PlanarMap {
   py::object object_;
 };
 
-SystemHandle make(const std::string& name, const std::string& summary, const ParameterValues& values, py::object map,
-                  const py::tuple& window, const py::object& lattice, const py::object& connection) {
+SystemHandle make_own_system(const std::string& name, const std::string& summary, const ParameterValues& values,
+                             py::object map, const py::tuple& window, const py::object& lattice,
+                             const py::object& connection) {
   auto system = std::make_shared<System>();
   system->info.name = name;
   system->info.summary = summary;
@@ -114,7 +115,7 @@ SystemHandle make(const std::string& name, const std::string& summary, const Par
 
 void bind_python_map(py::module_& module) {
   module.def("check_cancelled", [] { throw_if_cancelled(); });
-  module.def("own_system", make, py::arg("name"), py::arg("summary"), py::arg("values"), py::arg("map"),
+  module.def("own_system", make_own_system, py::arg("name"), py::arg("summary"), py::arg("values"), py::arg("map"),
              py::arg("window"), py::arg("lattice"), py::arg("connection"));
 }
 

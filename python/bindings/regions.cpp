@@ -21,8 +21,8 @@ FillRule rule_of(const std::string& name) {
   throw UsageError("\"" + name + "\" is not a fill rule; there are " + known);
 }
 
-Regions make(const Array& c1, const std::optional<Array>& c2, const std::string& index, int threads,
-             const py::object& progress) {
+Regions make_regions(const Array& c1, const std::optional<Array>& c2, const std::string& index, int threads,
+                     const py::object& progress) {
   const ProgressCallback callback(progress);
   RegionOptions options;
   options.index = index_of(index);
@@ -61,7 +61,7 @@ void bind_regions(py::module_& module) {
       .def("rounding", [](const Regions& result, const std::string& rule) { return result.rounding(rule_of(rule)); })
       .def("rounding_of", [](const Regions& result, double area) { return result.rounding(area); })
       .def("pieces", pieces_of);
-  module.def("regions", make, py::arg("c1").noconvert(), py::arg("c2").noconvert().none(true), py::arg("index"),
+  module.def("regions", make_regions, py::arg("c1").noconvert(), py::arg("c2").noconvert().none(true), py::arg("index"),
              py::arg("threads"), py::arg("progress"));
 }
 

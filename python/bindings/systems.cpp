@@ -29,13 +29,13 @@ py::list list() {
   return systems;
 }
 
-SystemHandle make(const std::string& name, const ParameterValues& values, double tolerance) {
+SystemHandle make_system(const std::string& name, const ParameterValues& values, double tolerance) {
   IntegrationOptions options;
   options.tolerance = tolerance;
   return std::make_shared<System>(make_system(name, values, options));
 }
 
-py::array images(const System& system, const Array& points, int iterates, int threads) {
+py::array iterated(const System& system, const Array& points, int iterates, int threads) {
   const PlanarMap& map = map_of(system);
   const std::span<const Point> given = points_of(points);
   return array_of(long_call(threads, [&] {
@@ -168,8 +168,8 @@ void bind_systems(py::module_& module) {
            [](System& system, const py::tuple& connection) { system.connection = connection_from(connection); })
       .def_property_readonly("saddles", saddles_of);
   module.def("systems", list);
-  module.def("system", make, py::arg("name"), py::arg("values"), py::arg("tolerance"));
-  module.def("images", images, py::arg("system"), py::arg("points").noconvert(), py::arg("iterates"),
+  module.def("system", make_system, py::arg("name"), py::arg("values"), py::arg("tolerance"));
+  module.def("images", iterated, py::arg("system"), py::arg("points").noconvert(), py::arg("iterates"),
              py::arg("threads"));
   module.def("derivatives", derivatives, py::arg("system"), py::arg("points").noconvert(), py::arg("iterates"),
              py::arg("threads"));

@@ -34,10 +34,10 @@ struct OverlapRow {
   double area = 0, error = 0, perimeter = 0;
 };
 
-TangleHandle make(const Array& u, const Array& s, bool smooth, std::optional<std::size_t> bip,
-                  std::optional<std::array<double, 2>> bip_near, const std::optional<Array>& closure,
-                  std::uint32_t period, bool check_simple, const std::string& index, int threads,
-                  const py::object& progress) {
+TangleHandle make_tangle(const Array& u, const Array& s, bool smooth, std::optional<std::size_t> bip,
+                         std::optional<std::array<double, 2>> bip_near, const std::optional<Array>& closure,
+                         std::uint32_t period, bool check_simple, const std::string& index, int threads,
+                         const py::object& progress) {
   const ProgressCallback callback(progress);
   TangleOptions options;
   options.index = index_of(index);
@@ -161,9 +161,9 @@ void bind_tangle(py::module_& module) {
            [](const py::object& self) { return view_of(self.cast<const TangleHandle&>().tangle.s().points, self); })
       .def_property_readonly("smooth", [](const TangleHandle& handle) { return handle.smooth; })
       .def_property_readonly("remarks", [](const TangleHandle& handle) { return handle.tangle.remarks; });
-  module.def("tangle", make, py::arg("u").noconvert(), py::arg("s").noconvert(), py::arg("smooth"), py::arg("bip"),
-             py::arg("bip_near"), py::arg("closure").noconvert().none(true), py::arg("period"), py::arg("check_simple"),
-             py::arg("index"), py::arg("threads"), py::arg("progress"));
+  module.def("tangle", make_tangle, py::arg("u").noconvert(), py::arg("s").noconvert(), py::arg("smooth"),
+             py::arg("bip"), py::arg("bip_near"), py::arg("closure").noconvert().none(true), py::arg("period"),
+             py::arg("check_simple"), py::arg("index"), py::arg("threads"), py::arg("progress"));
 }
 
 }  // namespace lober::python

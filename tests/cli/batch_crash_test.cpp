@@ -15,8 +15,6 @@
 namespace lober::cli {
 namespace {
 
-using Seconds = std::chrono::duration<double>;
-
 class BatchCrash : public ProgramTest {
  protected:
   BatchCrash() {

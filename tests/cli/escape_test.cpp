@@ -10,8 +10,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 class EscapeProgram : public ProgramTest {};
 
 TEST_F(EscapeProgram, WritesTheTable) {

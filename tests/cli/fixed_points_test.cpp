@@ -6,8 +6,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 class FixedPointsProgram : public ProgramTest {
  protected:
   [[nodiscard]] Json points(std::vector<std::string> arguments) const {

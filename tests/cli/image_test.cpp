@@ -8,8 +8,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 class ImageProgram : public ProgramTest {
  protected:
   [[nodiscard]] Json image(std::vector<std::string> arguments) const {

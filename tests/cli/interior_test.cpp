@@ -8,14 +8,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
-std::set<std::string> members(const Json& object) {
-  std::set<std::string> names;
-  for (const auto& [name, value] : object.items()) names.insert(name);
-  return names;
-}
-
 class InteriorProgram : public ProgramTest {
  protected:
   void SetUp() override {

@@ -23,8 +23,6 @@
 namespace lober::cli {
 namespace {
 
-using Seconds = std::chrono::duration<double>;
-
 // The machine may be slow and busy; by itself it takes a tenth of that.
 constexpr double longest_end = 4;
 

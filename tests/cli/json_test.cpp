@@ -11,14 +11,6 @@ namespace lober::cli {
 using namespace lober::detail;
 namespace {
 
-using Json = nlohmann::json;
-
-std::set<std::string> members(const Json& object) {
-  std::set<std::string> names;
-  for (const auto& [name, value] : object.items()) names.insert(name);
-  return names;
-}
-
 class OverlayJson : public ProgramTest {
  protected:
   void SetUp() override {

@@ -7,7 +7,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
 using LevelsProgram = ProgramTest;
 
 TEST_F(LevelsProgram, DrawsTheSeparatrix) {

@@ -7,8 +7,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* remark = "is not closed in its file";
 
 // Half a circle of many points, which is open, and a whole one without its last segment, as files of closed curves are.

@@ -12,8 +12,6 @@ namespace lober::cli {
 using namespace lober::detail;
 namespace {
 
-using Json = nlohmann::json;
-
 class OverlayProgram : public ProgramTest {
  protected:
   // Areas of C1 \ C2 and C2 \ C1.

@@ -62,25 +62,25 @@ Outcome ProgramTest::run(const std::vector<std::string>& arguments) const {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
 }
 
-nlohmann::json ProgramTest::overlay(std::vector<std::string> arguments) const {
+Json ProgramTest::overlay(std::vector<std::string> arguments) const {
   return json_of("overlay", std::move(arguments));
 }
 
-nlohmann::json ProgramTest::interior(std::vector<std::string> arguments) const {
+Json ProgramTest::interior(std::vector<std::string> arguments) const {
   return json_of("interior", std::move(arguments));
 }
 
-nlohmann::json ProgramTest::tangle(std::vector<std::string> arguments) const {
+Json ProgramTest::tangle(std::vector<std::string> arguments) const {
   return json_of("tangle", std::move(arguments));
 }
 
-nlohmann::json ProgramTest::json_of(const std::string& command, std::vector<std::string> arguments) const {
+Json ProgramTest::json_of(const std::string& command, std::vector<std::string> arguments) const {
   arguments.insert(arguments.begin(), command);
   arguments.insert(arguments.end(), {"--json", "-"});
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  return outcome.status == 0 ? nlohmann::json::parse(outcome.out) : nlohmann::json();
+  return outcome.status == 0 ? Json::parse(outcome.out) : Json();
 }
 
 void ProgramTest::write(std::string_view name, std::string_view content) const {
@@ -99,6 +99,12 @@ std::string ProgramTest::read(std::string_view name) const {
 
 std::vector<Point> box(double left, double low, double right, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};
+}
+
+std::set<std::string> members(const Json& object) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : object.items()) names.insert(name);
+  return names;
 }
 
 std::string without_timing(const std::string& json) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,8 @@
 
 namespace lober::cli {
 using namespace lober::detail;
+
+using Json = nlohmann::json;
 
 struct Outcome {
   int status;  ///< exit status; -1 if a signal ended the program
@@ -30,10 +33,10 @@ class ProgramTest : public testing::Test {
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
 
   /// Runs `lober overlay` with --json - and parses what it prints. Fails the test when the program does.
-  [[nodiscard]] nlohmann::json overlay(std::vector<std::string> arguments) const;
+  [[nodiscard]] Json overlay(std::vector<std::string> arguments) const;
   /// The same for `lober interior` and `lober tangle`.
-  [[nodiscard]] nlohmann::json interior(std::vector<std::string> arguments) const;
-  [[nodiscard]] nlohmann::json tangle(std::vector<std::string> arguments) const;
+  [[nodiscard]] Json interior(std::vector<std::string> arguments) const;
+  [[nodiscard]] Json tangle(std::vector<std::string> arguments) const;
 
   void write(std::string_view name, std::string_view content) const;
   void write_curve(std::string_view name, std::span<const Point> points) const;
@@ -42,12 +45,15 @@ class ProgramTest : public testing::Test {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:
-  [[nodiscard]] nlohmann::json json_of(const std::string& command, std::vector<std::string> arguments) const;
+  [[nodiscard]] Json json_of(const std::string& command, std::vector<std::string> arguments) const;
 
   std::filesystem::path folder_;
 };
 
 [[nodiscard]] std::vector<Point> box(double left, double low, double right, double high);
+
+/// The names of the members of an object.
+[[nodiscard]] std::set<std::string> members(const Json& object);
 
 /// What the JSON holds before its last member, `timing`.
 [[nodiscard]] std::string without_timing(const std::string& json);

@@ -10,8 +10,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 // The lobes of a manifold pair: zone k of lobeb.dat is lobe k + 1.
 class RealData : public ProgramTest {
  protected:

@@ -7,8 +7,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 class OverlayRule : public ProgramTest {
  protected:
   void SetUp() override {

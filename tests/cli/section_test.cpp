@@ -8,7 +8,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
 using SectionProgram = ProgramTest;
 
 TEST_F(SectionProgram, WritesOrbits) {

@@ -8,8 +8,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 class OverlaySmooth : public ProgramTest {
  protected:
   void SetUp() override {

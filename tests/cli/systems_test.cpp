@@ -8,7 +8,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
 using SystemsProgram = ProgramTest;
 
 TEST_F(SystemsProgram, ListsThemAll) {

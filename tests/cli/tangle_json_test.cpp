@@ -4,22 +4,12 @@
 #include <algorithm>
 #include <set>
 
-#include "tests/cli/program.hpp"
-#include "tests/paths.hpp"
+#include "tests/cli/tangle_program.hpp"
 
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
 using Names = std::set<std::string>;
-
-const std::string demo = LOBER_SOURCE_DIR "/examples/manifolds.dat";
-
-Names members(const Json& object) {
-  Names names;
-  for (const auto& [name, value] : object.items()) names.insert(name);
-  return names;
-}
 
 class TangleJson : public ProgramTest {};
 

@@ -10,8 +10,6 @@
 
 namespace lober::cli {
 
-using Json = nlohmann::json;
-
 inline const std::string demo = LOBER_SOURCE_DIR "/examples/manifolds.dat";
 
 // S zigzags back along U: pips at x = 2, 4, 6, 7.5, lobes that are triangles.

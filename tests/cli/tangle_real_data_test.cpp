@@ -14,8 +14,6 @@ namespace lober::cli {
 using namespace lober::detail;
 namespace {
 
-using Json = nlohmann::json;
-
 class RealTangle : public ProgramTest {
  protected:
   void find(const std::string& set) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "lober/files.hpp"
 #include "tests/cli/program.hpp"
@@ -201,7 +202,8 @@ TEST_F(TransportCommand, SweepKeepsWhatWorks) {
 TEST_F(TransportCommand, MelnikovsFunctionOfTheDuffingOscillator) {
   const nlohmann::json found =
       json({"duffing", "--param", "eps=0.01", "--iterates", "1", "--melnikov", "--tolerance", "1e-4"})["melnikov"];
-  const double pi = 3.141592653589793, amplitude = std::sqrt(2) * pi / std::cosh(0.5 * pi);
+  using std::numbers::pi;
+  const double amplitude = std::sqrt(2) * pi / std::cosh(0.5 * pi);
   EXPECT_EQ(found["parameter"], "eps");
   EXPECT_EQ(found["eps"], 0.01);
   EXPECT_EQ(found["zeros"].size(), 2U);

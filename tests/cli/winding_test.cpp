@@ -10,8 +10,6 @@
 namespace lober::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 class WindingProgram : public ProgramTest {
  protected:
   [[nodiscard]] Json winding(std::vector<std::string> arguments) const {
@@ -76,7 +74,7 @@ TEST_F(WindingProgram, IsExactAboutVerticesEdgesAndAllElse) {
 TEST_F(WindingProgram, TellsThePrincipalValueOnTheCurve) {
   write_curve("square", box(0, 0, 2, 2));
   const Json found = winding({"square", "--at", "1,0", "2,2", "1,1", "-1,1"});
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   EXPECT_EQ(found["on"], 2);
   EXPECT_NEAR(found["points"][0]["j"].get<double>(), pi, 1e-15);      // half a turn on an edge
   EXPECT_NEAR(found["points"][1]["j"].get<double>(), pi / 2, 1e-15);  // the angle at a vertex

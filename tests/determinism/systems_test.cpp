@@ -21,7 +21,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // exp(2 i t) + a exp(5 i t), which crosses itself.
 std::vector<Point> loops(std::size_t count, double a) {

@@ -7,19 +7,12 @@
 #include <vector>
 
 #include "kernels/box.hpp"
-#include "kernels/box_pyramid.inl"
 #include "kernels/cpu.hpp"
+#include "kernels/kernel_table.hpp"
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::detail {
-void distribute_avx2(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                     TreeNode* const* met, std::size_t* met_count);
-SplitCounts refine_avx2(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                        TreeNode* kept, TreeNode* split);
-}  // namespace lober::detail
-
-namespace lober::testing {
+namespace lober::test {
 using namespace detail;
 namespace {
 
@@ -58,7 +51,7 @@ struct Pyramid {
   std::vector<std::uint32_t> begin, size;
 };
 
-using Distribute = decltype(&distribute_avx2);
+using Distribute = decltype(KernelTable::distribute);
 using Refine = decltype(&refine);
 
 void check_distribute(Distribute run) {
@@ -117,16 +110,16 @@ void check_refine(Refine run) {
 }
 
 TEST(BoxPyramid, DistributesByTheBoxesThatAreMet) {
-  check_distribute(distribute_nodes);
+  check_distribute(baseline_kernels.distribute);
 }
 TEST(BoxPyramid, RefinesWhatIsLarge) {
-  check_refine(refine_nodes);
+  check_refine(baseline_kernels.refine);
 }
 TEST(BoxPyramid, TheOtherCopyToo) {
   if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
-  check_distribute(distribute_avx2);
-  check_refine(refine_avx2);
+  check_distribute(avx2_kernels.distribute);
+  check_refine(avx2_kernels.refine);
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

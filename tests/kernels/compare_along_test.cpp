@@ -7,7 +7,7 @@
 #include "kernels/predicates.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
@@ -27,14 +27,14 @@ bool cross_properly(Point a, Point b, Point c, Point d) {
          exact_orientation(c, d, a) * exact_orientation(c, d, b) < 0;
 }
 
-struct Scene {
+struct AlongScene {
   Point a, b;
   ImplicitPoint p, q;
 };
 
 // Two segments that cross a b in nearly the same place.
-std::optional<Scene> nearly_equal(Random& random) {
-  Scene scene;
+std::optional<AlongScene> nearly_equal(Random& random) {
+  AlongScene scene;
   scene.a = {random.uniform(-1, 1), random.uniform(-1, 1)};
   scene.b = {random.uniform(-1, 1), random.uniform(-1, 1)};
   const double t = random.unit();
@@ -50,11 +50,11 @@ std::optional<Scene> nearly_equal(Random& random) {
 }
 
 // Small integers: equal parameters are common, and so are vertices on the segment.
-std::optional<Scene> lattice(Random& random) {
+std::optional<AlongScene> lattice_scene(Random& random) {
   const auto point = [&] {
     return Point{static_cast<double>(random.integer(-5, 5)), static_cast<double>(random.integer(-5, 5))};
   };
-  Scene scene{point(), point(), {point(), point()}, {point(), point()}};
+  AlongScene scene{point(), point(), {point(), point()}, {point(), point()}};
   if (scene.a == scene.b) return std::nullopt;
   for (ImplicitPoint* implicit : {&scene.p, &scene.q}) {
     PredicateCounts counts;
@@ -64,34 +64,35 @@ std::optional<Scene> lattice(Random& random) {
 }
 
 // Every exponent that doubles have.
-std::optional<Scene> any(Random& random) {
+std::optional<AlongScene> any_scale(Random& random) {
   const int scale = random.integer(-1070, 1020);
   const auto value = [&] { return with_exponent(random, std::max(scale - 40, -1074), std::min(scale + 3, 1022)); };
   const auto point = [&] { return Point{value(), value()}; };
-  return Scene{point(), point(), {point(), point()}, {point(), point()}};
+  return AlongScene{point(), point(), {point(), point()}, {point(), point()}};
 }
 
-bool valid(const Scene& scene) {
+bool valid(const AlongScene& scene) {
   const auto meets = [&](const ImplicitPoint& p) { return p.vertex || cross_properly(scene.a, scene.b, p.c, p.d); };
   return meets(scene.p) && meets(scene.q);
 }
 
-struct Kind {
+struct AlongKind {
   const char* name;
-  std::optional<Scene> (*make)(Random&);
+  std::optional<AlongScene> (*make)(Random&);
   int tries;
   bool ties;
 };
-constexpr std::array kinds = {Kind{"nearly_equal", nearly_equal, 20000, true}, Kind{"lattice", lattice, 150000, true},
-                              Kind{"any_scale", any, 60000, false}};
+constexpr std::array along_kinds = {AlongKind{"nearly_equal", nearly_equal, 20000, true},
+                                    AlongKind{"lattice", lattice_scene, 150000, true},
+                                    AlongKind{"any_scale", any_scale, 60000, false}};
 
-class CompareAlong : public ::testing::TestWithParam<Kind> {};
+class CompareAlong : public ::testing::TestWithParam<AlongKind> {};
 
 TEST_P(CompareAlong, EqualsTheOrderOfExactParameters) {
   Random random(seed());
   int tested = 0, equal = 0;
   for (int k = 0; k < GetParam().tries; ++k) {
-    const std::optional<Scene> made = GetParam().make(random);
+    const std::optional<AlongScene> made = GetParam().make(random);
     if (!made || !valid(*made)) continue;
     const auto& [a, b, p, q] = *made;
     const mpq_class t_p = exact_parameter_of(a, b, p), t_q = exact_parameter_of(a, b, q);
@@ -115,7 +116,7 @@ TEST_P(CompareAlong, EqualsTheOrderOfExactParameters) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, CompareAlong, ::testing::ValuesIn(kinds),
+INSTANTIATE_TEST_SUITE_P(Kinds, CompareAlong, ::testing::ValuesIn(along_kinds),
                          [](const auto& kind) { return kind.param.name; });
 
 TEST(ExactParameter, SurvivesSegmentsOfEverySize) {
@@ -128,4 +129,4 @@ TEST(ExactParameter, SurvivesSegmentsOfEverySize) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -9,15 +9,13 @@
 #include <vector>
 
 #include "kernels/cpu.hpp"
-#include "kernels/crossing_parameters.inl"
+#include "kernels/kernel_table.hpp"
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::detail {
-unsigned four_parameters_avx2(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
-}
+namespace lober::detail {}
 
-namespace lober::testing {
+namespace lober::test {
 namespace {
 
 bool proper(const SegmentCrossing& x) {
@@ -59,15 +57,16 @@ SegmentCrossing of_different_lengths(Random& random) {
   return x;
 }
 
-struct Kind {
+struct CrossingKind {
   const char* name;
   SegmentCrossing (*make)(Random&);
 };
-constexpr std::array kinds = {
-    Kind{"steep", steep}, Kind{"far_away", far_away}, Kind{"nearly_parallel", nearly_parallel},
-    Kind{"parallel_to_an_axis", parallel_to_an_axis}, Kind{"of_different_lengths", of_different_lengths}};
+constexpr std::array crossing_kinds = {CrossingKind{"steep", steep}, CrossingKind{"far_away", far_away},
+                                       CrossingKind{"nearly_parallel", nearly_parallel},
+                                       CrossingKind{"parallel_to_an_axis", parallel_to_an_axis},
+                                       CrossingKind{"of_different_lengths", of_different_lengths}};
 
-std::vector<SegmentCrossing> make_crossings(const Kind& kind, std::size_t wanted, double size) {
+std::vector<SegmentCrossing> make_crossings(const CrossingKind& kind, std::size_t wanted, double size) {
   Random random(seed());
   std::vector<SegmentCrossing> result;
   for (int k = 0; k < 400000 && result.size() < wanted; ++k) {
@@ -78,18 +77,7 @@ std::vector<SegmentCrossing> make_crossings(const Kind& kind, std::size_t wanted
   return result;
 }
 
-mpq_class value_of(DD a) {
-  return mpq_class(a.hi) + mpq_class(a.lo);
-}
-
-// Coordinates as vectors of rationals.
-struct Vector {
-  mpq_class x, y;
-};
-Vector between(Point from, Point to) {
-  return {mpq_class(to.x) - mpq_class(from.x), mpq_class(to.y) - mpq_class(from.y)};
-}
-mpq_class cross_of(const Vector& u, const Vector& v) {
+mpq_class cross_of(const ExactVector& u, const ExactVector& v) {
   return u.x * v.y - u.y * v.x;
 }
 
@@ -99,7 +87,7 @@ void expect_bounds(const std::vector<SegmentCrossing>& crossings, double scale) 
   const mpq_class uncertainty = power_of_two(-62), gap = power_of_two(-91) * mpq_class(scale);
   for (std::size_t k = 0; k < crossings.size(); ++k) {
     const auto& [a, b, c, d] = crossings[k];
-    const Vector u = between(a, b), v = between(c, d), w = between(a, c);
+    const ExactVector u = exact_vector(a, b), v = exact_vector(c, d), w = exact_vector(a, c);
     const mpq_class below = cross_of(u, v), t1 = value_of(parameters[k].t1), t2 = value_of(parameters[k].t2);
     ASSERT_LE(abs(mpq_class(t1 - cross_of(w, v) / below)), uncertainty) << "crossing " << k;
     ASSERT_LE(abs(mpq_class(t2 - cross_of(w, u) / below)), uncertainty) << "crossing " << k;
@@ -108,7 +96,7 @@ void expect_bounds(const std::vector<SegmentCrossing>& crossings, double scale) 
   }
 }
 
-class CrossingParametersOf : public ::testing::TestWithParam<Kind> {};
+class CrossingParametersOf : public ::testing::TestWithParam<CrossingKind> {};
 
 TEST_P(CrossingParametersOf, KeepTheirBounds) {
   const bool far = std::strcmp(GetParam().name, "far_away") == 0;
@@ -126,8 +114,8 @@ TEST_P(CrossingParametersOf, AreTheSameBitsFromBothCopies) {
   const auto crossings = make_crossings(GetParam(), 2000, 1);
   for (std::size_t k = 0; k + lanes <= crossings.size(); k += lanes) {
     std::array<CrossingParameters, lanes> plain, wide;
-    const unsigned shallow = four_parameters(&crossings[k], 4, plain.data());
-    ASSERT_EQ(shallow, four_parameters_avx2(&crossings[k], 4, wide.data()));
+    const unsigned shallow = baseline_kernels.four_parameters(&crossings[k], 4, plain.data());
+    ASSERT_EQ(shallow, avx2_kernels.four_parameters(&crossings[k], 4, wide.data()));
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       if ((shallow >> lane & 1U) != 0) continue;  // computed exactly instead
       ASSERT_EQ(std::memcmp(&plain[lane], &wide[lane], sizeof plain[lane]), 0) << "crossing " << k + lane;
@@ -135,7 +123,7 @@ TEST_P(CrossingParametersOf, AreTheSameBitsFromBothCopies) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, CrossingParametersOf, ::testing::ValuesIn(kinds),
+INSTANTIATE_TEST_SUITE_P(Kinds, CrossingParametersOf, ::testing::ValuesIn(crossing_kinds),
                          [](const auto& kind) { return kind.param.name; });
 
 TEST(CrossingParameters, ShallowOnesAreComputedExactlyAndCounted) {
@@ -153,4 +141,4 @@ TEST(CrossingParameters, ShallowOnesAreComputedExactlyAndCounted) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -5,17 +5,13 @@
 
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
 // Multiples of u^2, u = 2^-53.
 mpq_class u_squared(int count) {
   return count * power_of_two(-106);
-}
-
-mpq_class value_of(DD a) {
-  return mpq_class(a.hi) + mpq_class(a.lo);
 }
 
 // A double-double whose low part is anywhere, most often as large as it may be.
@@ -128,4 +124,4 @@ TEST(DoubleDouble, LanesGiveTheBitsOfScalars) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -7,7 +7,7 @@
 
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
@@ -22,7 +22,7 @@ ExactNumber exact_power_of_two(int exponent) {
 }
 
 // Peels off leading doubles until nothing is left.
-mpq_class value_of(ExactNumber number) {
+mpq_class value_of_number(ExactNumber number) {
   mpq_class result(0);
   for (int k = 0; k < 400 && number.sign() != 0; ++k) {
     const ExactNumber::Scaled rounded = number.rounded();
@@ -54,11 +54,11 @@ TEST(ExactNumber, HoldsEveryFiniteDouble) {
     const double value = interesting(random);
     const ExactNumber number(value);
     ASSERT_EQ(number.sign(), (value > 0) - (value < 0));
-    ASSERT_EQ(value_of(number), mpq_class(value)) << std::hexfloat << value;
+    ASSERT_EQ(value_of_number(number), mpq_class(value)) << std::hexfloat << value;
   }
   for (const double value :
        {std::numeric_limits<double>::max(), -std::numeric_limits<double>::max(), 0x1p-1074, 0x1p-1022, 0.0, -0.0}) {
-    EXPECT_EQ(value_of(ExactNumber(value)), mpq_class(value));
+    EXPECT_EQ(value_of_number(ExactNumber(value)), mpq_class(value));
   }
 }
 
@@ -68,10 +68,10 @@ TEST(ExactNumber, AddsSubtractsAndMultipliesExactly) {
     const double a = interesting(random),
                  b = random.chance(0.2) ? neighbour(a, random.integer(-1, 1)) : interesting(random);
     const mpq_class exact_a(a), exact_b(b);
-    ASSERT_EQ(value_of(ExactNumber(a) + ExactNumber(b)), exact_a + exact_b) << std::hexfloat << a << ' ' << b;
-    ASSERT_EQ(value_of(ExactNumber(a) - ExactNumber(b)), exact_a - exact_b) << std::hexfloat << a << ' ' << b;
-    ASSERT_EQ(value_of(ExactNumber(a) * ExactNumber(b)), exact_a * exact_b) << std::hexfloat << a << ' ' << b;
-    ASSERT_EQ(value_of(exact_difference(a, b)), exact_a - exact_b);
+    ASSERT_EQ(value_of_number(ExactNumber(a) + ExactNumber(b)), exact_a + exact_b) << std::hexfloat << a << ' ' << b;
+    ASSERT_EQ(value_of_number(ExactNumber(a) - ExactNumber(b)), exact_a - exact_b) << std::hexfloat << a << ' ' << b;
+    ASSERT_EQ(value_of_number(ExactNumber(a) * ExactNumber(b)), exact_a * exact_b) << std::hexfloat << a << ' ' << b;
+    ASSERT_EQ(value_of_number(exact_difference(a, b)), exact_a - exact_b);
   }
 }
 
@@ -106,7 +106,7 @@ TEST(ExactNumber, HoldsPolynomialsOfDegreeFour) {
       exact_total += term % 2 == 0 ? exact_product : mpq_class(-exact_product);
       ASSERT_EQ(total.sign(), sgn(exact_total));
     }
-    ASSERT_EQ(value_of(total), exact_total) << "try " << k;
+    ASSERT_EQ(value_of_number(total), exact_total) << "try " << k;
   }
 }
 
@@ -140,4 +140,4 @@ TEST(ExactNumber, RatioIsRightToDoubleDouble) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -21,13 +21,13 @@ look_at() {
 }
 
 systems=engine/dynamics/CMakeFiles/lober_dynamics.dir/systems
-objects=("$build"/kernels/CMakeFiles/lober_kernels.dir/*_avx{2,512}.cpp.o "$build/$systems"/*_avx{2,512}.cpp.o)
-sources=("$source"/kernels/*_avx{2,512}.cpp "$source"/engine/dynamics/systems/*_avx{2,512}.cpp)
+objects=("$build"/kernels/CMakeFiles/lober_kernels.dir/avx{2,512}.cpp.o "$build/$systems"/*_avx{2,512}.cpp.o)
+sources=("$source"/kernels/avx{2,512}.cpp "$source"/engine/dynamics/systems/*_avx{2,512}.cpp)
 for object in "${objects[@]}"; do look_at "$object" "$(basename "$object") of this build"; done
 for file in "${sources[@]}"; do
   name=$(basename "$file" .cpp)
   flags=(-mavx2 -mfma)
-  [[ $name == *_avx512 ]] && flags+=(-mavx512f -mavx512vl -mavx512dq)
+  [[ $name == *avx512 ]] && flags+=(-mavx512f -mavx512vl -mavx512dq)
   "$compiler" -std=c++20 -O0 -g -fPIC -ffp-contract=off -Wno-psabi "-I$source" "-I$source/engine" "${flags[@]}" -c "$file" -o "$scratch/$name.o"
   look_at "$scratch/$name.o" "$name.cpp without optimisation"
 done

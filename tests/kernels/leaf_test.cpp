@@ -1,5 +1,6 @@
 // Boxes, flags and shoelace sums of leaves, from every compiled copy, against exact arithmetic.
 #include "kernels/leaf.hpp"
+#include "kernels/kernel_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,20 +9,13 @@
 
 #include "kernels/box.hpp"
 #include "kernels/cpu.hpp"
-#include "kernels/leaf.inl"
+#include "kernels/kernel_table.hpp"
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::detail {
-using Summarise = void(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
-                       std::uint8_t* flags);
-Summarise summarise_leaves_avx2, summarise_leaves_avx512;
-}  // namespace lober::detail
-
-namespace lober::testing {
+namespace lober::test {
 namespace {
-
-using Points = std::vector<Point>;
 
 Points random_points(Random& random, std::size_t count) {
   Points points(count);
@@ -104,13 +98,14 @@ TEST(SummariseLeaves, EqualsBruteForce) {
   }
 }
 
-void expect_bits_of_the_plain_copy(Summarise& copy) {
+void expect_bits_of_the_plain_copy(decltype(KernelTable::summarise_leaves) copy) {
   Random random(seed());
   for (int k = 0; k < 3000; ++k) {
     const std::size_t leaves = 1 + random.index(9);
     const Points points = random_points(random, leaves * leaf_size + 1);
     Summary plain(leaves), wide(leaves);
-    summarise(points.data(), 0, leaves, plain.boxes.data(), plain.sums.data(), plain.flags.data());
+    baseline_kernels.summarise_leaves(points.data(), 0, leaves, plain.boxes.data(), plain.sums.data(),
+                                      plain.flags.data());
     copy(points.data(), 0, leaves, wide.boxes.data(), wide.sums.data(), wide.flags.data());
     ASSERT_EQ(std::memcmp(plain.boxes.data(), wide.boxes.data(), leaves * sizeof(Box)), 0) << "try " << k;
     ASSERT_EQ(std::memcmp(plain.sums.data(), wide.sums.data(), leaves * sizeof(DD)), 0) << "try " << k;
@@ -120,12 +115,12 @@ void expect_bits_of_the_plain_copy(Summarise& copy) {
 
 TEST(SummariseLeaves, GivesTheSameBitsWithAvx2) {
   if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2 and FMA";
-  expect_bits_of_the_plain_copy(summarise_leaves_avx2);
+  expect_bits_of_the_plain_copy(avx2_kernels.summarise_leaves);
 }
 
 TEST(SummariseLeaves, GivesTheSameBitsWithAvx512) {
   if (!has_avx512()) GTEST_SKIP() << "this processor has no AVX-512";
-  expect_bits_of_the_plain_copy(summarise_leaves_avx512);
+  expect_bits_of_the_plain_copy(avx512_kernels.summarise_leaves);
 }
 
 // Coordinates that differ by less than a factor two have exact differences, others take another way: the
@@ -147,4 +142,4 @@ TEST(SummariseLeaves, SumsAreRightOnEitherSideOfExactDifferences) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -1,32 +1,28 @@
 // Verdicts of the floating-point filter: never wrong, seldom uncertain, the same from both compiled copies.
 #include "kernels/pair_filter.hpp"
+#include "kernels/kernel_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "kernels/cpu.hpp"
-#include "kernels/pair_filter.inl"
 #include "kernels/predicates.hpp"
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::detail {
-void filter_pairs_avx2(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
-                       PairVerdict* verdicts);
-}
+namespace lober::detail {}
 
-namespace lober::testing {
+namespace lober::test {
 namespace {
 
-using Points = std::vector<Point>;
-
-struct Kind {
+struct FilterKind {
   const char* name;
   Point (*make)(Random&);
   double max_uncertain;
 };
-constexpr Kind kinds[] = {
+constexpr FilterKind filter_kinds[] = {
     {"ordinary",
      [](Random& random) {
        return Point{random.unit(), random.unit()};
@@ -57,12 +53,12 @@ PairVerdict exact_verdict(Point a, Point b, Point c, Point d) {
   return side_d > 0 ? PairVerdict::crosses_to_left : PairVerdict::crosses_to_right;
 }
 
-struct Case {
+struct FilterCase {
   Points first, second;
   std::vector<SegmentPair> pairs;
 };
-Case make_case(const Kind& kind, Random& random) {
-  Case made{Points(30), Points(40), {}};
+FilterCase make_filter_case(const FilterKind& kind, Random& random) {
+  FilterCase made{Points(30), Points(40), {}};
   for (Point& point : made.first) point = kind.make(random);
   for (Point& point : made.second) point = kind.make(random);
   made.pairs.resize(random.index(50));
@@ -72,13 +68,13 @@ Case make_case(const Kind& kind, Random& random) {
   return made;
 }
 
-class PairFilter : public ::testing::TestWithParam<Kind> {};
+class PairFilter : public ::testing::TestWithParam<FilterKind> {};
 
 TEST_P(PairFilter, IsRightOrUncertain) {
   Random random(seed());
   std::size_t uncertain = 0, total = 0;
   for (int k = 0; k < 800; ++k) {
-    const auto [first, second, pairs] = make_case(GetParam(), random);
+    const auto [first, second, pairs] = make_filter_case(GetParam(), random);
     std::vector<PairVerdict> verdicts(pairs.size());
     filter_pairs({first.data(), 29}, {second.data(), 39}, pairs.data(), pairs.size(), verdicts.data());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -102,16 +98,16 @@ TEST_P(PairFilter, BothCopiesGiveTheSame) {
   if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
   Random random(seed());
   for (int k = 0; k < 800; ++k) {
-    const auto [first, second, pairs] = make_case(GetParam(), random);
+    const auto [first, second, pairs] = make_filter_case(GetParam(), random);
     std::vector<PairVerdict> plain(pairs.size()), wide(pairs.size());
-    filter({first.data(), 29}, {second.data(), 39}, pairs.data(), pairs.size(), plain.data());
-    filter_pairs_avx2({first.data(), 29}, {second.data(), 39}, pairs.data(), pairs.size(), wide.data());
+    baseline_kernels.filter_pairs({first.data(), 29}, {second.data(), 39}, pairs.data(), pairs.size(), plain.data());
+    avx2_kernels.filter_pairs({first.data(), 29}, {second.data(), 39}, pairs.data(), pairs.size(), wide.data());
     ASSERT_EQ(plain, wide) << "try " << k;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, PairFilter, ::testing::ValuesIn(kinds),
+INSTANTIATE_TEST_SUITE_P(Kinds, PairFilter, ::testing::ValuesIn(filter_kinds),
                          [](const auto& kind) { return kind.param.name; });
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

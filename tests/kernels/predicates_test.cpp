@@ -7,14 +7,14 @@
 
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
 struct Triple {
   Point a, b, c;
 };
-struct Kind {
+struct TripleKind {
   const char* name;
   int tries;
   Triple (*make)(Random&);
@@ -87,25 +87,25 @@ Triple with_equal_coordinates(Random& random) {
   return {{value(), value()}, {value(), value()}, {value(), value()}};
 }
 
-constexpr std::array kinds = {
-    Kind{"bit patterns", 60000, bit_patterns},
-    Kind{"ordinary", 200000, ordinary},
-    Kind{"nearly collinear", 300000, nearly_collinear},
-    Kind{"far from origin", 300000, far_from_origin},
-    Kind{"neighbours", 200000, neighbours},
-    Kind{"lattice", 200000, lattice},
-    Kind{"lattice multiples", 200000, lattice_multiples},
-    Kind{"denormals", 200000, denormals},
-    Kind{"tiny", 100000, tiny},
-    Kind{"huge", 100000, huge},
-    Kind{"mixed scales", 200000, mixed_scales},
-    Kind{"equal coordinates", 60000, with_equal_coordinates},
+constexpr std::array triple_kinds = {
+    TripleKind{"bit patterns", 60000, bit_patterns},
+    TripleKind{"ordinary", 200000, ordinary},
+    TripleKind{"nearly collinear", 300000, nearly_collinear},
+    TripleKind{"far from origin", 300000, far_from_origin},
+    TripleKind{"neighbours", 200000, neighbours},
+    TripleKind{"lattice", 200000, lattice},
+    TripleKind{"lattice multiples", 200000, lattice_multiples},
+    TripleKind{"denormals", 200000, denormals},
+    TripleKind{"tiny", 100000, tiny},
+    TripleKind{"huge", 100000, huge},
+    TripleKind{"mixed scales", 200000, mixed_scales},
+    TripleKind{"equal coordinates", 60000, with_equal_coordinates},
 };
 
-class Orient2d : public ::testing::TestWithParam<Kind> {};
+class Orient2d : public ::testing::TestWithParam<TripleKind> {};
 
 TEST_P(Orient2d, EqualsTheExactSignAndObeysItsIdentities) {
-  const Kind& kind = GetParam();
+  const TripleKind& kind = GetParam();
   Random random(seed());
   PredicateCounts counts;
   for (int k = 0; k < kind.tries; ++k) {
@@ -121,7 +121,7 @@ TEST_P(Orient2d, EqualsTheExactSignAndObeysItsIdentities) {
   RecordProperty("exact_calls", std::to_string(counts.exact_calls));
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Orient2d, ::testing::ValuesIn(kinds), [](const auto& kind) {
+INSTANTIATE_TEST_SUITE_P(Kinds, Orient2d, ::testing::ValuesIn(triple_kinds), [](const auto& kind) {
   std::string name = kind.param.name;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
@@ -131,7 +131,7 @@ TEST(CrossSign, EqualsTheExactSign) {
   Random random(seed());
   PredicateCounts counts;
   int parallel = 0;
-  for (const Kind& kind : kinds) {
+  for (const TripleKind& kind : triple_kinds) {
     for (int k = 0; k < kind.tries / 10; ++k) {
       const auto [a, b, c] = kind.make(random);
       const auto [d, e, f] = kind.make(random);
@@ -185,4 +185,4 @@ TEST(OnSegment, EqualsTheExactAnswer) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -13,10 +13,11 @@
 #include <limits>
 #include <string>
 
+#include "kernels/double_double.hpp"
 #include "kernels/point.hpp"
 #include "tests/oracle/random.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 
 using oracle::Random;
@@ -96,9 +97,22 @@ inline mpq_class power_of_two(int exponent) {
   return result;
 }
 
+/// hi + lo.
+inline mpq_class value_of(DD a) {
+  return mpq_class(a.hi) + mpq_class(a.lo);
+}
+
+/// The vector between two points.
+struct ExactVector {
+  mpq_class x, y;
+};
+inline ExactVector exact_vector(Point from, Point to) {
+  return {mpq_class(to.x) - mpq_class(from.x), mpq_class(to.y) - mpq_class(from.y)};
+}
+
 /// Whether |value - exact| <= 2^exponent |size|.
 inline bool within(const mpq_class& value, const mpq_class& exact, int exponent, const mpq_class& size) {
   return abs(mpq_class(value - exact)) <= power_of_two(exponent) * abs(size);
 }
 
-}  // namespace lober::testing
+}  // namespace lober::test

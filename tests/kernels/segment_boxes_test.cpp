@@ -1,5 +1,6 @@
 // Which segments of two leaves have boxes that meet: against exact brute force, and both compiled copies.
 #include "kernels/segment_boxes.hpp"
+#include "kernels/kernel_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,22 +13,14 @@
 #include "kernels/box.hpp"
 #include "kernels/cpu.hpp"
 #include "kernels/predicates.hpp"
-#include "kernels/segment_boxes.inl"
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::detail {
-void segment_boxes_avx2(const Point* points, SegmentBoxes& boxes);
-std::size_t meeting_segments_avx2(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
-                                  std::uint32_t b_begin, SegmentPair* pairs);
-}  // namespace lober::detail
-
-namespace lober::testing {
+namespace lober::test {
 namespace {
 
-using Points = std::vector<Point>;
-
-Points random_leaf(Random& random) {
+Points random_leaf_points(Random& random) {
   Points points(leaf_size + 1);
   const bool coarse = random.chance(0.5);  // touching boxes, points and repeated vertices
   const double size = random.log_uniform(0.01, 1), x = random.unit(), y = random.unit();
@@ -39,7 +32,7 @@ Points random_leaf(Random& random) {
 }
 
 // Two segments whose boxes meet have a common point iff neither lies on one side of the other.
-bool have_common_point(Point a, Point b, Point c, Point d) {
+bool segments_meet(Point a, Point b, Point c, Point d) {
   PredicateCounts counts;
   return orient2d(a, b, c, counts) * orient2d(a, b, d, counts) <= 0 &&
          orient2d(c, d, a, counts) * orient2d(c, d, b, counts) <= 0;
@@ -49,7 +42,7 @@ TEST(MeetingSegments, HoldAllThatHaveACommonPointInOrder) {
   Random random(seed());
   std::size_t met = 0, missing = 0;
   for (int k = 0; k < 3000; ++k) {
-    const Points a = random_leaf(random), b = random_leaf(random);
+    const Points a = random_leaf_points(random), b = random_leaf_points(random);
     SegmentBoxes boxes;
     segment_boxes(a.data(), boxes);
     std::vector<SegmentPair> pairs(leaf_size * leaf_size);
@@ -61,7 +54,7 @@ TEST(MeetingSegments, HoldAllThatHaveACommonPointInOrder) {
         next += found;
         const bool near = meet(Box::of(a[i], a[i + 1]), Box::of(b[j], b[j + 1]));
         ASSERT_FALSE(found && !near) << "try " << k;
-        ASSERT_FALSE(!found && near && have_common_point(a[i], a[i + 1], b[j], b[j + 1])) << "try " << k;
+        ASSERT_FALSE(!found && near && segments_meet(a[i], a[i + 1], b[j], b[j + 1])) << "try " << k;
         missing += near && !found;
       }
     }
@@ -102,7 +95,7 @@ TEST(MeetingSegments, SlabsOfThinLeavesLoseNothing) {
     for (std::uint32_t j = 0; j < leaf_size; ++j) {
       for (std::uint32_t i = 0; i < leaf_size; ++i) {
         if (!meet(Box::of(a[i], a[i + 1]), Box::of(b[j], b[j + 1]))) continue;
-        if (!have_common_point(a[i], a[i + 1], b[j], b[j + 1])) continue;
+        if (!segments_meet(a[i], a[i + 1], b[j], b[j + 1])) continue;
         ++common;
         ASSERT_NE(std::find(pairs.begin(), pairs.end(), SegmentPair{i, j}), pairs.end()) << "try " << k;
       }
@@ -115,16 +108,14 @@ TEST(MeetingSegments, BothCopiesGiveTheSame) {
   if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
   Random random(seed());
   for (int k = 0; k < 3000; ++k) {
-    const Points a = random_leaf(random), b = random_leaf(random);
+    const Points a = random_leaf_points(random), b = random_leaf_points(random);
     SegmentBoxes plain, wide;
-    boxes_of(a.data(), plain);
-    group_boxes(plain);
-    fit_slab(a.data(), plain.slab);
-    segment_boxes_avx2(a.data(), wide);
+    baseline_kernels.segment_boxes(a.data(), plain);
+    avx2_kernels.segment_boxes(a.data(), wide);
     ASSERT_EQ(std::memcmp(&plain, &wide, offsetof(SegmentBoxes, slab) + sizeof plain.slab), 0);  // padding differs
     std::vector<SegmentPair> from_plain(leaf_size * leaf_size), from_wide(leaf_size * leaf_size);
-    from_plain.resize(find_meeting(plain, 3, b.data(), box_of(b), 5, from_plain.data()));
-    from_wide.resize(meeting_segments_avx2(wide, 3, b.data(), box_of(b), 5, from_wide.data()));
+    from_plain.resize(baseline_kernels.meeting_segments(plain, 3, b.data(), box_of(b), 5, from_plain.data()));
+    from_wide.resize(avx2_kernels.meeting_segments(wide, 3, b.data(), box_of(b), 5, from_wide.data()));
     ASSERT_EQ(from_plain, from_wide) << "try " << k;
   }
 }
@@ -141,4 +132,4 @@ TEST(Box, MeetsExactlyWhenClosedRectanglesDo) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -1,5 +1,6 @@
 // Single terms of shoelace sums and running sums, against GMP.
 #include "kernels/shoelace.hpp"
+#include "kernels/kernel_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,17 +9,10 @@
 #include <vector>
 
 #include "kernels/cpu.hpp"
-#include "kernels/shoelace.inl"
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::detail {
-DD shoelace_prefixes_avx2(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
-void sums_at_avx2(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count,
-                  DD* sums);
-}  // namespace lober::detail
-
-namespace lober::testing {
+namespace lober::test {
 namespace {
 
 using Leaf = std::array<Point, leaf_size + 1>;
@@ -31,18 +25,8 @@ Leaf random_leaf(Random& random) {
   return leaf;
 }
 
-struct Vector {
-  mpq_class x, y;
-};
-Vector between(Point from, Point to) {
-  return {mpq_class(to.x) - mpq_class(from.x), mpq_class(to.y) - mpq_class(from.y)};
-}
-mpq_class squared(const Vector& u) {
+mpq_class squared(const ExactVector& u) {
   return u.x * u.x + u.y * u.y;
-}
-
-mpq_class value_of(DD a) {
-  return mpq_class(a.hi) + mpq_class(a.lo);
 }
 
 // The sum up to the point with parameter t of a segment, one at a time.
@@ -72,8 +56,8 @@ TEST(Shoelace, KeepsItsBound) {
       worst = std::max(worst, mpq_class(abs(value_of(found) - exact)));
     };
     for (std::size_t i = 0; i < leaf_size; ++i) {
-      const Vector a = between(origin, leaf[i]), b = between(origin, leaf[i + 1]);
-      const Vector edge = between(leaf[i], leaf[i + 1]);
+      const ExactVector a = exact_vector(origin, leaf[i]), b = exact_vector(origin, leaf[i + 1]);
+      const ExactVector edge = exact_vector(leaf[i], leaf[i + 1]);
       const mpq_class exact = a.x * b.y - a.y * b.x;
       const mpq_class error = value_of(shoelace(leaf[i], leaf[i + 1], origin)) - exact;
       ASSERT_LE(error * error, bound * squared(a) * squared(b)) << "one segment, try " << k;
@@ -101,8 +85,8 @@ TEST(Shoelace, BothCopiesGiveTheSameBits) {
     std::array<DD, leaf_size> extra;
     for (DD& value : extra) value = {random.unit(), 0};
     LeafPrefixes plain, wide;
-    const DD plain_end = prefixes_of(leaf.data(), leaf[3], {1, 0}, extra.data(), plain);
-    const DD wide_end = shoelace_prefixes_avx2(leaf.data(), leaf[3], {1, 0}, extra.data(), wide);
+    const DD plain_end = baseline_kernels.shoelace_prefixes(leaf.data(), leaf[3], {1, 0}, extra.data(), plain);
+    const DD wide_end = avx2_kernels.shoelace_prefixes(leaf.data(), leaf[3], {1, 0}, extra.data(), wide);
     ASSERT_EQ(std::memcmp(&plain, &wide, sizeof plain), 0) << "try " << k;
     ASSERT_EQ(plain_end.hi, wide_end.hi);
     ASSERT_EQ(plain_end.lo, wide_end.lo);
@@ -122,9 +106,9 @@ TEST(SumsAt, GivesTheBitsOfOneAtATime) {
       segments[i] = static_cast<std::uint32_t>(7 * leaf_size + random.index(leaf_size));
       t[i] = random.chance(0.1) ? DD{} : two_product(random.unit(), random.unit());
     }
-    all_sums_at(prefixes, segments.data(), t.data(), count, plain.data());
+    baseline_kernels.sums_at(prefixes, segments.data(), t.data(), count, plain.data());
     if (has_avx2()) {
-      sums_at_avx2(prefixes, segments.data(), t.data(), count, wide.data());
+      avx2_kernels.sums_at(prefixes, segments.data(), t.data(), count, wide.data());
     } else {
       wide = plain;
     }
@@ -163,4 +147,4 @@ TEST(RunningSum, KeepsItsBound) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -9,9 +9,9 @@ namespace lober::detail {
 namespace {
 
 using Window = std::array<Point, 8>;
-using Kind = SmoothSegment::Kind;
+using SegmentKind = SmoothSegment::Kind;
 
-Window circle(double h) {
+Window circle_window(double h) {
   Window p;
   for (std::size_t k = 0; k < 8; ++k) {
     const double t = h * (static_cast<double>(k) - 3.5) + 1;
@@ -32,7 +32,7 @@ TEST(SmoothSegment, ReproducesGraphsOfDegreeFive) {
   Window p;
   for (std::size_t k = 0; k < 8; ++k) p[k] = transformed(x[k], y(x[k]));
   const SmoothSegment segment = fit_smooth_segment(p);
-  ASSERT_EQ(segment.kind, Kind::smooth);
+  ASSERT_EQ(segment.kind, SegmentKind::smooth);
   for (const double u : {0.0, 0.2, 0.5, 0.9, 1.0, 1.1}) {
     const Point expected = transformed(u, y(u)), at = segment.at(u);
     EXPECT_NEAR(p[3].x + at.x, expected.x, 1e-14);
@@ -53,7 +53,7 @@ TEST(SmoothSegment, ReproducesGraphsOfDegreeFive) {
 TEST(SmoothSegment, ChordAreaOfACircleIsRightToOrderSeven) {
   double previous = 0;
   for (double h = 0.4; h > 0.04; h /= 2) {
-    const SmoothSegment segment = fit_smooth_segment(circle(h));
+    const SmoothSegment segment = fit_smooth_segment(circle_window(h));
     const double error = std::fabs(segment.chord_area(1) - (h - std::sin(h)));
     EXPECT_LT(error, segment.error);
     if (previous > 0) {
@@ -64,15 +64,15 @@ TEST(SmoothSegment, ChordAreaOfACircleIsRightToOrderSeven) {
 }
 
 TEST(SmoothSegment, DoesNotLookBeyondCorners) {
-  Window p = circle(0.1);
+  Window p = circle_window(0.1);
   const double full = fit_smooth_segment(p).chord_area(1);
   for (std::size_t k = 5; k < 8; ++k) p[k] = {p[4].x + 0.1 * static_cast<double>(k - 4), p[4].y};  // corner at p[4]
   const SmoothSegment left = fit_smooth_segment(p);
-  EXPECT_EQ(left.kind, Kind::smooth);
+  EXPECT_EQ(left.kind, SegmentKind::smooth);
   EXPECT_NEAR(left.chord_area(1), full, 0.02 * full);
   EXPECT_GT(left.error, std::fabs(left.chord_area(1) - full));
   for (std::size_t k = 0; k < 3; ++k) p[k] = {p[3].x - 0.1 * static_cast<double>(3 - k), p[3].y};  // and at p[3]
-  EXPECT_EQ(fit_smooth_segment(p).kind, Kind::straight);
+  EXPECT_EQ(fit_smooth_segment(p).kind, SegmentKind::straight);
   EXPECT_EQ(fit_smooth_segment(p).chord_area(1), 0);
 }
 
@@ -80,13 +80,13 @@ TEST(SmoothSegment, TakesAZigzagForNoise) {
   Window p;
   for (std::size_t k = 0; k < 8; ++k) p[k] = {static_cast<double>(k), k % 2 == 0 ? 0 : 0.05};
   const SmoothSegment segment = fit_smooth_segment(p);
-  EXPECT_EQ(segment.kind, Kind::noisy);
+  EXPECT_EQ(segment.kind, SegmentKind::noisy);
   EXPECT_EQ(segment.chord_area(1), 0);
   EXPECT_GT(segment.error, 0.01);
 }
 
 TEST(SmoothSegment, RunsTheSameWayBack) {
-  Window p = circle(0.2);
+  Window p = circle_window(0.2);
   p[1].x += 0.01;
   const double there = fit_smooth_segment(p).chord_area(1);
   std::reverse(p.begin(), p.end());
@@ -94,10 +94,10 @@ TEST(SmoothSegment, RunsTheSameWayBack) {
 }
 
 TEST(SmoothSegment, HasNoneWithoutLength) {
-  Window p = circle(0.2);
+  Window p = circle_window(0.2);
   p[4] = p[3];
   const SmoothSegment segment = fit_smooth_segment(p);
-  EXPECT_EQ(segment.kind, Kind::straight);
+  EXPECT_EQ(segment.kind, SegmentKind::straight);
   EXPECT_EQ(segment.chord_area(1), 0);
   EXPECT_EQ(segment.error, 0);
 }

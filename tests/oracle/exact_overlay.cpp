@@ -1,29 +1,16 @@
 #include "tests/oracle/exact_overlay.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "tests/oracle/disjoint_sets.hpp"
 #include "tests/oracle/exact_result.hpp"
 
 namespace lober::oracle {
 namespace {
 
 // Disjoint sets of faces.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 bool in_region(const Face& face, std::size_t pairing) {
   const auto [in1, in2] = face.inside;
   switch (pairing) {
@@ -41,7 +28,7 @@ bool in_region(const Face& face, std::size_t pairing) {
 // Components of the complement of one piece, less the unbounded one. The complement is open across every edge
 // that has it on both sides; faces that meet in a vertex only are not joined.
 unsigned count_holes(const Arrangement& arrangement, const std::vector<bool>& in_piece) {
-  Sets sets(arrangement.faces.size());
+  DisjointSets sets(arrangement.faces.size());
   for (std::size_t e = 0; e < arrangement.edges.size(); ++e) {
     const std::uint32_t left = arrangement.left[2 * e];
     const std::uint32_t right = arrangement.left[2 * e + 1];
@@ -64,7 +51,7 @@ Rational total(const std::vector<ExactPiece>& pieces) {
 
 std::vector<ExactPiece> find_pieces(const Arrangement& arrangement, std::size_t pairing) {
   const std::size_t count = arrangement.faces.size();
-  Sets sets(count);
+  DisjointSets sets(count);
   for (std::size_t e = 0; e < arrangement.edges.size(); ++e) {
     const std::uint32_t left = arrangement.left[2 * e];
     const std::uint32_t right = arrangement.left[2 * e + 1];

@@ -91,6 +91,14 @@ CurvePair make_curve_pair(const Family& family, std::uint64_t seed) {
   throw std::logic_error("no simple pair in family " + std::string(family.name));
 }
 
+CurvePair rearranged(const CurvePair& pair) {
+  CurvePair result{pair.family + " rearranged", pair.seed, pair.second, pair.first};
+  std::reverse(result.first.begin(), result.first.end());
+  std::rotate(result.second.begin(), result.second.begin() + static_cast<std::ptrdiff_t>(result.second.size() / 2),
+              result.second.end());
+  return result;
+}
+
 CurvePair transformed(const CurvePair& pair) {
   Random random(hash(pair.family) + 3 * pair.seed + 1);
   const int kind = random.integer(0, 2);

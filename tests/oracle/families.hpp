@@ -40,6 +40,9 @@ inline std::ostream& operator<<(std::ostream& stream, const Family& family) {
 /// scale between 1e-8 and 1e8, or both. The result, as rounded, need not be simple.
 [[nodiscard]] CurvePair transformed(const CurvePair& pair);
 
+/// The same pair with the curves exchanged, one backwards and one from its middle vertex on.
+[[nodiscard]] CurvePair rearranged(const CurvePair& pair);
+
 // The members of `families()`.
 namespace family {
 PolygonPair stars(Random& random);

@@ -1,10 +1,10 @@
 #include "tests/oracle/slab_arrangement.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 #include "kernels/box.hpp"
+#include "tests/oracle/disjoint_sets.hpp"
 
 namespace lober::oracle {
 using namespace lober::detail;
@@ -15,24 +15,6 @@ struct SlabArrangement::Line {
   int winding1, winding2;
   [[nodiscard]] Rational at(const Rational& x) const { return y0 + slope * (x - x0); }
 };
-
-namespace {
-
-// The roots of a forest of sets.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void union_of(std::size_t x, std::size_t y) { parent_[root(x)] = root(y); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-}  // namespace
 
 SlabArrangement::SlabArrangement(std::span<const Point> first, std::span<const Point> second) {
   std::vector<Line> lines;
@@ -142,23 +124,23 @@ std::vector<SlabPiece> SlabArrangement::pieces(const std::function<bool(int, int
   for (std::size_t k = 0; k < cells_.size(); ++k) {
     in[k] = wanted(cells_[k].winding1, cells_[k].winding2) ? 1 : 0;
   }
-  Sets sets(cells_.size());
+  DisjointSets sets(cells_.size());
   for (const auto& [x, y] : next_) {
-    if (in[x] != 0 && in[y] != 0) sets.union_of(x, y);
+    if (in[x] != 0 && in[y] != 0) sets.join(x, y);
   }
   std::map<std::size_t, SlabPiece> by_root;
   for (std::size_t k = 0; k < cells_.size(); ++k) {
-    if (in[k] != 0) by_root[sets.root(k)].area += cells_[k].area;
+    if (in[k] != 0) by_root[sets.find(k)].area += cells_[k].area;
   }
   std::vector<SlabPiece> result;
   for (auto& [root, piece] : by_root) {
-    Sets rest(cells_.size());
-    const auto outside = [&, own = root](std::size_t cell) { return in[cell] == 0 || sets.root(cell) != own; };
+    DisjointSets rest(cells_.size());
+    const auto outside = [&, own = root](std::size_t cell) { return in[cell] == 0 || sets.find(cell) != own; };
     for (const auto& [x, y] : next_) {
-      if (outside(x) && outside(y)) rest.union_of(x, y);
+      if (outside(x) && outside(y)) rest.join(x, y);
     }
     for (std::size_t k = 0; k < cells_.size(); ++k) {
-      if (outside(k) && rest.root(k) == k) ++piece.holes;
+      if (outside(k) && rest.find(k) == k) ++piece.holes;
     }
     --piece.holes;  // the unbounded component
     result.push_back(std::move(piece));

@@ -26,14 +26,14 @@ using namespace lober::detail;
 namespace {
 
 using oracle::Random;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Circle {
   Point centre;
   double radius;
 };
 
-struct Scene {
+struct SmoothPair {
   std::vector<Point> first, second;
   Areas areas;  // of the smooth curves
 };
@@ -49,7 +49,7 @@ double lens_area(double r, double s, double d) {
 
 // Two circles that cross, moved by a linear map of determinant `stretch`: ellipses that cross in a known area.
 // `uneven` below 1 is how much denser than the mean the points are somewhere.
-Scene make_scene(Random& random, double max_stretch, double max_unevenness) {
+SmoothPair make_scene(Random& random, double max_stretch, double max_unevenness) {
   const double r = random.log_uniform(0.3, 3), s = random.log_uniform(0.3, 3);
   const double d = std::fabs(r - s) + random.uniform(0.1, 0.9) * (r + s - std::fabs(r - s));
   const Point centre{random.uniform(-5, 5), random.uniform(-5, 5)};
@@ -69,7 +69,7 @@ Scene make_scene(Random& random, double max_stretch, double max_unevenness) {
     }
     return points;
   };
-  Scene scene;
+  SmoothPair scene;
   scene.first = sampled({centre, r});
   scene.second = sampled({{centre.x + d * std::cos(direction), centre.y + d * std::sin(direction)}, s});
   const double area1 = stretch * pi * r * r, area2 = stretch * pi * s * s, common = stretch * lens_area(r, s, d);
@@ -83,13 +83,13 @@ Scene make_scene(Random& random, double max_stretch, double max_unevenness) {
   return scene;
 }
 
-struct Kind {
+struct ShapeKind {
   const char* name;
   double max_stretch, max_unevenness;
 };
 
 /// For the names of tests.
-std::ostream& operator<<(std::ostream& stream, const Kind& kind) {
+std::ostream& operator<<(std::ostream& stream, const ShapeKind& kind) {
   return stream << kind.name;
 }
 
@@ -109,16 +109,16 @@ constexpr std::array rows{
     Row{"symmetric difference", &Areas::symmetric_difference, false},
 };
 
-class DiscretisationStability : public testing::TestWithParam<Kind> {};
+class DiscretisationStability : public testing::TestWithParam<ShapeKind> {};
 
 TEST_P(DiscretisationStability, EstimateIsNearTheTrueError) {
-  const Kind& kind = GetParam();
+  const ShapeKind& kind = GetParam();
   const std::uint64_t seed = from_environment("LOBER_SEED", 0);
   const std::size_t count = from_environment("LOBER_DISCRETISATION_PAIRS", 200);
   std::vector<Areas> ratios(count);  // estimate / true error
   for_each_block(count, 1, [&](std::size_t k, std::size_t) {
     Random random(Random(seed + k).bits());
-    const Scene scene = make_scene(random, kind.max_stretch, kind.max_unevenness);
+    const SmoothPair scene = make_scene(random, kind.max_stretch, kind.max_unevenness);
     const Overlay found = overlay(CurveView{scene.first}, CurveView{scene.second});
     const Areas estimate = discretisation_error(found);
     for (const Row& row : rows) {
@@ -145,8 +145,8 @@ TEST_P(DiscretisationStability, EstimateIsNearTheTrueError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DiscretisationStability,
-                         testing::Values(Kind{"circles", 1, 0}, Kind{"ellipses", 5, 0},
-                                         Kind{"uneven_ellipses", 5, 0.5}),
+                         testing::Values(ShapeKind{"circles", 1, 0}, ShapeKind{"ellipses", 5, 0},
+                                         ShapeKind{"uneven_ellipses", 5, 0.5}),
                          [](const auto& member) { return std::string(member.param.name); });
 
 }  // namespace

@@ -16,12 +16,12 @@
 namespace lober {
 namespace {
 
-struct Family {
+struct SystemFamily {
   std::string system;
   std::vector<std::pair<std::string, std::pair<double, double>>> ranges;
 };
 
-const std::vector<Family> families{
+const std::vector<SystemFamily> system_families{
     {"standard", {{"K", {0.25, 6}}}},
     {"henon", {{"k", {-0.9, 2}}}},
     {"ovp", {{"gamma", {0.3, 1.2}}, {"eps", {0.02, 0.2}}}},
@@ -35,7 +35,7 @@ TEST(TransportCoverage, OfLobesAndFluxes) {
   std::mt19937_64 random(seed);
   std::size_t compared = 0, outside = 0, refused = 0;
   double worst = 0;
-  for (const Family& family : families) {
+  for (const SystemFamily& family : system_families) {
     for (std::uint64_t k = 0; k < count; ++k) {
       ParameterValues values;
       std::string text = family.system;
@@ -67,7 +67,7 @@ TEST(TransportCoverage, OfLobesAndFluxes) {
   }
   std::cout << "bars of transport (seed " << seed << "): " << outside << " of " << compared
             << " comparisons outside, the largest difference is " << worst << " bars; " << refused << " of "
-            << count * families.size() << " systems refused\n";
+            << count * system_families.size() << " systems refused\n";
   EXPECT_GE(compared, 8 * count);
   EXPECT_LE(1000 * outside, compared);
 }

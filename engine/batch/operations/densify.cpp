@@ -64,14 +64,14 @@ void require_memory(double points, std::size_t most) {
 }
 
 // A point that comes out and, while it is made, its criteria.
-constexpr std::size_t bytes_per_point = 2 * sizeof(Point);
+constexpr std::size_t bytes_per_new_point = 2 * sizeof(Point);
 
 double result_bytes(const Curve& curve, const Options& options) {
   const auto criteria = criteria_for(options, curve);
-  return criteria ? static_cast<double>(bytes_per_point) * expected_points(curve, *criteria) : 0;
+  return criteria ? static_cast<double>(bytes_per_new_point) * expected_points(curve, *criteria) : 0;
 }
 
-Result run(JobCurves curves, const Options& options) {
+Result run_densify(JobCurves curves, const Options& options) {
   const PreparedCurve& first = *curves[0];
   const PreparedCurve* const second = curves.size() > 1 ? curves[1] : nullptr;
   const bool near = options.whole("passes") > 0 || options.flag("crossings");
@@ -91,12 +91,12 @@ Result run(JobCurves curves, const Options& options) {
     done(simplify(result, {options.real("simplify"), or_off(options.real("max_length"))}));
   }
   const Allowance& allowance = curves.allowance();
-  const std::size_t most = std::min<std::size_t>(allowance.most() / bytes_per_point, 1'000'000'000);
+  const std::size_t most = std::min<std::size_t>(allowance.most() / bytes_per_new_point, 1'000'000'000);
   if (const auto criteria = criteria_for(options, result)) {
     require_memory(expected_points(result, *criteria), most);
-    allowance.book(bytes_per_point * static_cast<std::size_t>(expected_points(result, *criteria)));
+    allowance.book(bytes_per_new_point * static_cast<std::size_t>(expected_points(result, *criteria)));
     done(densify(result, *criteria, {interpolation, most}));
-    allowance.book(bytes_per_point * result.points.size());
+    allowance.book(bytes_per_new_point * result.points.size());
     for (const Diagnostic& diagnostic : result.diagnostics) {
       if (diagnostic.cause == DiagnosticCause::max_points) require_memory(INFINITY, most);
     }
@@ -156,7 +156,7 @@ Operation densify_operation() {
                        {"rounds", Column::Kind::count},
                        {"segments_with_diagnostics", Column::Kind::count}};
   operation.requirements = [](const Options&) { return Requirements{}; };
-  operation.run = run;
+  operation.run = run_densify;
   operation.result_bytes = result_bytes;
   operation.cost = [](std::size_t points) { return 10 + 0.1 * static_cast<double>(points); };
   return operation;

@@ -6,7 +6,7 @@
 namespace lober::detail {
 namespace {
 
-Result run(JobCurves curves, const Options& options) {
+Result run_interior(JobCurves curves, const Options& options) {
   const PreparedCurve &first = *curves[0], &second = *curves[1];
   InteriorOptions how;
   how.method = options.text("method") == "ends" ? InteriorMethod::ends : InteriorMethod::split;
@@ -58,7 +58,7 @@ Operation interior_operation() {
     operation.columns.push_back({name, Column::Kind::count});
   }
   operation.requirements = [](const Options&) { return Requirements{.index = true, .simple = true, .closed = true}; };
-  operation.run = run;
+  operation.run = run_interior;
   operation.cost = [](std::size_t points) { return 10 + 1e-3 * static_cast<double>(points); };
   return operation;
 }

@@ -8,7 +8,7 @@
 namespace lober::detail {
 namespace {
 
-Result run(JobCurves curves, const Options& options) {
+Result run_overlay(JobCurves curves, const Options& options) {
   const PreparedCurve &first = *curves[0], &second = *curves[1];
   OverlayOptions how;
   how.index = index_kind(options);
@@ -63,7 +63,7 @@ Operation overlay_operation() {
     return Requirements{
         .index = true, .simple = true, .closed = true, .discretisation = options.flag("discretisation")};
   };
-  operation.run = run;
+  operation.run = run_overlay;
   // Measured on circles and wavy curves that cross a few times: 5 us, and 0.1 ns a point; tangles cost far more.
   operation.cost = [](std::size_t points) { return 5 + 1e-4 * static_cast<double>(points); };
   return operation;

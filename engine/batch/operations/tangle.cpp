@@ -19,7 +19,7 @@ TangleOptions tangle_options(const Options& options) {
   return how;
 }
 
-Result run(JobCurves curves, const Options& options) {
+Result run_tangle(JobCurves curves, const Options& options) {
   const Tangle found = tangle(curves[0]->index(), curves[1]->index(), tangle_options(options));
   if (!found.images.misfit.empty()) throw DataError("tangle: " + found.images.misfit);
   Result record;
@@ -88,7 +88,7 @@ Operation tangle_operation() {
   operation.requirements = [](const Options& options) {
     return Requirements{.index = true, .simple = options.flag("simple_check")};
   };
-  operation.run = run;
+  operation.run = run_tangle;
   operation.cost = [](std::size_t points) { return 20 + 1e-2 * static_cast<double>(points); };
   return operation;
 }

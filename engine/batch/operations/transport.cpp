@@ -11,7 +11,7 @@
 namespace lober::detail {
 namespace {
 
-Result run(JobCurves curves, const Options& options) {
+Result run_transport(JobCurves curves, const Options& options) {
   const System system =
       system_of(options.text("system"), options.reals_of("parameters"), options.real("integration_tolerance"));
   TransportOptions how;
@@ -91,7 +91,7 @@ Operation transport_operation() {
   operation.lists = {"a21", "total21", "total21_error", "total21_by_boundaries"};
   operation.check = check_options;
   operation.requirements = [](const Options&) { return Requirements{}; };
-  operation.run = run;
+  operation.run = run_transport;
   operation.cost = [](std::size_t) { return 2e5; };
   operation.memory = std::size_t{64} << 20;
   return operation;

@@ -15,16 +15,6 @@
 #include "lober/index.hpp"
 
 namespace lober::detail {
-namespace {
-
-struct Exit {
-  std::size_t bottleneck;
-  CurveImage regularising_curve;
-  std::unique_ptr<IndexedCurve> index;
-  Point middle;  // inside
-};
-
-}  // namespace
 
 class CutImages::Cutting {
  public:
@@ -83,6 +73,13 @@ class CutImages::Cutting {
   [[nodiscard]] bool out_of_points() const { return out_of_points_; }
 
  private:
+  struct Exit {
+    std::size_t bottleneck;
+    CurveImage regularising_curve;
+    std::unique_ptr<IndexedCurve> index;
+    Point middle;  // inside
+  };
+
   // The present curve is known at these points.
   void sample(const TubeCurve& curve) {
     points_.assign(curve.image.points.begin(), curve.image.points.end());

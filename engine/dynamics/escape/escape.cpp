@@ -45,9 +45,9 @@ void within_first_limit(const ProcessorWatch& watch, const EscapeOptions& option
                   "time");
 }
 
-class Builder {
+class EscapeBuilder {
  public:
-  Builder(const Flow& flow, const Section& section, double energy, const EscapeOptions& options)
+  EscapeBuilder(const Flow& flow, const Section& section, double energy, const EscapeOptions& options)
       : flow_(flow), options_(options) {
     result_.energy = energy;
     result_.section = section;
@@ -359,7 +359,7 @@ Escape escape(const Flow& flow, const Section& section, double energy, std::span
   if (section.direction == 0) throw UsageError("escape counts crossings in one direction: the section needs one");
   if (section.bound_side != 0) throw UsageError("escape takes sections without bound");
   const Section whole = position_section(flow, section.coordinate, section.value, section.direction);
-  return Builder(flow, whole, energy, options).build(saddles);
+  return EscapeBuilder(flow, whole, energy, options).build(saddles);
 }
 
 std::vector<Survival> survival(const Escape& result, std::size_t entry) {

@@ -15,7 +15,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::size_t grain = 2048;  // trajectories a block
+constexpr std::size_t trajectories_a_block = 2048;  // trajectories a block
 
 struct SectionCurve {
   IndexedCurve curve;
@@ -25,9 +25,9 @@ struct SectionCurve {
   [[nodiscard]] bool holds(Point p) const { return meet(box, Box::of(p, p)) && contains(curve, p); }
 };
 
-class Counter {
+class TrajectoryCounter {
  public:
-  Counter(const Flow& flow, const Escape& result, const MonteCarloOptions& options)
+  TrajectoryCounter(const Flow& flow, const Escape& result, const MonteCarloOptions& options)
       : flow_(flow), result_(result), options_(options), both_(result.section) {
     both_.direction = 0;
     for (const Bottleneck& bottleneck : result.bottlenecks) {
@@ -98,16 +98,17 @@ class Counter {
 
 MonteCarlo monte_carlo(const Flow& flow, const Escape& result, const MonteCarloOptions& options) {
   if (options.trajectories == 0) throw UsageError("a Monte Carlo check needs trajectories");
-  const Counter counter(flow, result, options);
+  const TrajectoryCounter counter(flow, result, options);
   const std::size_t bottlenecks = result.bottlenecks.size();
-  const std::size_t blocks = (options.trajectories + grain - 1) / grain;
+  const std::size_t blocks = (options.trajectories + trajectories_a_block - 1) / trajectories_a_block;
   std::vector<std::vector<std::uint64_t>> counts(bottlenecks, std::vector<std::uint64_t>(counter.columns() + 1));
   std::mutex mutex;
   std::size_t done = 0;
   for_each_block(bottlenecks * blocks, 1, [&](std::size_t k, std::size_t) {
     const std::size_t entry = k / blocks;
-    const std::uint64_t begin = (k % blocks) * grain;
-    const auto here = counter.count(entry, begin, std::min<std::uint64_t>(begin + grain, options.trajectories));
+    const std::uint64_t begin = (k % blocks) * trajectories_a_block;
+    const auto here =
+        counter.count(entry, begin, std::min<std::uint64_t>(begin + trajectories_a_block, options.trajectories));
     // Sums of whole numbers do not depend on their order.
     const std::lock_guard lock(mutex);
     for (std::size_t i = 0; i < here.size(); ++i) counts[entry][i] += here[i];

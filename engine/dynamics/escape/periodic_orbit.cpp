@@ -10,18 +10,16 @@
 #include <vector>
 
 #include "engine/base/text.hpp"
+#include "engine/dynamics/escape/state_index.hpp"
 #include "lober/error.hpp"
 
 namespace lober {
 namespace {
 
-std::size_t at(int coordinate) {
-  return static_cast<std::size_t>(coordinate);
-}
-
 // The amplitude of the linear orbit in each coordinate.
 double amplitude(const SaddlePoint& saddle, int coordinate) {
-  return std::hypot(saddle.centre_cos[at(coordinate)], saddle.centre_sin[at(coordinate)]);
+  return std::hypot(saddle.centre_cos[detail::state_index(coordinate)],
+                    saddle.centre_sin[detail::state_index(coordinate)]);
 }
 
 // Across the longer of the two coordinates of position.
@@ -31,7 +29,7 @@ Section local_section(const Flow& flow, const SaddlePoint& saddle) {
   const ConjugatePair along = pairs[second ? 1 : 0], chart = pairs[second ? 0 : 1];
   Section section;
   section.coordinate = along.q;
-  section.value = saddle.at[at(along.q)];
+  section.value = saddle.at[detail::state_index(along.q)];
   section.direction = 1;
   section.chart_x = chart.q;
   section.chart_y = chart.p;
@@ -104,12 +102,14 @@ class HalfReturns {
       // The chart's vector at constant energy, carried along and slid along the flow back onto the section.
       const double lift = -slope(moved, leaves) / slope(section_.solved, leaves);
       FlowState w{};
-      for (std::size_t i = 0; i < 4; ++i) w[i] = derivative[i][at(moved)] + lift * derivative[i][at(section_.solved)];
-      const double share = w[at(section_.coordinate)] / arrives[at(section_.coordinate)];
-      columns[k] = {w[at(section_.chart_x)] - share * arrives[at(section_.chart_x)],
-                    w[at(section_.chart_y)] - share * arrives[at(section_.chart_y)]};
+      for (std::size_t i = 0; i < 4; ++i)
+        w[i] = derivative[i][detail::state_index(moved)] + lift * derivative[i][detail::state_index(section_.solved)];
+      const double share =
+          w[detail::state_index(section_.coordinate)] / arrives[detail::state_index(section_.coordinate)];
+      columns[k] = {w[detail::state_index(section_.chart_x)] - share * arrives[detail::state_index(section_.chart_x)],
+                    w[detail::state_index(section_.chart_y)] - share * arrives[detail::state_index(section_.chart_y)]};
     }
-    half.at = {end[at(section_.chart_x)], end[at(section_.chart_y)]};
+    half.at = {end[detail::state_index(section_.chart_x)], end[detail::state_index(section_.chart_y)]};
     half.derivative = {columns[0].x, columns[1].x, columns[0].y, columns[1].y};
     return std::isfinite(half.at.x);
   }
@@ -117,8 +117,8 @@ class HalfReturns {
   // dH / d(state[coordinate]) by Hamilton's equations.
   [[nodiscard]] double slope(int coordinate, const FlowState& velocity) const {
     for (const ConjugatePair& pair : flow_.conjugate_pairs()) {
-      if (pair.q == coordinate) return -pair.factor * velocity[at(pair.p)];
-      if (pair.p == coordinate) return pair.factor * velocity[at(pair.q)];
+      if (pair.q == coordinate) return -pair.factor * velocity[detail::state_index(pair.p)];
+      if (pair.p == coordinate) return pair.factor * velocity[detail::state_index(pair.q)];
     }
     return 0;
   }
@@ -135,7 +135,8 @@ class Continuation {
   Continuation(const Flow& flow, const SaddlePoint& saddle, double energy, const Section& section,
                const IntegrationOptions& options)
       : flow_(flow), saddle_(saddle), excess_(energy - saddle.energy), section_(section), options_(options) {
-    known_.push_back({0, {saddle.at[at(section.chart_x)], saddle.at[at(section.chart_y)]}});
+    known_.push_back(
+        {0, {saddle.at[detail::state_index(section.chart_x)], saddle.at[detail::state_index(section.chart_y)]}});
     slope_ = linear_slope();
   }
 
@@ -173,8 +174,8 @@ class Continuation {
 
   // d(chart point)/dr at r = 0: the linear orbit where it crosses the section forward, of the energy wanted.
   [[nodiscard]] Point linear_slope() {
-    const std::complex<double> along{saddle_.centre_cos[at(section_.coordinate)],
-                                     saddle_.centre_sin[at(section_.coordinate)]};
+    const std::complex<double> along{saddle_.centre_cos[detail::state_index(section_.coordinate)],
+                                     saddle_.centre_sin[detail::state_index(section_.coordinate)]};
     const std::complex<double> phase = std::complex<double>(0, -1) * std::conj(along) / std::abs(along);
     FlowState offset{};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -191,7 +192,8 @@ class Continuation {
     if (!(energy > 0)) throw DataError("the oscillation about the saddle lowers the energy");
     const double scale = std::sqrt(excess_ / energy);
     size_ = scale * std::abs(along);
-    return {scale * offset[at(section_.chart_x)], scale * offset[at(section_.chart_y)]};
+    return {scale * offset[detail::state_index(section_.chart_x)],
+            scale * offset[detail::state_index(section_.chart_y)]};
   }
 
   // Polynomial through the last three orbits, or fewer with the slope at r = 0.
@@ -223,7 +225,7 @@ class Continuation {
 // The two states where the section's coordinate turns round, the lower one first.
 std::array<FlowState, 2> turning_points(const Flow& flow, const PeriodicOrbit& orbit,
                                         const IntegrationOptions& options) {
-  const std::size_t axis = at(orbit.local.coordinate);
+  const std::size_t axis = detail::state_index(orbit.local.coordinate);
   constexpr int parts = 64;
   std::array<FlowState, 2> extremes{orbit.state, orbit.state};
   FlowState state = orbit.state;
@@ -282,7 +284,8 @@ PeriodicOrbit periodic_orbit(const Flow& flow, const SaddlePoint& saddle, double
   orbit.brake = true;
   for (const FlowState& turning : orbit.turning) {
     const FlowState v = flow.velocity(turning, 0);
-    for (const ConjugatePair& pair : flow.conjugate_pairs()) orbit.brake &= std::fabs(v[at(pair.q)]) < 1e-9;
+    for (const ConjugatePair& pair : flow.conjugate_pairs())
+      orbit.brake &= std::fabs(v[detail::state_index(pair.q)]) < 1e-9;
   }
   return orbit;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/dynamics/escape/state_index.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
@@ -13,10 +14,6 @@
 namespace lober {
 using namespace detail;
 namespace {
-
-std::size_t at(int coordinate) {
-  return static_cast<std::size_t>(coordinate);
-}
 
 LocalManifold local_manifold_of(const Flow& flow, const PeriodicOrbit& orbit, ManifoldSide side,
                                 const IntegrationOptions& options) {
@@ -101,7 +98,7 @@ int Tube::direction_of(Branch branch, const Section& section, int k) const {
   int direction = 0;
   for (const FlowState& state : states) {
     if (!std::isfinite(state[0])) continue;
-    const int here = flow_.velocity(state, 0)[at(section.coordinate)] < 0 ? -1 : 1;
+    const int here = flow_.velocity(state, 0)[state_index(section.coordinate)] < 0 ? -1 : 1;
     if (direction != 0 && direction != here) return 0;
     direction = here;
   }
@@ -129,7 +126,7 @@ double Tube::displacement_area(Branch branch, const Section& section, int k, con
   double area = 0;
   for (std::size_t j = 0; j < samples; ++j) {
     const Point here = image.points[vertex[j]], after = image.points[(vertex[j] + 1) % size];
-    const Point off{states[j][at(section.chart_x)] - here.x, states[j][at(section.chart_y)] - here.y};
+    const Point off{states[j][state_index(section.chart_x)] - here.x, states[j][state_index(section.chart_y)] - here.y};
     const Point along{after.x - here.x, after.y - here.y};
     const double across = std::fabs(off.x * along.y - off.y * along.x) / std::max(length(along), 1e-300);
     double arc = 0;  // that this sample stands for
@@ -151,7 +148,7 @@ TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCu
     std::vector<FlowState> states(u.size());
     crossings(branch, section, k, u, states);
     for (std::size_t i = 0; i < u.size(); ++i) {
-      points[i] = {states[i][at(section.chart_x)], states[i][at(section.chart_y)]};
+      points[i] = {states[i][state_index(section.chart_x)], states[i][state_index(section.chart_y)]};
     }
   };
   ImageOptions tracing;

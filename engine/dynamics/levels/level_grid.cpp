@@ -12,7 +12,7 @@
 namespace lober {
 namespace {
 
-constexpr std::size_t grain = 256;  // nodes
+constexpr std::size_t nodes_a_task = 256;  // nodes
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 double between(double low, double high, std::size_t k, std::size_t parts) {
@@ -39,7 +39,7 @@ LevelGrid::LevelGrid(PlaneFunction function, const Rectangle& window, std::size_
   // Sides of cells have 32-bit numbers.
   if (columns > 30'000 || rows > 30'000) throw UsageError("a grid has 30000 columns and rows at most");
   values_.resize((columns + 1) * (rows + 1));
-  detail::for_each_block(values_.size(), grain, [&](std::size_t begin, std::size_t end) {
+  detail::for_each_block(values_.size(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) values_[k] = function_(node(k % (columns_ + 1), k / (columns_ + 1)));
   });
 }

@@ -21,17 +21,17 @@ namespace lober {
 using namespace detail;
 namespace {
 
-struct Images {
+struct ImagesOfPoints {
   std::vector<Point> points;
   std::vector<Matrix2> derivatives;
 };
 
-constexpr std::size_t grain = 16;  // points that are followed together
+constexpr std::size_t points_together = 16;  // points that are followed together
 
 // F^steps at many points, side by side.
-Images images_with_derivative(const PlanarMap& map, int steps, std::span<const Point> points) {
-  Images images{{points.begin(), points.end()}, std::vector<Matrix2>(points.size())};
-  for_each_block(points.size(), std::max(grain, map.batch()), [&](std::size_t first, std::size_t last) {
+ImagesOfPoints images_with_derivative(const PlanarMap& map, int steps, std::span<const Point> points) {
+  ImagesOfPoints images{{points.begin(), points.end()}, std::vector<Matrix2>(points.size())};
+  for_each_block(points.size(), std::max(points_together, map.batch()), [&](std::size_t first, std::size_t last) {
     map.iterate_with_derivatives(std::span(images.points).subspan(first, last - first), steps,
                                  std::span(images.derivatives).subspan(first, last - first));
   });
@@ -39,7 +39,7 @@ Images images_with_derivative(const PlanarMap& map, int steps, std::span<const P
 }
 
 void iterate_all(const PlanarMap& map, int steps, std::vector<Point>& points) {
-  for_each_block(points.size(), std::max(grain, map.batch()), [&](std::size_t first, std::size_t last) {
+  for_each_block(points.size(), std::max(points_together, map.batch()), [&](std::size_t first, std::size_t last) {
     map.iterate(std::span(points).subspan(first, last - first), steps);
   });
 }
@@ -136,7 +136,7 @@ class Solver {
     for (std::size_t j = 0; j < nodes; ++j) {
       parameters[j] = from.reach * chebyshev_node(j, nodes) / std::fabs(saddle_.multiplier);
     }
-    const Images images = images_with_derivative(map_, steps_, from.at(parameters));
+    const ImagesOfPoints images = images_with_derivative(map_, steps_, from.at(parameters));
     const std::size_t rows = 2 * nodes + 1, columns = 2 * size_ + 1;
     Matrix jacobian(rows, columns);
     std::vector<double> residual(rows);

@@ -10,7 +10,7 @@ namespace {
 
 // Neighbouring segments differ in length per parameter by no more than this factor.
 constexpr double max_unevenness = 4;
-constexpr double corner = -1;  // instead of a curvature
+constexpr double at_corner = -1;  // instead of a curvature
 
 }  // namespace
 
@@ -21,10 +21,10 @@ void SegmentRequirements::measure(const Samples& samples, std::span<const std::u
   const std::size_t before = begin > 0 ? 1 : 0, after = end < segments ? 1 : 0;
   std::array<double, most + 1> bend;  // at vertices begin .. end
   length_[0] = length_[count + 1] = 0;
-  bend[0] = bend[count] = corner;
+  bend[0] = bend[count] = at_corner;
   turns_along(&samples.points[begin - before], count + before + after, &length_[1 - before], &bend[1 - before]);
   for (auto k = std::lower_bound(kept.begin(), kept.end(), begin); k != kept.end() && *k <= end; ++k)
-    bend[*k - begin] = corner;
+    bend[*k - begin] = at_corner;
 
   // Whether the two segments at a vertex differ that much in speed, and not below what the tolerance makes invisible.
   std::array<double, most + 2> gap;

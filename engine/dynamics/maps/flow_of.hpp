@@ -121,8 +121,8 @@ class FlowOf final : public Flow {
       }
       const AlongFlow<Field> rhs{field_};
       Queue queue{states, times, Arrivals(std::abs(crossings), states.size())};
-      SectionLanes<AlongFlow<Field>, Queue> lanes(rhs, section, options, n, crossings < 0 ? -1 : 1, queue);
-      run(rhs, options, lanes);
+      SectionLanes<AlongFlow<Field>, Queue> section_lanes(rhs, section, options, n, crossings < 0 ? -1 : 1, queue);
+      run(rhs, options, section_lanes);
     } else {
       throw UsageError("crossings of a section are found for autonomous flows only");
     }
@@ -167,14 +167,14 @@ class FlowOf final : public Flow {
 
   template <typename Rhs, typename Queue>
   void follow(const Rhs& rhs, double from, double to, const IntegrationOptions& options, Queue& queue) const {
-    SpanLanes<Rhs, Field, Queue> lanes(rhs, field_, from, to, options, n, queue);
-    run(rhs, options, lanes);
+    SpanLanes<Rhs, Field, Queue> span_lanes(rhs, field_, from, to, options, n, queue);
+    run(rhs, options, span_lanes);
   }
-  template <typename Rhs, typename Lanes>
-  static void run(const Rhs& rhs, const IntegrationOptions& options, Lanes& lanes) {
+  template <typename Rhs, typename Control>
+  static void run(const Rhs& rhs, const IntegrationOptions& options, Control& control) {
     StepBlock<Rhs::size> block{};
     block.tolerance = options.tolerance;
-    run_lanes(rhs, block, step_function<Rhs>(), lanes);
+    run_lanes(rhs, block, step_function<Rhs>(), control);
   }
 
   static FlowState widened(const double* x) {

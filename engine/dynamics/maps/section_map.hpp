@@ -286,8 +286,8 @@ class SectionMap final : public PlanarMap {
   std::uint64_t follow(const Rhs& rhs, const IntegrationOptions& options, int forward, Queue& queue) const {
     StepBlock<Rhs::size> block{};
     block.tolerance = options.tolerance;
-    SectionLanes<Rhs, Queue> lanes(rhs, chart_.section(), options, n, forward, queue);
-    return (step_stages + 1) * run_lanes(rhs, block, step_function<Rhs>(), lanes);
+    SectionLanes<Rhs, Queue> section_lanes(rhs, chart_.section(), options, n, forward, queue);
+    return (step_stages + 1) * run_lanes(rhs, block, step_function<Rhs>(), section_lanes);
   }
 
   Field field_;

@@ -119,8 +119,8 @@ class StroboscopicMap final : public PlanarMap {
   std::uint64_t follow(const Rhs& rhs, const IntegrationOptions& options, int forward, Queue& queue) const {
     StepBlock<Rhs::size> block{};
     block.tolerance = options.tolerance;
-    PeriodLanes<Rhs, Field, Queue> lanes(*forcing_, options, 2, forward, queue);
-    return step_stages * run_lanes(rhs, block, step_function<Rhs>(), lanes);
+    PeriodLanes<Rhs, Field, Queue> period_lanes(*forcing_, options, 2, forward, queue);
+    return step_stages * run_lanes(rhs, block, step_function<Rhs>(), period_lanes);
   }
 
   /// Replaces the state by that after a period, to finer errors. False: it is lost.

@@ -11,7 +11,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::size_t group = 16;  // orbits that are followed together: the lanes of the integrator, twice
+constexpr std::size_t orbits_together = 16;  // orbits that are followed together: the lanes of the integrator, twice
 constexpr std::size_t block_points = std::size_t{1} << 22;
 
 }  // namespace
@@ -49,7 +49,7 @@ Point folded(Point point, Point lattice, Point second_lattice, Point origin) {
 
 void follow_orbits(const PlanarMap& map, std::span<const Point> starts, const OrbitOptions& options,
                    const std::function<bool(std::size_t first, std::span<const Point> points)>& take) {
-  const std::size_t each = options.iterates + 1, together = std::max(group, map.batch());
+  const std::size_t each = options.iterates + 1, together = std::max(orbits_together, map.batch());
   const std::size_t at_once = std::clamp<std::size_t>(block_points / each, together, std::max(together, starts.size()));
   const auto fold = [&](Point point) { return folded(point, options.lattice, options.second_lattice, options.origin); };
   Buffer<Point> points;

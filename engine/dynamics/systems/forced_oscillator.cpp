@@ -12,15 +12,15 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr std::size_t harmonics = 40;
-constexpr std::size_t samples = 128;
+constexpr std::size_t samples_a_period = 128;
 
 // The harmonics 0 .. `harmonics` of a real periodic function.
 std::vector<Complex> spectrum(const std::vector<double>& values) {
   std::vector<Complex> result(harmonics + 1);
   for (std::size_t k = 0; k <= harmonics; ++k) {
-    for (std::size_t j = 0; j < samples; ++j) {
-      const double turns = static_cast<double>(j * k % samples) / samples;
-      result[k] += values[j] * std::polar(1.0 / samples, -2 * std::numbers::pi * turns);
+    for (std::size_t j = 0; j < samples_a_period; ++j) {
+      const double turns = static_cast<double>(j * k % samples_a_period) / samples_a_period;
+      result[k] += values[j] * std::polar(1.0 / samples_a_period, -2 * std::numbers::pi * turns);
     }
   }
   return result;
@@ -57,8 +57,9 @@ Point ForcedOscillator::saddle_on_section(double phase, const std::function<doub
   const Point first_order{at(phase, false), at(phase, true)};
   double change = 1;
   for (int round = 0; round < 500 && change > 1e-15; ++round) {
-    std::vector<double> values(samples);
-    for (std::size_t j = 0; j < samples; ++j) values[j] = rest(at(static_cast<double>(j) / samples, false));
+    std::vector<double> values(samples_a_period);
+    for (std::size_t j = 0; j < samples_a_period; ++j)
+      values[j] = rest(at(static_cast<double>(j) / samples_a_period, false));
     std::vector<Complex> next = spectrum(values);
     next[1] += 0.5 * eps;
     const double before = change;

@@ -17,7 +17,7 @@ namespace {
 // What finite differences and an iterated inverse may be off by, as a fraction; slips are far larger.
 constexpr double accuracy = 1e-4;
 constexpr double inverse_accuracy = 1e-6;
-constexpr int side = 5;  // points of the window along each axis
+constexpr int points_a_side = 5;  // points of the window along each axis
 
 std::string prefix(const lober_system& system) {
   return std::string("system ") + system.name + ": ";
@@ -57,10 +57,10 @@ std::vector<Point> window_points(const Rectangle& window) {
   std::vector<Point> points;
   if (!(window.width() > 0 && window.height() > 0)) return points;
   // Off the middle and off round fractions, where symmetries hide slips.
-  for (int i = 0; i < side; ++i) {
-    for (int j = 0; j < side; ++j) {
-      points.push_back(
-          {window.min_x + window.width() * (i + 0.37) / side, window.min_y + window.height() * (j + 0.61) / side});
+  for (int i = 0; i < points_a_side; ++i) {
+    for (int j = 0; j < points_a_side; ++j) {
+      points.push_back({window.min_x + window.width() * (i + 0.37) / points_a_side,
+                        window.min_y + window.height() * (j + 0.61) / points_a_side});
     }
   }
   return points;

@@ -37,7 +37,7 @@ std::vector<Point> wrapped(const Cylinder& cylinder, const PlanarMap& map, const
                            const GrownManifold& grown, double tolerance) {
   const std::size_t segments = grown.points.size() - 1;
   // How many parts a segment needs: the middle of a straight one bends off its chord by so much.
-  constexpr double max_parts = 1 << 16;
+  constexpr double max_parts_a_side = 1 << 16;
   std::vector<std::uint32_t> parts(segments);
   for_each_block(segments, 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -48,7 +48,7 @@ std::vector<Point> wrapped(const Cylinder& cylinder, const PlanarMap& map, const
       // A segment that runs round more than once shows nothing by its middle.
       const double chord = distance(from, to), straight = distance(a, b);
       if (chord < 0.5 * straight && straight > tolerance) bend = std::max(bend, straight);
-      parts[k] = static_cast<std::uint32_t>(std::clamp(std::ceil(std::sqrt(bend / tolerance)), 1.0, max_parts));
+      parts[k] = static_cast<std::uint32_t>(std::clamp(std::ceil(std::sqrt(bend / tolerance)), 1.0, max_parts_a_side));
     }
   });
   // The points between vertices, all that are in a segment one after the other.

@@ -11,7 +11,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr double apart = 1e-9, one_image = 1e-6;  // in images, as TangleGrowth has them
+constexpr double images_apart = 1e-9, one_image = 1e-6;  // in images, as TangleGrowth has them
 
 // Along U, in images: 0 where its parameter is 1, whatever the reach.
 double time_of_orbit(const KnownTurnstile& known, std::size_t number) {
@@ -49,7 +49,7 @@ bool order(KnownTurnstile& known) {
   for (std::size_t k = 1; k <= last; ++k) {
     if (known.is_lost(k)) continue;
     const double time = time_of_orbit(known, k);
-    if (time > before + apart && (k == last || time < time_of_orbit(known, last) - apart)) {
+    if (time > before + images_apart && (k == last || time < time_of_orbit(known, last) - images_apart)) {
       before = time;
     } else {
       if (k == last) return false;

@@ -7,25 +7,21 @@
 #include <numbers>
 #include <string>
 
+#include "kernels/point.hpp"
 #include "lober/error.hpp"
 #include "lober/levels.hpp"
 #include "lober/local_manifold.hpp"
 
 namespace lober {
+using detail::cross, detail::length;
 namespace {
 
-constexpr double last = 1e-18;        // of f at the ends of the orbit, relative to the reach of the local manifold
-constexpr double max_gap = 1e-8;      // between the two halves of the orbit
-constexpr double sufficient = 1e-13;  // change of M, relative to its largest value, at which a refinement ends
+constexpr double least_departure = 1e-18;  // of f at the ends of the orbit, relative to the reach of the local manifold
+constexpr double max_gap = 1e-8;           // between the two halves of the orbit
+constexpr double sufficient = 1e-13;       // change of M, relative to its largest value, at which a refinement ends
 
 Point as_point(const FlowState& state) {
   return {state[0], state[1]};
-}
-double wedge(Point a, Point b) {
-  return a.x * b.y - a.y * b.x;
-}
-double length(Point a) {
-  return std::hypot(a.x, a.y);
 }
 
 // d(velocity)/d(eps) at eps = 0, by the central difference of order 6. The step makes its error about that of rounding:
@@ -56,12 +52,12 @@ class Perturbation {
 };
 
 // The half of a connecting orbit on a local manifold: P(s e^(-+ rate t)).
-struct Branch {
+struct LocalBranch {
   LocalManifold local;
   double sign = 1;  // of s
   double rate = 0;  // |log multiplier| per time
 
-  Branch(const PlanarMap& map, Point guess, ManifoldSide side, Point direction, double period)
+  LocalBranch(const PlanarMap& map, Point guess, ManifoldSide side, Point direction, double period)
       : local(local_manifold(map, guess, side)) {
     sign = local.tangent.x * direction.x + local.tangent.y * direction.y < 0 ? -1 : 1;
     rate = std::log(local.multiplier) / period;
@@ -70,7 +66,7 @@ struct Branch {
 };
 
 // The parameter of the branch's point nearest to a point, by Newton's method; negative where none is.
-double nearest(const Branch& branch, Point point) {
+double nearest(const LocalBranch& branch, Point point) {
   double s = std::min(length({point.x - branch.local.saddle.x, point.y - branch.local.saddle.y}), branch.local.reach);
   for (int round = 0; round < 30; ++round) {
     const Point at = branch.at(s), slope = branch.local.slope(branch.sign * s);
@@ -83,7 +79,7 @@ double nearest(const Branch& branch, Point point) {
   return s;
 }
 
-struct Node {
+struct QuadratureNode {
   double t;
   Point at, velocity;
 };
@@ -92,13 +88,13 @@ struct Node {
 // local manifold ends.
 class ConnectingTrajectory {
  public:
-  ConnectingTrajectory(const Flow& flow, const Branch& u, const Branch& s, const IntegrationOptions& options)
+  ConnectingTrajectory(const Flow& flow, const LocalBranch& u, const LocalBranch& s, const IntegrationOptions& options)
       : flow_(flow), u_(u), s_(s), options_(options.finer()) {}
 
-  [[nodiscard]] std::vector<Node> nodes(double h) {
-    std::vector<Node> list;
+  [[nodiscard]] std::vector<QuadratureNode> nodes(double h) {
+    std::vector<QuadratureNode> list;
     const auto add = [&](double t, Point at) { list.push_back({t, at, as_point(flow_.velocity({at.x, at.y}, 0))}); };
-    const auto back = static_cast<long>(-std::log(last) / (u_.rate * h));
+    const auto back = static_cast<long>(-std::log(least_departure) / (u_.rate * h));
     for (long k = -back; k < 0; ++k) {
       const double t = static_cast<double>(k) * h;
       add(t, u_.at(u_.local.reach * std::exp(u_.rate * t)));
@@ -117,7 +113,7 @@ class ConnectingTrajectory {
         const Point on = s_.at(s);
         gap_ = length({on.x - at.x, on.y - at.y});
         if (gap_ <= max_gap * (1 + length(at))) {
-          const auto forward = static_cast<long>(-std::log(last) / (s_.rate * h));
+          const auto forward = static_cast<long>(-std::log(least_departure) / (s_.rate * h));
           for (long j = 0; j < forward; ++j) {
             const double later = static_cast<double>(j) * h;
             add(t + later, s_.at(s * std::exp(-s_.rate * later)));
@@ -133,20 +129,20 @@ class ConnectingTrajectory {
 
  private:
   const Flow& flow_;
-  const Branch &u_, &s_;
+  const LocalBranch &u_, &s_;
   IntegrationOptions options_;
   double gap_ = 0;
 };
 
 // M at j T / samples, by the trapezoidal rule.
-std::vector<double> samples_of(const std::vector<Node>& nodes, double h, const Perturbation& g, double period,
+std::vector<double> samples_of(const std::vector<QuadratureNode>& nodes, double h, const Perturbation& g, double period,
                                std::size_t samples) {
   std::vector<double> values(samples);
   for (std::size_t j = 0; j < samples; ++j) {
     const double t0 = period * static_cast<double>(j) / static_cast<double>(samples);
     double sum = 0;
-    for (const Node& node : nodes) {
-      sum += wedge(node.velocity, g({node.at.x, node.at.y}, std::fmod(node.t + t0, period)));
+    for (const QuadratureNode& node : nodes) {
+      sum += cross(node.velocity, g({node.at.x, node.at.y}, std::fmod(node.t + t0, period)));
     }
     values[j] = h * sum;
   }
@@ -281,8 +277,8 @@ Melnikov melnikov(const FlowFamily& family, const Connection& connection, const 
   // From the saddles of the perturbed map Newton's method finds equilibria of the flow; for fixed points of the map,
   // which stretches much more, they may be too far away.
   const auto saddle = [&](Point guess) { return equilibrium_near(*flow, {guess.x, guess.y}, 0).at; };
-  const Branch u(*map, saddle(connection.from), ManifoldSide::unstable, connection.u_direction, result.period);
-  const Branch s(*map, saddle(connection.to), ManifoldSide::stable, connection.s_direction, result.period);
+  const LocalBranch u(*map, saddle(connection.from), ManifoldSide::unstable, connection.u_direction, result.period);
+  const LocalBranch s(*map, saddle(connection.to), ManifoldSide::stable, connection.s_direction, result.period);
   result.from = u.local.saddle;
   result.to = s.local.saddle;
   ConnectingTrajectory orbit(*flow, u, s, options);
@@ -300,10 +296,11 @@ Melnikov melnikov(const FlowFamily& family, const Connection& connection, const 
     if (round > 1 && difference >= change) break;  // rounding
     change = difference;
   }
-  const std::vector<Node> nodes = orbit.nodes(h);
+  const std::vector<QuadratureNode> nodes = orbit.nodes(h);
   // Rounding alone: what cancels in the sums.
   double size = 0;
-  for (const Node& node : nodes) size += h * length(node.velocity) * length(g({node.at.x, node.at.y}, node.t));
+  for (const QuadratureNode& node : nodes)
+    size += h * length(node.velocity) * length(g({node.at.x, node.at.y}, node.t));
   for (;; samples *= 2) {
     expand(values, result);
     const std::size_t n = result.cosines.size();

@@ -13,12 +13,12 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t particles_a_block = 1024;
 
-class Counter {
+class ParticleCounter {
  public:
-  Counter(const PlanarMap& map, const Cylinder* cylinder, std::span<const Barrier> barriers, const Partition& partition,
-          const ParticleOptions& options)
+  ParticleCounter(const PlanarMap& map, const Cylinder* cylinder, std::span<const Barrier> barriers,
+                  const Partition& partition, const ParticleOptions& options)
       : map_(map), cylinder_(cylinder), partition_(partition), options_(options) {
     for (const Barrier& barrier : barriers) outlines_.push_back(outline_of(barrier, 0));
     for (const std::vector<Point>& outline : outlines_) curves_.emplace_back(CurveView{outline});
@@ -89,7 +89,7 @@ class Counter {
       if (coefficients[c + 1] == 1) box = box_of(outlines_[c]);
     }
     std::vector<Point> points(options_.count);
-    for_each_block(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(points.size(), particles_a_block, [&](std::size_t begin, std::size_t end) {
       std::vector<std::size_t> open(end - begin);
       for (std::size_t k = begin; k < end; ++k) open[k - begin] = k;
       for (std::uint64_t attempt = 0; !open.empty(); ++attempt) {
@@ -115,13 +115,13 @@ class Counter {
   }
 
   std::vector<std::uint64_t> step_and_count(std::vector<Point>& points, int direction) {
-    const std::size_t blocks = (points.size() + grain - 1) / grain;
+    const std::size_t blocks = (points.size() + particles_a_block - 1) / particles_a_block;
     std::vector<std::vector<std::uint64_t>> counts(blocks, std::vector<std::uint64_t>(partition_.size()));
-    for_each_block(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(points.size(), particles_a_block, [&](std::size_t begin, std::size_t end) {
       const std::span<Point> some = std::span(points).subspan(begin, end - begin);
       map_.iterate(some, direction);
       std::vector<Point> positions;
-      std::vector<std::uint64_t>& here = counts[begin / grain];
+      std::vector<std::uint64_t>& here = counts[begin / particles_a_block];
       for (const Point at : some) {
         if (!std::isfinite(at.x) || !std::isfinite(at.y)) {
           ++here[outside()];
@@ -161,7 +161,7 @@ class Counter {
 std::vector<RegionMatrix> count_particles(const PlanarMap& map, const Cylinder* cylinder,
                                           std::span<const Barrier> barriers, const Partition& partition, int iterates,
                                           const ParticleOptions& options) {
-  return Counter(map, cylinder, barriers, partition, options).count(iterates);
+  return ParticleCounter(map, cylinder, barriers, partition, options).count(iterates);
 }
 
 }  // namespace lober::detail

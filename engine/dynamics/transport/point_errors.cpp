@@ -14,7 +14,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t samples = 64;
+constexpr std::size_t points_sampled = 64;
 // A computed point is off by this number of roundings of its coordinates where nothing is integrated.
 constexpr double roundings = 4;
 
@@ -54,8 +54,8 @@ double point_error(const PlanarMap& map, const LocalManifold& local, const Grown
   std::vector<std::size_t> chosen;
   std::vector<Point> exact;
   std::vector<int> iterates;
-  for (std::size_t k = 0; k < samples; ++k) {
-    const std::size_t at = 1 + k * (grown.points.size() - 2) / samples;
+  for (std::size_t k = 0; k < points_sampled; ++k) {
+    const std::size_t at = 1 + k * (grown.points.size() - 2) / points_sampled;
     if (!within(grown.points[at])) continue;
     const auto after = std::upper_bound(grown.generation_begin.begin(), grown.generation_begin.end(), at);
     const auto generation = static_cast<int>(after - grown.generation_begin.begin()) - 1;

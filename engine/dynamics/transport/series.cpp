@@ -10,7 +10,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr Measured unknown{std::numeric_limits<double>::quiet_NaN(), 0};
+constexpr Measured unknown_area{std::numeric_limits<double>::quiet_NaN(), 0};
 
 std::vector<Turnstile> turnstiles_of(std::vector<Barrier> barriers) {
   std::vector<Turnstile> turnstiles;
@@ -75,18 +75,18 @@ RegionMatrix TransportSeries::by_boundaries(int n) const {
     const int back = split_images(n, d.images_before(), c.images_after());
     common[k] =
         closure_is_crossed(c, n - back) || closure_is_crossed(d, -back)
-            ? unknown
+            ? unknown_area
             : area_in_common(outline_of(c, n - back), outline_of(d, -back), std::max(c.curve_error, d.curve_error));
   });
   RegionMatrix areas(partition_.size());
   for (std::size_t i = 0; i < areas.size(); ++i) {
     for (std::size_t j = 0; j < areas.size(); ++j) {
       areas(i, j) = partition_.combine(i, j, [&](std::size_t c, std::size_t d) {
-        if (c == 0 && d == 0) return unknown;
+        if (c == 0 && d == 0) return unknown_area;
         return c == 0 ? enclosed_[d - 1] : d == 0 ? enclosed_[c - 1] : common[(c - 1) * count + d - 1];
       });
       // The area of the lower end of a cylinder is that of what was cut off.
-      if (i == j && !partition_.regions()[i].bounded) areas(i, j) = unknown;
+      if (i == j && !partition_.regions()[i].bounded) areas(i, j) = unknown_area;
     }
   }
   return areas;

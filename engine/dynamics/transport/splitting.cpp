@@ -11,7 +11,7 @@ namespace lober::detail {
 namespace {
 
 // Positions on U within one iterate.
-constexpr std::size_t samples = 64;
+constexpr std::size_t samples_an_image = 64;
 // Steps of Newton's method for the point of S opposite to one of U.
 constexpr int max_rounds = 12;
 // A remainder along U beyond which S at the normal is not sought: it counts with the angle between them only.
@@ -54,10 +54,10 @@ std::optional<Opposite> opposite(const PlanarMap& map, const LocalManifold& unst
 
 // The size of what is not smooth in equidistant values: of sixth differences, which white noise enlarges by the square
 // root of 924.
-double roughness(const std::array<Opposite, samples + 1>& at) {
+double roughness(const std::array<Opposite, samples_an_image + 1>& at) {
   double sum = 0;
   std::size_t count = 0;
-  for (std::size_t k = 0; k + 6 <= samples; ++k, ++count) {
+  for (std::size_t k = 0; k + 6 <= samples_an_image; ++k, ++count) {
     const auto d = [&](std::size_t i) { return at[k + i].distance; };
     const double difference = d(0) - 6 * d(1) + 15 * d(2) - 20 * d(3) + 15 * d(4) - 6 * d(5) + d(6);
     sum += difference * difference;
@@ -81,12 +81,13 @@ std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& un
   const double middle_u = time_of(unstable, u), middle_s = time_of(stable, s);
   // Sample k is at the time middle_u + (k + 1/2 - half) / samples: half a step off, so that the pip itself is not among
   // them. From the pip towards either end; each position on S is guessed from the one before.
-  constexpr std::size_t half = samples / 2;
-  std::array<Opposite, samples + 1> at;
+  constexpr std::size_t half = samples_an_image / 2;
+  std::array<Opposite, samples_an_image + 1> at;
   const auto walk = [&](std::size_t first, int direction) {
-    double time_u = middle_u, time_s = middle_s, rate = -1;                                // of time on S by time on U
-    for (std::size_t k = first; k <= samples; k += static_cast<std::size_t>(direction)) {  // below 0 it is large
-      const double next = middle_u + (static_cast<double>(k) + 0.5 - half) / samples;
+    double time_u = middle_u, time_s = middle_s, rate = -1;  // of time on S by time on U
+    for (std::size_t k = first; k <= samples_an_image;
+         k += static_cast<std::size_t>(direction)) {  // below 0 it is large
+      const double next = middle_u + (static_cast<double>(k) + 0.5 - half) / samples_an_image;
       const auto found = opposite(map, unstable, stable, position_at(unstable, next, u.parameter),
                                   position_at(stable, time_s + rate * (next - time_u), s.parameter));
       if (!found) return false;
@@ -101,14 +102,14 @@ std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& un
   };
   if (!walk(half, 1) || !walk(half - 1, -1)) return std::nullopt;
   // One iterate outward along U is one iterate inward along S, or the search has strayed to another arc.
-  if (std::fabs(time_of(stable, at[0].s) - time_of(stable, at[samples].s) - 1) > 0.05) return std::nullopt;
+  if (std::fabs(time_of(stable, at[0].s) - time_of(stable, at[samples_an_image].s) - 1) > 0.05) return std::nullopt;
 
   Splitting result;
   result.defect = unstable.defect_across + stable.defect_across;
   result.noise = roughness(at);
   double lobe = 0;
   std::vector<double> lobes;
-  for (std::size_t k = 0; k <= samples; ++k) {
+  for (std::size_t k = 0; k <= samples_an_image; ++k) {
     const double d = at[k].distance;
     result.largest = std::max(result.largest, std::fabs(d));
     if (k > 0 && d * at[k - 1].distance < 0) {

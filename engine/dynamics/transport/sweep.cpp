@@ -19,7 +19,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 void fill(SweepRow& row, const ManifoldTangle& found) {
   const Tangle& tangle = found.tangle;
@@ -29,7 +29,7 @@ void fill(SweepRow& row, const ManifoldTangle& found) {
   row.period = found.period();
   row.areas_by_action = found.areas_by_action;
   const bool with_action = !row.areas_by_action.empty();
-  if (!with_action) row.lobe_area12_by_action = row.lobe_area21_by_action = row.difference = unknown;
+  if (!with_action) row.lobe_area12_by_action = row.lobe_area21_by_action = row.difference = no_value;
   for (std::size_t k = 0; k < row.period; ++k) {
     const std::size_t number = found.image_of_bip(-1) + k;
     const Lobe& lobe = tangle.lobes[number];
@@ -59,7 +59,7 @@ void fill_fluxes(SweepRow& row, const FamilyMember& member, const ManifoldTangle
     row.flux12 = turnstile.flux12();
     row.flux21 = turnstile.flux21();
   } catch (const DataError& error) {
-    row.flux12 = row.flux21 = {unknown, unknown};
+    row.flux12 = row.flux21 = {no_value, no_value};
     row.remark = error.what();
   }
 }
@@ -277,7 +277,7 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
     // The chord; no more than a value to start from.
     zero.value = first.value - first.difference * (last.value - first.value) / (last.difference - first.difference);
     zero.width = std::fabs(last.value - first.value);
-    zero.difference = unknown;
+    zero.difference = no_value;
     result.zeros.push_back(zero);
   }
   if (!result.rows.empty() && is_zero(result.rows.back())) result.zeros.push_back(exact_zero(result.rows.back()));

@@ -22,7 +22,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_area = std::numeric_limits<double>::quiet_NaN();
 
 // Where lobes of the turnstile that leave overlap such as enter, the flux is less than their areas in all.
 std::string overlap_remark(const TransportBoundary& boundary) {
@@ -32,9 +32,9 @@ std::string overlap_remark(const TransportBoundary& boundary) {
          " in all, and " + format_number(boundary.flux12.value) + " leaves R1 in one iterate";
 }
 
-class Builder {
+class TransportBuilder {
  public:
-  Builder(const PlanarMap& map, const TransportOptions& options) : map_(map), options_(options) {}
+  TransportBuilder(const PlanarMap& map, const TransportOptions& options) : map_(map), options_(options) {}
 
   Transport build(const Connection& connection) {
     begin(connection);
@@ -223,7 +223,7 @@ class Builder {
       const ManifoldTangle& manifolds = *boundary.manifolds;
       result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
       if (const std::string remark = overlap_remark(boundary); !remark.empty()) result_.remarks.push_back(remark);
-      boundary.lobe_area12_by_action = boundary.lobe_area21_by_action = manifolds.areas_by_action.empty() ? unknown : 0;
+      boundary.lobe_area12_by_action = boundary.lobe_area21_by_action = manifolds.areas_by_action.empty() ? no_area : 0;
       for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
         const bool leaves = manifolds.tangle.images.labels[manifolds.image_of_bip(-1) + k].from == 1;
         (leaves ? boundary.lobe_area12_by_action : boundary.lobe_area21_by_action) +=
@@ -260,7 +260,7 @@ class Builder {
 
 Transport transport(const PlanarMap& map, const Connection& connection, const TransportOptions& options) {
   if (options.iterates < 1) throw UsageError("transport takes at least one iterate");
-  return Builder(map, options).build(connection);
+  return TransportBuilder(map, options).build(connection);
 }
 
 }  // namespace lober

@@ -9,7 +9,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 14;
+constexpr std::size_t nodes_a_task = std::size_t{1} << 14;
 
 // Whether `to` follows `from` along a curve in the given direction with no vertex strictly between, both given as
 // (segment, at its first vertex).
@@ -37,7 +37,7 @@ class Joiner {
       : c1_(c1), c2_(c2), contacts_(contacts), rank2_(contacts.size()), joined_(contacts.size()) {
     const auto count = static_cast<std::uint32_t>(contacts.size());
     for (std::uint32_t k = 0; k < count; ++k) rank2_[order2[k]] = k;
-    for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(count, nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) joined_[k] = direction_to_next(static_cast<std::uint32_t>(k));
     });
   }
@@ -120,7 +120,7 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
   const std::size_t contact_count = graph.contacts.size();
   if (contacts.all_proper) {
     graph.order.resize(contact_count);
-    for_each_block(contact_count, grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(contact_count, nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         graph.order[k] = graph.contacts[k].rho > 0 ? rightward_to_left : leftward_to_right;
       }
@@ -150,7 +150,7 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
   }
   const Buffer<std::uint32_t>& along2 = graph.along2();
   graph.rank2.resize(along2.size());
-  for_each_block(along2.size(), grain, [&](std::size_t begin, std::size_t end) {
+  for_each_block(along2.size(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) graph.rank2[along2[k]] = static_cast<std::uint32_t>(k);
   });
   graph.order_seconds = contacts.order_seconds + watch.seconds();

@@ -10,7 +10,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 15;
+constexpr std::size_t crossings_a_task = std::size_t{1} << 15;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const Curve
   };
   std::atomic<std::uint64_t> exact{0}, comparisons{0};
   Buffer<std::uint32_t> order(count);
-  for_each_block(count, grain, [&](std::size_t first, std::size_t last) {
+  for_each_block(count, crossings_a_task, [&](std::size_t first, std::size_t last) {
     std::uint64_t exact_here = 0, comparisons_here = 0;
     const auto before = [&](std::uint32_t x, std::uint32_t y) {
       ++comparisons_here;

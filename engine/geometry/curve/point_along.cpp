@@ -5,7 +5,7 @@
 namespace lober::detail {
 namespace {
 
-double along(double from, double to, DD t) {
+double coordinate_along(double from, double to, DD t) {
   constexpr double large = 0x1p900, down = 0x1p-200;
   if (std::fabs(from) < large && std::fabs(to) < large) {
     const DD value = DD{from, 0} + t * two_diff(to, from);
@@ -19,7 +19,7 @@ double along(double from, double to, DD t) {
 }  // namespace
 
 Point point_along(const Segment& segment, DD t) {
-  return {along(segment.a.x, segment.b.x, t), along(segment.a.y, segment.b.y, t)};
+  return {coordinate_along(segment.a.x, segment.b.x, t), coordinate_along(segment.a.y, segment.b.y, t)};
 }
 
 }  // namespace lober::detail

@@ -9,8 +9,8 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::union_,
-                             &Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::symmetric_difference};
+constexpr std::array area_members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::union_,
+                                  &Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::symmetric_difference};
 
 }  // namespace
 
@@ -46,7 +46,7 @@ double scaled_area(double area, int exponent) {
 }
 
 void scale(Areas& areas, int exponent) {
-  for (double Areas::*const member : members) areas.*member = scaled_area(areas.*member, exponent);
+  for (double Areas::*const member : area_members) areas.*member = scaled_area(areas.*member, exponent);
 }
 
 double scaled_bound(double bound, int exponent) {
@@ -55,7 +55,7 @@ double scaled_bound(double bound, int exponent) {
 }
 
 void scale_bounds(Areas& bounds, int exponent) {
-  for (double Areas::*const member : members) bounds.*member = scaled_bound(bounds.*member, exponent);
+  for (double Areas::*const member : area_members) bounds.*member = scaled_bound(bounds.*member, exponent);
 }
 
 }  // namespace lober::detail

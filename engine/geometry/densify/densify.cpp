@@ -12,7 +12,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::uint64_t max_vertices = (std::uint64_t{1} << 31) - 1;
+constexpr std::uint64_t max_densified_points = (std::uint64_t{1} << 31) - 1;
 
 double largest_coordinate(std::span<const Point> points) {
   std::vector<double> largest((points.size() + pass_grain - 1) / pass_grain, 0);
@@ -39,7 +39,7 @@ class Rounds {
   Rounds(const Judge& judge, std::size_t segments, std::size_t vertices, std::uint64_t max_points)
       : judge_(judge),
         extra_(vertices - segments),
-        max_points_(std::min(max_points, max_vertices)),
+        max_points_(std::min(max_points, max_densified_points)),
         parts_(segments),
         next_(segments),
         state_(segments) {}

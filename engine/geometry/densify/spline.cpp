@@ -9,7 +9,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t block = 4096;
+constexpr std::size_t spline_block = 4096;
 constexpr std::ptrdiff_t guard = 128;  // 2^-128 of the second derivative there: nothing, for any curve that has points
 
 // Rows of one block, eliminated downwards: M_k = value - factor M_{k+1}.
@@ -99,7 +99,7 @@ Buffer<Point> spline_second_derivatives(CurveView curve) {
     second[0] = second[1] = {};
     return second;
   }
-  for_each_block(size, block, [&](std::size_t begin, std::size_t end) {
+  for_each_block(size, spline_block, [&](std::size_t begin, std::size_t end) {
     if (!curve.closed) {
       begin = begin == 0 ? 1 : begin;
       end = end == size ? size - 1 : end;

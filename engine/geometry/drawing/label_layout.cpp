@@ -9,31 +9,32 @@
 namespace lober {
 namespace {
 
-constexpr double cell = 3;  // pixels
-constexpr double gap = 2;   // between labels
+constexpr double cell_pixels = 3;  // pixels
+constexpr double label_gap = 2;    // between labels
 // A cell with a line below the label is as bad as this many pixels of distance from its point.
 constexpr double line_cost = 6;
 
 // Sixteen directions, those in which a label reads best first; rational, so that no picture depends on a library.
-constexpr std::array<Point, 16> directions{{{0.707, -0.707},
-                                            {1, 0},
-                                            {-0.707, -0.707},
-                                            {0.707, 0.707},
-                                            {-1, 0},
-                                            {-0.707, 0.707},
-                                            {0, -1},
-                                            {0, 1},
-                                            {0.924, -0.383},
-                                            {0.924, 0.383},
-                                            {-0.924, -0.383},
-                                            {-0.924, 0.383},
-                                            {0.383, -0.924},
-                                            {0.383, 0.924},
-                                            {-0.383, -0.924},
-                                            {-0.383, 0.924}}};
+constexpr std::array<Point, 16> label_directions{{{0.707, -0.707},
+                                                  {1, 0},
+                                                  {-0.707, -0.707},
+                                                  {0.707, 0.707},
+                                                  {-1, 0},
+                                                  {-0.707, 0.707},
+                                                  {0, -1},
+                                                  {0, 1},
+                                                  {0.924, -0.383},
+                                                  {0.924, 0.383},
+                                                  {-0.924, -0.383},
+                                                  {-0.924, 0.383},
+                                                  {0.383, -0.924},
+                                                  {0.383, 0.924},
+                                                  {-0.383, -0.924},
+                                                  {-0.383, 0.924}}};
 
 bool apart(const Rectangle& a, const Rectangle& b) {
-  return a.max_x + gap <= b.min_x || b.max_x + gap <= a.min_x || a.max_y + gap <= b.min_y || b.max_y + gap <= a.min_y;
+  return a.max_x + label_gap <= b.min_x || b.max_x + label_gap <= a.min_x || a.max_y + label_gap <= b.min_y ||
+         b.max_y + label_gap <= a.min_y;
 }
 
 }  // namespace
@@ -41,12 +42,12 @@ bool apart(const Rectangle& a, const Rectangle& b) {
 LabelLayout::LabelLayout(double width, double height)
     : width_(width),
       height_(height),
-      columns_(static_cast<std::size_t>(width / cell) + 1),
-      rows_(static_cast<std::size_t>(height / cell) + 1),
+      columns_(static_cast<std::size_t>(width / cell_pixels) + 1),
+      rows_(static_cast<std::size_t>(height / cell_pixels) + 1),
       lines_(columns_ * rows_) {}
 
 std::size_t LabelLayout::cell_of(double coordinate, std::size_t cells) const {
-  return static_cast<std::size_t>(std::clamp(coordinate / cell, 0.0, static_cast<double>(cells - 1)));
+  return static_cast<std::size_t>(std::clamp(coordinate / cell_pixels, 0.0, static_cast<double>(cells - 1)));
 }
 
 void LabelLayout::add_line(Point a, Point b) {
@@ -54,7 +55,7 @@ void LabelLayout::add_line(Point a, Point b) {
   if (!(std::max(a.y, b.y) >= 0 && std::min(a.y, b.y) <= height_)) return;
   const double length = std::max(std::fabs(b.x - a.x), std::fabs(b.y - a.y));
   // Segments of curves are short; one that leaves the frame far behind is followed coarsely.
-  const auto steps = static_cast<std::size_t>(std::min(4096.0, 2 * length / cell) + 1);
+  const auto steps = static_cast<std::size_t>(std::min(4096.0, 2 * length / cell_pixels) + 1);
   for (std::size_t k = 0; k <= steps; ++k) {
     const double t = static_cast<double>(k) / static_cast<double>(steps);
     const Point at{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
@@ -72,7 +73,7 @@ std::optional<LabelLayout::FreePlace> LabelLayout::roomiest(std::span<const Poin
   std::vector<double> distance(columns_ * rows_, 0.0);
   std::vector<double> meets;
   for (std::size_t row = 0; row < rows_; ++row) {
-    const double y = (static_cast<double>(row) + 0.5) * cell;
+    const double y = (static_cast<double>(row) + 0.5) * cell_pixels;
     meets.clear();
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const Point a = polygon[k], b = polygon[k + 1 < polygon.size() ? k + 1 : 0];
@@ -82,7 +83,7 @@ std::optional<LabelLayout::FreePlace> LabelLayout::roomiest(std::span<const Poin
     std::sort(meets.begin(), meets.end());
     for (std::size_t k = 0; k + 1 < meets.size(); k += 2) {
       for (std::size_t column = cell_of(meets[k], columns_); column < columns_; ++column) {
-        const double x = (static_cast<double>(column) + 0.5) * cell;
+        const double x = (static_cast<double>(column) + 0.5) * cell_pixels;
         if (x >= meets[k + 1]) break;
         if (x > meets[k] && x < width_ && y < height_ && lines_[row * columns_ + column] == 0) {
           distance[row * columns_ + column] = std::numeric_limits<double>::infinity();
@@ -97,7 +98,7 @@ std::optional<LabelLayout::FreePlace> LabelLayout::roomiest(std::span<const Poin
       }
     }
   }
-  const double across = cell / flat, up = cell, diagonal = std::hypot(across, up);
+  const double across = cell_pixels / flat, up = cell_pixels, diagonal = std::hypot(across, up);
   const auto at = [&](std::size_t row, std::size_t column) -> double& { return distance[row * columns_ + column]; };
   // The border of the frame is not free.
   for (std::size_t row = 0; row < rows_; ++row) at(row, 0) = at(row, columns_ - 1) = 0;
@@ -114,8 +115,9 @@ std::optional<LabelLayout::FreePlace> LabelLayout::roomiest(std::span<const Poin
       at(row, column) = std::min({at(row, column), at(row, column + 1) + across, at(row + 1, column) + up,
                                   at(row + 1, column + 1) + diagonal, at(row + 1, column - 1) + diagonal});
       if (at(row, column) > (best ? best->distance : 0)) {
-        best = FreePlace{{(static_cast<double>(column) + 0.5) * cell, (static_cast<double>(row) + 0.5) * cell},
-                         at(row, column)};
+        best = FreePlace{
+            {(static_cast<double>(column) + 0.5) * cell_pixels, (static_cast<double>(row) + 0.5) * cell_pixels},
+            at(row, column)};
       }
     }
   }
@@ -153,7 +155,7 @@ std::optional<Rectangle> LabelLayout::put_about(Point at, double width, double h
   consider(about(at), 0);
   double distance = 4;
   while (distance <= reach) {
-    for (const Point& direction : directions) {
+    for (const Point& direction : label_directions) {
       consider(about({at.x + distance * direction.x, at.y + distance * direction.y}), distance);
     }
     distance *= 1.2;
@@ -167,9 +169,9 @@ std::optional<Rectangle> LabelLayout::put_beside(Point at, double radius, double
   double best_cost = std::numeric_limits<double>::infinity();
   double distance = radius + 2;
   while (distance <= reach) {
-    for (std::size_t k = 0; k < directions.size(); ++k) {
+    for (std::size_t k = 0; k < label_directions.size(); ++k) {
       // The point of the box that is nearest to the dot lies at this distance.
-      const Point direction = directions[k];
+      const Point direction = label_directions[k];
       const Point corner{at.x + distance * direction.x, at.y + distance * direction.y};
       const double left = corner.x - (direction.x > 0.2 ? 0 : direction.x < -0.2 ? width : 0.5 * width);
       const double top = corner.y - (direction.y > 0.2 ? 0 : direction.y < -0.2 ? height : 0.5 * height);

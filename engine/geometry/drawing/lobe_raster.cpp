@@ -9,7 +9,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::size_t side = LobeRaster::side;
+constexpr std::size_t raster_side = LobeRaster::side;
 
 Rectangle bounds(Rectangle box, std::span<const Point> points) {
   for (const Point& point : points) box.add(point);
@@ -22,12 +22,12 @@ struct Range {
 };
 Range cells_between(double low, double high, double window_low, double window_high) {
   const double half = 0.5 * window_high - 0.5 * window_low;
-  if (!(half > 0)) return {0, side};
+  if (!(half > 0)) return {0, raster_side};
   const auto cell = [&](double value) {
-    return std::clamp((0.5 * value - 0.5 * window_low) / half, 0.0, 1.0) * static_cast<double>(side);
+    return std::clamp((0.5 * value - 0.5 * window_low) / half, 0.0, 1.0) * static_cast<double>(raster_side);
   };
   return {static_cast<std::size_t>(std::max(cell(low) - 1, 0.0)),
-          std::min(side, static_cast<std::size_t>(cell(high)) + 1)};
+          std::min(raster_side, static_cast<std::size_t>(cell(high)) + 1)};
 }
 
 void mark(LobeRaster& raster, const Tangle& tangle, std::size_t lobe) {
@@ -41,7 +41,7 @@ void mark(LobeRaster& raster, const Tangle& tangle, std::size_t lobe) {
   for_each_block(rows.end - rows.begin, 1, [&](std::size_t k, std::size_t) {
     const std::size_t row = rows.begin + k;
     for (std::size_t column = columns.begin; column < columns.end; ++column) {
-      int& cell = raster.lobes[row * side + column];
+      int& cell = raster.lobes[row * raster_side + column];
       if (cell == 0 && winding(curve, raster.centre(column, row)).number != 0) cell = number;
     }
   });
@@ -51,7 +51,7 @@ void mark(LobeRaster& raster, const Tangle& tangle, std::size_t lobe) {
 
 Point LobeRaster::centre(std::size_t column, std::size_t row) const {
   const auto between = [](double low, double high, std::size_t cell) {
-    const double t = (static_cast<double>(cell) + 0.5) / static_cast<double>(side);
+    const double t = (static_cast<double>(cell) + 0.5) / static_cast<double>(raster_side);
     return (1 - t) * low + t * high;
   };
   return {between(window.min_x, window.max_x, column), between(window.min_y, window.max_y, row)};
@@ -59,7 +59,7 @@ Point LobeRaster::centre(std::size_t column, std::size_t row) const {
 
 LobeRaster rasterise(const Tangle& tangle) {
   LobeRaster raster;
-  raster.lobes.resize(side * side);
+  raster.lobes.resize(raster_side * raster_side);
   for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
     raster.window = bounds(raster.window, lobe_outline(tangle, k));
   }

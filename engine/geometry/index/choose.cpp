@@ -18,7 +18,7 @@ namespace lober::detail {
 namespace {
 
 constexpr std::size_t leaves_glanced_at = 32;
-constexpr std::size_t leaves_sampled = 256;
+constexpr std::size_t tree_leaves_sampled = 256;
 constexpr std::size_t leaves_met_at_most = 512;  // per leaf walked through the tree; more are extrapolated
 constexpr std::size_t leaf_pairs_looked_into = 256;
 constexpr std::size_t segments_drawn = 1 << 12;
@@ -113,7 +113,7 @@ CellSample sample_cells(const BoxTree& tree, const Raster& raster, std::uint64_t
 // points in one cell show as many comparisons, wherever they come from.
 double grid_cost(const BoxTree& first, const BoxTree& second) {
   const Raster raster = Raster::fitted(second, intersection(first.box(), second.box()),
-                                       max_grid_entries(first.segments() + second.segments()), leaves_sampled);
+                                       max_grid_entries(first.segments() + second.segments()), tree_leaves_sampled);
   const CellSample entered = sample_cells(second, raster, 1), visited = sample_cells(first, raster, 2);
   std::unordered_map<std::size_t, std::uint32_t> occupancy;
   for (const std::size_t cell : entered.cells) ++occupancy[cell];
@@ -139,7 +139,7 @@ IndexKind choose_index(const IndexedCurve& first, const IndexedCurve& second) {
   // A glance settles the ordinary case.
   const TreeSample glance = sample_tree(first.tree(), second.tree(), leaves_glanced_at);
   if (8 * glance.leaf_pairs * glance.candidates < moderate * leaf_size) return IndexKind::tree;
-  const TreeSample sample = sample_tree(first.tree(), second.tree(), leaves_sampled);
+  const TreeSample sample = sample_tree(first.tree(), second.tree(), tree_leaves_sampled);
   if (sample.leaf_pairs * sample.candidates < moderate * leaf_size) return IndexKind::tree;
   const double tree_cost = static_cast<double>(first.tree().leaves()) * sample.leaf_pairs *
                            (cost_of_leaf_pair + cost_of_candidate * sample.candidates);

@@ -16,7 +16,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t leaves_sampled = 2048;
+constexpr std::size_t raster_leaves_sampled = 2048;
 constexpr std::size_t leaves_per_task = 512;
 constexpr std::size_t cells_per_task = 1 << 14;
 
@@ -26,7 +26,7 @@ class Grid {
   Grid(const IndexedCurve& curve, const Box& window, std::uint64_t max_entries)
       : curve_(curve),
         max_entries_(max_entries),
-        raster_(Raster::fitted(curve.tree(), window, max_entries, leaves_sampled)) {
+        raster_(Raster::fitted(curve.tree(), window, max_entries, raster_leaves_sampled)) {
     while (!count()) raster_ = raster_.coarser();
     enter();
     sort_cells();

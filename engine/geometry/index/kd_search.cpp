@@ -30,9 +30,9 @@ struct Midpoint {
 
 // The scaled coordinates. Midpoints and half lengths are right to 2^-50 (1 + half length) for segments that
 // meet the window.
-class Frame {
+class KdScale {
  public:
-  explicit Frame(const Box& window) : origin_{window.min_x(), window.min_y()} {
+  explicit KdScale(const Box& window) : origin_{window.min_x(), window.min_y()} {
     int exponent = 0;
     std::frexp(std::max(window.width(), window.height()), &exponent);
     scale_ = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
@@ -161,7 +161,7 @@ class Forest {
 
  private:
   const IndexedCurve& curve_;
-  Frame frame_;
+  KdScale frame_;
   std::vector<std::unique_ptr<LengthClass>> classes_;
   Buffer<std::uint32_t> unusable_;
 };

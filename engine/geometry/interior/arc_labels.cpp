@@ -8,7 +8,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t arcs_a_block = 1024;
 
 // Whether q lies ahead of `at` in the direction of p, all three on one line.
 bool same_way(Point at, Point p, Point q) {
@@ -84,9 +84,9 @@ ArcLabels label_arcs(const CurveView& own, const IndexedCurve& other, bool other
   const std::size_t count = contacts.size();
   ArcLabels result;
   result.after.resize(count);
-  std::vector<std::uint64_t> queries((count + grain - 1) / grain);
-  for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) result.after[k] = labeller.label(k, queries[begin / grain]);
+  std::vector<std::uint64_t> queries((count + arcs_a_block - 1) / arcs_a_block);
+  for_each_block(count, arcs_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) result.after[k] = labeller.label(k, queries[begin / arcs_a_block]);
   });
   for (const std::uint64_t part : queries) result.queries += part;
   return result;

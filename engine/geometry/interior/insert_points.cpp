@@ -9,7 +9,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t insertions_a_block = 4096;
 
 // Where on one segment the curve changes its side.
 struct SegmentSides {
@@ -82,9 +82,9 @@ LabelledCurve insert_points(const CurveView& curve, const Buffer<Side>& labels, 
   const std::size_t size = curve.points.size();
   PointBudget budget(max_points);
   budget.take(size);
-  std::vector<LabelledCurve> blocks((size + grain - 1) / grain);
-  for_each_block(size, grain, [&](std::size_t begin, std::size_t end) {
-    LabelledCurve& block = blocks[begin / grain];
+  std::vector<LabelledCurve> blocks((size + insertions_a_block - 1) / insertions_a_block);
+  for_each_block(size, insertions_a_block, [&](std::size_t begin, std::size_t end) {
+    LabelledCurve& block = blocks[begin / insertions_a_block];
     block.points.reserve(end - begin);
     block.labels.reserve(end - begin);
     const auto first_from = [&](std::size_t segment) {

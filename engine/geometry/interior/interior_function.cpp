@@ -13,7 +13,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::size_t grain = 256;  // queries a task
+constexpr std::size_t interior_queries_a_task = 256;  // queries a task
 
 struct Vector {
   double x, y;
@@ -126,7 +126,7 @@ InteriorValue interior_function(const IndexedCurve& curve, Point point) {
 
 std::vector<InteriorValue> interior_function(const IndexedCurve& curve, std::span<const Point> points) {
   std::vector<InteriorValue> result(points.size());
-  for_each_block(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  for_each_block(points.size(), interior_queries_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) result[k] = interior_function(curve, points[k]);
   });
   return result;

@@ -10,7 +10,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-Point between(Point a, Point b, double t) {
+Point point_between(Point a, Point b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
@@ -39,7 +39,7 @@ std::vector<LabelledPoint> labelled_points(const Crossings& nodes, int curve, co
     std::size_t appended = 0;
     const auto insert_before = [&](double end) {
       for (; appended < inserted.size() && inserted[appended] < end; ++appended) {
-        points.push_back({between(a, b, inserted[appended]), side});
+        points.push_back({point_between(a, b, inserted[appended]), side});
       }
     };
     for (const SideChange& change : here) {

@@ -10,7 +10,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t leaves_per_block = 32, grain = leaves_per_block * leaf_size;
+constexpr std::size_t leaves_per_block = 32, points_a_block = leaves_per_block * leaf_size;
 
 // The three sums of one block.
 class Collector {
@@ -100,9 +100,9 @@ SideSums sum_by_arcs(const BoxTree& tree, Point origin, double extent, const Con
 
 SideSums sum_by_ends(std::span<const Point> points, std::span<const Side> labels, Point origin, double extent) {
   const std::size_t size = points.size();
-  std::vector<SideSums> blocks((size + grain - 1) / grain);
+  std::vector<SideSums> blocks((size + points_a_block - 1) / points_a_block);
   std::vector<double> lengths(blocks.size());
-  for_each_block(size, grain, [&](std::size_t begin, std::size_t end) {
+  for_each_block(size, points_a_block, [&](std::size_t begin, std::size_t end) {
     Collector collector;
     double length = 0;
     for (std::size_t k = begin; k < end; ++k) {
@@ -113,8 +113,8 @@ SideSums sum_by_ends(std::span<const Point> points, std::span<const Side> labels
       collector.add(labels[next], half);
       length += std::fabs(points[next].x - points[k].x) + std::fabs(points[next].y - points[k].y);
     }
-    blocks[begin / grain] = collector.result(length, extent);
-    lengths[begin / grain] = length;
+    blocks[begin / points_a_block] = collector.result(length, extent);
+    lengths[begin / points_a_block] = length;
   });
   double length = 0;
   for (const double part : lengths) length += part;

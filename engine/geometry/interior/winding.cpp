@@ -9,7 +9,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::size_t grain = 256;  // queries a task
+constexpr std::size_t windings_a_task = 256;  // queries a task
 
 }  // namespace
 
@@ -21,7 +21,7 @@ Winding winding(const IndexedCurve& curve, Point point) {
 
 std::vector<Winding> windings(const IndexedCurve& curve, std::span<const Point> points) {
   std::vector<Winding> result(points.size());
-  for_each_block(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  for_each_block(points.size(), windings_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) result[k] = winding(curve, points[k]);
   });
   return result;
@@ -34,7 +34,7 @@ Side locate(const IndexedCurve& curve, Point point) {
 
 Buffer<Side> label_points(const IndexedCurve& curve, std::span<const Point> points) {
   Buffer<Side> labels(points.size());
-  for_each_block(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  for_each_block(points.size(), windings_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) labels[k] = locate(curve, points[k]);
   });
   return labels;

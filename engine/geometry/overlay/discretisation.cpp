@@ -25,8 +25,8 @@ struct detail::DiscretisationData {
 namespace {
 
 constexpr std::size_t chunk = 8;  // a chord-to-arc area costs 40 ns: a contact has to compute half of a chunk again
-constexpr std::size_t grain = 4096;
-static_assert(grain % chunk == 0);
+constexpr std::size_t chords_a_block = 4096;
+static_assert(chords_a_block % chunk == 0);
 
 double chord_area(const CurveView& curve, std::size_t number) {
   const std::size_t size = curve.points.size();
@@ -79,11 +79,11 @@ DiscretisationSums::DiscretisationSums(CurveView curve) {
   auto made = std::make_shared<DiscretisationData>();
   made->curve = curve;
   Buffer<DD>& before = made->before;
-  const std::size_t segments = curve.segments(), blocks = (segments + grain - 1) / grain;
+  const std::size_t segments = curve.segments(), blocks = (segments + chords_a_block - 1) / chords_a_block;
   before.resize((segments + chunk - 1) / chunk);
   Buffer<DD> block_sums(blocks);
-  for_each_block(segments, grain, [&](std::size_t begin, std::size_t end) {
-    std::array<double, grain> chord_areas;
+  for_each_block(segments, chords_a_block, [&](std::size_t begin, std::size_t end) {
+    std::array<double, chords_a_block> chord_areas;
     const std::size_t size = curve.points.size();
     // The points of a segment and its neighbours follow each other, but for those at the first vertex.
     const std::size_t inner_begin = std::min(std::max<std::size_t>(begin, 1), end);
@@ -101,11 +101,11 @@ DiscretisationSums::DiscretisationSums(CurveView curve) {
           inner && (curve.points[k - 1] == curve.points[k] || curve.points[k + 1] == curve.points[k + 2]);
       sum += DD{std::isfinite(here) && !repeated ? here : chord_area(curve, k), 0};
     }
-    block_sums[begin / grain] = sum;
+    block_sums[begin / chords_a_block] = sum;
   });
   for (std::size_t block = 0; block < blocks; ++block) {
-    const std::size_t end = std::min((block + 1) * (grain / chunk), before.size());
-    for (std::size_t k = block * (grain / chunk); k < end; ++k) before[k] = made->total + before[k];
+    const std::size_t end = std::min((block + 1) * (chords_a_block / chunk), before.size());
+    for (std::size_t k = block * (chords_a_block / chunk); k < end; ++k) before[k] = made->total + before[k];
     made->total += block_sums[block];
   }
   data_ = std::move(made);

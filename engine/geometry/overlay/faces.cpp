@@ -11,7 +11,7 @@ namespace {
 
 using enum HalfEdge;
 
-constexpr std::size_t grain = std::size_t{1} << 14;
+constexpr std::size_t nodes_a_block = std::size_t{1} << 14;
 
 // What happens to a walk that arrives along an half-edge, its face on the left: the half-edge it leaves by and the side
 // of each curve (as the input runs) that the face lies on.
@@ -222,11 +222,11 @@ int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
 // Several sums over the nodes at once: of_block(begin, end) adds them up over a block, and blocks are joined in order.
 template <std::size_t sums, typename SumsOfBlock>
 std::array<DD, sums> sums_over_nodes(std::size_t count, const SumsOfBlock& of_block) {
-  std::vector<std::array<DD, sums>> partial((count + grain - 1) / grain);
-  for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::array<DD, sums>> partial((count + nodes_a_block - 1) / nodes_a_block);
+  for_each_block(count, nodes_a_block, [&](std::size_t begin, std::size_t end) {
     const std::array<RunningSum, sums> block =
         of_block(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
-    for (std::size_t k = 0; k < sums; ++k) partial[begin / grain][k] = block[k].value();
+    for (std::size_t k = 0; k < sums; ++k) partial[begin / nodes_a_block][k] = block[k].value();
   });
   std::array<DD, sums> total{};
   for (const std::array<DD, sums>& part : partial) {

@@ -19,13 +19,15 @@ constexpr std::size_t few_points = 256;  // what is worth to be written out and 
 constexpr std::size_t steps_at_once = 512, points_at_once = std::size_t{1} << 13;
 
 // Coordinates are multiplied by `factor`, a power of two, then `origin` is taken away.
-struct Frame {
+struct MomentFrame {
   Point origin;
   double factor = 1;
-  [[nodiscard]] static Frame at(Point point, double factor) { return {{point.x * factor, point.y * factor}, factor}; }
+  [[nodiscard]] static MomentFrame at(Point point, double factor) {
+    return {{point.x * factor, point.y * factor}, factor};
+  }
 };
 
-Moments of_polygon(std::span<const Point> polygon, const Frame& frame) {
+Moments of_polygon(std::span<const Point> polygon, const MomentFrame& frame) {
   Moments sum;
   Point before = polygon.back();
   for (const Point& point : polygon) {
@@ -36,7 +38,7 @@ Moments of_polygon(std::span<const Point> polygon, const Frame& frame) {
 }
 
 // Sums over vertices that follow each other on a curve; long ones in parallel, joined in order.
-Moments of_run(std::span<const Point> run, const Frame& frame) {
+Moments of_run(std::span<const Point> run, const MomentFrame& frame) {
   if (run.size() < 2) return {};
   const std::size_t segments = run.size() - 1;
   std::vector<Moments> parts((segments + points_at_once - 1) / points_at_once);
@@ -49,20 +51,20 @@ Moments of_run(std::span<const Point> run, const Frame& frame) {
 }
 
 // A part of a walk, which may have no point.
-struct Part {
+struct RunOfSteps {
   Moments sum;
   std::optional<Point> first, last;
 
-  void go_on(Point from, Point to, const Moments& inside, const Frame& frame) {
+  void go_on(Point from, Point to, const Moments& inside, const MomentFrame& frame) {
     if (last) sum += moments_of_segment(*last, from, frame.origin, frame.factor);
     if (!first) first = from;
     sum += inside;
     last = to;
   }
-  void go_on(const Part& next, const Frame& frame) {
+  void go_on(const RunOfSteps& next, const MomentFrame& frame) {
     if (next.first) go_on(*next.first, *next.last, next.sum, frame);
   }
-  void go_on(std::span<const Point> run, bool forward, const Frame& frame) {
+  void go_on(std::span<const Point> run, bool forward, const MomentFrame& frame) {
     if (run.empty()) return;
     const Moments inside = of_run(run, frame);
     if (forward) {
@@ -75,10 +77,10 @@ struct Part {
 
 // Sums round a boundary, without writing its points out.
 Moments of_boundary(const Overlay& result, std::span<const std::uint32_t> steps, Directions forward,
-                    const Frame& frame) {
-  std::vector<Part> parts((steps.size() + steps_at_once - 1) / steps_at_once);
+                    const MomentFrame& frame) {
+  std::vector<RunOfSteps> parts((steps.size() + steps_at_once - 1) / steps_at_once);
   for_each_block(steps.size(), steps_at_once, [&](std::size_t begin, std::size_t end) {
-    Part& part = parts[begin / steps_at_once];
+    RunOfSteps& part = parts[begin / steps_at_once];
     for (const BoundaryArc& arc : boundary_arcs(result, steps, begin, end, forward)) {
       const ArcPoints points = points_of(result, arc);
       if (!points.whole) part.go_on(points.first, points.first, {}, frame);
@@ -86,8 +88,8 @@ Moments of_boundary(const Overlay& result, std::span<const std::uint32_t> steps,
       part.go_on(points.forward ? points.high : points.low, points.forward, frame);
     }
   });
-  Part whole;
-  for (const Part& part : parts) whole.go_on(part, frame);
+  RunOfSteps whole;
+  for (const RunOfSteps& part : parts) whole.go_on(part, frame);
   whole.go_on(*whole.first, *whole.first, {}, frame);
   return whole.sum;
 }
@@ -113,7 +115,7 @@ class PieceBoundary {
     return points.forward ? points.low.front() : points.low.back();
   }
 
-  [[nodiscard]] Moments moments(const Frame& frame) const {
+  [[nodiscard]] Moments moments(const MomentFrame& frame) const {
     Moments sum;
     if (!polygons_.empty()) {
       for (const std::vector<Point>& polygon : polygons_) sum += of_polygon(polygon, frame);
@@ -181,10 +183,10 @@ double length(const std::vector<Point>& polygon) {
 Point centroid(const Overlay& result, Pairing pairing, std::size_t piece) {
   const PieceBoundary boundary(result, pairing, piece);
   const Point first = boundary.first();
-  Frame frame = Frame::at(first, 1);
+  MomentFrame frame = MomentFrame::at(first, 1);
   Moments moments = boundary.moments(frame);
   if (!in_range(moments)) {
-    frame = Frame::at(first, factor_for(boundary.box()));
+    frame = MomentFrame::at(first, factor_for(boundary.box()));
     moments = boundary.moments(frame);
   }
   const DD below = DD{3, 0} * moments.area;

@@ -49,15 +49,16 @@ std::vector<DD> arcs_between(const CurveView& curve, const std::vector<Stop>& st
 }
 
 // The crossings along one curve, and from each of them its neighbours and the arcs to them.
-struct Along {
+struct NeighboursAlong {
   std::vector<std::uint32_t> next, previous;  // by number among the crossings
   std::vector<double> to_next, to_previous;   // integrals of x dy - y dx
 };
-Along along(const CurveView& curve, std::vector<Stop> stops, const std::vector<std::uint32_t>& number, bool clockwise) {
+NeighboursAlong neighbours_along(const CurveView& curve, std::vector<Stop> stops,
+                                 const std::vector<std::uint32_t>& number, bool clockwise) {
   const std::vector<DD> arcs = arcs_between(curve, stops);
   const std::size_t size = stops.size();
-  Along result{std::vector<std::uint32_t>(size), std::vector<std::uint32_t>(size), std::vector<double>(size),
-               std::vector<double>(size)};
+  NeighboursAlong result{std::vector<std::uint32_t>(size), std::vector<std::uint32_t>(size), std::vector<double>(size),
+                         std::vector<double>(size)};
   for (std::size_t k = 0; k < size; ++k) {
     const std::size_t after = k + 1 == size ? 0 : k + 1;
     const std::uint32_t from = number[stops[k].node], to = number[stops[after].node];
@@ -97,8 +98,8 @@ std::vector<SigmaStep> sigma_steps(const Overlay& result, Pairing pairing) {
   std::stable_sort(stops2.begin(), stops2.end(), [](const Stop& a, const Stop& b) {
     return a.at.segment != b.at.segment ? a.at.segment < b.at.segment : a.at.t < b.at.t;
   });
-  const Along along1 = along(nodes.curve1(), stops1, number, nodes.clockwise1());
-  const Along along2 = along(nodes.curve2(), stops2, number, nodes.clockwise2());
+  const NeighboursAlong along1 = neighbours_along(nodes.curve1(), stops1, number, nodes.clockwise1());
+  const NeighboursAlong along2 = neighbours_along(nodes.curve2(), stops2, number, nodes.clockwise2());
   const bool forward1 = pairing == Pairing::c1_minus_c2;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     SigmaStep& step = steps[k];

@@ -10,7 +10,7 @@ struct Arrangement {
   EdgeChains edge_chains;
   Events events;
   HalfEdges graph;
-  Faces faces;
+  RegionFaces faces;
   int area_exponent = 0;  ///< areas are those of curves scaled by 2^-(area_exponent / 2)
   double lost = 0;        ///< bound on the error of any area before it is rounded to double
 

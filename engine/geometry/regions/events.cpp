@@ -13,7 +13,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 15;
+constexpr std::size_t events_a_task = std::size_t{1} << 15;
 
 // Makes events of the candidates: the two ends of each incidence, then the isolated ones, spikes and extreme vertices.
 class EventMaker {
@@ -79,7 +79,7 @@ class EventMaker {
     order_.resize(count);
     fresh_.resize(count);
     std::atomic<std::uint64_t> exact_orders{0};
-    for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(count, events_a_task, [&](std::size_t begin, std::size_t end) {
       std::uint64_t exact = 0;
       const auto before = [&](std::uint32_t x, std::uint32_t y) {
         const Event event_x = event_at(x), event_y = event_at(y);
@@ -115,7 +115,7 @@ class EventMaker {
       event_of_[order_[k]] = number - 1;
     }
     result_.list.resize(number);
-    for_each_block(count, grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(count, events_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         if (fresh_[k] != 0) result_.list[event_of_[order_[k]]] = event_at(order_[k]);
       }

@@ -16,7 +16,7 @@ struct Walks {
   Buffer<DD> twice_area;
 };
 
-Walks walk_all(const HalfEdges& graph, const Buffer<DD>& sums) {
+Walks walk_half_edges(const HalfEdges& graph, const Buffer<DD>& sums) {
   Walks walks;
   walks.of.assign(graph.size(), unknown);
   for (std::uint32_t start = 0; start < graph.size(); ++start) {
@@ -65,19 +65,20 @@ std::vector<Guest> guests_of(const EdgeChains& edge_chains, const Events& events
 
 }  // namespace
 
-Faces make_faces(const EdgeChains& edge_chains, const Events& events, const HalfEdges& graph, const Buffer<DD>& sums,
-                 bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2, PredicateCounts& counts) {
-  Walks walks = walk_all(graph, sums);
+RegionFaces make_faces(const EdgeChains& edge_chains, const Events& events, const HalfEdges& graph,
+                       const Buffer<DD>& sums, bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2,
+                       PredicateCounts& counts) {
+  Walks walks = walk_half_edges(graph, sums);
   const std::vector<Guest> guests = guests_of(edge_chains, events, graph, walks, curves_meet, c1, c2, counts);
 
   // Every walk but the outer ones has a face of its own.
   Buffer<std::uint32_t> face_of(walks.start.size(), unknown);
-  for (const Guest& guest : guests) face_of[guest.outer] = Faces::unbounded;
-  Faces faces;
+  for (const Guest& guest : guests) face_of[guest.outer] = RegionFaces::unbounded;
+  RegionFaces faces;
   faces.twice_area.push_back({});
   Buffer<std::uint32_t> start{0};  // a half-edge of the face's own walk
   for (std::size_t walk = 0; walk < walks.start.size(); ++walk) {
-    if (face_of[walk] == Faces::unbounded) continue;
+    if (face_of[walk] == RegionFaces::unbounded) continue;
     face_of[walk] = faces.size();
     faces.twice_area.push_back(walks.twice_area[walk]);
     start.push_back(walks.start[walk]);
@@ -95,10 +96,10 @@ Faces make_faces(const EdgeChains& edge_chains, const Events& events, const Half
   faces.windings.resize(faces.size());
   faces.entry.resize(faces.size());
   faces.rank.assign(faces.size(), unknown);
-  Buffer<std::uint32_t> queue{Faces::unbounded};
-  faces.windings[Faces::unbounded] = {0, 0};
-  faces.entry[Faces::unbounded] = unknown;
-  faces.rank[Faces::unbounded] = 0;
+  Buffer<std::uint32_t> queue{RegionFaces::unbounded};
+  faces.windings[RegionFaces::unbounded] = {0, 0};
+  faces.entry[RegionFaces::unbounded] = unknown;
+  faces.rank[RegionFaces::unbounded] = 0;
   for (std::size_t k = 0; k < queue.size(); ++k) {
     const std::uint32_t face = queue[k];
     const Windings here = faces.windings[face];
@@ -117,7 +118,7 @@ Faces make_faces(const EdgeChains& edge_chains, const Events& events, const Half
         half = graph.next(half);
       } while (half != first);
     };
-    if (face != Faces::unbounded) cross_edges(start[face]);
+    if (face != RegionFaces::unbounded) cross_edges(start[face]);
     for (const Guest& guest : guests) {
       if (face_of[guest.outer] == face) cross_edges(walks.start[guest.outer]);
     }

@@ -16,7 +16,7 @@ struct Windings {
   friend auto operator<=>(const Windings&, const Windings&) = default;
 };
 
-struct Faces {
+struct RegionFaces {
   static constexpr std::uint32_t unbounded = 0;
 
   Buffer<std::uint32_t> of;     ///< the face to the left of each half-edge that stands for itself
@@ -30,9 +30,9 @@ struct Faces {
 
 /// `sums`: of each edge, the shoelace sum about the common origin of all. `curves_meet`: whether C1 and C2 have a point
 /// in common. O(events), and one ray through the curves when they do not meet.
-[[nodiscard]] Faces make_faces(const EdgeChains& edge_chains, const Events& events, const HalfEdges& graph,
-                               const Buffer<DD>& sums, bool curves_meet, const IndexedCurve& c1, const IndexedCurve* c2,
-                               PredicateCounts& counts);
+[[nodiscard]] RegionFaces make_faces(const EdgeChains& edge_chains, const Events& events, const HalfEdges& graph,
+                                     const Buffer<DD>& sums, bool curves_meet, const IndexedCurve& c1,
+                                     const IndexedCurve* c2, PredicateCounts& counts);
 
 /// What a ray from `point`, which does not lie on the curve, to greater x meets first, on the side of greater y when it
 /// runs through a vertex: the half-edge of curve `number` (0 or 1) that has the point on its left; or none.

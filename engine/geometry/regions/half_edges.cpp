@@ -10,7 +10,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 12;
+constexpr std::size_t events_a_block = std::size_t{1} << 12;
 
 // A half-edge with its direction: that of the way from one vertex to another.
 struct DirectedEdge {
@@ -101,9 +101,9 @@ HalfEdges connect(const EdgeChains& edge_chains, const Events& events) {
   for (std::size_t curve = 0; curve < 2; ++curve) extreme_node[curve] = events.list[events.extreme[curve]].node;
 
   std::atomic<std::uint32_t> merged{0};
-  std::vector<PredicateCounts> counts((events.nodes + grain - 1) / grain);
-  for_each_block(events.nodes, grain, [&](std::size_t begin, std::size_t end) {
-    PredicateCounts& here = counts[begin / grain];
+  std::vector<PredicateCounts> counts((events.nodes + events_a_block - 1) / events_a_block);
+  for_each_block(events.nodes, events_a_block, [&](std::size_t begin, std::size_t end) {
+    PredicateCounts& here = counts[begin / events_a_block];
     std::uint32_t merged_here = 0;
     std::vector<DirectedEdge> leaving;
     for (std::size_t node = begin; node < end; ++node) {

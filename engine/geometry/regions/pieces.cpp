@@ -125,7 +125,7 @@ class PieceFinder {
 
   const Arrangement& scene_;
   const HalfEdges& graph_;
-  const Faces& faces_;
+  const RegionFaces& faces_;
   Buffer<std::uint32_t> piece_of_;  // by face; none outside the region
   std::uint32_t pieces_ = 0;
   Buffer<std::uint32_t> outermost_;  // by piece: its face of lowest rank

@@ -10,26 +10,26 @@ namespace lober::detail {
 namespace {
 
 // Where a segment crosses the height just above the point.
-struct Hit {
+struct RayHit {
   std::uint32_t segment;  // as the curve numbers them
   Point low, high;        // its ends, upwards
   bool upward;
 };
 
 // The point of a hit, on the ray and on the segment.
-ImplicitPoint on_ray(const Hit& hit, double y) {
+ImplicitPoint on_ray(const RayHit& hit, double y) {
   return hit.low.y == y ? ImplicitPoint{hit.low, hit.low, true} : ImplicitPoint{hit.low, hit.high};
 }
-ImplicitPoint on_segment_of(const Hit& hit, Point from, Point to) {
+ImplicitPoint on_segment_of(const RayHit& hit, Point from, Point to) {
   return hit.low.y == from.y ? ImplicitPoint{hit.low, hit.low, true} : ImplicitPoint{from, to};
 }
 
 // The first segment of the curve to the right of `from`; `to` is the end of the ray.
-std::optional<Hit> first_hit(const BoxTree& tree, Point from, Point to, PredicateCounts& counts) {
-  std::optional<Hit> first;
+std::optional<RayHit> first_hit(const BoxTree& tree, Point from, Point to, PredicateCounts& counts) {
+  std::optional<RayHit> first;
   // Just above the height of the ray, when both meet it in the same point, the one that leans more to the left comes
   // first.
-  const auto before = [&](const Hit& x, const Hit& y) {
+  const auto before = [&](const RayHit& x, const RayHit& y) {
     const int order = compare_along(from, to, on_ray(x, from.y), on_ray(y, from.y));
     return order != 0 ? order < 0 : cross_sign(x.low, x.high, y.low, y.high, counts) < 0;
   };
@@ -50,7 +50,7 @@ std::optional<Hit> first_hit(const BoxTree& tree, Point from, Point to, Predicat
       const Point a = points[k], b = points[k + 1];
       if ((a.y > from.y) == (b.y > from.y)) continue;
       const bool upward = b.y > a.y;
-      const Hit hit{static_cast<std::uint32_t>(node.index * leaf_size + k), upward ? a : b, upward ? b : a, upward};
+      const RayHit hit{static_cast<std::uint32_t>(node.index * leaf_size + k), upward ? a : b, upward ? b : a, upward};
       if (orient2d(hit.low, hit.high, from, counts) <= 0) continue;  // it passes on the left of the point
       if (!first || before(hit, *first)) first = hit;
     }
@@ -65,7 +65,7 @@ std::uint32_t half_edge_right_of(Point point, const EdgeChains& edge_chains, con
                                  PredicateCounts& counts) {
   const Point end{curve.tree().box().max_x(), point.y};
   if (end.x <= point.x) return no_half_edge;
-  const std::optional<Hit> hit = first_hit(curve.tree(), point, end, counts);
+  const std::optional<RayHit> hit = first_hit(curve.tree(), point, end, counts);
   if (!hit) return no_half_edge;
   // The event before the hit on the same segment, if any; else the last one before the segment.
   const std::uint32_t segment = edge_chains.first_of(number) + hit->segment;

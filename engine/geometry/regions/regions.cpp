@@ -163,7 +163,7 @@ class RegionBuilder {
 
   void make_table(Arrangement& scene) {
     std::map<Windings, RunningSum> sums;
-    const Faces& faces = scene.faces;
+    const RegionFaces& faces = scene.faces;
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
       const Windings windings = faces.windings[face];
       if (windings == Windings{0, 0}) continue;
@@ -202,11 +202,11 @@ class RegionBuilder {
 };
 
 // The areas by what they are made of.
-struct Part {
+struct RegionPart {
   double Areas::*area;
   bool (*wanted)(bool in1, bool in2);
 };
-constexpr std::array<Part, 7> parts{{
+constexpr std::array<RegionPart, 7> region_parts{{
     {&Areas::c1, [](bool in1, bool) { return in1; }},
     {&Areas::c2, [](bool, bool in2) { return in2; }},
     {&Areas::intersection, [](bool in1, bool in2) { return in1 && in2; }},
@@ -216,7 +216,7 @@ constexpr std::array<Part, 7> parts{{
     {&Areas::symmetric_difference, [](bool in1, bool in2) { return in1 != in2; }},
 }};
 
-bool takes(const Part& part, FillRule rule, const WindingArea& entry) {
+bool takes(const RegionPart& part, FillRule rule, const WindingArea& entry) {
   return part.wanted(inside(rule, entry.w1), inside(rule, entry.w2));
 }
 
@@ -243,7 +243,7 @@ const RegionTiming& Regions::timing() const {
 Areas Regions::areas(FillRule rule) const {
   const Arrangement& scene = *arrangement_;
   Areas areas;
-  for (const Part& part : parts) {
+  for (const RegionPart& part : region_parts) {
     RunningSum sum;
     for (std::size_t k = 0; k < scene.table.size(); ++k) {
       if (takes(part, rule, scene.table[k])) sum.add(scene.twice_areas[k]);
@@ -260,7 +260,7 @@ double Regions::rounding(double area) const {
 Areas Regions::rounding(FillRule rule) const {
   const Areas computed = areas(rule);
   Areas bounds;
-  for (const Part& part : parts) {
+  for (const RegionPart& part : region_parts) {
     const bool some =
         std::any_of(table().begin(), table().end(), [&](const WindingArea& entry) { return takes(part, rule, entry); });
     bounds.*part.area = some ? rounding(computed.*part.area) : 0;  // the area of nothing is exact

@@ -9,7 +9,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = 2048;
+constexpr std::size_t segments_a_block = 2048;
 
 class Running {
  public:
@@ -28,17 +28,17 @@ class Running {
 }  // namespace
 
 ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uint32_t> segments) {
-  const std::size_t size = curve.segments(), blocks = (size + grain - 1) / grain;
+  const std::size_t size = curve.segments(), blocks = (size + segments_a_block - 1) / segments_a_block;
   std::vector<ChordArea> before(blocks + 1);
   std::vector<std::uint64_t> fallbacks(blocks);
-  for_each_block(size, grain, [&](std::size_t begin, std::size_t end) {
+  for_each_block(size, segments_a_block, [&](std::size_t begin, std::size_t end) {
     Running sum;
     for (std::size_t k = begin; k < end; ++k) {
       const SmoothSegment segment = curve.segment(static_cast<std::int64_t>(k));
       sum.add(segment);
-      fallbacks[begin / grain] += segment.kind != SmoothSegment::Kind::smooth && !(segment.chord == Point{});
+      fallbacks[begin / segments_a_block] += segment.kind != SmoothSegment::Kind::smooth && !(segment.chord == Point{});
     }
-    before[begin / grain + 1] = sum.value();
+    before[begin / segments_a_block + 1] = sum.value();
   });
   ChordAreaSums sums;
   for (std::size_t k = 0; k < blocks; ++k) {
@@ -49,10 +49,10 @@ ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uin
   sums.total = before[blocks];
   sums.before.resize(segments.size());
   for_each_block(blocks, 1, [&](std::size_t block, std::size_t) {
-    const auto from = std::lower_bound(segments.begin(), segments.end(), block * grain);
+    const auto from = std::lower_bound(segments.begin(), segments.end(), block * segments_a_block);
     Running sum(before[block]);
-    std::size_t next = block * grain;
-    for (auto at = from; at != segments.end() && *at < (block + 1) * grain; ++at) {
+    std::size_t next = block * segments_a_block;
+    for (auto at = from; at != segments.end() && *at < (block + 1) * segments_a_block; ++at) {
       for (; next < *at; ++next) sum.add(curve.segment(static_cast<std::int64_t>(next)));
       sums.before[static_cast<std::size_t>(at - segments.begin())] = sum.value();
     }

@@ -16,7 +16,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::size_t grain = 256;
+constexpr std::size_t smooth_nodes_a_task = 256;
 
 class Builder {
  public:
@@ -56,10 +56,10 @@ class Builder {
   void move_crossings() {
     moved_.resize(graph_.size());
     straight_.resize(graph_.contacts.size());
-    for_each_block(graph_.contacts.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(graph_.contacts.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) straight_[k] = straight(graph_.contacts[k]);
     });
-    for_each_block(graph_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const auto node = static_cast<std::uint32_t>(k);
         const std::uint32_t contact = graph_.span(node).first;
@@ -124,7 +124,7 @@ class Builder {
     for (std::size_t k = 0; k < count; ++k) ends.on2[graph_.contacts2[k]] = sums2.before[k];
 
     std::vector<double> uncertainty(graph_.size());
-    for_each_block(graph_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const NodeSpan span = graph_.span(static_cast<std::uint32_t>(k));
         for (const std::uint32_t contact : {span.first, span.last}) {

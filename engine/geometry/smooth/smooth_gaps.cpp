@@ -12,7 +12,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t grain = 256;
+constexpr std::size_t gaps_a_task = 256;
 
 class GapFinder {
  public:
@@ -20,7 +20,7 @@ class GapFinder {
       : c1_(c1), c2_(c2), view1_(c1), view2_(c2), graph_(graph), nodes_(nodes), moved_(nodes.size()) {}
 
   SmoothGaps find() {
-    for_each_block(nodes_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for_each_block(nodes_.size(), gaps_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         if (graph_.span(nodes_[k]).direction != 0) continue;
         moved_[k] = find_smooth_crossing(c1_, c2_, contact(k), graph_.order[nodes_[k]] == rightward_to_left);

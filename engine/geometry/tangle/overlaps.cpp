@@ -36,7 +36,7 @@ struct Sum {
 };
 
 // What runs up along the curves to one crossing: the gap, twice the estimated errors of the areas, lengths.
-struct Along {
+struct SumsAlong {
   DD gap;
   double error_u = 0, error_s = 0, uncertainty = 0;
   double length_u = 0, length_s = 0;
@@ -53,8 +53,8 @@ double length_to(std::span<const double> sums, Position at) {
   return at.segment + 1 < sums.size() ? from + at.t * (sums[at.segment + 1] - from) : from;
 }
 
-std::vector<Along> sums_along(const Tangle& tangle, std::span<const std::uint32_t> nodes) {
-  std::vector<Along> along(nodes.size());
+std::vector<SumsAlong> sums_along(const Tangle& tangle, std::span<const std::uint32_t> nodes) {
+  std::vector<SumsAlong> along(nodes.size());
   if (nodes.empty()) return along;
   const Buffer<DD> gaps = polygon_gaps_at(*tangle.curves, graph_of(tangle.nodes), nodes);
   std::vector<double> u, s;
@@ -99,7 +99,7 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
         {static_cast<std::uint32_t>(at.s), static_cast<std::uint32_t>(at.u), static_cast<std::uint32_t>(nodes.size())});
     nodes.push_back(node);
   }
-  const std::vector<Along> along = sums_along(tangle, nodes);
+  const std::vector<SumsAlong> along = sums_along(tangle, nodes);
   std::stable_sort(terms.begin(), terms.end(),
                    [](const Term& x, const Term& y) { return x.i != y.i ? x.i < y.i : x.j < y.j; });
 
@@ -108,7 +108,7 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
     Sum sum{terms[k].i, terms[k].j};
     const int o_i = tangle.lobes[sum.i].orientation(), o_j = tangle.lobes[sum.j].orientation();
     for (; k < terms.size() && terms[k].i == sum.i && terms[k].j == sum.j; ++k) {
-      const Along& here = along[terms[k].node];
+      const SumsAlong& here = along[terms[k].node];
       const int rho = tangle.nodes.rho(nodes[terms[k].node]);
       sum.twice = rho > 0 ? sum.twice + here.gap : sum.twice - here.gap;
       // The crossing is one of U_j with S_i: U leaves lobe i if rho o_i = 1, S leaves lobe j if -rho o_j = 1.

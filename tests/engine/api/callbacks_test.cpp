@@ -23,68 +23,58 @@
 #include "lober/regions.hpp"
 #include "lober/tangle.hpp"
 #include "tests/oracle/random.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
-using Points = std::vector<Point>;
 using Callback = std::function<bool(double)>;
 
-Points wavy(std::size_t points, double turn, int waves) {
-  Points curve(points);
-  for (std::size_t k = 0; k < points; ++k) {
-    const double angle = turn + 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points);
-    const double radius = 1 + 0.1 * std::sin(waves * angle);
-    curve[k] = {radius * std::cos(angle), radius * std::sin(angle)};
-  }
-  return curve;
-}
-
-const Points first = wavy(4000, 0, 40), second = wavy(3000, 0.1, 30);
+const Points wavy1 = wavy_circle(4000, 0.1, 40), wavy2 = wavy_circle(3000, 0.1, 30, 0.1);
 
 // U and S that cross a thousand times.
-Points sine() {
+Points sine_line() {
   Points points;
   for (int k = 0; k <= 5000; ++k) points.push_back({0.004 * k, std::sin(0.6 * k)});
   return points;
 }
-const Points u = sine(), s{{30, 0.25}, {-1, 0.25}};
+const Points unstable = sine_line(), stable{{30, 0.25}, {-1, 0.25}};
 
 // A function with a callback; what it gives in a few numbers.
-struct Function {
+struct CallbackFunction {
   const char* name;
   std::function<std::vector<double>(const Callback&)> call;
 };
 
-const std::vector<Function>& functions() {
-  static const std::vector<Function> all{
+const std::vector<CallbackFunction>& callback_functions() {
+  static const std::vector<CallbackFunction> all{
       {"overlay",
        [](const Callback& progress) {
          OverlayOptions options;
          options.progress = progress;
-         const Overlay result = overlay(CurveView{first}, CurveView{second}, options);
+         const Overlay result = overlay(CurveView{wavy1}, CurveView{wavy2}, options);
          return std::vector{result.areas.union_, result.areas.c1_minus_c2, static_cast<double>(result.nodes.size())};
        }},
       {"interior_areas",
        [](const Callback& progress) {
          InteriorOptions options;
          options.progress = progress;
-         const InteriorAreas result = interior_areas(CurveView{first}, CurveView{second}, options);
+         const InteriorAreas result = interior_areas(CurveView{wavy1}, CurveView{wavy2}, options);
          return std::vector{result.areas.union_, result.areas.c1_minus_c2, result.q1};
        }},
       {"regions",
        [](const Callback& progress) {
          RegionOptions options;
          options.progress = progress;
-         const Regions result = regions(CurveView{first}, CurveView{second}, options);
+         const Regions result = regions(CurveView{wavy1}, CurveView{wavy2}, options);
          return std::vector{result.areas(FillRule::nonzero).union_, static_cast<double>(result.counts().nodes)};
        }},
       {"tangle",
        [](const Callback& progress) {
          TangleOptions options;
          options.progress = progress;
-         const Tangle result = tangle(CurveView{u, false}, CurveView{s, false}, options);
+         const Tangle result = tangle(CurveView{unstable, false}, CurveView{stable, false}, options);
          return std::vector{static_cast<double>(result.pips.size()), static_cast<double>(result.nodes.size()),
                             result.lobes.at(0).area};
        }},
@@ -96,14 +86,14 @@ struct Mine : std::runtime_error {
   Mine() : std::runtime_error("mine") {}
 };
 
-int calls_of(const Function& function) {
+int calls_of(const CallbackFunction& function) {
   int calls = 0;
   (void)function.call([&](double) { return ++calls > 0; });
   return calls;
 }
 
 TEST(Callbacks, WhatOneThrowsReachesTheCallerWhereverItIs) {
-  for (const Function& function : functions()) {
+  for (const CallbackFunction& function : callback_functions()) {
     const std::vector<double> expected = function.call({});
     const int calls = calls_of(function);
     EXPECT_GE(calls, 3) << function.name;
@@ -121,7 +111,7 @@ TEST(Callbacks, WhatOneThrowsReachesTheCallerWhereverItIs) {
 }
 
 TEST(Callbacks, FractionsAscendFromZeroToOne) {
-  for (const Function& function : functions()) {
+  for (const CallbackFunction& function : callback_functions()) {
     std::vector<double> seen;
     (void)function.call([&](double fraction) {
       seen.push_back(fraction);
@@ -134,7 +124,7 @@ TEST(Callbacks, FractionsAscendFromZeroToOne) {
 }
 
 TEST(Callbacks, AskingToStopGivesCancelledWhereverItIs) {
-  for (const Function& function : functions()) {
+  for (const CallbackFunction& function : callback_functions()) {
     const int calls = calls_of(function);
     for (int at = 1; at <= calls; ++at) {
       int call = 0;
@@ -147,7 +137,7 @@ TEST(Callbacks, AskingToStopGivesCancelledWhereverItIs) {
 // From another thread, at any instant: the call is cancelled or gives what it always gives.
 TEST(Callbacks, CancellationAtRandomInstantsLeavesResultsAlone) {
   oracle::Random random(7);
-  for (const Function& function : functions()) {
+  for (const CallbackFunction& function : callback_functions()) {
     const std::vector<double> expected = function.call({});
     int cancelled = 0, finished = 0;
     for (int attempt = 0; attempt < 12; ++attempt) {
@@ -190,4 +180,4 @@ TEST(Callbacks, WhatTheFunctionOfACurveThrowsReachesTheCaller) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -17,14 +17,14 @@
 #include "lober/smooth.hpp"
 #include "lober/tangle.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
 enum class Wanted : std::uint8_t { closed, open, either };
 
 // A function with its two curves, the second of which some do not need.
-struct Function {
+struct CurveFunction {
   const char* name;
   Wanted wanted;
   std::function<void(CurveView, CurveView)> call;
@@ -32,8 +32,8 @@ struct Function {
 
 const Point somewhere{0.25, 0.25};
 
-const std::vector<Function>& functions() {
-  static const std::vector<Function> all{
+const std::vector<CurveFunction>& curve_functions() {
+  static const std::vector<CurveFunction> all{
       {"overlay", Wanted::closed, [](CurveView a, CurveView b) { (void)overlay(a, b); }},
       {"overlay, second", Wanted::closed, [](CurveView a, CurveView b) { (void)overlay(b, a); }},
       {"overlay, indexed", Wanted::closed,
@@ -95,7 +95,7 @@ const std::vector<Function>& functions() {
 }
 
 // "nothing", "UsageError", "DataError"; other exceptions fail.
-std::string outcome(const Function& function, CurveView a, CurveView b) {
+std::string outcome(const CurveFunction& function, CurveView a, CurveView b) {
   try {
     function.call(a, b);
   } catch (const UsageError& error) {
@@ -108,18 +108,18 @@ std::string outcome(const Function& function, CurveView a, CurveView b) {
   return "nothing";
 }
 
-const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-const std::vector<Point> other{{0.5, -1}, {0.75, 2}, {0.625, 3}, {0.5, 2}};
+const std::vector<Point> unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const std::vector<Point> crossing_curve{{0.5, -1}, {0.75, 2}, {0.625, 3}, {0.5, 2}};
 
 bool suits(Wanted wanted, bool closed) {
   return wanted == Wanted::either || (wanted == Wanted::closed) == closed;
 }
 
 TEST(OpenAndClosed, CurvesOfTheWrongKindAreRefused) {
-  for (const Function& function : functions()) {
+  for (const CurveFunction& function : curve_functions()) {
     for (const bool closed : {false, true}) {
       const bool fits_second = function.wanted != Wanted::open;  // the second curve is of the kind that is wanted
-      const std::string found = outcome(function, {square, closed}, {other, fits_second});
+      const std::string found = outcome(function, {unit_square, closed}, {crossing_curve, fits_second});
       EXPECT_EQ(found, suits(function.wanted, closed) ? "nothing" : "UsageError") << function.name << closed;
     }
   }
@@ -127,10 +127,11 @@ TEST(OpenAndClosed, CurvesOfTheWrongKindAreRefused) {
 
 TEST(OpenAndClosed, CurvesOfHardlyAnyPointGiveAnAnswerOrAnError) {
   const std::vector<std::vector<Point>> small{{}, {{1, 2}}, {{1, 2}, {1, 2}}, {{0, 0}, {1, 1}}};
-  for (const Function& function : functions()) {
+  for (const CurveFunction& function : curve_functions()) {
     for (const bool closed : {false, true}) {
       for (const std::vector<Point>& points : small) {
-        const std::string found = outcome(function, {points, closed}, {other, function.wanted != Wanted::open});
+        const std::string found =
+            outcome(function, {points, closed}, {crossing_curve, function.wanted != Wanted::open});
         if (!suits(function.wanted, closed) && points.size() > 1) {
           EXPECT_EQ(found, "UsageError") << function.name << " " << points.size();
         } else if (!suits(function.wanted, closed)) {
@@ -144,27 +145,27 @@ TEST(OpenAndClosed, CurvesOfHardlyAnyPointGiveAnAnswerOrAnError) {
 // Two curves with too few points for a region have none.
 TEST(OpenAndClosed, RegionsNeedThreeDistinctVertices) {
   const std::vector<std::vector<Point>> small{{}, {{1, 2}}, {{0, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}};
-  for (const Function& function : functions()) {
+  for (const CurveFunction& function : curve_functions()) {
     const std::string_view name = function.name;
     const bool of_regions = name.starts_with("overlay") || name.starts_with("interior_areas") ||
                             name.starts_with("regions") || name.starts_with("common_area") || name == "smooth_area" ||
                             name == "discretisation_error";
     if (!of_regions) continue;
     for (const std::vector<Point>& points : small) {
-      EXPECT_EQ(outcome(function, {points}, {square}), "DataError") << name << " " << points.size();
+      EXPECT_EQ(outcome(function, {points}, {unit_square}), "DataError") << name << " " << points.size();
     }
   }
 }
 
 TEST(OpenAndClosed, TheMessageNamesTheCurveAndWhatIsWanted) {
   try {
-    (void)regions(CurveView{square}, CurveView{other, false});
+    (void)regions(CurveView{unit_square}, CurveView{crossing_curve, false});
     FAIL();
   } catch (const UsageError& error) {
     EXPECT_STREQ(error.what(), "curve 2 is open; regions needs closed curves");
   }
   try {
-    (void)tangle(CurveView{square, true}, CurveView{other, false});
+    (void)tangle(CurveView{unit_square, true}, CurveView{crossing_curve, false});
     FAIL();
   } catch (const UsageError& error) {
     EXPECT_STREQ(error.what(), "U is closed; tangle needs open curves");
@@ -172,4 +173,4 @@ TEST(OpenAndClosed, TheMessageNamesTheCurveAndWhatIsWanted) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

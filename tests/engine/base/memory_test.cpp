@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
 
-constexpr bool keeps = !LOBER_ADDRESS_SANITIZER && !LOBER_THREAD_SANITIZER;
+constexpr bool memory_is_kept = !LOBER_ADDRESS_SANITIZER && !LOBER_THREAD_SANITIZER;
 
 TEST(BulkMemory, FreedBlockServesTheNextArrayOfAboutItsSize) {
-  if (!keeps) GTEST_SKIP() << "nothing is kept under a sanitizer";
+  if (!memory_is_kept) GTEST_SKIP() << "nothing is kept under a sanitizer";
   release_bulk_memory();
   void* const first = allocate_bulk(24 * megabyte);
   free_bulk(first, 24 * megabyte);

@@ -17,10 +17,10 @@ namespace lober::detail {
 namespace {
 
 // What of a result is the same in every run.
-struct Numbers {
+struct RecordNumbers {
   std::vector<double> values;
   std::vector<std::vector<double>> lists;
-  friend bool operator==(const Numbers&, const Numbers&) = default;
+  friend bool operator==(const RecordNumbers&, const RecordNumbers&) = default;
 };
 
 class SystemJobs : public ScratchFolder {
@@ -30,11 +30,11 @@ class SystemJobs : public ScratchFolder {
     return read_manifest(path("job.toml"));
   }
   // Results by job; messages of failures are their own check.
-  std::map<std::size_t, Numbers> results(const std::string& text, int threads = 2) {
+  std::map<std::size_t, RecordNumbers> results(const std::string& text, int threads = 2) {
     const Plan plan = make_plan(manifest(text));
     const std::vector<std::uint32_t> jobs = jobs_of(plan, {});
     PlanRunner runner(plan, path("job.toml"), jobs, {.threads = threads, .digests = true});
-    std::map<std::size_t, Numbers> found;
+    std::map<std::size_t, RecordNumbers> found;
     messages.clear();
     runner.run(jobs, [&](const Result& result) {
       if (result.failed()) messages[result.job] = result.error;
@@ -77,7 +77,7 @@ TEST_F(SystemJobs, TangleOfFilesIsTheTangle) {
   std::size_t lobes = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const Tangle direct = tangle(open(pairs[k].u), open(pairs[k].s), {.check_simple = false});
-    const Numbers& record = found.at(k);
+    const RecordNumbers& record = found.at(k);
     EXPECT_EQ(record.values[0], static_cast<double>(direct.nodes.crossings()));
     EXPECT_EQ(record.values[3], static_cast<double>(direct.pips.size()));
     EXPECT_EQ(record.values[6], direct.images.period);

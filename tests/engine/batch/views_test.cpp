@@ -42,10 +42,10 @@ class StoreViews : public ScratchFolder {
   }
 };
 
-constexpr const char* all_pairs = "operation = \"overlay\"\ncurves = \"c.*\"\n";
+constexpr const char* all_pairs_manifest = "operation = \"overlay\"\ncurves = \"c.*\"\n";
 
 TEST_F(StoreViews, SayWhatTheExportSays) {
-  ran(all_pairs);
+  ran(all_pairs_manifest);
   EXPECT_EQ(pairs(), (Rows{"c.0 c.1", "c.0 c.2", "c.0 c.3", "c.1 c.2", "c.1 c.3", "c.2 c.3"}));
   export_results(Store::open(path("s")), path("out.csv"), ExportFormat::csv);
   Rows areas;
@@ -114,7 +114,7 @@ TEST_F(StoreViews, ListsCanBeLookedInto) {
 
 TEST_F(StoreViews, FailuresAreNotAmongTheValues) {
   write("c.4", "0 0\n1 1\n1 0\n0 1\n");
-  ran(all_pairs);
+  ran(all_pairs_manifest);
   EXPECT_EQ(asked("SELECT count(*) FROM overlaps"), Rows{"6"});
   EXPECT_EQ(asked("SELECT curve1, curve2 FROM failures ORDER BY job"),
             (Rows{"c.0 c.4", "c.1 c.4", "c.2 c.4", "c.3 c.4"}));
@@ -124,14 +124,14 @@ TEST_F(StoreViews, FailuresAreNotAmongTheValues) {
 // Two files with the same contents have one result, and both pairs are in the view.
 TEST_F(StoreViews, InputsWithTheSameContents) {
   write_npy(path("c.1"), wavy(40, 0));
-  ran(all_pairs);
+  ran(all_pairs_manifest);
   EXPECT_EQ(pairs(), exported());
   EXPECT_EQ(pairs().size(), 6U);
   EXPECT_EQ(asked("SELECT count(*) FROM results_overlay"), Rows{"4"});
-  ran(all_pairs);
+  ran(all_pairs_manifest);
   EXPECT_EQ(pairs(), exported());
   EXPECT_EQ(pairs().size(), 6U);
-  for (std::size_t k = 0; k < 2; ++k) ran(all_pairs, "part" + std::to_string(k), {k, 2});
+  for (std::size_t k = 0; k < 2; ++k) ran(all_pairs_manifest, "part" + std::to_string(k), {k, 2});
   Store joined = Store::create(path("joined"));
   std::vector<Store> parts;
   for (const char* const part : {"part0", "part1"}) parts.push_back(Store::open(path(part)));
@@ -141,26 +141,26 @@ TEST_F(StoreViews, InputsWithTheSameContents) {
 
 // Views follow the newest plan and the inputs as they are.
 TEST_F(StoreViews, ResultsThatNoLongerHoldAreNotInThem) {
-  ran(all_pairs);
+  ran(all_pairs_manifest);
   write_npy(path("c.2"), wavy(50, 9));
-  EXPECT_EQ(ran(all_pairs).queue.jobs, 3U);
+  EXPECT_EQ(ran(all_pairs_manifest).queue.jobs, 3U);
   EXPECT_EQ(pairs(), exported());
   EXPECT_EQ(pairs().size(), 6U);
   EXPECT_EQ(asked("SELECT count(*) FROM results_overlay"), Rows{"9"});
   std::filesystem::rename(path("c.0"), path("c.7"));
-  EXPECT_EQ(ran(all_pairs).queue.jobs, 3U);  // in another order
+  EXPECT_EQ(ran(all_pairs_manifest).queue.jobs, 3U);  // in another order
   EXPECT_EQ(pairs(), (Rows{"c.1 c.2", "c.1 c.3", "c.1 c.7", "c.2 c.3", "c.2 c.7", "c.3 c.7"}));
   ran("operation = \"overlay\"\npairs = [[\"c.3\", \"c.7\"]]\n");
   EXPECT_EQ(pairs(), Rows{"c.3 c.7"});
-  ran(all_pairs);
+  ran(all_pairs_manifest);
   EXPECT_EQ(pairs().size(), 6U);
   EXPECT_EQ(asked("SELECT count(*) FROM results_overlay"), Rows{"12"});
 }
 
 TEST_F(StoreViews, ShardsThatFollowEachOtherInOneStore) {
-  ran(all_pairs, "s", {0, 2});
+  ran(all_pairs_manifest, "s", {0, 2});
   EXPECT_EQ(pairs().size(), 3U);
-  ran(all_pairs, "s", {1, 2});
+  ran(all_pairs_manifest, "s", {1, 2});
   EXPECT_EQ(pairs(), exported());
   EXPECT_EQ(pairs().size(), 6U);
 }

@@ -42,7 +42,7 @@ Model model(const char* name, const char* parameters = nullptr) {
   return Model(opened);
 }
 
-std::vector<double> circle(double x, double y, double radius, int count) {
+std::vector<double> circle_coordinates(double x, double y, double radius, int count) {
   std::vector<double> points;
   for (int k = 0; k < count; ++k) {
     const double angle = 2 * std::numbers::pi * k / count;
@@ -72,7 +72,7 @@ ClosedCurve curve_of(const std::vector<double>& points) {
 }
 
 TEST(CInterface, OverlayIsThatOfCpp) {
-  const std::vector<double> one = circle(0, 0, 1, 500), two = circle(0.7, 0.1, 0.9, 400);
+  const std::vector<double> one = circle_coordinates(0, 0, 1, 500), two = circle_coordinates(0.7, 0.1, 0.9, 400);
   const Result result = made(
       [&](lober_result** to) { return lober_overlay(one.data(), 500, two.data(), 400, "threads=2 outlines=1", to); });
   const Overlay expected = overlay(curve_of(one), curve_of(two));
@@ -93,7 +93,7 @@ TEST(CInterface, OverlayIsThatOfCpp) {
 }
 
 TEST(CInterface, InteriorRegionsAndWindingAgree) {
-  const std::vector<double> one = circle(0, 0, 1, 300), two = circle(0.7, 0.1, 0.9, 200);
+  const std::vector<double> one = circle_coordinates(0, 0, 1, 300), two = circle_coordinates(0.7, 0.1, 0.9, 200);
   const auto with = [&](auto function) {
     return made([&](lober_result** to) { return function(one.data(), 300, two.data(), 200, nullptr, to); });
   };
@@ -120,7 +120,7 @@ TEST(CInterface, InteriorRegionsAndWindingAgree) {
 }
 
 TEST(CInterface, DensifySimplifyAndFiles) {
-  const std::vector<double> coarse = circle(0, 0, 1, 40);
+  const std::vector<double> coarse = circle_coordinates(0, 0, 1, 40);
   const Result dense = made([&](lober_result** to) { return lober_densify(coarse.data(), 40, "max_length=0.05", to); });
   const lober_array points = array_of(dense, "points");
   EXPECT_EQ(points.rows, 160U);  // segments of 0.157, four parts each
@@ -191,7 +191,7 @@ void expect_refusal(int status, const char* words, const std::function<int(lober
 }
 
 TEST(CInterface, RefusesWhatMakesNoSense) {
-  const std::vector<double> good = circle(0, 0, 1, 30);
+  const std::vector<double> good = circle_coordinates(0, 0, 1, 30);
   std::vector<double> bad = good;
   bad[7] = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> eight{0, 0, 2, 2, 2, 0, 0, 2};
@@ -242,7 +242,7 @@ TEST(CInterface, RefusesWhatMakesNoSense) {
 }
 
 TEST(CInterface, ProgressCancelsAndIsOfOneThread) {
-  const std::vector<double> one = circle(0, 0, 1, 3000), two = circle(0.5, 0, 1, 3000);
+  const std::vector<double> one = circle_coordinates(0, 0, 1, 3000), two = circle_coordinates(0.5, 0, 1, 3000);
   struct Count {
     int calls = 0, until = 1;
   } count;

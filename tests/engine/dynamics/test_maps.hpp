@@ -5,7 +5,7 @@
 
 #include "lober/planar_map.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 
 /// p' = p + K sin x, x' = x + p', as points (x, p).
 class StandardMap : public PlanarMap {
@@ -109,4 +109,4 @@ class CubicSaddle : public PlanarMap {
   double a_, b_;
 };
 
-}  // namespace lober::testing
+}  // namespace lober::test

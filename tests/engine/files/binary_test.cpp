@@ -8,10 +8,10 @@
 namespace lober {
 namespace {
 
-using testing::read;
-using testing::read_error;
+using test::read;
+using test::read_error;
 
-const std::vector<Point> three{{1.5, -2.25}, {3, 4}, {-5.125, 1024}};
+const std::vector<Point> binary_points{{1.5, -2.25}, {3, 4}, {-5.125, 1024}};
 
 /// Bytes of a number as the element type says.
 template <typename Float>
@@ -58,10 +58,10 @@ TEST(Npy, ReadsEveryTypeOrderShapeAndVersion) {
       for (const bool rows : {false, true}) {
         for (const int version : {1, 2, 3}) {
           const CurveFile file = read(npy(header_of(descr, fortran, rows ? "(3, 2)" : "(2, 3)"),
-                                          data_of(descr, rows != fortran, three), version));
+                                          data_of(descr, rows != fortran, binary_points), version));
           EXPECT_EQ(file.format, Format::npy);
           ASSERT_EQ(file.zones.size(), 1U);
-          EXPECT_EQ(file.zones[0].points, three) << descr << fortran << rows << version;
+          EXPECT_EQ(file.zones[0].points, binary_points) << descr << fortran << rows << version;
         }
       }
     }
@@ -69,22 +69,22 @@ TEST(Npy, ReadsEveryTypeOrderShapeAndVersion) {
 }
 
 TEST(Npy, TwoByTwoIsOnePointARow) {
-  const std::span<const Point> two = std::span(three).first(2);
+  const std::span<const Point> two = std::span(binary_points).first(2);
   EXPECT_EQ(read(npy(header_of("<f8", false, "(2, 2)"), data_of("<f8", true, two))).zones[0].points,
             std::vector<Point>(two.begin(), two.end()));
 }
 
 TEST(Npy, ReadsHeadersThatAreWrittenOtherwise) {
-  const std::string data = data_of("<f8", true, three);
+  const std::string data = data_of("<f8", true, binary_points);
   for (const std::string header : {"{\"shape\":(3,2),\"descr\":\"<f8\",\"fortran_order\":False}",
                                    "{ 'fortran_order' : False , 'descr' : '<f8' , 'shape' : ( 3 , 2 , ) }  \n",
                                    "{\n'descr':'<f8','fortran_order':False,'shape':(3,2),}"}) {
-    EXPECT_EQ(read(npy(header, data)).zones[0].points, three) << header;
+    EXPECT_EQ(read(npy(header, data)).zones[0].points, binary_points) << header;
   }
 }
 
 TEST(Npy, RefusesWhatItCannotRead) {
-  const std::string data = data_of("<f8", true, three);
+  const std::string data = data_of("<f8", true, binary_points);
   const auto error = [&](const std::string& header) { return read_error(npy(header, data)); };
   EXPECT_EQ(error(header_of("<i8", false, "(3, 2)")), "in: element type \"<i8\": expected <f8, >f8, <f4 or >f4");
   EXPECT_EQ(error(header_of("|S8", false, "(3, 2)")), "in: element type \"|S8\": expected <f8, >f8, <f4 or >f4");
@@ -115,7 +115,7 @@ TEST(Npy, RefusesWhatItCannotRead) {
 }
 
 TEST(Npy, EveryTruncationIsAnError) {
-  const std::string whole = npy(header_of("<f8", false, "(3, 2)"), data_of("<f8", true, three));
+  const std::string whole = npy(header_of("<f8", false, "(3, 2)"), data_of("<f8", true, binary_points));
   for (std::size_t size = 6; size < whole.size(); ++size) {
     EXPECT_NE(read_error(whole.substr(0, size)), "no error") << size;
   }
@@ -131,17 +131,17 @@ TEST(Npy, NamesThePointThatIsNotFinite) {
 }
 
 TEST(Raw, ReadsPairs) {
-  const CurveFile file = read(data_of("=f8", true, three));
+  const CurveFile file = read(data_of("=f8", true, binary_points));
   EXPECT_EQ(file.format, Format::raw);
   ASSERT_EQ(file.zones.size(), 1U);
-  EXPECT_EQ(file.zones[0].points, three);
+  EXPECT_EQ(file.zones[0].points, binary_points);
 }
 
 TEST(Raw, RefusesOtherSizesAndOtherNumbers) {
-  const std::string data = data_of("=f8", true, three);
+  const std::string data = data_of("=f8", true, binary_points);
   EXPECT_EQ(read_error(data.substr(1)),
             "in: neither text nor NPY, and 47 bytes are not a whole number of raw float64 pairs");
-  std::vector<Point> points = three;
+  std::vector<Point> points = binary_points;
   points[1].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(read_error(data_of("=f8", true, points)), "in: point 1 is not a finite number");
 }

@@ -16,7 +16,7 @@
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 
 inline std::span<const std::byte> bytes_of(std::string_view text) {
@@ -83,4 +83,4 @@ class FolderTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -17,10 +17,10 @@
 namespace lober {
 namespace {
 
-using testing::error_of;
-using testing::same_bits;
+using test::error_of;
+using test::same_bits;
 
-class Files : public testing::FolderTest {};
+class Files : public test::FolderTest {};
 
 std::string read_file_error(const std::string& path) {
   return error_of([&] { static_cast<void>(read_curve_file(path)); });
@@ -188,10 +188,10 @@ TEST_F(Files, ReadingSaysWhatIsWrong) {
 }
 
 TEST_F(Files, TheHashIsThatOfTheWholeFile) {
-  EXPECT_EQ(read_curve_file(put("a", "1 2\n3 4\n")).sha256, sha256(testing::bytes_of("1 2\n3 4\n")));
+  EXPECT_EQ(read_curve_file(put("a", "1 2\n3 4\n")).sha256, sha256(test::bytes_of("1 2\n3 4\n")));
   EXPECT_EQ(read_curve_file(path("a"), {.hash = false}).sha256, "");
   write_text(path("big"), wild_points(50000));
-  EXPECT_EQ(read_curve_file(path("big")).sha256, sha256(testing::bytes_of(content(path("big")))));
+  EXPECT_EQ(read_curve_file(path("big")).sha256, sha256(test::bytes_of(content(path("big")))));
 }
 
 TEST_F(Files, ZonesAreChosenByNumberOrTitle) {
@@ -265,7 +265,7 @@ TEST(DropClosingVertex, DropsEveryCopyOfTheFirst) {
   EXPECT_TRUE(points.empty());
 }
 
-struct Expected {
+struct ExpectedForm {
   std::string_view name;
   std::size_t zones;
   std::size_t points_of_first;
@@ -273,7 +273,7 @@ struct Expected {
 };
 
 TEST(RealData, ReadsWhatLober18Wrote) {
-  const std::vector<Expected> all{
+  const std::vector<ExpectedForm> all{
       {"run1/u.n", 1, 8056, {-1.049623606362420e-01, -1.000000000000000e-12}},
       {"run1/s.n", 1, 8056, {-1.049623606362420e-01, 1.000000000000000e-12}},
       {"run1/lobeb.dat", 20, 1202, {-0.105037786682682932060117764195, -0.000453034047444040178370672223}},
@@ -281,7 +281,7 @@ TEST(RealData, ReadsWhatLober18Wrote) {
       {"ovp5a/mani.dat", 2, 257, {1.455141999999999935511141302413, 0.009705999999999999350297485989}},
       {"ovp5a/lobeb.dat", 6, 30, {1.443718749524872446698964267853, 0.253556744025878688653108383733}},
   };
-  for (const Expected& expected : all) {
+  for (const ExpectedForm& expected : all) {
     const auto path = shared_data(expected.name);
     if (!path) GTEST_SKIP() << "shared data " << expected.name << " is not here (set LOBER_SHARED)";
     const CurveFile file = read_curve_file(path->string());

@@ -10,9 +10,9 @@
 namespace lober::detail {
 namespace {
 
-using testing::error_of;
-using testing::read;
-using testing::read_error;
+using test::error_of;
+using test::read;
+using test::read_error;
 
 using namespace std::string_literals;
 
@@ -142,7 +142,7 @@ TEST(RawNumbers, OfFloat64AreRead) {
   for (const std::vector<Point>& points : curves) {
     const CurveFile file = read(raw<double>(points));
     ASSERT_EQ(file.format, Format::raw);
-    EXPECT_TRUE(testing::same_bits(file.zones.at(0).points, points));
+    EXPECT_TRUE(test::same_bits(file.zones.at(0).points, points));
   }
 }
 

@@ -89,7 +89,7 @@ TEST(Number, AgreesWithStrtodOnAMillionLiterals) {
     chunk.text = line;
     parse_chunk(chunk);
     ASSERT_EQ(chunk.points.size(), 1U) << literal;
-    ASSERT_TRUE(testing::same_bits(chunk.points, std::vector<Point>{{expected, expected}})) << literal;
+    ASSERT_TRUE(test::same_bits(chunk.points, std::vector<Point>{{expected, expected}})) << literal;
   }
 }
 

@@ -7,7 +7,7 @@ namespace lober {
 namespace {
 
 void expect_digest(std::string_view message, std::string_view digest) {
-  EXPECT_EQ(sha256(testing::bytes_of(message)), digest);
+  EXPECT_EQ(sha256(test::bytes_of(message)), digest);
 }
 
 TEST(Sha256, KnownVectors) {

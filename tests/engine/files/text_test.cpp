@@ -9,10 +9,10 @@
 namespace lober::detail {
 namespace {
 
-using testing::read;
-using testing::read_error;
+using test::read;
+using test::read_error;
 
-const std::vector<Point> three{{1, 2}, {3, 4}, {5, -6}};
+const std::vector<Point> text_points{{1, 2}, {3, 4}, {5, -6}};
 
 struct Variant {
   std::string_view name;
@@ -27,7 +27,7 @@ TEST_P(TextVariant, GivesTheThreePointsInOneZone) {
   EXPECT_EQ(file.format, GetParam().format);
   EXPECT_EQ(file.path, "in");
   ASSERT_EQ(file.zones.size(), 1U);
-  EXPECT_EQ(file.zones[0].points, three);
+  EXPECT_EQ(file.zones[0].points, text_points);
 }
 
 TEST_P(TextVariant, DoesNotDependOnTheChunks) {
@@ -35,7 +35,7 @@ TEST_P(TextVariant, DoesNotDependOnTheChunks) {
     const CurveFile file = read(GetParam().text, chunk);
     EXPECT_EQ(file.format, GetParam().format) << "chunk size " << chunk;
     ASSERT_EQ(file.zones.size(), 1U) << "chunk size " << chunk;
-    EXPECT_EQ(file.zones[0].points, three) << "chunk size " << chunk;
+    EXPECT_EQ(file.zones[0].points, text_points) << "chunk size " << chunk;
   }
 }
 
@@ -243,7 +243,7 @@ TEST(TextChunks, LongFilesAreTheSameForEveryChunkSize) {
     const CurveFile file = read(text, chunk);
     ASSERT_EQ(file.zones.size(), zones.size());
     for (std::size_t k = 0; k < zones.size(); ++k) {
-      EXPECT_TRUE(testing::same_bits(file.zones[k].points, zones[k])) << "zone " << k << ", chunk size " << chunk;
+      EXPECT_TRUE(test::same_bits(file.zones[k].points, zones[k])) << "zone " << k << ", chunk size " << chunk;
     }
   }
 }

@@ -8,7 +8,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
@@ -34,4 +34,4 @@ TEST(CountingSort, SortsStablyByKey) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -16,7 +16,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr double energy = 0.25307;
+constexpr double ship_energy = 0.25307;
 constexpr std::array<double, 9> known{
     0, 0, 0, 0, 0.111522124886, 0.029905210198, 0.001081405359, 0.003073452366, 0.009601023222};
 
@@ -30,7 +30,7 @@ Escape table(double tolerance, int crossings, double integration = 1e-13) {
   options.tolerance = tolerance;
   options.crossings = crossings;
   options.integration.tolerance = integration;
-  return escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  return escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options);
 }
 
 // Coarse, but good enough for the nine digits asked for.
@@ -138,7 +138,7 @@ TEST(Escape, GoesOnWhereImagesAreCut) {
   EscapeOptions options;
   options.tolerance = 3e-5;
   options.crossings = 5;
-  const Escape result = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  const Escape result = escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options);
   ASSERT_EQ(result.table.size(), 20U);
   int cut = 0;
   for (const EscapeFraction& row : result.table) {
@@ -184,7 +184,7 @@ TEST(Escape, EndsBeforeTheNextImageIsTooMuch) {
   options.tolerance = 1e-5;
   options.crossings = 30;
   options.max_points = 3000;
-  const Escape result = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  const Escape result = escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options);
   EXPECT_EQ(result.stop, EscapeStop::points);
   EXPECT_GE(result.crossings, 1);
   EXPECT_LT(result.crossings, 30);
@@ -196,7 +196,7 @@ TEST(Escape, EndsBeforeTheNextImageIsTooMuch) {
   }
   options.max_points = 1'000'000;
   options.budget = 1e-9;
-  const Escape none = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  const Escape none = escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options);
   EXPECT_EQ(none.stop, EscapeStop::budget);
   EXPECT_EQ(none.crossings, 0);
   EXPECT_TRUE(none.table.empty());
@@ -215,14 +215,14 @@ TEST(Escape, RowsComeOneByOneAndOutliveAnInterrupt) {
     EXPECT_EQ(so_far.bottlenecks.size(), 2U);
   };
   options.progress = [](const EscapeProgress& at) { return at.images < 3; };
-  const Escape result = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  const Escape result = escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options);
   EXPECT_EQ(reported, (std::vector<int>{1, 2}));
   EXPECT_EQ(result.stop, EscapeStop::cancelled);
   EXPECT_EQ(result.crossings, 2);
   EXPECT_EQ(result.table.size(), 8U);
   EXPECT_EQ(survival(result, 0).size(), 2U);
   options.progress = [](const EscapeProgress&) { return false; };
-  EXPECT_THROW((void)escape(*ship().flow, *ship().section, energy, ship().saddles, options), Cancelled);
+  EXPECT_THROW((void)escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options), Cancelled);
 }
 
 // A flow whose integral of p dq is wrong by one part in a hundred million.
@@ -271,7 +271,7 @@ TEST(Escape, SaysWhenTwoRoutesDisagree) {
   EscapeOptions options;
   options.crossings = 2;
   options.tolerance = 1e-5;
-  const Escape right = escape(*ship().flow, *ship().section, energy, ship().saddles, options);
+  const Escape right = escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options);
   int splits = 0, areas = 0, mirrored = 0, reversed = 0;
   for (const Comparison& comparison : right.agreement.comparisons) {
     EXPECT_TRUE(comparison.agrees()) << comparison.what << ' ' << comparison.difference() << ' ' << comparison.bar;
@@ -284,7 +284,7 @@ TEST(Escape, SaysWhenTwoRoutesDisagree) {
   EXPECT_GE(areas, 12);
   EXPECT_GT(mirrored, 0);
   EXPECT_GT(reversed, 0);
-  const Escape wrong = escape(WrongAction(*ship().flow), *ship().section, energy, ship().saddles, options);
+  const Escape wrong = escape(WrongAction(*ship().flow), *ship().section, ship_energy, ship().saddles, options);
   EXPECT_FALSE(wrong.agreement.agrees());
 }
 
@@ -324,13 +324,13 @@ TEST(Escape, SaysWhatIsWrong) {
   };
   Section section = *ship().section;
   EXPECT_THROW(attempt(section, 0.2, ship().saddles), UsageError);
-  EXPECT_THROW(attempt(section, energy, {}), UsageError);
-  EXPECT_THROW(attempt(section, energy, std::vector<FlowState>{ship().saddles[0], ship().saddles[0]}), UsageError);
+  EXPECT_THROW(attempt(section, ship_energy, {}), UsageError);
+  EXPECT_THROW(attempt(section, ship_energy, std::vector<FlowState>{ship().saddles[0], ship().saddles[0]}), UsageError);
   section.direction = 0;
-  EXPECT_THROW(attempt(section, energy, ship().saddles), UsageError);
+  EXPECT_THROW(attempt(section, ship_energy, ship().saddles), UsageError);
   section = *ship().section;
   section.coordinate = 2;
-  EXPECT_THROW(attempt(section, energy, ship().saddles), UsageError);
+  EXPECT_THROW(attempt(section, ship_energy, ship().saddles), UsageError);
 }
 
 }  // namespace

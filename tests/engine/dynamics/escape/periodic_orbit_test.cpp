@@ -14,10 +14,10 @@
 namespace lober {
 namespace {
 
-constexpr IntegrationOptions exact{.tolerance = 3e-15};
+constexpr IntegrationOptions finest{.tolerance = 3e-15};
 
 PeriodicOrbit orbit_of(const System& system, const FlowState& near, double energy) {
-  return periodic_orbit(*system.flow, saddle_point(*system.flow, near), energy, exact);
+  return periodic_orbit(*system.flow, saddle_point(*system.flow, near), energy, finest);
 }
 
 TEST(PeriodicOrbit, OfTheShipToTwelveDigits) {
@@ -65,7 +65,7 @@ TEST(PeriodicOrbit, ActionGrowsWithEnergyAsThePeriod) {
 TEST(PeriodicOrbit, ShrinksToTheLinearOne) {
   const System system = make_system("capsize");
   const SaddlePoint saddle = saddle_point(*system.flow, {1, 0.5});
-  const PeriodicOrbit orbit = periodic_orbit(*system.flow, saddle, 0.25 + 1e-6, exact);
+  const PeriodicOrbit orbit = periodic_orbit(*system.flow, saddle, 0.25 + 1e-6, finest);
   const double period = 2 * 3.14159265358979323846 / saddle.frequency;
   EXPECT_NEAR(orbit.period, period, 1e-4);
   EXPECT_NEAR(orbit.multiplier, std::exp(saddle.rate * period), 1e-2);
@@ -88,12 +88,12 @@ TEST(PeriodicOrbit, StatesAlongItFollowEachOther) {
     const System system = make_system(name);
     const PeriodicOrbit orbit = orbit_of(system, system.saddles[0], name == std::string("capsize") ? 0.25307 : -1.515);
     constexpr std::size_t count = 31;
-    const std::vector<FlowState> states = states_along(*system.flow, orbit, count, exact);
+    const std::vector<FlowState> states = states_along(*system.flow, orbit, count, finest);
     ASSERT_EQ(states.size(), count);
     EXPECT_EQ(states[0], orbit.state);
     for (std::size_t k = 0; k < count; ++k) {
       FlowState next = states[k];
-      system.flow->integrate({&next, 1}, 0, orbit.period / count, exact);
+      system.flow->integrate({&next, 1}, 0, orbit.period / count, finest);
       for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(next[i], states[(k + 1) % count][i], 1e-9) << name << " " << k;
     }
   }

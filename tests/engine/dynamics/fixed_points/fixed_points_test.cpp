@@ -13,19 +13,19 @@
 namespace lober::detail {
 namespace {
 
-struct Reference {
+struct FixedPointReference {
   const char* system;
   double gamma, x, lambda;
 };
 
 // 18 digits, from quadruple precision.
-constexpr Reference references[] = {{"ovp", 0.5, 1.451260038107551142, 5.075684315001539492},
-                                    {"ovp1", 0.5, 1.455237909563602025, 5.095707482544454574},
-                                    {"ovp", 1.81, 1.566971704841645925, 389.431939040229329},
-                                    {"ovp1", 1.81, 1.565153556496252236, 392.076048038816274}};
+constexpr FixedPointReference references[] = {{"ovp", 0.5, 1.451260038107551142, 5.075684315001539492},
+                                              {"ovp1", 0.5, 1.455237909563602025, 5.095707482544454574},
+                                              {"ovp", 1.81, 1.566971704841645925, 389.431939040229329},
+                                              {"ovp1", 1.81, 1.565153556496252236, 392.076048038816274}};
 
 TEST(FixedPoints, OfTheVortexPair) {
-  for (const Reference& reference : references) {
+  for (const FixedPointReference& reference : references) {
     SCOPED_TRACE(reference.system + std::string(" ") + std::to_string(reference.gamma));
     const System system = make_system(reference.system, {{"gamma", reference.gamma}, {"eps", 0.1}});
     // A scan of the window finds both, and nothing takes them for others.

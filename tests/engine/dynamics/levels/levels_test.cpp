@@ -16,9 +16,9 @@
 namespace lober {
 namespace {
 
-const Rectangle square = Rectangle::of({-2, -2}, {2, 2});
+const Rectangle square_window = Rectangle::of({-2, -2}, {2, 2});
 
-double area_of(const LevelCurve& curve) {
+double area_inside(const LevelCurve& curve) {
   double sum = 0;
   for (std::size_t k = 0; k < curve.points.size(); ++k) {
     const Point a = curve.points[k], b = curve.points[(k + 1) % curve.points.size()];
@@ -28,19 +28,19 @@ double area_of(const LevelCurve& curve) {
 }
 
 TEST(LevelGrid, FollowsACircle) {
-  const LevelGrid grid([](Point p) { return p.x * p.x + p.y * p.y; }, square, 200, 160);
+  const LevelGrid grid([](Point p) { return p.x * p.x + p.y * p.y; }, square_window, 200, 160);
   const auto curves = grid.curves(1);
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_TRUE(curves[0].closed);
   for (const Point& p : curves[0].points) EXPECT_NEAR(std::hypot(p.x, p.y), 1, 1e-15);
   // What is larger lies outside, on the left: clockwise.
-  EXPECT_NEAR(area_of(curves[0]), -std::numbers::pi, 1e-3);
+  EXPECT_NEAR(area_inside(curves[0]), -std::numbers::pi, 1e-3);
   EXPECT_TRUE(grid.curves(-1).empty());
   EXPECT_TRUE(grid.curves(9).empty());
 }
 
 TEST(LevelGrid, EndsCurvesAtTheBorder) {
-  const LevelGrid grid([](Point p) { return p.y - 0.3 * p.x; }, square, 37, 41);
+  const LevelGrid grid([](Point p) { return p.y - 0.3 * p.x; }, square_window, 37, 41);
   const auto curves = grid.curves(0.1);
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_FALSE(curves[0].closed);
@@ -54,7 +54,7 @@ TEST(LevelGrid, EndsCurvesAtTheBorder) {
 TEST(LevelGrid, PartsTheCellOfASaddle) {
   const auto saddle = [](Point p) { return p.x * p.y; };
   for (const double level : {-0.01, 0.01}) {
-    const LevelGrid grid(saddle, square, 1, 1);
+    const LevelGrid grid(saddle, square_window, 1, 1);
     const auto curves = grid.curves(level);
     ASSERT_EQ(curves.size(), 2U);
     for (const LevelCurve& curve : curves) {
@@ -65,13 +65,13 @@ TEST(LevelGrid, PartsTheCellOfASaddle) {
     }
   }
   // Nodes on the level belong above it: no point twice, and all curves are there.
-  const LevelGrid through(saddle, square, 4, 4);
+  const LevelGrid through(saddle, square_window, 4, 4);
   EXPECT_FALSE(through.curves(0).empty());
 }
 
 TEST(LevelGrid, LeavesOutCellsWithoutValue) {
   const auto half = [](Point p) { return p.x < 0 ? std::numeric_limits<double>::quiet_NaN() : p.y; };
-  const LevelGrid grid(half, square, 40, 40);
+  const LevelGrid grid(half, square_window, 40, 40);
   const auto curves = grid.curves(0.05);
   ASSERT_EQ(curves.size(), 1U);
   for (const Point& p : curves[0].points) EXPECT_GE(p.x, 0);
@@ -83,7 +83,7 @@ TEST(LevelGrid, HasTheSameCurvesForAnyThreads) {
   for (const int threads : {1, 2, 7}) {
     run_with_threads(threads, [&] {
       std::vector<Point> all;
-      for (const LevelCurve& curve : LevelGrid(wavy, square, 130, 90).curves(0.2)) {
+      for (const LevelCurve& curve : LevelGrid(wavy, square_window, 130, 90).curves(0.2)) {
         all.insert(all.end(), curve.points.begin(), curve.points.end());
       }
       seen.push_back(all);
@@ -95,9 +95,9 @@ TEST(LevelGrid, HasTheSameCurvesForAnyThreads) {
 
 TEST(LevelGrid, RefusesGridsWithoutCells) {
   const auto zero = [](Point) { return 0.0; };
-  EXPECT_THROW(LevelGrid(zero, square, 0, 3), UsageError);
+  EXPECT_THROW(LevelGrid(zero, square_window, 0, 3), UsageError);
   EXPECT_THROW(LevelGrid(zero, Rectangle::of({0, 0}, {0, 1}), 3, 3), UsageError);
-  EXPECT_THROW(LevelGrid(zero, square, 40'000, 3), UsageError);
+  EXPECT_THROW(LevelGrid(zero, square_window, 40'000, 3), UsageError);
 }
 
 // V = x^2/2 + y^2 - x^2 y; the saddles are at (+-1, 1/2) with 1/4.

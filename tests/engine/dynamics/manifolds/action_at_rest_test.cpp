@@ -40,7 +40,8 @@ struct ParametricPendulum {
 };
 
 TEST(ActionAtRest, IsTheIntegralOfTheHamiltonian) {
-  const double pi = std::numbers::pi, period = 2 * pi / 3;
+  using std::numbers::pi;
+  const double period = 2 * pi / 3;
   for (const double added : {0.0, 1.0, 30.0}) {
     const auto map = FlowOf<ParametricPendulum>({added}).stroboscopic_map(0, {});
     const auto action = map->action({pi, 0}, {pi, 0});
@@ -51,7 +52,7 @@ TEST(ActionAtRest, IsTheIntegralOfTheHamiltonian) {
 }
 
 TEST(ActionAtRest, AddingAFunctionOfTimeChangesNoLobe) {
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   std::vector<double> first;
   for (const double added : {0.0, 1.0, 30.0}) {
     const auto map = FlowOf<ParametricPendulum>({added}).stroboscopic_map(0, {});

@@ -13,14 +13,14 @@
 #include "lober/overlay.hpp"
 #include "lober/smooth.hpp"
 #include "lober/systems.hpp"
-#include "tests/engine/dynamics/manifolds/distance.hpp"
+#include "tests/distance.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
 namespace lober::detail {
 namespace {
 
-using testing::HenonMap;
-using testing::StandardMap;
+using test::HenonMap;
+using test::StandardMap;
 
 struct Sagittas {
   double worst = 0;           // in units of the tolerance
@@ -49,7 +49,7 @@ Sagittas measured(const PlanarMap& map, const LocalManifold& local, const GrownM
   return result;
 }
 
-struct Case {
+struct GrowCase {
   const char* name;
   double k;
   Point saddle;
@@ -59,11 +59,11 @@ struct Case {
 };
 
 TEST(Grow, MeetsTheToleranceWithFewPoints) {
-  const Case cases[] = {{"unstable", 1.2, {0, 0}, ManifoldSide::unstable, Branch::plus, 6},
-                        {"stable", 1.2, {2 * std::numbers::pi, 0}, ManifoldSide::stable, Branch::minus, 6},
-                        {"slow", 0.1, {0, 0}, ManifoldSide::unstable, Branch::plus, 12},
-                        {"inverse saddle", 5, {std::numbers::pi, 0}, ManifoldSide::unstable, Branch::minus, 3}};
-  for (const Case& c : cases) {
+  const GrowCase cases[] = {{"unstable", 1.2, {0, 0}, ManifoldSide::unstable, Branch::plus, 6},
+                            {"stable", 1.2, {2 * std::numbers::pi, 0}, ManifoldSide::stable, Branch::minus, 6},
+                            {"slow", 0.1, {0, 0}, ManifoldSide::unstable, Branch::plus, 12},
+                            {"inverse saddle", 5, {std::numbers::pi, 0}, ManifoldSide::unstable, Branch::minus, 3}};
+  for (const GrowCase& c : cases) {
     const StandardMap map(c.k);
     const LocalManifold local = local_manifold(map, c.saddle, c.side);
     for (const double tolerance : {1e-4, 1e-6}) {
@@ -242,7 +242,7 @@ TEST(Grow, RefusesOptionsWithoutSense) {
 // ------------------------------------------------------------------------------------------- lobes
 
 // The part of a curve from where x first is at or past `from` to where it is past `to`; either may be the larger.
-std::vector<Point> between(const GrownManifold& curve, double from, double to) {
+std::vector<Point> part_between(const GrownManifold& curve, double from, double to) {
   std::vector<Point> part;
   const double sign = to > from ? 1 : -1;
   for (const Point point : curve.points) {
@@ -252,22 +252,22 @@ std::vector<Point> between(const GrownManifold& curve, double from, double to) {
   return part;
 }
 
-struct Lobe {
+struct LobeAreas {
   double polygon, smooth, error;
   std::size_t points;
 };
 
 // The lobe of the standard map between the pips q_B and q_A. Both arcs are graphs over x a little beyond the pips; the
 // one that is below in between is closed far above, the other one far below, so that the lobe is what they share.
-Lobe lobe(double k, Point q_b, Point q_a, double tolerance) {
+LobeAreas lobe(double k, Point q_b, Point q_a, double tolerance) {
   const StandardMap map(k);
   const LocalManifoldOptions near{.max_length = 0.5};  // so that it takes some growing
   const LocalManifold u = local_manifold(map, {0, 0}, ManifoldSide::unstable, near);
   const LocalManifold s = local_manifold(map, {2 * std::numbers::pi, 0}, ManifoldSide::stable, near);
   const GrowthOptions options{.tolerance = tolerance, .length = 6, .max_length = 1};
   const GrownManifold grown_u = grow(map, u, Branch::plus, options), grown_s = grow(map, s, Branch::minus, options);
-  std::vector<Point> first = between(grown_u, q_b.x - 0.05, q_a.x + 0.05);
-  std::vector<Point> second = between(grown_s, q_a.x + 0.05, q_b.x - 0.05);
+  std::vector<Point> first = part_between(grown_u, q_b.x - 0.05, q_a.x + 0.05);
+  std::vector<Point> second = part_between(grown_s, q_a.x + 0.05, q_b.x - 0.05);
   const std::size_t points = first.size() + second.size();
   const auto middle = [&](const std::vector<Point>& curve) {
     const double x = (q_a.x + q_b.x) / 2;
@@ -301,7 +301,7 @@ TEST(Grow, LobesOfTheStandardMap) {
       EXPECT_LE(error[k], 4 * tolerance);
     }
     EXPECT_LE(error[2], error[0] / 30);
-    const Lobe fine = lobe(expected.k, expected.q_b, expected.q_a, 1e-8);
+    const LobeAreas fine = lobe(expected.k, expected.q_b, expected.q_a, 1e-8);
     EXPECT_LE(fine.points, 100'000U);
     EXPECT_NEAR(fine.smooth, expected.area, 1e-12 * expected.area) << fine.points << ' ' << fine.error;
   }

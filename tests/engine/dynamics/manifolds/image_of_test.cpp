@@ -9,13 +9,13 @@
 #include "engine/geometry/views.hpp"
 #include "lober/error.hpp"
 #include "lober/manifolds.hpp"
-#include "tests/engine/dynamics/manifolds/distance.hpp"
+#include "tests/distance.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
 namespace lober::detail {
 namespace {
 
-using testing::StandardMap;
+using test::StandardMap;
 
 // The circle with this radius about (pi, 0) under the map.
 TEST(ImageOf, SmoothCurveMeetsTheTolerance) {

@@ -13,9 +13,9 @@
 namespace lober {
 namespace {
 
-using testing::CubicSaddle;
-using testing::HenonMap;
-using testing::StandardMap;
+using test::CubicSaddle;
+using test::HenonMap;
+using test::StandardMap;
 
 // The largest |F(P(s)) - P(lambda s)| at points of our own choice.
 double defect(const PlanarMap& map, const LocalManifold& local) {

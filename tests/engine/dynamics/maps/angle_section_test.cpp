@@ -14,7 +14,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double rising(const System& system, Point z) {
   return system.flow->velocity({z.x, z.y, 0}, 0)[2];

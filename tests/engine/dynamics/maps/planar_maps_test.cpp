@@ -28,7 +28,7 @@ void PrintTo(const Sample& sample, std::ostream* out) {
   *out << sample.name;
 }
 
-Box box(double x0, double y0, double x1, double y1) {
+Box sample_box(double x0, double y0, double x1, double y1) {
   return Box::of({x0, y0}, {x1, y1});
 }
 
@@ -188,18 +188,19 @@ TEST_P(EveryMap, ActionIsStationaryInTheEndOfAStep) {
 
 INSTANTIATE_TEST_SUITE_P(
     Systems, EveryMap,
-    testing::Values(Sample{"standard", {{"K", 2}}, true, box(-3, -3, 6, 3)},
-                    Sample{"henon", {}, true, box(-2, -2, 2, 2)}, Sample{"ovp", {}, true, box(-1.8, 1.7, 1.8, 3)},
-                    Sample{"ovp", {{"gamma", 1.81}, {"phase", 0.3}}, true, box(-1.8, 1.9, 1.8, 3)},
-                    Sample{"ovp1", {{"gamma", 1.2}}, true, box(-1.8, 1.8, 1.8, 3)},
-                    Sample{"duffing", {}, true, box(-1.3, -0.8, 1.3, 0.8)},
-                    Sample{"duffing", {{"delta", 0.2}, {"omega", 1.4}}, false, box(-1, -0.8, 1, 0.8)},
-                    Sample{"pendulum", {{"phase", 0.1}}, true, box(-3, -1, 3, 1)},
-                    Sample{"double-gyre", {{"eps", 0.25}}, true, box(0.1, 0.1, 1.9, 0.9)},
-                    Sample{"capsize", {{"energy", 0.24}}, true, box(-0.2, -0.3, 0.2, 0.3)},
-                    Sample{"pcr3bp", {}, true, box(-2.2, -0.05, -1.9, 0.05)},
-                    Sample{LOBER_EXAMPLES "/quadratic_map.so", {}, true, box(-0.5, -0.5, 0.5, 0.5)},
-                    Sample{LOBER_EXAMPLES "/henon_heiles.so", {}, true, box(-0.2, -0.2, 0.3, 0.2)}));
+    testing::Values(Sample{"standard", {{"K", 2}}, true, sample_box(-3, -3, 6, 3)},
+                    Sample{"henon", {}, true, sample_box(-2, -2, 2, 2)},
+                    Sample{"ovp", {}, true, sample_box(-1.8, 1.7, 1.8, 3)},
+                    Sample{"ovp", {{"gamma", 1.81}, {"phase", 0.3}}, true, sample_box(-1.8, 1.9, 1.8, 3)},
+                    Sample{"ovp1", {{"gamma", 1.2}}, true, sample_box(-1.8, 1.8, 1.8, 3)},
+                    Sample{"duffing", {}, true, sample_box(-1.3, -0.8, 1.3, 0.8)},
+                    Sample{"duffing", {{"delta", 0.2}, {"omega", 1.4}}, false, sample_box(-1, -0.8, 1, 0.8)},
+                    Sample{"pendulum", {{"phase", 0.1}}, true, sample_box(-3, -1, 3, 1)},
+                    Sample{"double-gyre", {{"eps", 0.25}}, true, sample_box(0.1, 0.1, 1.9, 0.9)},
+                    Sample{"capsize", {{"energy", 0.24}}, true, sample_box(-0.2, -0.3, 0.2, 0.3)},
+                    Sample{"pcr3bp", {}, true, sample_box(-2.2, -0.05, -1.9, 0.05)},
+                    Sample{LOBER_EXAMPLES "/quadratic_map.so", {}, true, sample_box(-0.5, -0.5, 0.5, 0.5)},
+                    Sample{LOBER_EXAMPLES "/henon_heiles.so", {}, true, sample_box(-0.2, -0.2, 0.3, 0.2)}));
 
 // Where time runs backwards: (x, y) -> (-x, y) for the vortex pair at phase 0, (x, x') -> (x, -x') for the return maps.
 TEST(Symmetry, TimeReversalConjugatesMapAndInverse) {

@@ -66,7 +66,7 @@ TEST(Orbits, AreFoldedIntoOneCell) {
 
 // On the torus, of angles that wind both ways: (x, y) in the parallelogram of two slanted lattices as well.
 TEST(Orbits, AreFoldedOnTheTorus) {
-  constexpr double pi = std::numbers::pi;
+  using std::numbers::pi;
   const System system = make_system("abc");
   const Buffer<Point> starts = spread_points(Rectangle::of({-1, -3}, {1, 3}), 20);
   const OrbitOptions torus{

@@ -8,19 +8,15 @@
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
 #include "tests/paths.hpp"
+#include "tests/refusal.hpp"
 
 namespace lober::detail {
 namespace {
 
 /// What make_system says about a request that it refuses.
 template <typename Refusal>
-std::string refusal(const std::string& name, const ParameterValues& values = {}) {
-  try {
-    static_cast<void>(make_system(name, values));
-  } catch (const Refusal& error) {
-    return error.what();
-  }
-  return "not refused";
+std::string system_refusal(const std::string& name, const ParameterValues& values = {}) {
+  return test::refusal<Refusal>([&] { static_cast<void>(make_system(name, values)); });
 }
 
 bool mentions(const std::string& text, const std::string& part) {
@@ -106,13 +102,13 @@ TEST(Systems, KeepTheValuesChosen) {
 }
 
 TEST(Systems, UnknownNamesAreRefusedWithTheAlternatives) {
-  EXPECT_TRUE(
-      mentions(refusal<UsageError>("lorenz"), "no system is called 'lorenz'; there are: abc, capsize, double-gyre"));
-  EXPECT_TRUE(
-      mentions(refusal<UsageError>("ovp", {{"epsilon", 1}}), "has no parameter 'epsilon'; it has: gamma, eps, phase"));
-  EXPECT_TRUE(mentions(refusal<UsageError>("ovp", {{"eps", 1}, {"eps", 1}}), "given twice"));
-  EXPECT_TRUE(mentions(refusal<UsageError>("ovp", {{"gamma", -1}}), "gamma must be positive"));
-  EXPECT_TRUE(mentions(refusal<UsageError>("henon", {{"k", std::nan("")}}), "k is not finite"));
+  EXPECT_TRUE(mentions(system_refusal<UsageError>("lorenz"),
+                       "no system is called 'lorenz'; there are: abc, capsize, double-gyre"));
+  EXPECT_TRUE(mentions(system_refusal<UsageError>("ovp", {{"epsilon", 1}}),
+                       "has no parameter 'epsilon'; it has: gamma, eps, phase"));
+  EXPECT_TRUE(mentions(system_refusal<UsageError>("ovp", {{"eps", 1}, {"eps", 1}}), "given twice"));
+  EXPECT_TRUE(mentions(system_refusal<UsageError>("ovp", {{"gamma", -1}}), "gamma must be positive"));
+  EXPECT_TRUE(mentions(system_refusal<UsageError>("henon", {{"k", std::nan("")}}), "k is not finite"));
   EXPECT_THROW(static_cast<void>(make_system("ovp", {}, {.tolerance = 0})), UsageError);
 }
 
@@ -123,7 +119,7 @@ TEST(Systems, FromSharedLibraries) {
   quadratic.map->iterate({&z, 1}, 1);
   EXPECT_DOUBLE_EQ(z.x, 0.3 * std::cos(0.5) - (0.2 - 0.09) * std::sin(0.5));
   EXPECT_DOUBLE_EQ(z.y, 0.3 * std::sin(0.5) + (0.2 - 0.09) * std::cos(0.5));
-  EXPECT_TRUE(mentions(refusal<UsageError>(LOBER_EXAMPLES "/quadratic_map.so", {{"k", 1}}), "it has: angle"));
+  EXPECT_TRUE(mentions(system_refusal<UsageError>(LOBER_EXAMPLES "/quadratic_map.so", {{"k", 1}}), "it has: angle"));
 
   const System flow = make_system(LOBER_EXAMPLES "/henon_heiles.so");
   ASSERT_NE(flow.flow, nullptr);
@@ -152,12 +148,13 @@ TEST(Systems, LibrariesDescribeTheirRegions) {
 }
 
 TEST(Systems, LibrariesThatCannotBeUsedAreRefusedWithTheReason) {
-  EXPECT_TRUE(mentions(refusal<DataError>("./absent.so"), "cannot load the system: ./absent.so"));
-  EXPECT_TRUE(mentions(refusal<DataError>("absent.so"), "./absent.so"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>("./absent.so"), "cannot load the system: ./absent.so"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>("absent.so"), "./absent.so"));
   const std::string folder = LOBER_TEST_LIBRARIES "/";
-  EXPECT_TRUE(mentions(refusal<DataError>(folder + "no_description.so"), "exports no function lober_system_describe"));
-  EXPECT_TRUE(mentions(refusal<DataError>(folder + "other_version.so"), "built for another version"));
-  EXPECT_TRUE(mentions(refusal<DataError>(folder + "no_backward.so"), "the map has no backward"));
+  EXPECT_TRUE(
+      mentions(system_refusal<DataError>(folder + "no_description.so"), "exports no function lober_system_describe"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(folder + "other_version.so"), "built for another version"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(folder + "no_backward.so"), "the map has no backward"));
 }
 
 // Functions that do not belong together are found before they give wrong results.
@@ -168,7 +165,7 @@ TEST(Systems, LibrariesAreChecked) {
   EXPECT_NE(make_system(slip("map", 0)).map, nullptr);
   EXPECT_NE(make_system(slip("flow", 0)).map, nullptr);
   const auto expect = [&](const char* kind, int number, std::initializer_list<const char*> words) {
-    const std::string message = refusal<DataError>(slip(kind, number));
+    const std::string message = system_refusal<DataError>(slip(kind, number));
     for (const char* word : words) EXPECT_TRUE(mentions(message, word)) << message;
   };
   expect("map", 1, {"the derivative dx'/dy is wrong at (", "it is 1, but finite differences of forward give -"});
@@ -196,14 +193,15 @@ TEST(Systems, LibrariesDeclareAnglesAndRanges) {
   EXPECT_EQ(own.info.perturbation()->name, "C");
   EXPECT_EQ(own.info.parameters[0].range(), "");
   const auto refused = [&](const char* name, double value) {
-    return refusal<UsageError>(path + "0.so", {{name, value}});
+    return system_refusal<UsageError>(path + "0.so", {{name, value}});
   };
   EXPECT_TRUE(mentions(refused("B", 0), "system abc-c: parameter B must be positive, not 0"));
   EXPECT_TRUE(mentions(refused("C", 2), "parameter C must be in [0, 2), not 2"));
   EXPECT_NO_THROW(static_cast<void>(make_system(path + "0.so", {{"C", 0}})));
-  EXPECT_TRUE(mentions(refusal<DataError>(path + "1.so"), "the range of parameter B is empty"));
-  EXPECT_TRUE(mentions(refusal<DataError>(path + "2.so"), "the default of parameter C, 1, is outside of its range"));
-  EXPECT_TRUE(mentions(refusal<DataError>(path + "3.so"), "the perturbation is called D, and no parameter is"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "1.so"), "the range of parameter B is empty"));
+  EXPECT_TRUE(
+      mentions(system_refusal<DataError>(path + "2.so"), "the default of parameter C, 1, is outside of its range"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "3.so"), "the perturbation is called D, and no parameter is"));
 }
 
 TEST(Systems, RangesInWords) {

@@ -55,7 +55,7 @@ void check_lobes(const LobeCase& known, double tolerance, double pip_error, doub
 }
 
 TEST(TangleOfMap, LobesOfMapsToFourteenDigits) {
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   for (const LobeCase& known : {
            LobeCase{"standard",
                     {{"K", 1.2}},
@@ -125,7 +125,7 @@ TEST(TangleOfMap, FourPipsAPeriod) {
 // Of the forced oscillators, whose saddles move with the force, against Melnikov's method: the area between two zeros
 // of its integral over the unperturbed separatrix, for small eps.
 TEST(TangleOfMap, LobesOfForcedOscillators) {
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   for (const double omega : {1.0, 2.0, 3.0}) {
     for (const double eps : {0.01, 0.02}) {
       for (const char* name : {"duffing", "pendulum"}) {

@@ -12,7 +12,7 @@
 namespace lober {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Member {
   std::string name;

@@ -1,25 +1,18 @@
 // Transport of maps for which its formulas do not hold, and bips that are not there.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 
 #include "lober/error.hpp"
 #include "lober/transport.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
+#include "tests/refusal.hpp"
 
 namespace lober {
 namespace {
 
-std::string refusal(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
-}
+using test::refusal;
 
 // Without the lattice of the plane nothing says that fluid crosses the line from saddle to saddle.
 TEST(Transport, RefusesAClosureThatTheMapDoesNotKeep) {
@@ -44,7 +37,7 @@ class GeneralHenon : public PlanarMap {
     derivative = {};
     for (int n = 0; n != iterates; n += iterates < 0 ? -1 : 1) {
       const Matrix2 a = iterates > 0 ? Matrix2{-2 * factor_ * z.x, -b_, 1, 0} : Matrix2{0, 1, -1 / b_, -2 * z.y / b_};
-      derivative = testing::StandardMap::product(a, derivative);
+      derivative = test::StandardMap::product(a, derivative);
       iterate({&z, 1}, iterates > 0 ? 1 : -1);
     }
     return z;

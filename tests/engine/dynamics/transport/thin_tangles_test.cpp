@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <ostream>
 #include <string>
 
 #include "lober/error.hpp"
 #include "lober/manifold_tangle.hpp"
 #include "lober/systems.hpp"
+#include "tests/refusal.hpp"
 
 namespace lober {
 namespace {
@@ -54,36 +56,32 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& each) { return each.param.system + std::to_string(each.index); });
 
 TEST(ThinTangle, AgreesWithMelnikov) {
-  const double eps = 1e-4, pi = 3.14159265358979323846;
+  using std::numbers::pi;
+  const double eps = 1e-4;
   const auto found = turnstile("duffing", {{"eps", eps}});
   const double expected = eps * 2 * std::sqrt(2.0) * pi / std::cosh(pi / 2);
   EXPECT_NEAR(std::fabs(found->areas_by_action[0]), expected, 20 * eps * expected);
 }
 
-std::string refusal(const std::string& name, const ParameterValues& values) {
-  try {
-    (void)turnstile(name, values);
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return {};
+std::string turnstile_refusal(const std::string& name, const ParameterValues& values) {
+  return test::refusal([&] { (void)turnstile(name, values); });
 }
 
 TEST(ThinTangle, ThatIsNoneIsSaidToCoincide) {
-  EXPECT_NE(refusal("ovp", {{"eps", 0}}).find("coincide"), std::string::npos);
-  EXPECT_NE(refusal("duffing", {{"eps", 0}}).find("coincide"), std::string::npos);
-  EXPECT_NE(refusal("ovp", {{"gamma", 0.01}}).find("coincide"), std::string::npos);
+  EXPECT_NE(turnstile_refusal("ovp", {{"eps", 0}}).find("coincide"), std::string::npos);
+  EXPECT_NE(turnstile_refusal("duffing", {{"eps", 0}}).find("coincide"), std::string::npos);
+  EXPECT_NE(turnstile_refusal("ovp", {{"gamma", 0.01}}).find("coincide"), std::string::npos);
 }
 
 // Where polygons cannot show the lobes the action still knows them.
 TEST(ThinTangle, BeyondPolygonsHasTheAreaByAction) {
-  const std::string text = refusal("standard", {{"K", 0.08}});
+  const std::string text = turnstile_refusal("standard", {{"K", 0.08}});
   EXPECT_NE(text.find("no polygons in double precision"), std::string::npos) << text;
   EXPECT_NE(text.find("by action"), std::string::npos) << text;
 }
 
 TEST(ThinTangle, EndsWhereTheWorkIsTooMuch) {
-  const std::string text = refusal("duffing", {{"omega", 0.3}});
+  const std::string text = turnstile_refusal("duffing", {{"omega", 0.3}});
   EXPECT_NE(text.find("more work than is done unasked"), std::string::npos) << text;
 }
 

@@ -8,12 +8,11 @@
 #include "engine/geometry/views.hpp"
 #include "lober/overlay.hpp"
 #include "lober/regions.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
-
-using Points = std::vector<Point>;
 
 constexpr std::size_t teeth = 40000;  // each crosses the long segment twice
 
@@ -60,4 +59,4 @@ TEST(OrderOnSegments, TakesNLogNComparisonsBothWaysRound) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -9,14 +9,13 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/crossings.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 namespace {
 
 using detail::with_threads;
-using Points = std::vector<Point>;
-
-NotSimpleError refusal(const Points& points) {
+NotSimpleError not_simple(const Points& points) {
   try {
     require_simple(IndexedCurve(CurveView{points}), 1);
   } catch (const NotSimpleError& error) {
@@ -27,18 +26,18 @@ NotSimpleError refusal(const Points& points) {
 }
 
 TEST(RequireSimple, NamesTheCrossing) {
-  const NotSimpleError error = refusal({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+  const NotSimpleError error = not_simple({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
   EXPECT_EQ(error.segment1, 0U);
   EXPECT_EQ(error.segment2, 2U);
   EXPECT_EQ(error.at, (Point{2, 2}));
 }
 
 TEST(RequireSimple, RefusesTouchesSpikesAndOverlaps) {
-  EXPECT_EQ(refusal({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).at, (Point{2, 0})) << "a vertex on a segment";
-  EXPECT_EQ(refusal({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}).at, (Point{2, 2})) << "a vertex twice";
-  (void)refusal({{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}});  // out and back
-  (void)refusal({{0, 0}, {6, 0}, {3, 0}, {3, 4}});          // a spike
-  (void)refusal({{0, 0}, {6, 0}, {6, 2}, {5, 0}, {1, 0}, {0, 4}});
+  EXPECT_EQ(not_simple({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).at, (Point{2, 0})) << "a vertex on a segment";
+  EXPECT_EQ(not_simple({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}).at, (Point{2, 2})) << "a vertex twice";
+  (void)not_simple({{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}});  // out and back
+  (void)not_simple({{0, 0}, {6, 0}, {3, 0}, {3, 4}});          // a spike
+  (void)not_simple({{0, 0}, {6, 0}, {6, 2}, {5, 0}, {1, 0}, {0, 4}});
 }
 
 TEST(RequireSimple, AcceptsRepeatedVerticesAndStraightAngles) {
@@ -60,7 +59,7 @@ TEST(RequireSimple, FindsOneBadPlaceAmongManySegments) {
        {std::size_t{0}, std::size_t{31}, std::size_t{32}, std::size_t{12345}, std::size_t{49998}}) {
     Points bent = points;
     std::swap(bent[k], bent[k + 1]);  // a loop of three segments
-    const NotSimpleError error = refusal(bent);
+    const NotSimpleError error = not_simple(bent);
     EXPECT_NEAR(std::hypot(error.at.x - points[k].x, error.at.y - points[k].y), 0, 1e-3);
   }
 }
@@ -76,7 +75,7 @@ TEST(RequireSimple, NamesTheFirstOfManyBadPlaces) {
     Points bent = points;
     for (std::size_t k = first; k + 1 < bent.size(); k += 517) std::swap(bent[k], bent[k + 1]);
     for (const int threads : {1, 2, 7}) {
-      const NotSimpleError error = with_threads(threads, [&] { return refusal(bent); });
+      const NotSimpleError error = with_threads(threads, [&] { return not_simple(bent); });
       EXPECT_EQ(error.segment1, first == 0 ? 0 : first - 1) << threads;
       EXPECT_EQ(error.segment2, first + 1) << threads;
     }
@@ -95,7 +94,7 @@ TEST(RequireSimple, EndsSoonWhereEverythingMeets) {
     std::vector<double> times;
     for (int round = 0; round < 3; ++round) {
       const detail::Stopwatch watch;
-      const NotSimpleError error = refusal(points);
+      const NotSimpleError error = not_simple(points);
       times.push_back(watch.seconds());
       EXPECT_EQ(error.segment1, 0U);
       EXPECT_EQ(error.at, (Point{0, 0}));
@@ -116,4 +115,4 @@ TEST(RequireSimple, SkipsMonotoneRuns) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

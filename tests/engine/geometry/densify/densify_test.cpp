@@ -9,10 +9,8 @@
 #include "kernels/box.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
-namespace lober::detail {
+namespace lober::densify_test {
 namespace {
-
-using namespace densify_test;
 
 constexpr std::array all_interpolations{Interpolation::linear, Interpolation::dritschel, Interpolation::spline};
 
@@ -264,4 +262,4 @@ TEST(DensifyCriteria, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace lober::detail
+}  // namespace lober::densify_test

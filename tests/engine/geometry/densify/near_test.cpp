@@ -9,20 +9,12 @@
 #include "kernels/predicates.hpp"
 #include "lober/densify.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::detail {
+namespace lober::densify_test {
 namespace {
 
-using namespace densify_test;
-
-std::vector<Point> circle(std::size_t count, Point centre, double phase) {
-  std::vector<Point> points;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double angle = phase + 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
-    points.push_back({centre.x + 2 * std::cos(angle), centre.y + 2 * std::sin(angle)});
-  }
-  return points;
-}
+using test::circle;
 
 // Brute force: whether segment a b (without b) meets some segment of the other curve.
 bool meets(Point a, Point b, CurveView other) {
@@ -39,7 +31,7 @@ bool meets(Point a, Point b, CurveView other) {
 }
 
 TEST(DensifyNear, PassesReachTheirPrecision) {
-  const std::vector<Point> given = circle(60, {0, 0}, 0.1), other = circle(70, {1, 0.3}, 0.2);
+  const std::vector<Point> given = circle(60, {0, 0}, 2, 0.1), other = circle(70, {1, 0.3}, 2, 0.2);
   for (const Interpolation interpolation : {Interpolation::linear, Interpolation::dritschel, Interpolation::spline}) {
     for (const auto& [passes, points] : {std::pair{1, 10}, {3, 10}, {2, 100}, {5, 1}}) {
       const NearOptions options{.passes = passes, .points = points, .interpolation = interpolation};
@@ -70,9 +62,9 @@ TEST(DensifyNear, LinearPointsLieOnTheChords) {
 }
 
 TEST(DensifyNear, NothingToDo) {
-  const std::vector<Point> given = circle(60, {0, 0}, 0.1), far = circle(70, {100, 0}, 0.2);
+  const std::vector<Point> given = circle(60, {0, 0}, 2, 0.1), far = circle(70, {100, 0}, 2, 0.2);
   EXPECT_TRUE(std::ranges::equal(densify_near({given, true}, {far, true}, {}).points, given));
-  const std::vector<Point> other = circle(70, {1, 0}, 0.2);
+  const std::vector<Point> other = circle(70, {1, 0}, 2, 0.2);
   EXPECT_EQ(densify_near({given, true}, {other, true}, {.passes = 0, .points = 10}).points.size(), 60U);
   EXPECT_EQ(densify_near({given, true}, {other, true}, {.passes = 10, .points = 0}).points.size(), 60U);
   EXPECT_THROW((void)densify_near({given, true}, {other, true}, {.passes = -1}), UsageError);
@@ -158,7 +150,7 @@ TEST(DensifyNear, SameBitsForAnyNumberOfThreads) {
     const double radius = 2 + 0.05 * std::sin(3000 * angle);
     given.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
-  const std::vector<Point> other = circle(50'000, {0, 0}, 0.2);
+  const std::vector<Point> other = circle(50'000, {0, 0}, 2, 0.2);
   for (const Interpolation interpolation : {Interpolation::linear, Interpolation::dritschel, Interpolation::spline}) {
     const auto run = [&] {
       return densify_near({given, true}, {other, true}, {.passes = 2, .points = 5, .interpolation = interpolation});
@@ -178,4 +170,4 @@ TEST(DensifyNear, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace lober::detail
+}  // namespace lober::densify_test

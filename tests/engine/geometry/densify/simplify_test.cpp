@@ -5,18 +5,11 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/box.hpp"
 #include "lober/densify.hpp"
+#include "tests/distance.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 
-namespace lober::detail {
+namespace lober::densify_test {
 namespace {
-
-using namespace densify_test;
-
-double distance_to_segment(Point p, Point a, Point b) {
-  const double ex = b.x - a.x, ey = b.y - a.y;
-  const double t = std::clamp(((p.x - a.x) * ex + (p.y - a.y) * ey) / (ex * ex + ey * ey), 0.0, 1.0);
-  return distance(p, {a.x + t * ex, a.y + t * ey});
-}
 
 // Walks both curves together: how far each vertex given is from the segment of the result that spans it.
 double worst_deviation(std::span<const Point> given, CurveView result) {
@@ -105,4 +98,4 @@ TEST(Thin, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace lober::detail
+}  // namespace lober::densify_test

@@ -4,18 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "tests/distance.hpp"
+
 namespace lober {
 namespace {
-
-double distance_to_segment(Point p, Point a, Point b) {
-  const double x = b.x - a.x, y = b.y - a.y, length2 = x * x + y * y;
-  const double t = length2 > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length2, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
-}
 
 bool same(Point a, Point b) {
   return a.x == b.x && a.y == b.y;

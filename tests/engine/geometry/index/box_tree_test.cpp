@@ -12,11 +12,11 @@
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
-constexpr std::size_t sizes[] = {3, 31, 32, 33, 64, 65, 1000, 1024, 1025, 32768, 33000, 70001};
+constexpr std::size_t tree_sizes[] = {3, 31, 32, 33, 64, 65, 1000, 1024, 1025, 32768, 33000, 70001};
 
 Curve random_walk(Random& random, std::size_t size, bool closed) {
   Curve curve = scene::walks(random, size).first;
@@ -25,14 +25,14 @@ Curve random_walk(Random& random, std::size_t size, bool closed) {
   return curve;
 }
 
-struct Expected {
+struct ExpectedNode {
   Box box;
   unsigned flags = 15;
 };
 
 // Of segments [begin, end), which may reach beyond the curve.
-Expected brute_force(const CurveView& curve, std::size_t begin, std::size_t end) {
-  Expected expected;
+ExpectedNode brute_force(const CurveView& curve, std::size_t begin, std::size_t end) {
+  ExpectedNode expected;
   if (end > curve.segments()) expected.flags = 0;  // filled up with segments of no length
   for (std::size_t k = begin; k < std::min(end, curve.segments()); ++k) {
     const auto [a, b] = ends_of(curve, k);
@@ -61,7 +61,7 @@ mpq_class exact_sum(const CurveView& curve, std::size_t begin, std::size_t end) 
 
 TEST(BoxTree, BoxesAndFlagsAreThoseOfTheirSegments) {
   Random random(seed());
-  for (const std::size_t size : sizes) {
+  for (const std::size_t size : tree_sizes) {
     for (const bool closed : {true, false}) {
       SCOPED_TRACE(::testing::Message() << size << (closed ? " closed" : " open"));
       const Curve curve = random_walk(random, size, closed);
@@ -73,7 +73,7 @@ TEST(BoxTree, BoxesAndFlagsAreThoseOfTheirSegments) {
         ASSERT_EQ(tree.nodes(level), (tree.leaves() + (std::size_t{1} << level) - 1) >> level);
         for (std::uint32_t index = 0; index < tree.nodes(level); ++index) {
           const std::size_t begin = std::size_t{index} * leaf_size << level;
-          const Expected expected = brute_force(curve, begin, begin + (leaf_size << level));
+          const ExpectedNode expected = brute_force(curve, begin, begin + (leaf_size << level));
           const Box& box = tree.box({level, index});
           for (std::size_t lane = 0; lane < 4; ++lane) ASSERT_EQ(box.lane[lane], expected.box.lane[lane]);
           const unsigned flags = tree.flags({level, index});
@@ -93,7 +93,7 @@ TEST(BoxTree, BoxesAndFlagsAreThoseOfTheirSegments) {
 
 TEST(BoxTree, PadsTheLastLeafWithItsLastPoint) {
   Random random(seed());
-  for (const std::size_t size : sizes) {
+  for (const std::size_t size : tree_sizes) {
     for (const bool closed : {true, false}) {
       const Curve curve = random_walk(random, size, closed);
       const BoxTree tree(curve);
@@ -152,4 +152,4 @@ TEST(BoxTree, RefusesCurvesWithoutSegments) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -4,7 +4,7 @@
 #include "engine/geometry/index/index.hpp"
 #include "tests/engine/geometry/index/scenes.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
@@ -52,4 +52,4 @@ TEST(ChooseIndex, TakesTheGridForLongSlantedSegments) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

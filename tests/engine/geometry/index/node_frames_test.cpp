@@ -11,7 +11,7 @@
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
@@ -119,4 +119,4 @@ TEST(FoldedCurve, IsSearchedCompletely) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -12,7 +12,7 @@
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
@@ -137,4 +137,4 @@ TEST(NodeStrips, BothCopiesDoTheSame) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -13,12 +13,11 @@
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/random.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
-
-using Points = std::vector<Point>;
 
 Orientation of(const Points& points) {
   return orientation(IndexedCurve(CurveView{points}));
@@ -106,4 +105,4 @@ TEST(Orientation, CurvesThatAreNotSimpleDoNoHarmUnchecked) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -12,7 +12,7 @@
 #include "lober/curve.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 
 struct Scene {
   Curve first, second;
@@ -232,4 +232,4 @@ inline const std::vector<SceneKind>& scene_kinds() {
   return kinds;
 }
 
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -10,12 +10,12 @@
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
 // Around the sizes of leaves and blocks, and the smallest.
-constexpr std::size_t sizes[] = {3, 4, 5, 31, 32, 33, 64, 65, 97, 130, 300, 2047, 2048, 2049};
+constexpr std::size_t search_sizes[] = {3, 4, 5, 31, 32, 33, 64, 65, 97, 130, 300, 2047, 2048, 2049};
 constexpr std::size_t few_sizes[] = {65, 150, 2100};
 
 class Search : public ::testing::TestWithParam<std::tuple<IndexKind, SceneKind>> {
@@ -26,7 +26,7 @@ class Search : public ::testing::TestWithParam<std::tuple<IndexKind, SceneKind>>
 
 TEST_P(Search, ProposesEveryPairWithACommonPointOnce) {
   Random random(seed());
-  for (const std::size_t size : sizes) {
+  for (const std::size_t size : search_sizes) {
     if (size > scene().largest) break;
     for (int k = 0; k < (size < 200 ? 6 : 1); ++k) {
       SCOPED_TRACE(::testing::Message() << "size " << size << ", try " << k);
@@ -107,4 +107,4 @@ TEST(SearchKinds, HaveNamesAndAutomaticIsNone) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

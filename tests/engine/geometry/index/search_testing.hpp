@@ -15,7 +15,7 @@
 #include "kernels/box.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 
 struct Ends {
@@ -153,4 +153,4 @@ inline bool same(const SearchCounts& a, const SearchCounts& b) {
          a.blocks_searched == b.blocks_searched && a.blocks_skipped == b.blocks_skipped;
 }
 
-}  // namespace lober::testing
+}  // namespace lober::test

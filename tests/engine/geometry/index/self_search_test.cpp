@@ -8,11 +8,11 @@
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
-void expect_complete(const Curve& curve) {
+void expect_all_pairs(const Curve& curve) {
   const IndexedCurve indexed(curve);
   Recorder recorder(curve, curve);
   const SearchCounts counts = find_self_pairs(indexed, recorder);
@@ -32,8 +32,8 @@ TEST_P(SelfSearch, ProposesEveryPairThatMeetsBeyondAJoint) {
     if (size > GetParam().largest) break;
     SCOPED_TRACE(size);
     const Scene made = GetParam().make(random, size);
-    expect_complete(made.first);
-    expect_complete(made.second);
+    expect_all_pairs(made.first);
+    expect_all_pairs(made.second);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(SelfSearchOfMonotoneRuns, LosesNothingWhereverRunsEnd) {
   Random random(seed());
   for (int k = 0; k < 40; ++k) {
     SCOPED_TRACE(k);
-    expect_complete(monotone_chains(random, 1, 150));
+    expect_all_pairs(monotone_chains(random, 1, 150));
   }
 }
 
@@ -83,7 +83,7 @@ TEST(SelfSearchOfMonotoneRuns, LosesNothingWhenRunsAreLeaves) {
   Random random(seed());
   for (int k = 0; k < 60; ++k) {
     SCOPED_TRACE(k);
-    expect_complete(monotone_chains(random, leaf_size, leaf_size));
+    expect_all_pairs(monotone_chains(random, leaf_size, leaf_size));
   }
 }
 
@@ -103,4 +103,4 @@ TEST(SelfSearchOfMonotoneRuns, FindsNeighboursThatFoldBack) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -13,7 +13,7 @@
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
@@ -23,7 +23,7 @@ bool lists(const NearLeaves& near, std::uint32_t leaf, std::uint32_t other) {
                      [&](TreeNode node) { return node.level == 0 && node.index == other; });
 }
 
-void expect_complete(const Curve& curve) {
+void expect_complete_lists(const Curve& curve) {
   SearchCounts counts;
   const BoxTree tree{CurveView(curve)};
   const NearLeaves near(tree, counts);
@@ -46,8 +46,8 @@ TEST_P(Windows, ListAllThatMeets) {
     if (size > GetParam().largest) break;
     SCOPED_TRACE(size);
     const Scene made = GetParam().make(random, size);
-    expect_complete(made.first);
-    expect_complete(made.second);
+    expect_complete_lists(made.first);
+    expect_complete_lists(made.second);
   }
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, Windows, ::testing::ValuesIn(scene_kinds()),
@@ -70,7 +70,7 @@ Curve long_hairs(std::size_t hairs, std::size_t along, std::size_t bent) {
 }
 
 TEST(Windows, ListAllThatMeetsAmongLongHairs) {
-  expect_complete(long_hairs(40, 100, 3));
+  expect_complete_lists(long_hairs(40, 100, 3));
 }
 
 TEST(Windows, TakeFewTestsForLongHairs) {
@@ -136,4 +136,4 @@ TEST(Windows, GiveUpWhereEverythingLiesAcross) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -20,13 +20,17 @@
 #include "tests/oracle/exact_overlay.hpp"
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"
+#include "tests/shapes.hpp"
 
 namespace lober::detail {
 namespace {
 
-using oracle::CurvePair;
 using oracle::Polygon;
 using oracle::Rational;
+using oracle::rearranged;
+using test::box;
+using test::circle;
+using test::wavy_circle;
 
 constexpr std::array members{&Areas::c1,          &Areas::c2,          &Areas::intersection,        &Areas::union_,
                              &Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::symmetric_difference};
@@ -42,7 +46,7 @@ std::array<Rational, 7> exact_areas(const oracle::ExactOverlay& exact) {
           areas[oracle::c1_minus_c2] + areas[oracle::c2_minus_c1]};
 }
 
-Rational box_area(const CurvePair& pair) {
+Rational box_area(const oracle::CurvePair& pair) {
   Point low = pair.first.front(), high = low;
   for (const Polygon* polygon : {&pair.first, &pair.second}) {
     for (const Point& point : *polygon) {
@@ -54,7 +58,7 @@ Rational box_area(const CurvePair& pair) {
 }
 
 // What is wrong with the areas of a pair; empty if nothing is.
-std::string complaints(const CurvePair& pair) {
+std::string complaints(const oracle::CurvePair& pair) {
   std::ostringstream text;
   try {
     const std::array<Rational, 7> exact = exact_areas(oracle::exact_overlay(pair.first, pair.second));
@@ -86,15 +90,6 @@ std::string complaints(const CurvePair& pair) {
   return text.str();
 }
 
-// The same curves exchanged, one backwards and one from its middle vertex on.
-CurvePair rearranged(const CurvePair& pair) {
-  CurvePair result{pair.family + " rearranged", pair.seed, pair.second, pair.first};
-  std::reverse(result.first.begin(), result.first.end());
-  std::rotate(result.second.begin(), result.second.begin() + static_cast<std::ptrdiff_t>(result.second.size() / 2),
-              result.second.end());
-  return result;
-}
-
 class InteriorOfFamilies : public testing::TestWithParam<oracle::Family> {};
 
 TEST_P(InteriorOfFamilies, AgreesWithTheExactAreas) {
@@ -103,18 +98,18 @@ TEST_P(InteriorOfFamilies, AgreesWithTheExactAreas) {
   const std::uint64_t count = (wanted + oracle::families().size() - 1) / oracle::families().size();
   std::mutex mutex;
   int written = 0;
-  const auto check = [&](const CurvePair& pair) {
+  const auto check = [&](const oracle::CurvePair& pair) {
     const std::string wrong = complaints(pair);
     if (wrong.empty()) return;
     const std::lock_guard lock(mutex);
     if (++written <= 3) ADD_FAILURE() << pair.family << " " << pair.seed << "\n" << wrong;
   };
   for_each_block(count, 1, [&](std::size_t seed, std::size_t) {
-    const CurvePair pair = oracle::make_curve_pair(GetParam(), seed);
+    const oracle::CurvePair pair = oracle::make_curve_pair(GetParam(), seed);
     check(pair);
     if (seed % 4 == 1) check(rearranged(pair));
     if (seed % 4 == 3) {
-      const CurvePair moved = oracle::transformed(pair);
+      const oracle::CurvePair moved = oracle::transformed(pair);
       if (oracle::is_simple(moved.first) && oracle::is_simple(moved.second)) check(moved);
     }
   });
@@ -123,10 +118,6 @@ TEST_P(InteriorOfFamilies, AgreesWithTheExactAreas) {
 INSTANTIATE_TEST_SUITE_P(Families, InteriorOfFamilies,
                          testing::ValuesIn(oracle::families().begin(), oracle::families().end()),
                          [](const auto& family) { return std::string(family.param.name); });
-
-std::vector<Point> box(double left, double low, double right, double high) {
-  return {{left, low}, {right, low}, {right, high}, {left, high}};
-}
 
 std::pair<double, double> differences(const std::vector<Point>& c1, const std::vector<Point>& c2,
                                       const InteriorOptions& options = {}) {
@@ -167,16 +158,6 @@ TEST(InteriorAreasOf, CurvesThatAreNotSimpleAreRefused) {
   EXPECT_THROW((void)interior_areas(CurveView{square}, CurveView{infinite}), DataError);
 }
 
-std::vector<Point> circle(std::size_t count, Point centre, double radius, double wave = 0) {
-  std::vector<Point> points;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double angle = 6.283185307179586 * static_cast<double>(k) / static_cast<double>(count);
-    const double r = radius * (1 + wave * std::sin(40 * angle));
-    points.push_back({centre.x + r * std::cos(angle), centre.y + r * std::sin(angle)});
-  }
-  return points;
-}
-
 TEST(InteriorAreasOf, SegmentsThatAreNotSplitConvergeWithDensifying) {
   const std::vector<Point> c1 = circle(100, {0, 0}, 1), c2 = circle(90, {1, 0.3}, 1);
   const double exact = differences(c1, c2).first;
@@ -208,7 +189,7 @@ TEST(InteriorAreasOf, SegmentsThatAreNotSplitMissWhatCrossesTwice) {
 }
 
 TEST(InteriorAreasOf, AnyNumberOfThreadsAreTheSameBits) {
-  const std::vector<Point> c1 = circle(60000, {0, 0}, 1, 0.1), c2 = circle(50000, {0.05, 0.02}, 1.01, -0.1);
+  const std::vector<Point> c1 = wavy_circle(60000, 0.1, 40), c2 = wavy_circle(50000, -0.1, 40, 0, {0.05, 0.02}, 1.01);
   for (const InteriorMethod method : {InteriorMethod::split, InteriorMethod::ends}) {
     const auto run = [&](int threads) {
       return with_threads(threads, [&] {
@@ -231,7 +212,7 @@ TEST(InteriorAreasOf, AnyNumberOfThreadsAreTheSameBits) {
 }
 
 TEST(InteriorAreasOf, ManyCrossingsAndManyPointsAgreeWithTheOverlay) {
-  const std::vector<Point> c1 = circle(200000, {0, 0}, 1, 0.1), c2 = circle(300000, {0, 0}, 1.01, -0.1);
+  const std::vector<Point> c1 = wavy_circle(200000, 0.1, 40), c2 = wavy_circle(300000, -0.1, 40, 0, {0, 0}, 1.01);
   const InteriorAreas found = interior_areas(CurveView{c1}, CurveView{c2});
   const Areas other = overlay(CurveView{c1}, CurveView{c2}).areas;
   for (const auto member : members) {

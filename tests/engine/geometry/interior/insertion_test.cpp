@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -12,27 +11,16 @@
 #include "engine/geometry/views.hpp"
 #include "lober/interior.hpp"
 #include "tests/oracle/random.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
-
-using Points = std::vector<Point>;
-
-Points star(std::size_t points) {
-  Points curve(points);
-  for (std::size_t k = 0; k < points; ++k) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points);
-    const double radius = 1 + 0.3 * std::sin(5 * angle);
-    curve[k] = {radius * std::cos(angle), radius * std::sin(angle)};
-  }
-  return curve;
-}
 
 // A curve of 29 points, and one of 79 that follows it along most of its sides, with points in between: exactly where a
 // side is halved exactly, else beside it by the rounding of its points.
 struct Shared {
-  Points first = star(29), second;
+  Points first = wavy_circle(29, 0.3, 5), second;
   Shared() {
     oracle::Random random(3);
     for (std::size_t k = 0; k < first.size(); ++k) {
@@ -99,4 +87,4 @@ TEST(Insertion, StopsAtItsLimitAndNamesIt) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -9,6 +9,7 @@
 #include "engine/geometry/views.hpp"
 #include "lober/interior.hpp"
 #include "lober/regions.hpp"
+#include "tests/shapes.hpp"
 
 namespace lober::detail {
 namespace {
@@ -18,15 +19,6 @@ std::vector<Point> loop(int points) {
   for (int k = 0; k < points; ++k) {
     const double t = 2 * std::numbers::pi * k / points;
     curve.push_back({std::cos(2 * t) + 0.55 * std::cos(5 * t), std::sin(2 * t) + 0.55 * std::sin(5 * t)});
-  }
-  return curve;
-}
-
-std::vector<Point> circle(int points) {
-  std::vector<Point> curve;
-  for (int k = 0; k < points; ++k) {
-    const double t = 2 * std::numbers::pi * k / points;
-    curve.push_back({0.9 + 0.7 * std::cos(t), 0.3 + 0.7 * std::sin(t)});
   }
   return curve;
 }
@@ -49,7 +41,7 @@ double printed_q3(const std::vector<Point>& c1, const std::vector<Point>& c2, Po
 }
 
 TEST(PaperFormulas, DependOnTheOrigin) {
-  const std::vector<Point> c1 = loop(1500), c2 = circle(1500);
+  const std::vector<Point> c1 = loop(1500), c2 = test::circle(1500, {0.9, 0.3}, 0.7);
   EXPECT_NEAR(printed_q3(c1, c2, {0, 0}), 2.154, 2e-3);
   EXPECT_NEAR(printed_q3(c1, c2, {10, 10}), -5.468, 2e-2);
   // What the two have in common is less than the circle, and does not move.

@@ -18,7 +18,7 @@ namespace {
 
 using oracle::Random;
 using oracle::Rational;
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 // By definition, in rationals and along another ray than the engine's: upwards.
 Winding brute_force(const std::vector<Point>& curve, Point point) {
@@ -46,7 +46,7 @@ void expect_right(const std::vector<Point>& curve, const std::vector<Point>& poi
     ASSERT_EQ(found.number, expected.number) << what << " at " << point.x << ", " << point.y;
     ASSERT_EQ(value.on, expected.on) << what << " at " << point.x << ", " << point.y;
     if (expected.on) continue;
-    ASSERT_NEAR(value.j / turn, expected.number, 1e-15 * static_cast<double>(curve.size() + 10))
+    ASSERT_NEAR(value.j / full_turn, expected.number, 1e-15 * static_cast<double>(curve.size() + 10))
         << what << " at " << point.x << ", " << point.y;
   }
 }
@@ -116,7 +116,7 @@ TEST(WindingNumber, OfALongCurveThatWindsManyTimes) {
   constexpr int vertices = 4000, turns = 37;
   std::vector<Point> curve;
   for (int k = 0; k < vertices; ++k) {
-    const double angle = turn * turns * k / vertices, radius = 1 + 0.5 * std::cos(angle * 7 / turns);
+    const double angle = full_turn * turns * k / vertices, radius = 1 + 0.5 * std::cos(angle * 7 / turns);
     curve.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
   Random random(1);
@@ -144,9 +144,9 @@ TEST(InteriorFunction, IsThePrincipalValueOnTheCurve) {
   const IndexedCurve indexed{CurveView{square}};
   const InteriorValue side = interior_function(indexed, {1, 0}), corner = interior_function(indexed, {2, 2});
   EXPECT_TRUE(side.on && corner.on);
-  EXPECT_NEAR(side.j, turn / 2, 1e-15);
-  EXPECT_NEAR(corner.j, turn / 4, 1e-15);
-  EXPECT_NEAR(interior_function_direct(CurveView{square}, {1, 0}), turn / 2, 1e-15);
+  EXPECT_NEAR(side.j, full_turn / 2, 1e-15);
+  EXPECT_NEAR(corner.j, full_turn / 4, 1e-15);
+  EXPECT_NEAR(interior_function_direct(CurveView{square}, {1, 0}), full_turn / 2, 1e-15);
 }
 
 TEST(InteriorFunction, HasTheSignOfHalfATurnRight) {
@@ -161,7 +161,7 @@ TEST(InteriorFunction, HasTheSignOfHalfATurnRight) {
     const InteriorValue value = interior_function(indexed, point);
     EXPECT_EQ(value.on, exact.on) << ulps;
     if (!exact.on) {
-      EXPECT_NEAR(value.j / turn, exact.number, 1e-15) << ulps;
+      EXPECT_NEAR(value.j / full_turn, exact.number, 1e-15) << ulps;
     }
   }
 }

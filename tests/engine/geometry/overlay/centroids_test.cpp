@@ -3,29 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
 #include "kernels/moments.hpp"
 #include "lober/overlay.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
-
-using Points = std::vector<Point>;
-
-Points wavy(std::size_t points, double turn, double height, int waves) {
-  Points curve(points);
-  for (std::size_t k = 0; k < points; ++k) {
-    const double angle = turn + 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points);
-    const double radius = 1 + height * std::sin(waves * angle);
-    curve[k] = {radius * std::cos(angle), radius * std::sin(angle)};
-  }
-  return curve;
-}
 
 // By the definition, from the outline as it is written.
 Point reference(const Overlay& result, Pairing pairing, std::size_t piece) {
@@ -59,7 +47,7 @@ std::size_t expect_as_by_definition(const Overlay& result) {
 
 // Long boundaries are summed up without being written out.
 TEST(Centroids, OfLongBoundariesAreThoseOfTheirOutlines) {
-  Points first = wavy(40001, 0, 0.05, 7), second = wavy(30000, 0.1, 0.05, 5);
+  Points first = wavy_circle(40001, 0.05, 7), second = wavy_circle(30000, 0.05, 5, 0.1);
   for (const bool turned : {false, true}) {
     if (turned) std::reverse(second.begin(), second.end());
     EXPECT_GT(expect_as_by_definition(overlay(CurveView{first}, CurveView{second})), 10U);
@@ -69,7 +57,7 @@ TEST(Centroids, OfLongBoundariesAreThoseOfTheirOutlines) {
 }
 
 TEST(Centroids, OfPiecesWithHolesAndWholeCurves) {
-  Points outer = wavy(20000, 0, 0.05, 7), inner = wavy(9000, 0, 0.01, 3);
+  Points outer = wavy_circle(20000, 0.05, 7), inner = wavy_circle(9000, 0.01, 3);
   for (Point& p : inner) p = {0.3 * p.x + 0.2, 0.3 * p.y};
   EXPECT_EQ(expect_as_by_definition(overlay(CurveView{outer}, CurveView{inner})), 3U);
   std::reverse(outer.begin(), outer.end());
@@ -77,12 +65,13 @@ TEST(Centroids, OfPiecesWithHolesAndWholeCurves) {
 }
 
 TEST(Centroids, OfBoundariesWithManyNodes) {
-  EXPECT_GT(expect_as_by_definition(overlay(CurveView{wavy(9000, 0, 0.05, 401)}, CurveView{wavy(9000, 0, 0.05, 3)})),
-            700U);
+  EXPECT_GT(
+      expect_as_by_definition(overlay(CurveView{wavy_circle(9000, 0.05, 401)}, CurveView{wavy_circle(9000, 0.05, 3)})),
+      700U);
 }
 
 TEST(Centroids, AreTheSameForAnyNumberOfThreads) {
-  const Points first = wavy(40000, 0, 0.05, 7), second = wavy(30000, 0.1, 0.05, 5);
+  const Points first = wavy_circle(40000, 0.05, 7), second = wavy_circle(30000, 0.05, 5, 0.1);
   const Overlay result = overlay(CurveView{first}, CurveView{second});
   const auto with = [&](int threads) {
     return with_threads(threads, [&] { return centroids(result, Pairing::union_); });
@@ -93,7 +82,7 @@ TEST(Centroids, AreTheSameForAnyNumberOfThreads) {
 
 // A power of two changes no digit.
 TEST(Centroids, DoNotDependOnTheScale) {
-  const Points first = wavy(50, 0, 0.2, 3), second = wavy(40, 0.3, 0.2, 2);
+  const Points first = wavy_circle(50, 0.2, 3), second = wavy_circle(40, 0.2, 2, 0.3);
   const Overlay plain = overlay(CurveView{first}, CurveView{second});
   for (const int exponent : {-1000, -500, -365, -299, -100, 100, 299, 365, 450, 509}) {
     Points first_scaled = first, second_scaled = second;
@@ -128,4 +117,4 @@ TEST(Centroids, OfTinyPiecesInAnOrdinaryScene) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -13,27 +13,12 @@
 #include "lober/regions.hpp"
 #include "lober/smooth.hpp"
 #include "lober/tangle.hpp"
+#include "tests/refusal.hpp"
+#include "tests/shapes.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
-
-using Points = std::vector<Point>;
-
-Points box(double left, double low, double right, double high) {
-  return {{left, low}, {right, low}, {right, high}, {left, high}};
-}
-
-template <typename Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "not refused";
-  return {};
-}
 
 TEST(Extremes, AnAreaBeyondTheLargestDoubleIsAnError) {
   const Points first = box(-1e155, -1e155, 1e155, 1e155), second = box(0, 0, 2e155, 1e155);
@@ -110,4 +95,4 @@ TEST(Extremes, MoreSegmentsThanCanBeNumberedAreRefused) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -6,23 +6,18 @@
 
 #include "engine/geometry/views.hpp"
 #include "lober/overlay.hpp"
+#include "tests/engine/geometry/overlay/six_crossings.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
-
-// C1 runs along the bottom of a rectangle through the crossings 1 to 6; C2 passes them in the order 1, 2, 5, 4, 3, 6,
-// above the bottom between 1 and 2, 5 and 4, 3 and 6, and goes round the whole rectangle from 6 to 1.
-const std::vector<Point> rectangle{{0, 0}, {7, 0}, {7, 4}, {0, 4}};
-const std::vector<Point> folded{{1, 1}, {2, 1}, {2, -3}, {5, -3}, {5, 1}, {4, 1},  {4, -1},  {3, -1},
-                                {3, 2}, {6, 2}, {6, -1}, {8, -1}, {8, 5}, {-1, 5}, {-1, -1}, {1, -1}};
 
 std::vector<std::uint32_t> nodes_of(const Piece& piece) {
   return {piece.crossings.begin(), piece.crossings.end()};
 }
 
 TEST(Golden, TablesOneToFour) {
-  const Overlay result = overlay(CurveView{rectangle}, CurveView{folded});
+  const Overlay result = overlay(CurveView{six_crossings_c1}, CurveView{six_crossings_c2});
   ASSERT_EQ(result.nodes.size(), 6U);
   EXPECT_EQ(result.nodes.crossings(), 6U);
   for (std::size_t k = 0; k < 6; ++k) {
@@ -37,7 +32,7 @@ TEST(Golden, TablesOneToFour) {
 }
 
 TEST(Golden, SigmaAndAreas) {
-  const Overlay result = overlay(CurveView{rectangle}, CurveView{folded});
+  const Overlay result = overlay(CurveView{six_crossings_c1}, CurveView{six_crossings_c2});
   const Pieces& pieces = result.pieces(Pairing::c1_minus_c2);
   ASSERT_EQ(pieces.size(), 2U);
   // Table 3: sigma runs 1 -> 2 -> 1 and 3 -> 4 -> 5 -> 6 -> 3.
@@ -53,7 +48,7 @@ TEST(Golden, SigmaAndAreas) {
 TEST(Golden, EitherOrientation) {
   for (const bool reverse1 : {false, true}) {
     for (const bool reverse2 : {false, true}) {
-      std::vector<Point> c1 = rectangle, c2 = folded;
+      std::vector<Point> c1 = six_crossings_c1, c2 = six_crossings_c2;
       if (reverse1) std::reverse(c1.begin(), c1.end());
       if (reverse2) std::reverse(c2.begin(), c2.end());
       const Overlay result = overlay(CurveView{c1}, CurveView{c2});
@@ -70,4 +65,4 @@ TEST(Golden, EitherOrientation) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

@@ -8,7 +8,7 @@
 #include "engine/geometry/views.hpp"
 #include "lober/overlay.hpp"
 
-namespace lober::testing {
+namespace lober::test {
 using namespace lober::detail;
 namespace {
 
@@ -160,4 +160,4 @@ TEST(Overlay, RefusesCoordinatesThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace lober::testing
+}  // namespace lober::test

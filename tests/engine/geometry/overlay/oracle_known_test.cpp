@@ -17,10 +17,13 @@
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"
 #include "tests/oracle/trapezoid_area.hpp"
+#include "tests/shapes.hpp"
 
 namespace lober::oracle {
 using namespace lober::detail;
 namespace {
+
+using test::box;
 
 struct Known {
   std::string name;
@@ -32,10 +35,6 @@ struct Known {
 
 std::ostream& operator<<(std::ostream& stream, const Known& known) {
   return stream << known.name;
-}
-
-Polygon box(double left, double low, double right, double high) {
-  return {{left, low}, {right, low}, {right, high}, {left, high}};
 }
 
 const std::vector<Known>& known_pairs() {

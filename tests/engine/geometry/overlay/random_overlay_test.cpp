@@ -25,16 +25,6 @@ namespace lober::oracle {
 using namespace lober::detail;
 namespace {
 
-// The same pair with the curves exchanged, one backwards and one from its middle vertex on.
-CurvePair rearranged(const CurvePair& pair) {
-  CurvePair result{pair.family + " rearranged", pair.seed, pair.second, pair.first};
-  std::reverse(result.first.begin(), result.first.end());
-  std::rotate(result.second.begin(), result.second.begin() + static_cast<std::ptrdiff_t>(result.second.size() / 2),
-              result.second.end());
-  return result;
-}
-
-// What a family's pairs add up to; filled by many threads.
 class Tally {
  public:
   void add(const CurvePair& pair) {

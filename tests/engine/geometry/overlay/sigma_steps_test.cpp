@@ -9,15 +9,14 @@
 #include "engine/geometry/views.hpp"
 #include "lober/error.hpp"
 #include "lober/overlay.hpp"
+#include "tests/engine/geometry/overlay/six_crossings.hpp"
 #include "tests/oracle/families.hpp"
 
 namespace lober::detail {
 namespace {
 
-// As in golden_test.cpp.
-const std::vector<Point> rectangle{{0, 0}, {7, 0}, {7, 4}, {0, 4}};
-const std::vector<Point> folded{{1, 1}, {2, 1}, {2, -3}, {5, -3}, {5, 1}, {4, 1},  {4, -1},  {3, -1},
-                                {3, 2}, {6, 2}, {6, -1}, {8, -1}, {8, 5}, {-1, 5}, {-1, -1}, {1, -1}};
+using test::six_crossings_c1;
+using test::six_crossings_c2;
 
 using Numbers = std::vector<std::uint32_t>;
 Numbers column(const std::vector<SigmaStep>& steps, std::uint32_t SigmaStep::*member) {
@@ -28,7 +27,7 @@ Numbers column(const std::vector<SigmaStep>& steps, std::uint32_t SigmaStep::*me
 
 TEST(SigmaSteps, AreTablesOneToFour) {
   const std::vector<SigmaStep> steps =
-      sigma_steps(overlay(CurveView{rectangle}, CurveView{folded}), Pairing::c1_minus_c2);
+      sigma_steps(overlay(CurveView{six_crossings_c1}, CurveView{six_crossings_c2}), Pairing::c1_minus_c2);
   // The columns with a 1 in the rows of the tables, from 0.
   EXPECT_EQ(column(steps, &SigmaStep::along1), (Numbers{1, 2, 3, 4, 5, 0})) << "Table 1";
   EXPECT_EQ(column(steps, &SigmaStep::along2), (Numbers{5, 0, 3, 4, 1, 2})) << "Table 2";
@@ -43,14 +42,15 @@ TEST(SigmaSteps, AreTablesOneToFour) {
 TEST(SigmaSteps, DoNotDependOnTheOrientation) {
   for (const bool reverse1 : {false, true}) {
     for (const bool reverse2 : {false, true}) {
-      std::vector<Point> c1 = rectangle, c2 = folded;
+      std::vector<Point> c1 = six_crossings_c1, c2 = six_crossings_c2;
       if (reverse1) std::reverse(c1.begin(), c1.end());
       if (reverse2) std::reverse(c2.begin(), c2.end());
       const Overlay result = overlay(CurveView{c1}, CurveView{c2});
       const auto as_before = [&](std::uint32_t node) { return reverse1 ? 5 - node : node; };
       for (const Pairing pairing : {Pairing::c1_minus_c2, Pairing::c2_minus_c1}) {
         const std::vector<SigmaStep> steps = sigma_steps(result, pairing);
-        const std::vector<SigmaStep> before = sigma_steps(overlay(CurveView{rectangle}, CurveView{folded}), pairing);
+        const std::vector<SigmaStep> before =
+            sigma_steps(overlay(CurveView{six_crossings_c1}, CurveView{six_crossings_c2}), pairing);
         for (const SigmaStep& step : steps) {
           const SigmaStep& same = before[as_before(step.crossing)];
           EXPECT_EQ(as_before(step.sigma), same.sigma);
@@ -118,9 +118,10 @@ INSTANTIATE_TEST_SUITE_P(Families, SigmaStepsOfFamilies,
 
 TEST(SigmaSteps, AreNoneWithoutCrossings) {
   const std::vector<Point> far{{20, 20}, {21, 20}, {21, 21}};
-  const Overlay apart = overlay(CurveView{rectangle}, CurveView{far});
+  const Overlay apart = overlay(CurveView{six_crossings_c1}, CurveView{far});
   EXPECT_TRUE(sigma_steps(apart, Pairing::c1_minus_c2).empty());
-  EXPECT_TRUE(sigma_steps(overlay(CurveView{rectangle}, CurveView{rectangle}), Pairing::c2_minus_c1).empty());
+  EXPECT_TRUE(
+      sigma_steps(overlay(CurveView{six_crossings_c1}, CurveView{six_crossings_c1}), Pairing::c2_minus_c1).empty());
   EXPECT_THROW((void)sigma_steps(apart, Pairing::union_), UsageError);
 }
 

@@ -1,16 +1,18 @@
 // Regions whose areas and pieces are known, and what must not change them.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "engine/geometry/views.hpp"
 #include "lober/regions.hpp"
+#include "tests/shapes.hpp"
 
 namespace lober::detail {
 namespace {
+
+using test::reversed;
 
 using Polygon = std::vector<Point>;
 
@@ -36,12 +38,7 @@ Regions of(const Polygon& first, const Polygon& second) {
   return regions(CurveView{first}, CurveView{second});
 }
 
-const Polygon square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-
-Polygon reversed(Polygon polygon) {
-  std::reverse(polygon.begin(), polygon.end());
-  return polygon;
-}
+const Polygon square_of_side_4{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 Polygon moved(Polygon polygon, double dx, double dy) {
   for (Point& p : polygon) p = {p.x + dx, p.y + dy};
@@ -97,15 +94,15 @@ TEST(KnownRegions, PentagramWindsTwiceAboutItsPentagon) {
 }
 
 TEST(KnownRegions, SquareWoundTwice) {
-  Polygon twice = square;
-  twice.insert(twice.end(), square.begin(), square.end());
+  Polygon twice = square_of_side_4;
+  twice.insert(twice.end(), square_of_side_4.begin(), square_of_side_4.end());
   EXPECT_EQ(table(of(twice)), (std::vector<Entry>{{2, 0, 16}}));
   EXPECT_EQ(table(of(reversed(twice))), (std::vector<Entry>{{-2, 0, 16}}));
   EXPECT_EQ(of(twice).areas(FillRule::evenodd).c1, 0);
   EXPECT_EQ(of(twice).areas(FillRule::nonzero).c1, 16);
   EXPECT_EQ(of(twice).counts().edges, 4U) << "each side counts once";
-  Polygon back = square;
-  const Polygon other_way = reversed(square);
+  Polygon back = square_of_side_4;
+  const Polygon other_way = reversed(square_of_side_4);
   back.insert(back.end(), other_way.begin(), other_way.end());
   EXPECT_EQ(table(of(back)), std::vector<Entry>{}) << "there and back: nothing";
 }
@@ -170,33 +167,33 @@ TEST(KnownRegions, ARayThroughANodeFindsTheRightFace) {
 
 TEST(KnownRegions, HolesThatTouchAreCountedApart) {
   const Polygon inner{{0, 2}, {2, 1}, {4, 2}, {2, 3}};  // touches the square on the left and on the right
-  const Regions result = of(square, inner);
+  const Regions result = of(square_of_side_4, inner);
   EXPECT_EQ(result.pieces(FillRule::nonzero, Pairing::c1_minus_c2).size(), 2U);
   const Polygon once{{0, 2}, {2, 1}, {3, 2}, {2, 3}};
-  const RegionPieces ring = of(square, once).pieces(FillRule::nonzero, Pairing::c1_minus_c2);
+  const RegionPieces ring = of(square_of_side_4, once).pieces(FillRule::nonzero, Pairing::c1_minus_c2);
   ASSERT_EQ(ring.size(), 1U);
   EXPECT_EQ(ring[0].holes, 1U);
   const Polygon two_holes{{1, 2}, {2, 1}, {2, 2}, {3, 2}, {3, 3}, {2, 2}};  // two triangles with a common vertex
-  const RegionPieces pierced = of(square, two_holes).pieces(FillRule::nonzero, Pairing::c1_minus_c2);
+  const RegionPieces pierced = of(square_of_side_4, two_holes).pieces(FillRule::nonzero, Pairing::c1_minus_c2);
   ASSERT_EQ(pierced.size(), 1U);
   EXPECT_EQ(pierced[0].holes, 2U);
 }
 
 TEST(KnownRegions, OrientationIsThatOfTheInput) {
-  const Polygon shifted = moved(square, 2, 0);
-  EXPECT_EQ(table(of(square, shifted)), (std::vector<Entry>{{0, 1, 8}, {1, 0, 8}, {1, 1, 8}}));
-  EXPECT_EQ(table(of(square, reversed(shifted))), (std::vector<Entry>{{0, -1, 8}, {1, -1, 8}, {1, 0, 8}}));
-  EXPECT_EQ(of(square, reversed(shifted)).areas(FillRule::positive).c2, 0);
+  const Polygon shifted = moved(square_of_side_4, 2, 0);
+  EXPECT_EQ(table(of(square_of_side_4, shifted)), (std::vector<Entry>{{0, 1, 8}, {1, 0, 8}, {1, 1, 8}}));
+  EXPECT_EQ(table(of(square_of_side_4, reversed(shifted))), (std::vector<Entry>{{0, -1, 8}, {1, -1, 8}, {1, 0, 8}}));
+  EXPECT_EQ(of(square_of_side_4, reversed(shifted)).areas(FillRule::positive).c2, 0);
 }
 
 TEST(KnownRegions, TheSameCurveTwice) {
-  EXPECT_EQ(table(of(square, square)), (std::vector<Entry>{{1, 1, 16}}));
-  EXPECT_EQ(table(of(square, reversed(square))), (std::vector<Entry>{{1, -1, 16}}));
-  EXPECT_EQ(of(square, square).pieces(FillRule::nonzero, Pairing::c1_minus_c2).size(), 0U);
+  EXPECT_EQ(table(of(square_of_side_4, square_of_side_4)), (std::vector<Entry>{{1, 1, 16}}));
+  EXPECT_EQ(table(of(square_of_side_4, reversed(square_of_side_4))), (std::vector<Entry>{{1, -1, 16}}));
+  EXPECT_EQ(of(square_of_side_4, square_of_side_4).pieces(FillRule::nonzero, Pairing::c1_minus_c2).size(), 0U);
 }
 
 TEST(KnownRegions, OneCurveCountsNothingOfTheOther) {
-  const Regions result = of(square);
+  const Regions result = of(square_of_side_4);
   EXPECT_EQ(result.counts().nodes, 0U);
   EXPECT_EQ(result.counts().edges, 1U);
   EXPECT_EQ(result.counts().faces, 2U);
@@ -210,7 +207,7 @@ TEST(KnownRegions, OneCurveCountsNothingOfTheOther) {
 TEST(KnownRegions, EdgesCountOnceAround) {
   // C2 touches C1 in the vertex of C2 that is greatest, and nowhere else: one node, an edge round each curve.
   const Polygon inner{{0.5, 2}, {2, 1}, {4, 2}, {2, 3}};
-  const RegionCounts counts = of(square, inner).counts();
+  const RegionCounts counts = of(square_of_side_4, inner).counts();
   EXPECT_EQ(counts.nodes, 1U);
   EXPECT_EQ(counts.edges, 2U);
   EXPECT_EQ(counts.faces, 3U);
@@ -218,10 +215,10 @@ TEST(KnownRegions, EdgesCountOnceAround) {
 
 TEST(KnownRegions, BadCurvesAreRefused) {
   EXPECT_THROW(of({{0, 0}, {1, 1}, {0, 0}}), DataError);
-  EXPECT_THROW(of(square, {{0, 0}, {1, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}}), DataError);
+  EXPECT_THROW(of(square_of_side_4, {{0, 0}, {1, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}}), DataError);
   RegionOptions cancel;
   cancel.progress = [](double fraction) { return fraction < 0.6; };
-  EXPECT_THROW((void)regions(CurveView{square}, {}, cancel), Cancelled);
+  EXPECT_THROW((void)regions(CurveView{square_of_side_4}, {}, cancel), Cancelled);
 }
 
 TEST(FillRules, SayWhatIsInside) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <sstream>
 
@@ -15,17 +14,13 @@
 #include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
 #include "lober/regions.hpp"
+#include "tests/environment.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/slab_arrangement.hpp"
 
 namespace lober::oracle {
 using namespace lober::detail;
 namespace {
-
-std::uint64_t from_environment(const char* variable, std::uint64_t otherwise) {
-  const char* text = std::getenv(variable);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 bool in_pairing(Pairing pairing, bool in1, bool in2) {
   switch (pairing) {
@@ -186,7 +181,7 @@ class Examination {
   std::size_t pieces_ = 0;
 };
 
-std::string as_source(const Polygon& polygon) {
+std::string polygon_source(const Polygon& polygon) {
   std::ostringstream text;
   text << std::hexfloat << "{";
   for (const Point& p : polygon) text << "{" << p.x << ", " << p.y << "}, ";
@@ -215,7 +210,7 @@ TEST_P(RandomRegions, AgreeWithExactSlabs) {
       if (examination.complaints().empty()) continue;
       if (++failed > 3) continue;
       ADD_FAILURE() << GetParam().name << ", seed " << seed << "\n"
-                    << examination.complaints() << as_source(pair.first) << as_source(pair.second);
+                    << examination.complaints() << polygon_source(pair.first) << polygon_source(pair.second);
     }
   });
   std::printf("%-14s %zu pairs, %zu wrong, %zu pieces; worst errors: area %.2e of itself, small area %.2e of the box\n",

@@ -14,7 +14,7 @@
 
 namespace lober::smooth_test {
 
-inline constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Points = std::vector<Point>;
 using Shape = std::function<Point(double)>;
 

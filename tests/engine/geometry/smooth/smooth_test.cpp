@@ -15,10 +15,9 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "tests/engine/geometry/smooth/shapes.hpp"
 
-namespace lober::detail {
+namespace lober::smooth_test {
+using namespace lober::detail;
 namespace {
-
-using namespace smooth_test;
 
 TEST(Smooth, AnalyticScenesConvergeWithOrderFourAtLeast) {
   for (const Scene& scene : scenes()) {
@@ -308,4 +307,4 @@ TEST(Smooth, AreaOfOneCurve) {
 }
 
 }  // namespace
-}  // namespace lober::detail
+}  // namespace lober::smooth_test

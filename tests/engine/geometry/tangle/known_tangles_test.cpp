@@ -9,6 +9,7 @@
 #include "lober/error.hpp"
 #include "lober/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
+#include "tests/shapes.hpp"
 
 namespace lober::detail {
 namespace {
@@ -17,12 +18,7 @@ using Polyline = std::vector<Point>;
 
 // U zigzags from the left about the x axis, S runs along it from the right: pips at x = 1, 2, 3, 4, lobes of area 1/2.
 const Polyline zigzag{{0.5, -1}, {1.5, 1}, {2.5, -1}, {3.5, 1}, {4.5, -1}};
-const Polyline axis{{6, 0}, {-1, 0}};
-
-Polyline reversed(Polyline line) {
-  std::reverse(line.begin(), line.end());
-  return line;
-}
+const Polyline x_axis{{6, 0}, {-1, 0}};
 
 std::vector<Point> pip_points(const Tangle& found) {
   std::vector<Point> points;
@@ -31,7 +27,7 @@ std::vector<Point> pip_points(const Tangle& found) {
 }
 
 TEST(KnownTangle, ZigzagOnALine) {
-  const Tangle found = tangle(open(zigzag), open(axis));
+  const Tangle found = tangle(open(zigzag), open(x_axis));
   EXPECT_EQ(pip_points(found), (std::vector<Point>{{1, 0}, {2, 0}, {3, 0}, {4, 0}}));
   ASSERT_EQ(found.lobes.size(), 3U);
   EXPECT_EQ(found.lobes[0].area, -0.5);
@@ -70,7 +66,7 @@ TEST(KnownTangle, ClosedByAPath) {
         for (Point& p : line) p = {p.x * scale, p.y * scale};
         return line;
       };
-      const Polyline u = scaled_line(zigzag), s = scaled_line(axis);
+      const Polyline u = scaled_line(zigzag), s = scaled_line(x_axis);
       TangleOptions options;
       options.closure = scaled_line(one.closure);
       options.bip = 2;
@@ -86,7 +82,7 @@ TEST(KnownTangle, ClosedByAPath) {
   }
   TangleOptions infinite;
   infinite.closure = {{1, INFINITY}};
-  EXPECT_THROW((void)tangle(open(zigzag), open(axis), infinite), DataError);
+  EXPECT_THROW((void)tangle(open(zigzag), open(x_axis), infinite), DataError);
 }
 
 TEST(KnownTangle, SameBitsOfIndexedCurves) {
@@ -127,7 +123,7 @@ TEST(KnownTangle, LabelsFollowTheBip) {
 }
 
 TEST(KnownTangle, ShapeOfATriangle) {
-  const Tangle found = tangle(open(zigzag), open(axis));
+  const Tangle found = tangle(open(zigzag), open(x_axis));
   const std::vector<LobeShape> shapes = lobe_shapes(found);
   EXPECT_DOUBLE_EQ(shapes[0].centroid.x, 1.5);
   EXPECT_DOUBLE_EQ(shapes[0].centroid.y, 1.0 / 3);
@@ -168,18 +164,18 @@ TEST(KnownTangle, SwappedManifoldsHaveTheSamePipsTheOtherWayRound) {
 
 TEST(KnownTangle, NoCrossing) {
   const Polyline far{{0, 5}, {1, 5}};
-  const Tangle found = tangle(open(axis), open(far));
+  const Tangle found = tangle(open(x_axis), open(far));
   EXPECT_TRUE(found.pips.empty());
   EXPECT_TRUE(found.lobes.empty());
   EXPECT_FALSE(found.boundary);
   ASSERT_EQ(found.remarks.size(), 1U);
   EXPECT_NE(found.remarks[0].find("do not cross"), std::string::npos);
-  EXPECT_THROW((void)tangle(open(axis), open(far), {.bip = 0}), UsageError);
+  EXPECT_THROW((void)tangle(open(x_axis), open(far), {.bip = 0}), UsageError);
 }
 
 TEST(KnownTangle, OnePip) {
   const Polyline up{{2, -1}, {2, 1}};
-  const Tangle found = tangle(open(up), open(axis));
+  const Tangle found = tangle(open(up), open(x_axis));
   EXPECT_EQ(pip_points(found), (std::vector<Point>{{2, 0}}));
   EXPECT_TRUE(found.lobes.empty());
   EXPECT_EQ(found.boundary->area, 2);  // (2,-1) (2,0) (6,0)
@@ -188,11 +184,11 @@ TEST(KnownTangle, OnePip) {
 }
 
 TEST(KnownTangle, TwoLobesDoNotTellThePeriod) {
-  const Tangle found = tangle(open(Polyline(zigzag.begin(), zigzag.end() - 1)), open(axis));
+  const Tangle found = tangle(open(Polyline(zigzag.begin(), zigzag.end() - 1)), open(x_axis));
   EXPECT_EQ(found.lobes.size(), 2U);
   EXPECT_EQ(found.images.period, 0U);
   EXPECT_FALSE(found.images.reason.empty());
-  const Tangle given = tangle(open(Polyline(zigzag.begin(), zigzag.end() - 1)), open(axis), {.bip = 2, .period = 2});
+  const Tangle given = tangle(open(Polyline(zigzag.begin(), zigzag.end() - 1)), open(x_axis), {.bip = 2, .period = 2});
   EXPECT_EQ(given.images.period, 2U);
   EXPECT_TRUE(given.images.given);
   EXPECT_EQ(given.images.compared, 0U);
@@ -215,10 +211,10 @@ TEST(KnownTangle, BothBeginAtTheSameFixedPoint) {
 }
 
 TEST(KnownTangle, RepeatedFirstPointsChangeNothing) {
-  Polyline u = zigzag, s = axis;
+  Polyline u = zigzag, s = x_axis;
   u.insert(u.begin(), 3, u[0]);
   s.insert(s.begin(), 2, s[0]);
-  const Tangle plain = tangle(open(zigzag), open(axis)), repeated = tangle(open(u), open(s));
+  const Tangle plain = tangle(open(zigzag), open(x_axis)), repeated = tangle(open(u), open(s));
   EXPECT_EQ(pip_points(plain), pip_points(repeated));
   for (std::size_t k = 0; k < plain.lobes.size(); ++k) {
     EXPECT_EQ(plain.lobes[k].area, repeated.lobes[k].area);
@@ -236,7 +232,7 @@ TEST(KnownTangle, PipsAtVertices) {
   // Every crossing is a vertex of U, of S, or of both.
   const Polyline u{{0.5, -1}, {1, 0}, {1.5, 1}, {2, 0}, {2.5, -1}, {3.5, 1}, {4, 0}, {4.5, -1}};
   const Polyline s{{6, 0}, {4, 0}, {3, 0}, {2, 0}, {-1, 0}};
-  const Tangle found = tangle(open(u), open(s)), plain = tangle(open(zigzag), open(axis));
+  const Tangle found = tangle(open(u), open(s)), plain = tangle(open(zigzag), open(x_axis));
   EXPECT_EQ(pip_points(found), pip_points(plain));
   for (std::size_t k = 0; k < plain.lobes.size(); ++k) {
     EXPECT_EQ(found.lobes[k].area, plain.lobes[k].area);
@@ -247,7 +243,7 @@ TEST(KnownTangle, PipsAtVertices) {
 TEST(KnownTangle, ATouchIsNoPipAndPinchesTheLobe) {
   // U comes down to the axis at x = 1.5 and goes up again before it crosses at 3.
   const Polyline u{{0, -1}, {1, 1}, {1.5, 0}, {2, 1}, {3, -1}};
-  const Tangle found = tangle(open(u), open(axis));
+  const Tangle found = tangle(open(u), open(x_axis));
   EXPECT_EQ(pip_points(found), (std::vector<Point>{{0.5, 0}, {2.5, 0}}));
   EXPECT_EQ(found.nodes.touches(), 1U);
   ASSERT_EQ(found.lobes.size(), 1U);
@@ -259,7 +255,7 @@ TEST(KnownTangle, ATouchIsNoPipAndPinchesTheLobe) {
 TEST(KnownTangle, ASharedArcCountsOnce) {
   // U runs along the axis from 1 to 2 and leaves it on the other side (a pip), and from 3 to 4 and back up (a touch).
   const Polyline u{{0.5, 1}, {1, 0}, {2, 0}, {2.5, -1}, {3, 0}, {4, 0}, {4.5, -1}, {5, 0}, {5.5, 1}};
-  const Tangle found = tangle(open(u), open(axis));
+  const Tangle found = tangle(open(u), open(x_axis));
   EXPECT_EQ(found.nodes.shared_arcs(), 2U);
   ASSERT_EQ(found.pips.size(), 2U);
   EXPECT_EQ(found.pips[0].at, (Point{1, 0}));
@@ -284,28 +280,28 @@ TEST(KnownTangle, ManifoldsThatEndOnEachOtherDoNotCrossThere) {
 TEST(KnownTangle, InwardManifoldIsRemarkedUpon) {
   const ManifoldPair pair = leaning_fingers(19, 30, 4.5);
   EXPECT_TRUE(tangle(open(pair.u), open(pair.s)).remarks.empty());
-  const Tangle found = tangle(open(reversed(pair.u)), open(pair.s));
+  const Tangle found = tangle(open(test::reversed(pair.u)), open(pair.s));
   ASSERT_FALSE(found.remarks.empty());
   EXPECT_NE(found.remarks[0].find("U given inward"), std::string::npos);
 }
 
 TEST(KnownTangle, BipByNumberAndPlace) {
-  EXPECT_EQ(tangle(open(zigzag), open(axis), {.bip = 1}).boundary->bip, 1U);
-  EXPECT_EQ(tangle(open(zigzag), open(axis), {.bip_near = Point{3.9, 0.3}}).boundary->bip, 3U);
-  EXPECT_THROW((void)tangle(open(zigzag), open(axis), {.bip = 4}), UsageError);
-  EXPECT_THROW((void)tangle(open(zigzag), open(axis), {.bip = 1, .bip_near = Point{}}), UsageError);
+  EXPECT_EQ(tangle(open(zigzag), open(x_axis), {.bip = 1}).boundary->bip, 1U);
+  EXPECT_EQ(tangle(open(zigzag), open(x_axis), {.bip_near = Point{3.9, 0.3}}).boundary->bip, 3U);
+  EXPECT_THROW((void)tangle(open(zigzag), open(x_axis), {.bip = 4}), UsageError);
+  EXPECT_THROW((void)tangle(open(zigzag), open(x_axis), {.bip = 1, .bip_near = Point{}}), UsageError);
 }
 
 TEST(KnownTangle, ManifoldThatCrossesItselfIsRefused) {
   const Polyline loop{{0, -1}, {0, 2}, {1, 2}, {1, 1}, {-1, 1}};
-  EXPECT_THROW((void)tangle(open(loop), open(axis)), NotSimpleError);
-  EXPECT_NO_THROW((void)tangle(open(loop), open(axis), {.check_simple = false}));
+  EXPECT_THROW((void)tangle(open(loop), open(x_axis)), NotSimpleError);
+  EXPECT_NO_THROW((void)tangle(open(loop), open(x_axis), {.check_simple = false}));
 }
 
 TEST(KnownTangle, AManifoldMayEndWhereItBegan) {
   // A chain of equal first and last points is no excuse for the ends to cross: here they only meet.
   const Polyline ring{{0, 0}, {2, -1}, {2, 1}, {0, 0}};
-  EXPECT_THROW((void)tangle(open(ring), open(axis)), NotSimpleError);
+  EXPECT_THROW((void)tangle(open(ring), open(x_axis)), NotSimpleError);
 }
 
 TEST(KnownTangle, SameBitsForAnyThreadsIndexAndScale) {

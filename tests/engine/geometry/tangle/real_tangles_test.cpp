@@ -14,19 +14,19 @@
 namespace lober::detail {
 namespace {
 
-constexpr double close = 1e-12;  // relative; what the reference values are good for
+constexpr double relative_tolerance = 1e-12;  // what the reference values are good for
 
 struct Manifolds {
   Curve u, s;
 };
-std::optional<Manifolds> read(const std::string& set) {
+std::optional<Manifolds> read_manifolds(const std::string& set) {
   const auto u = shared_data(set + "/u.n"), s = shared_data(set + "/s.n");
   if (!u || !s) return std::nullopt;
   return Manifolds{read_curve(u->string(), false).curve, read_curve(s->string(), false).curve};
 }
 
 void expect_near(double value, double reference) {
-  EXPECT_NEAR(value, reference, close * std::fabs(reference));
+  EXPECT_NEAR(value, reference, relative_tolerance * std::fabs(reference));
 }
 
 struct InsideOfLobe {
@@ -35,7 +35,7 @@ struct InsideOfLobe {
 };
 
 TEST(RealTangle, Homoclinic) {
-  const auto curves = read("run1");
+  const auto curves = read_manifolds("run1");
   if (!curves) GTEST_SKIP() << "needs ../shared/data/run1";
   const Tangle found = tangle(curves->u, curves->s);
   EXPECT_EQ(found.nodes.crossings(), 310U);
@@ -79,7 +79,7 @@ TEST(RealTangle, Homoclinic) {
 }
 
 TEST(RealTangle, HomoclinicWithAnotherBip) {
-  const auto curves = read("run1");
+  const auto curves = read_manifolds("run1");
   if (!curves) GTEST_SKIP() << "needs ../shared/data/run1";
   const Tangle found = tangle(curves->u, curves->s, {.bip = 17});
   expect_near(found.boundary->area, 0.0018410798934265702);
@@ -95,7 +95,7 @@ TEST(RealTangle, HomoclinicWithAnotherBip) {
 }
 
 TEST(RealTangle, OverlapsOfLobes) {
-  const auto curves = read("run1");
+  const auto curves = read_manifolds("run1");
   if (!curves) GTEST_SKIP() << "needs ../shared/data/run1";
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> found;
   for (const LobeOverlap& overlap : overlaps(tangle(curves->u, curves->s))) {
@@ -114,7 +114,7 @@ TEST(RealTangle, OverlapsOfLobes) {
 }
 
 TEST(RealTangle, Heteroclinic) {
-  const auto curves = read("ovp5a");
+  const auto curves = read_manifolds("ovp5a");
   if (!curves) GTEST_SKIP() << "needs ../shared/data/ovp5a";
   const Tangle found = tangle(curves->u, curves->s);
   EXPECT_EQ(found.nodes.crossings(), 25U);

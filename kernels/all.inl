@@ -1,0 +1,51 @@
+// All kernels of one instruction set, and their table. baseline.cpp, avx2.cpp and avx512.cpp include this file with
+// other compiler flags and another LOBER_KERNELS, the name of the table; whatever it holds is in unnamed namespaces or
+// always inlined (kernels/inline.hpp). All copies give the same bits.
+#pragma once
+
+#include "kernels/box_pyramid.inl"
+#include "kernels/chebyshev.inl"
+#include "kernels/crossing_parameters.inl"
+#include "kernels/frame_filter.inl"
+#include "kernels/interpolation.inl"
+#include "kernels/join_strips.inl"
+#include "kernels/kernel_table.hpp"
+#include "kernels/leaf.inl"
+#include "kernels/leaf_strip.inl"
+#include "kernels/moments.inl"
+#include "kernels/pair_filter.inl"
+#include "kernels/sagitta.inl"
+#include "kernels/segment_boxes.inl"
+#include "kernels/shoelace.inl"
+#include "kernels/sine.inl"
+#include "kernels/strip_filter.inl"
+#include "kernels/turning.inl"
+
+namespace lober::detail {
+
+const KernelTable LOBER_KERNELS{
+    .distribute = distribute_nodes,
+    .refine = refine_nodes,
+    .chebyshev_points = evaluate_chebyshev,
+    .four_parameters = four_parameters,
+    .keep_near_frame = keep_nodes,
+    .subdivide = subdivide_with,
+    .summarise_leaves = summarise,
+    .moments_of_quarters = moments_of_quarters,
+    .filter_pairs = filter_all_pairs,
+    .twice_chord_areas = areas_of_all,
+    .add_arc_measures = arc_sums,
+    .segment_boxes = all_segment_boxes,
+    .leaf_slab = fit_slab,
+    .meeting_segments = find_meeting,
+    .shoelace_prefixes = prefixes_of,
+    .sums_at = all_sums_at,
+    .add_sines = add_all_sines,
+    .leaf_strip = fit_strip,
+    .join_strips = join_all,
+    .keep_near_strip = keep_strips,
+    .turns_along = all_turns_along,
+    .parts_needed = all_parts_needed,
+};
+
+}  // namespace lober::detail

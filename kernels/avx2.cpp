@@ -1,0 +1,2 @@
+#define LOBER_KERNELS avx2_kernels
+#include "kernels/all.inl"

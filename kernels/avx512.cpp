@@ -1,0 +1,2 @@
+#define LOBER_KERNELS avx512_kernels
+#include "kernels/all.inl"

@@ -1,0 +1,2 @@
+#define LOBER_KERNELS baseline_kernels
+#include "kernels/all.inl"

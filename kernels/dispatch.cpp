@@ -1,0 +1,97 @@
+// The functions of kernels that have a copy for each instruction set: each calls the copy that runs.
+#include "kernels/kernel_table.hpp"
+#include "kernels/sine.hpp"
+
+namespace lober::detail {
+
+static_assert(leaf_size == 32, "a leaf's segments are the bits of a 32-bit word");
+
+void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                const std::array<TreeNode*, nodes_at_once>& met, std::array<std::size_t, nodes_at_once>& met_count) {
+  kernels().distribute(four, boxes, pyramid, list, count, met.data(), met_count.data());
+}
+
+SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                   TreeNode* kept, TreeNode* split) {
+  return kernels().refine(box, largest, pyramid, list, count, kept, split);
+}
+
+std::size_t keep_near(const Frame& frame, FramePyramid pyramid, TreeNode* list, std::size_t count) {
+  return kernels().keep_near_frame(frame, pyramid, list, count);
+}
+
+std::size_t keep_near(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count) {
+  return kernels().keep_near_strip(strip, pyramid, list, count);
+}
+
+void leaf_strip(const Point* points, Strip& strip) {
+  kernels().leaf_strip(points, strip);
+}
+
+void join_strips(const Strip* below, std::size_t count, Strip* above) {
+  kernels().join_strips(below, count, above);
+}
+
+void subdivide(const CubicPiece& piece, std::uint32_t parts, std::uint32_t first, std::uint32_t last, Point* out) {
+  kernels().subdivide(piece, parts, first, last, out);
+}
+
+void summarise_leaves(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
+                      std::uint8_t* flags) {
+  kernels().summarise_leaves(points, first, count, boxes, sums, flags);
+}
+
+void filter_pairs(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
+                  PairVerdict* verdicts) {
+  kernels().filter_pairs(first, second, pairs, count, verdicts);
+}
+
+void twice_chord_areas(const Point* points, std::size_t count, double* areas) {
+  kernels().twice_chord_areas(points, count, areas);
+}
+
+double twice_chord_area(Point p0, Point p1, Point p2, Point p3) {
+  const Point points[4] = {p0, p1, p2, p3};
+  double area = 0;
+  kernels().twice_chord_areas(points, 1, &area);
+  return area;
+}
+
+void add_arc_measures(const Point* points, std::size_t count, Point origin, ArcMeasures& sums) {
+  kernels().add_arc_measures(points, count, origin, sums);
+}
+
+void segment_boxes(const Point* points, SegmentBoxes& boxes) {
+  kernels().segment_boxes(points, boxes);
+}
+
+void leaf_slab(const Point* points, Slab& slab) {
+  kernels().leaf_slab(points, slab);
+}
+
+std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
+                             std::uint32_t b_begin, SegmentPair* pairs) {
+  return kernels().meeting_segments(a, a_begin, b, b_box, b_begin, pairs);
+}
+
+DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes) {
+  return kernels().shoelace_prefixes(points, origin, start, extra, prefixes);
+}
+
+void sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count, DD* sums) {
+  kernels().sums_at(prefixes, segments, t, count, sums);
+}
+
+void add_sines(double* y, const double* x, double factor, std::size_t count) {
+  kernels().add_sines(y, x, factor, count);
+}
+
+void turns_along(const Point* points, std::size_t segments, double* lengths, double* curvatures) {
+  kernels().turns_along(points, segments, lengths, curvatures);
+}
+
+void parts_needed(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts) {
+  kernels().parts_needed(lengths, curvatures, count, asked, parts);
+}
+
+}  // namespace lober::detail

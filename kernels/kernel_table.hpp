@@ -1,0 +1,73 @@
+// The kernels that are compiled once for each instruction set, as one table a set (kernels/all.inl), and the table that
+// runs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/box_pyramid.hpp"
+#include "kernels/cpu.hpp"
+#include "kernels/crossing_parameters.hpp"
+#include "kernels/frame_filter.hpp"
+#include "kernels/interpolation.hpp"
+#include "kernels/leaf.hpp"
+#include "kernels/moments.hpp"
+#include "kernels/pair_filter.hpp"
+#include "kernels/sagitta.hpp"
+#include "kernels/segment_boxes.hpp"
+#include "kernels/shoelace.hpp"
+#include "kernels/strip.hpp"
+#include "kernels/turning.hpp"
+
+namespace lober::detail {
+
+/// Each is described where the function of its name is declared; those without one are parts of such functions.
+struct KernelTable {
+  void (*distribute)(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                     TreeNode* const* met, std::size_t* met_count);
+  SplitCounts (*refine)(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
+                        TreeNode* kept, TreeNode* split);
+  void (*chebyshev_points)(const Point* coefficients, std::size_t degrees, double centre, double half_width,
+                           const double* parameters, std::size_t size, Point* points);
+  unsigned (*four_parameters)(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
+  std::size_t (*keep_near_frame)(const Frame& frame, FramePyramid pyramid, TreeNode* list, std::size_t count);
+  void (*subdivide)(const CubicPiece& piece, std::uint32_t parts, std::uint32_t first, std::uint32_t last, Point* out);
+  void (*summarise_leaves)(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
+                           std::uint8_t* flags);
+  Moments (*moments_of_quarters)(const Point* points, std::size_t quarter, Point origin, double factor);
+  void (*filter_pairs)(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
+                       PairVerdict* verdicts);
+  void (*twice_chord_areas)(const Point* points, std::size_t count, double* areas);
+  void (*add_arc_measures)(const Point* points, std::size_t count, Point origin, ArcMeasures& sums);
+  void (*segment_boxes)(const Point* points, SegmentBoxes& boxes);
+  void (*leaf_slab)(const Point* points, Slab& slab);
+  std::size_t (*meeting_segments)(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
+                                  std::uint32_t b_begin, SegmentPair* pairs);
+  DD (*shoelace_prefixes)(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
+  void (*sums_at)(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count,
+                  DD* sums);
+  void (*add_sines)(double* y, const double* x, double factor, std::size_t count);
+  void (*leaf_strip)(const Point* points, Strip& strip);
+  void (*join_strips)(const Strip* below, std::size_t count, Strip* above);
+  std::size_t (*keep_near_strip)(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count);
+  void (*turns_along)(const Point* points, std::size_t segments, double* lengths, double* curvatures);
+  void (*parts_needed)(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked,
+                       double* parts);
+};
+
+extern const KernelTable baseline_kernels, avx2_kernels, avx512_kernels;
+
+/// The copies of the instruction set that runs (kernels/cpu.hpp).
+[[nodiscard]] inline const KernelTable& kernels() noexcept {
+  switch (instruction_set()) {
+    case InstructionSet::avx512:
+      return avx512_kernels;
+    case InstructionSet::avx2:
+      return avx2_kernels;
+    case InstructionSet::baseline:
+      break;
+  }
+  return baseline_kernels;
+}
+
+}  // namespace lober::detail
