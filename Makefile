@@ -97,8 +97,8 @@ format:
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
 tidy:
-	cmake --preset release
-	git ls-files 'kernels/*.cpp' 'engine/*.cpp' 'cli/*.cpp' | xargs clang-tidy -p build --quiet --extra-arg=-Wno-unknown-warning-option
+	cmake -S . -B build-tidy -G Ninja -DCMAKE_BUILD_TYPE=Release -DLOBER_UNITY=OFF
+	git ls-files 'kernels/*.cpp' 'engine/*.cpp' 'cli/*.cpp' | xargs clang-tidy -p build-tidy --quiet --extra-arg=-Wno-unknown-warning-option
 
 clean:
 	rm -rf build build-* out

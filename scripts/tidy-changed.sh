@@ -38,7 +38,7 @@ if [ ${#files[@]} -eq 0 ]; then
   echo "nothing changed since $(git log -1 --format=%h "$commit")"
   exit 0
 fi
-# A build folder of its own: clang cannot read headers that GCC has precompiled.
+# A build folder of its own, where each file is compiled by itself.
 cmake -S . -B build-tidy -G Ninja -DCMAKE_BUILD_TYPE=Release -DLOBER_UNITY=OFF >/dev/null
 
 end=$((SECONDS + 60 * minutes))

@@ -24,6 +24,7 @@ struct ManifoldTangleOptions {
   double tolerance = 1e-5;
   int before = 1;                   ///< images of the bip q that are wanted: from f^-before(q)
   int after = 0;                    ///< to f^after(q)
+  Point lattice{};                  ///< as in System: manifolds are followed exactly however far along it they lead
   std::optional<Point> bip_near{};  ///< default: as in the system's Connection, else the middle of the first pips found
   bool smooth = true;
   int max_iterates = 60;  ///< of either manifold

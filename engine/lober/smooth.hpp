@@ -54,4 +54,11 @@ struct CommonArea {
 /// polygons, with an error bar of what the smooth curves enclose more or less. As smooth_areas and regions.
 [[nodiscard]] LOBER_API CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second);
 
+/// The integral over the plane of the product of the winding numbers of two closed curves of any shape: what they have
+/// in common, each part as often as both wind round it, negative where one of them winds the other way. Of order h^6
+/// but for the arcs that the other curve crosses, when they are not simple: those are of order h^2, and in the error
+/// bar. Zero of a curve of fewer than three distinct vertices. Throws DataError as smooth_areas and regions do. The
+/// time of `regions` and of a point query for each vertex in the box of the other curve.
+[[nodiscard]] LOBER_API CommonArea winding_product(const ClosedCurve& first, const ClosedCurve& second);
+
 }  // namespace lober

@@ -167,7 +167,7 @@ struct ArcsAt {
 [[nodiscard]] LOBER_API std::vector<ArcsAt> arcs_at_nodes(const Tangle& tangle);
 
 struct LobeOverlap {
-  std::uint32_t i, j;  ///< i < j
+  std::uint32_t i, j;  ///< i < j in one tangle
   double area;
   /// With TangleOptions::smooth, an estimate of the error, as Lobe::smooth_error; else a bound on rounding.
   double error = 0;
@@ -175,6 +175,19 @@ struct LobeOverlap {
 };
 /// The area that two lobes have in common, for every pair that has any; ordered by i, then j. O(crossings + N + M).
 [[nodiscard]] LOBER_API std::vector<LobeOverlap> overlaps(const Tangle& tangle);
+
+/// The area that lobe i of a tangle and lobe j of a copy of it, moved by a vector, have in common, for every such pair
+/// (also j <= i); ordered by i, then j.
+struct CopyOverlaps {
+  std::vector<LobeOverlap> overlaps;
+  /// Pips of one tangle or the other that are none of both together, because one's U crosses the other's S before them.
+  /// What is said of lobes between such pips is not to be relied on.
+  std::vector<std::uint32_t> hidden_pips;
+};
+/// For planes that repeat themselves, where manifolds do not cross their own copies. Two searches of one curve against
+/// the other, and O(N + M). Throws UsageError for no translation, DataError where coordinates leave the range in which
+/// squares are numbers.
+[[nodiscard]] LOBER_API CopyOverlaps overlaps_with_copy(const Tangle& tangle, Point translation);
 
 /// The boundary of a lobe as a closed polygon: pip k, along U to pip k + 1, back along S. Where S_k and U_k touch it
 /// touches itself. Always the polygons'. O(its vertices).

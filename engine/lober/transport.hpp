@@ -16,8 +16,8 @@
 //   particles         T_ij(n) counted, with a statistical bar.
 //
 // By area preservation f may be applied to both sides of an intersection as often as one likes, so that no lobe is
-// followed for longer than half of n. On a cylinder (of a lifted angle) all is laid into the plane with each
-// point once, so that neighbouring cells are one and the same.
+// followed for longer than half of n. On a cylinder (of a lifted angle), where neighbouring cells are one and the same,
+// overlaps are sums over translates.
 #pragma once
 
 #include <array>
@@ -99,8 +99,10 @@ struct TransportOptions {
 struct TransportBoundary {
   Connection connection;
   std::unique_ptr<ManifoldTangle> manifolds;
-  double point_error = 0;   ///< how far the manifolds may lie from the true ones by integration and rounding
-  Measured enclosed;        ///< area of what the boundary encloses; on a cylinder down to its lower end
+  double point_error = 0;  ///< how far the manifolds may lie from the true ones by integration and rounding
+  /// Area of what the boundary encloses; where it runs round a cylinder, between it and the line along the lattice
+  /// through the origin, negative below that.
+  Measured enclosed;
   Measured flux12, flux21;  ///< mu(L12(1)), mu(L21(1)): of what leaves and what enters in one step
   /// Sums of the areas of the lobes from f^-1(q) to q that leave and that enter, each counted fully: more than the flux
   /// where they overlap one another. By geometry, and by action (NaN if the map has none).

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/text.hpp"
+#include "engine/dynamics/maps/plane.hpp"
 #include "kernels/box.hpp"
-#include "kernels/sagitta.hpp"
 #include "lober/curve.hpp"
 #include "lober/error.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
 #include "lober/smooth.hpp"
 
 namespace lober::detail {
@@ -30,60 +29,48 @@ Box intersection(const Box& a, const Box& b) {
   return both;
 }
 
-// A closed polygon cut off at a box (Sutherland & Hodgman 1974): inside the box winding numbers stay what they are.
-std::vector<Point> clipped(std::vector<Point> polygon, const Box& box) {
-  for (std::size_t side = 0; side < 4; ++side) {
-    // How far inside the half-plane of this side.
-    const auto depth = [&](Point p) {
-      const double along = side % 2 == 0 ? p.x : p.y;
-      return side < 2 ? along - box.lane[side] : -along - box.lane[side];
-    };
-    std::vector<Point> inside;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const Point a = polygon[k], b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
-      const double from = depth(a), to = depth(b);
-      if (from >= 0) inside.push_back(a);
-      if ((from >= 0) != (to >= 0)) {
-        const double t = from / (from - to);
-        inside.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-      }
-    }
-    polygon = std::move(inside);
-  }
-  return polygon;
-}
-
-// Area between the segments of a closed polygon that meet a box and smooth curves through its vertices, by estimate.
-double chord_area(const std::vector<Point>& polygon, const Box& box) {
-  double sum = 0;
-  const std::size_t size = polygon.size();
-  for (std::size_t k = 0; k < size; ++k) {
-    const Point a = polygon[k], b = polygon[(k + 1) % size];
-    if (!meet(Box::of(a, b), box)) continue;
-    sum += std::fabs(twice_chord_area(polygon[(k + size - 1) % size], a, b, polygon[(k + 2) % size])) / 2;
-  }
-  return sum;
-}
-
-// Simple polygons as smooth curves. Where manifolds are followed coarsely, far out, their polygons may cross
-// themselves; then the integral of the product of the winding numbers, of the polygons, where both boxes meet.
-Measured by_overlay(const std::vector<Point>& first, const std::vector<Point>& second, const Box& both) {
-  try {
-    OverlayOptions options;
-    options.pieces = false;
-    const SmoothAreas smooth = smooth_areas(overlay(ClosedCurve::borrow(first), ClosedCurve::borrow(second), options));
-    return {smooth.areas.intersection, smooth.error.intersection};
-  } catch (const NotSimpleError&) {
-    const std::vector<Point> one = clipped(first, both), other = clipped(second, both);
-    if (one.size() < 3 || other.size() < 3) return {};
-    const Regions found = regions(ClosedCurve::borrow(one), ClosedCurve::borrow(other));
-    double sum = 0;
-    for (const WindingArea& entry : found.table()) sum += entry.w1 * entry.w2 * entry.area;
-    return {std::fabs(sum), chord_area(first, both) + chord_area(second, both) + found.rounding(std::fabs(sum))};
-  }
-}
-
 }  // namespace
+
+Barrier barrier_of(const ManifoldTangle& manifolds, Point lattice) {
+  Barrier barrier;
+  barrier.tangle = &manifolds.tangle;
+  barrier.bip = manifolds.bip;
+  barrier.period = manifolds.period();
+  barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
+  barrier.lobes_include_it = true;
+  barrier.lattice = lattice;
+  barrier.fine = box_of(manifolds.fine);
+  barrier.true_size = box_of(manifolds.true_size);
+  return barrier;
+}
+
+Point along_and_above(Point lattice, Point plane) {
+  const double period = length(lattice);
+  return {(lattice.x * plane.x + lattice.y * plane.y) / period, (lattice.x * plane.y - lattice.y * plane.x) / period};
+}
+
+int turns_of(const Barrier& barrier) {
+  if (barrier.lattice == Point{}) return 0;
+  const Point from = barrier.tangle->u().points.front(), to = barrier.tangle->s().points.front();
+  const Point between{to.x - from.x, to.y - from.y};
+  const double period = length(barrier.lattice);
+  const double turns = std::round(along_and_above(barrier.lattice, between).x / period);
+  const Point off{between.x - turns * barrier.lattice.x, between.y - turns * barrier.lattice.y};
+  if (turns == 0 || length(off) > 1e-6 * period) return 0;
+  if (std::fabs(turns) > 1) {
+    throw DataError("transport: the saddles " + format_point(from) + " and " + format_point(to) + " are " +
+                    format_number(std::fabs(turns)) +
+                    " periods apart, so that the boundary crosses itself on the cylinder; take copies of them that are "
+                    "next to each other");
+  }
+  return turns > 0 ? 1 : -1;
+}
+
+int sign_of(const Barrier& barrier) {
+  // Inside is what lies below, which is on the right of what leads along the lattice.
+  if (const int turns = turns_of(barrier); turns != 0) return -turns;
+  return swept_area(*barrier.tangle, barrier.bip).area < 0 ? -1 : 1;
+}
 
 std::vector<Point> outline_of(const Barrier& barrier, int k) {
   const std::size_t pip = barrier.pip(k);
@@ -92,11 +79,13 @@ std::vector<Point> outline_of(const Barrier& barrier, int k) {
   const Point corner = barrier.tangle->nodes[barrier.tangle->pips[pip].node].begin;
   const auto at = std::find(points.begin() + barrier.tangle->pips[pip].u.segment, points.end(), corner);
   if (at != points.end()) *at = barrier.tangle->pips[pip].at;
-  points.insert(points.end(), barrier.tangle->closure.begin(), barrier.tangle->closure.end());
+  if (turns_of(barrier) == 0)
+    points.insert(points.end(), barrier.tangle->closure.begin(), barrier.tangle->closure.end());
   return points;
 }
 
 bool closure_is_crossed(const Barrier& barrier, int k) {
+  if (turns_of(barrier) != 0) return false;
   std::vector<Point> path{barrier.tangle->s().points[0]};
   path.insert(path.end(), barrier.tangle->closure.begin(), barrier.tangle->closure.end());
   path.push_back(barrier.tangle->u().points[0]);
@@ -116,15 +105,20 @@ Measured enclosed_area(const Barrier& barrier, int k) {
   const std::vector<Point> line = boundary_arcs(tangle, barrier.pip(k));
   double length = 0;
   for (std::size_t j = 1; j < line.size(); ++j) length += distance(line[j - 1], line[j]);
-  return {std::fabs(swept.area), swept.error + barrier.curve_error * length};
+  const double error = swept.error + barrier.curve_error * length;
+  const int turns = turns_of(barrier);
+  if (turns == 0) return {std::fabs(swept.area), error};
+  // Swept against the chord between both saddles, which runs along the lattice.
+  const double below = along_and_above(barrier.lattice, line.front()).y * detail::length(barrier.lattice);
+  return {below - turns * swept.area, error};
 }
 
-Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error) {
+Measured product_of_windings(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error) {
+  if (first.empty() || second.empty()) return {};
   const Box both = intersection(box_of(first), box_of(second));
   if (!(both.width() >= 0 && both.height() >= 0)) return {};
-  Measured common = by_overlay(first, second, both);
-  common.error += curve_error * (length_in(first, both) + length_in(second, both));
-  return common;
+  const CommonArea product = winding_product(ClosedCurve::borrow(first), ClosedCurve::borrow(second));
+  return {product.area, product.error + curve_error * (length_in(first, both) + length_in(second, both))};
 }
 
 }  // namespace lober::detail

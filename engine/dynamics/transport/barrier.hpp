@@ -21,6 +21,7 @@ struct Barrier {
   /// rounding err by. An area is wrong by no more than that times the length of its boundary.
   double curve_error = 0;
   bool lobes_include_it = false;  ///< whether Lobe::smooth_error does already
+  Point lattice{};                ///< that the plane repeats itself after, see cylinder.hpp; (0, 0) if it does not
   /// Where the manifolds are as fine as asked; beyond, they are followed coarsely. Beyond `true_size` distances are not
   /// true either. Empty boxes: everywhere.
   Box fine{}, true_size{};
@@ -34,17 +35,30 @@ struct Barrier {
   }
 };
 
-/// f^k(B(q)) as a closed polygon. O(its vertices).
+/// The boundary of a tangle whose plane repeats itself after `lattice`. Valid as long as the tangle is.
+[[nodiscard]] Barrier barrier_of(const ManifoldTangle& manifolds, Point lattice);
+
+/// How often a boundary runs round its cylinder: +1 or -1, along the lattice or against it; 0 where it closes, in the
+/// plane always. Throws DataError where it runs round more than once.
+[[nodiscard]] int turns_of(const Barrier& barrier);
+/// +1 where what is inside lies on the left of U and S as B(q) follows them, from p- to p+.
+[[nodiscard]] int sign_of(const Barrier& barrier);
+/// Where a point is: along a lattice, and above the line along it through the origin.
+[[nodiscard]] Point along_and_above(Point lattice, Point plane);
+
+/// f^k(B(q)) as a closed polygon; as an open one where it runs round a cylinder, from p- to p+. O(its vertices).
 [[nodiscard]] std::vector<Point> outline_of(const Barrier& barrier, int k);
 
 /// Whether the path that closes f^k(B(q)) meets the rest of it elsewhere than at the saddles. Then it bounds nothing.
 [[nodiscard]] bool closure_is_crossed(const Barrier& barrier, int k);
 
-/// The area that f^k(B(q)) encloses, in absolute value: from sums along the manifolds.
+/// The area that f^k(B(q)) encloses, in absolute value: from sums along the manifolds. Where it runs round a cylinder,
+/// the area between it and the line along the lattice through the origin, negative below that.
 [[nodiscard]] Measured enclosed_area(const Barrier& barrier, int k);
 
-/// What two closed polygons through points of smooth curves have in common, by overlay. `curve_error` as in Barrier.
-[[nodiscard]] Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second,
-                                      double curve_error);
+/// int w v, w and v the winding numbers of two closed polygons through points of smooth curves; `curve_error` as in
+/// Barrier.
+[[nodiscard]] Measured product_of_windings(const std::vector<Point>& first, const std::vector<Point>& second,
+                                           double curve_error);
 
 }  // namespace lober::detail

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/transport/cylinder.hpp"
 #include "kernels/box.hpp"
 #include "kernels/splitmix.hpp"
 #include "lober/error.hpp"
-#include "lober/interior.hpp"
 
 namespace lober::detail {
 namespace {
@@ -17,11 +17,10 @@ constexpr std::size_t particles_a_block = 1024;
 
 class ParticleCounter {
  public:
-  ParticleCounter(const PlanarMap& map, const Cylinder* cylinder, std::span<const Barrier> barriers,
-                  const Partition& partition, const ParticleOptions& options)
-      : map_(map), cylinder_(cylinder), partition_(partition), options_(options) {
-    for (const Barrier& barrier : barriers) outlines_.push_back(outline_of(barrier, 0));
-    for (const std::vector<Point>& outline : outlines_) curves_.emplace_back(CurveView{outline});
+  ParticleCounter(const PlanarMap& map, std::span<const Barrier> barriers, const Partition& partition,
+                  const ParticleOptions& options)
+      : map_(map), partition_(partition), options_(options), lattice_(barriers.front().lattice) {
+    for (const Barrier& barrier : barriers) insides_.emplace_back(barrier);
   }
 
   std::vector<RegionMatrix> count(int iterates) {
@@ -65,29 +64,43 @@ class ParticleCounter {
     return {area.value * found / all, area.error + area.value * std::sqrt(likely * (1 - likely) / all)};
   }
 
-  // The region of each point of the (wrapped) plane.
+  // The region of each point.
   [[nodiscard]] std::vector<std::size_t> locate(std::span<const Point> points) const {
-    std::vector<std::vector<Winding>> found;
-    for (const IndexedCurve& curve : curves_) found.push_back(windings(curve, points));
+    std::vector<std::vector<bool>> found;
+    for (const InsideOfBarrier& inside : insides_) found.push_back(inside.of(points));
     std::vector<std::size_t> regions(points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
       for (std::size_t i = 0; i < partition_.size(); ++i) {
         const std::vector<int>& coefficients = partition_.regions()[i].coefficients;
         int value = coefficients[0];
-        for (std::size_t c = 0; c < curves_.size(); ++c) value += coefficients[c + 1] * (found[c][k].number != 0);
+        for (std::size_t c = 0; c < insides_.size(); ++c) value += coefficients[c + 1] * static_cast<int>(found[c][k]);
         if (value == 1) regions[k] = i;
       }
     }
     return regions;
   }
 
+  // Where a region is, each point once: the box of its outer boundary; on a cylinder one period, in the coordinates
+  // along_and_above, down to the lowest of all boundaries.
+  [[nodiscard]] Box box_of_region(std::size_t region) const {
+    Box box, all;
+    const std::vector<int>& coefficients = partition_.regions()[region].coefficients;
+    for (std::size_t c = 0; c < insides_.size(); ++c) {
+      all = union_of(all, insides_[c].box());
+      if (coefficients[c + 1] == 1) box = insides_[c].box();
+    }
+    if (lattice_ == Point{}) return box;
+    return Box::of({0, all.min_y()}, {length(lattice_), box.max_y()});
+  }
+  [[nodiscard]] Point in_plane(Point at) const {
+    if (lattice_ == Point{}) return at;
+    const double period = length(lattice_);
+    return {(lattice_.x * at.x - lattice_.y * at.y) / period, (lattice_.y * at.x + lattice_.x * at.y) / period};
+  }
+
   // Evenly in a region: candidates in its box until one lies in it.
   [[nodiscard]] std::vector<Point> scatter(std::size_t region) const {
-    Box box;
-    const std::vector<int>& coefficients = partition_.regions()[region].coefficients;
-    for (std::size_t c = 0; c < curves_.size(); ++c) {
-      if (coefficients[c + 1] == 1) box = box_of(outlines_[c]);
-    }
+    const Box box = box_of_region(region);
     std::vector<Point> points(options_.count);
     for_each_block(points.size(), particles_a_block, [&](std::size_t begin, std::size_t end) {
       std::vector<std::size_t> open(end - begin);
@@ -96,8 +109,8 @@ class ParticleCounter {
         std::vector<Point> tries;
         for (const std::size_t k : open) {
           const std::uint64_t hash = mixed(mixed(mixed(options_.seed) + region) + k) + 2 * attempt;
-          tries.push_back(
-              {box.min_x() + box.width() * unit(mixed(hash)), box.min_y() + box.height() * unit(mixed(hash + 1))});
+          tries.push_back(in_plane(
+              {box.min_x() + box.width() * unit(mixed(hash)), box.min_y() + box.height() * unit(mixed(hash + 1))}));
         }
         const std::vector<std::size_t> found = locate(tries);
         std::vector<std::size_t> left;
@@ -105,7 +118,7 @@ class ParticleCounter {
           if (found[j] != region) {
             left.push_back(open[j]);
           } else {
-            points[open[j]] = cylinder_ != nullptr ? cylinder_->unwrap(tries[j]) : tries[j];
+            points[open[j]] = tries[j];
           }
         }
         open = std::move(left);
@@ -126,9 +139,7 @@ class ParticleCounter {
         if (!std::isfinite(at.x) || !std::isfinite(at.y)) {
           ++here[outside()];
         } else {
-          positions.push_back(cylinder_ != nullptr ? cylinder_->wrap(at) : at);
-          // Below what the cylinder was cut at.
-          if (!std::isfinite(positions.back().x)) positions.back() = {0, 0};
+          positions.push_back(at);
         }
       }
       for (const std::size_t region : locate(positions)) ++here[region];
@@ -148,20 +159,18 @@ class ParticleCounter {
   }
 
   const PlanarMap& map_;
-  const Cylinder* cylinder_;
   const Partition& partition_;
   const ParticleOptions& options_;
-  std::vector<std::vector<Point>> outlines_;
-  std::vector<IndexedCurve> curves_;
+  Point lattice_;
+  std::vector<InsideOfBarrier> insides_;
   int runs_ = 0, all_runs_ = 0;
 };
 
 }  // namespace
 
-std::vector<RegionMatrix> count_particles(const PlanarMap& map, const Cylinder* cylinder,
-                                          std::span<const Barrier> barriers, const Partition& partition, int iterates,
-                                          const ParticleOptions& options) {
-  return ParticleCounter(map, cylinder, barriers, partition, options).count(iterates);
+std::vector<RegionMatrix> count_particles(const PlanarMap& map, std::span<const Barrier> barriers,
+                                          const Partition& partition, int iterates, const ParticleOptions& options) {
+  return ParticleCounter(map, barriers, partition, options).count(iterates);
 }
 
 }  // namespace lober::detail

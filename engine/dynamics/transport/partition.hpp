@@ -19,13 +19,14 @@ namespace lober::detail {
 
 class Partition {
  public:
-  /// R1 lies inside the first boundary, R2 on the other side of it; the rest follows in the order of the boundaries. A
-  /// region that holds `hole` has no area (the lower end of a cylinder, see cylinder.hpp). Throws DataError when
-  /// boundaries cross.
-  Partition(std::span<const Barrier> barriers, const Point* hole);
+  /// R1 lies inside the first boundary, R2 on the other side of it; the rest follows in the order of the boundaries.
+  /// The lower end of a cylinder has no area. Throws DataError when boundaries cross.
+  explicit Partition(std::span<const Barrier> barriers);
 
   [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
   [[nodiscard]] std::size_t size() const { return regions_.size(); }
+  /// What the insides of boundaries c and d have in common.
+  [[nodiscard]] Measured at_rest(std::size_t c, std::size_t d) const { return at_rest_[c * areas_.size() + d]; }
 
   /// The sum over c, d of the coefficients of i and j times quantity(c, d), where 0 stands for the constant 1 and
   /// k > 0 for boundary k - 1. Pairs without a coefficient are not asked for.
@@ -34,6 +35,8 @@ class Partition {
 
  private:
   std::vector<Region> regions_;
+  std::vector<Measured> areas_;    // inside each boundary
+  std::vector<Measured> at_rest_;  // row by row
 };
 
 }  // namespace lober::detail

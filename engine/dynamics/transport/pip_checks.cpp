@@ -35,7 +35,10 @@ std::optional<double> TangleGrowth::tolerance_for_splitting() {
   // tolerance) elsewhere that makes the fewest points for A^(4/3).
   const double amplitude = splitting_->amplitude, size = box_.extent() / times_scene;
   const double wanted = std::min(amplitude / finer_than_splitting, size * std::pow(amplitude / size, 4.0 / 3));
-  if (wanted < finest_) {
+  // Points are off by some roundings, and polygons whose segments are so short that they turn by less than the
+  // manifolds cross at then cross at random: measured on the standard map for K = 0.11 to 0.14.
+  constexpr double finest_that_cross = 40;
+  if (wanted < finest_that_cross * finest_) {
     throw DataError("the manifolds lie only " + format_rounded(splitting_->largest) +
                     " apart: no polygons in double precision show how they cross" + by_action());
   }

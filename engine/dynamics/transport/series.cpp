@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/transport/cylinder.hpp"
 #include "engine/dynamics/transport/series.hpp"
 #include "lober/error.hpp"
 
@@ -20,8 +21,7 @@ std::vector<Turnstile> turnstiles_of(std::vector<Barrier> barriers) {
 
 }  // namespace
 
-TransportSeries::TransportSeries(std::vector<Barrier> barriers, std::optional<Point> hole)
-    : partition_(barriers, hole ? &*hole : nullptr), total_(partition_.size()) {
+TransportSeries::TransportSeries(std::vector<Barrier> barriers) : partition_(barriers), total_(partition_.size()) {
   for (std::size_t i = 0; i < partition_.size(); ++i) total_(i, i) = partition_.regions()[i].area;
   extend(std::move(barriers));
 }
@@ -73,10 +73,9 @@ RegionMatrix TransportSeries::by_boundaries(int n) const {
   for_each_block(count * count, 1, [&](std::size_t k, std::size_t) {
     const Barrier &c = turnstiles_[k / count].barrier(), &d = turnstiles_[k % count].barrier();
     const int back = split_images(n, d.images_before(), c.images_after());
-    common[k] =
-        closure_is_crossed(c, n - back) || closure_is_crossed(d, -back)
-            ? unknown_area
-            : area_in_common(outline_of(c, n - back), outline_of(d, -back), std::max(c.curve_error, d.curve_error));
+    common[k] = closure_is_crossed(c, n - back) || closure_is_crossed(d, -back)
+                    ? unknown_area
+                    : inside_both(c, n - back, d, -back, partition_.at_rest(k / count, k % count));
   });
   RegionMatrix areas(partition_.size());
   for (std::size_t i = 0; i < areas.size(); ++i) {

@@ -1,7 +1,6 @@
 // The rows of the table of transport, n by n (private to transport/).
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/dynamics/transport/partition.hpp"
@@ -13,8 +12,8 @@ namespace lober::detail {
 /// Rows of the table, n = 1, 2, ..., from what there is of the tangles: as far as their pips reach.
 class TransportSeries {
  public:
-  /// The tangles must outlive it, or the next call of `extend`. `hole` as in Partition. Throws as Turnstile, Partition.
-  explicit TransportSeries(std::vector<Barrier> barriers, std::optional<Point> hole = {});
+  /// The tangles must outlive it, or the next call of `extend`. Throws as Turnstile, Partition.
+  explicit TransportSeries(std::vector<Barrier> barriers);
 
   /// The same boundaries of tangles that were grown farther.
   void extend(std::vector<Barrier> barriers);

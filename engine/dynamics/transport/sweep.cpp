@@ -10,9 +10,9 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/transport/area_preservation.hpp"
+#include "engine/dynamics/transport/barrier.hpp"
 #include "engine/dynamics/transport/sweep_zero.hpp"
 #include "engine/dynamics/transport/turnstile.hpp"
-#include "engine/dynamics/transport/wrapped_tangle.hpp"
 #include "lober/error.hpp"
 
 namespace lober {
@@ -48,14 +48,7 @@ void fill(SweepRow& row, const ManifoldTangle& found) {
 void fill_fluxes(SweepRow& row, const FamilyMember& member, const ManifoldTangle& found) {
   try {
     require_areas_preserved(*member.map, found.local_u.saddle);
-    WrappedTangle wrapped;
-    Barrier barrier = barrier_of(found);
-    if (!(member.lattice == Point{})) {
-      const std::array<const ManifoldTangle*, 1> tangles{&found};
-      wrapped = wrapped_tangle(cylinder_of(member.lattice, tangles), *member.map, found, 1, 0, 0);
-      barrier = barrier_of(found, wrapped);
-    }
-    const Turnstile turnstile(barrier);
+    const Turnstile turnstile(barrier_of(found, member.lattice));
     row.flux12 = turnstile.flux12();
     row.flux21 = turnstile.flux21();
   } catch (const DataError& error) {

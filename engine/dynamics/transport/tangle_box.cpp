@@ -33,6 +33,12 @@ Box true_size(const Box& box) {
   return square_about(middle_of(box), times_box * box.extent() / std::numbers::sqrt2);  // within the circle
 }
 
+Box strip_along(const Box& box, Point lattice) {
+  constexpr double periods = 1 << 16;
+  const double x = periods * std::fabs(lattice.x), y = periods * std::fabs(lattice.y);
+  return Box::of({box.min_x() - x, box.min_y() - y}, {box.max_x() + x, box.max_y() + y});
+}
+
 bool within(const Box& inner, const Box& outer) {
   return outer.min_x() <= inner.min_x() && inner.max_x() <= outer.max_x() && outer.min_y() <= inner.min_y() &&
          inner.max_y() <= outer.max_y();

@@ -22,6 +22,9 @@ void compress_radially(std::span<Point> points, const Box& box);
 /// Where `compress_radially` changes nothing.
 [[nodiscard]] Box true_size(const Box& box);
 
+/// The box with 65 536 translates on either side: no manifold leaves it along the lattice.
+[[nodiscard]] Box strip_along(const Box& box, Point lattice);
+
 [[nodiscard]] Point middle_of(const Box& box);
 [[nodiscard]] Box square_about(Point middle, double reach);
 [[nodiscard]] bool within(const Box& inner, const Box& outer);

@@ -116,7 +116,7 @@ void TangleGrowth::begin(double tolerance) {
     side->options.tolerance = tolerance;
     side->options.max_points = options_.max_points;
     side->options.whole_pieces = true;
-    side->options.box = box_;
+    side->options.box = followed();
     side->options.progress = [this](const GrowthProgress&) {
       // Where orbits are wild a piece may cost far more than those before.
       out_of_work_ = out_of_work_ || images_left() <= 0;
@@ -171,7 +171,7 @@ bool TangleGrowth::grow(Side& side, double end) {
   GrownManifold& grown = growth.grown();
   side.options.max_images = grown.images + static_cast<std::uint64_t>(std::min(images_left(), 1e18));
   const GrowthStop stop = growth.grow_to(end);
-  compress_radially(std::span(grown.points).subspan(side.compressed), box_);
+  compress_radially(std::span(grown.points).subspan(side.compressed), followed());
   side.compressed = grown.points.size();
   if (stop == GrowthStop::cancelled && !out_of_work_) throw Cancelled();
   if (stop == GrowthStop::points || stop == GrowthStop::cancelled) {
@@ -295,7 +295,7 @@ void TangleGrowth::finish() {
   } catch (const NotSimpleError& error) {
     options.check_simple = false;
     result->tangle = tangle(OpenCurve::borrow(result->u.points), OpenCurve::borrow(result->s.points), options);
-    const bool outside = !meet(Box::of(error.at, error.at), box_);
+    const bool outside = !meet(Box::of(error.at, error.at), followed());
     result->tangle.remarks.push_back(
         outside ? "far outside, where manifolds are followed coarsely, " + std::string(error.what())
                 : std::string(error.what()) +
@@ -313,11 +313,11 @@ void TangleGrowth::finish() {
       result->action_errors.push_back(orbits_[k].action_error + orbits_[k + 1].action_error);
     }
   }
-  result->point_error_u = point_error(map_, result->local_u, result->u, box_);
-  result->point_error_s = point_error(map_, result->local_s, result->s, box_);
+  result->point_error_u = point_error(map_, result->local_u, result->u, followed());
+  result->point_error_s = point_error(map_, result->local_s, result->s, followed());
   add_point_errors(*result);
-  result->fine = box_;
-  result->true_size = true_size(box_);
+  result->fine = followed();
+  result->true_size = true_size(followed());
   add_errors_far_outside(*result);
   result_ = std::move(result);
 }

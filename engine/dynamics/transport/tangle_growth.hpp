@@ -16,6 +16,7 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
 #include "engine/dynamics/transport/splitting.hpp"
+#include "engine/dynamics/transport/tangle_box.hpp"
 #include "kernels/box.hpp"
 #include "lober/manifold_tangle.hpp"
 
@@ -67,6 +68,11 @@ class TangleGrowth {
   // Polygons are finer than the splitting by this factor.
   static constexpr double finer_than_splitting = 30;
 
+  // Where manifolds are followed exactly: the scene, or a strip along the lattice.
+  [[nodiscard]] Box followed() const {
+    return options_.lattice == Point{} ? box_ : strip_along(box_, options_.lattice);
+  }
+
   void begin(double tolerance);
   [[nodiscard]] std::uint64_t images() const;
   [[nodiscard]] double images_left() const;
@@ -106,7 +112,7 @@ class TangleGrowth {
   std::optional<Time> known_bip_;
   std::vector<Point> closure_;  // of the connection
   Side u_, s_;
-  Box box_;  // where manifolds are followed exactly
+  Box box_;  // of the scene
   int enlargements_ = 0;
   double tolerance_ = 0, finest_ = 0;
   std::uint64_t work_before_ = 0;

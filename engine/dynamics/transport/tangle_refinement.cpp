@@ -31,7 +31,7 @@ bool TangleGrowth::refine(Side& side, std::vector<std::uint32_t> segments, const
                                  k < std::prev(after)->first + std::prev(after)->count &&
                                  std::prev(after)->cause != GrowthDiagnosticCause::left_box;
     const Box ends = Box::of(grown.points[k], grown.points[k + 1]);
-    return with_diagnostic || !meet(ends, box) || !within(ends, true_size(box_));
+    return with_diagnostic || !meet(ends, box) || !within(ends, true_size(followed()));
   });
   const std::size_t added = side.growth->refine(segments, parts).size();
   side.compressed += added;  // what is compressed lies outside the box, none of it is new
@@ -63,7 +63,7 @@ bool TangleGrowth::refine_flat_pips() {
     on_u.push_back(static_cast<std::uint32_t>(i));
     on_s.push_back(static_cast<std::uint32_t>(j));
   }
-  const bool more_u = refine(u_, std::move(on_u), box_), more_s = refine(s_, std::move(on_s), box_);
+  const bool more_u = refine(u_, std::move(on_u), followed()), more_s = refine(s_, std::move(on_s), followed());
   return more_u || more_s;
 }
 
@@ -88,7 +88,7 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
         segments.push_back(static_cast<std::uint32_t>(k));
       }
     }
-    if (segments.empty() || !refine(side, std::move(segments), box_)) return;
+    if (segments.empty() || !refine(side, std::move(segments), followed())) return;
   }
 }
 
@@ -106,12 +106,12 @@ std::optional<Point> TangleGrowth::refine_until_simple(Side& side) {
     // Also far outside, as long as distances are true: what crosses itself there has lobes in common with others that
     // are not.
     if (segments.empty()) return std::nullopt;
-    if (!refine(side, std::move(segments), true_size(box_))) break;
+    if (!refine(side, std::move(segments), true_size(followed()))) break;
   }
   const Buffer<Point>& points = side.growth->grown().points;
   const IndexedCurve index{CurveView(side.growth->grown())};
   for (const SegmentPair& pair : self_meetings(index, at_once)) {
-    if (meet(Box::of(points[pair.first], points[pair.first + 1]), box_)) return points[pair.first];
+    if (meet(Box::of(points[pair.first], points[pair.first + 1]), followed())) return points[pair.first];
   }
   return std::nullopt;
 }

@@ -14,7 +14,6 @@
 #include "engine/dynamics/transport/particles.hpp"
 #include "engine/dynamics/transport/series.hpp"
 #include "engine/dynamics/transport/tangle_growth.hpp"
-#include "engine/dynamics/transport/wrapped_tangle.hpp"
 #include "kernels/box.hpp"
 #include "lober/error.hpp"
 
@@ -42,36 +41,25 @@ class TransportBuilder {
     for (int n = 1; n <= options_.iterates; ++n) {
       report("n = " + std::to_string(n));
       if (!grow_to(n)) break;
+      if (!may_overlap(n)) break;
       if (series) {
         series->extend(barriers());
       } else {
-        series.emplace(barriers(), cylinder_ ? std::optional(Point{0, 0}) : std::nullopt);
+        series.emplace(barriers());
       }
       TransportStep step = series->next();
       Agreement agreement;
       compare_routes(agreement, series->partition(), step);
-      if (!agreement.agrees() && n > 1 && crossings_may_be_missing()) {
-        note_limit(n,
-                   "finer polygons on the cylinder cross elsewhere, and the area of lobes there is not that between "
-                   "boundaries (--budget SECONDS allows finer ones)");
-        break;
-      }
       result_.steps.push_back(std::move(step));
       for (Comparison& one : agreement.comparisons) result_.agreement.compare(std::move(one));
+      record(*series);
       if (options_.on_step) options_.on_step(result_.steps.back(), result_.agreement);
     }
-    series->extend(barriers());  // of what there is now: the last growth may have added to it without a row
-    finish(*series);
+    finish(series->partition());
     return std::move(result_);
   }
 
  private:
-  // A boundary as the series sees it.
-  struct SeriesBoundary {
-    WrappedTangle wrapped;  // on a cylinder
-    Barrier barrier;
-  };
-
   void report(const std::string& line) const {
     if (options_.progress && !options_.progress(line)) throw Cancelled();
   }
@@ -84,12 +72,12 @@ class TransportBuilder {
     growth.tolerance = options_.tolerance;
     growth.max_points = options_.max_points;
     growth.max_work = options_.max_work;
+    growth.lattice = options_.lattice;
     growth.budget = options_.budget;
     growth.progress = options_.progress;
     growth.bip_near = options_.bip_near;
     for (const Connection& one : connections) {
       growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth));
-      boundaries_.emplace_back();
       result_.boundaries.emplace_back().connection = one;
       growth.bip_near.reset();
     }
@@ -109,9 +97,27 @@ class TransportBuilder {
     if (n == 1) {
       for (std::size_t c = 0; c < growths_.size(); ++c) check(result_.boundaries[c].connection, growths_[c]->current());
     }
-    set_barriers(limit.empty() ? n : n - 1);
     if (limit.empty()) return true;
     note_limit(n, limit);
+    return false;
+  }
+
+  // Whether the overlaps of row n are no more work than is allowed: by their number of segments, or by the clock as
+  // long as the row before took for its own.
+  bool may_overlap(int n) {
+    double segments = 0;
+    for (const Barrier& barrier : barriers()) segments += segments_to_read(barrier);
+    const double now = watch_.seconds();
+    const double a_segment = segments_before_ > 0 ? (now - row_begun_) / segments_before_ : 0;
+    const bool too_long = options_.budget > 0 && n > 1 && now + a_segment * segments > options_.budget;
+    const bool too_much = !(options_.budget > 0) && n > 1 && segments > options_.max_work;
+    row_begun_ = now;
+    segments_before_ = segments;
+    if (!too_long && !too_much) return true;
+    note_limit(n, too_long ? "the overlaps of the next row would take longer than --budget"
+                           : "the manifolds run round the cylinder so often that the overlaps of the next row, of " +
+                                 format_rounded(segments) +
+                                 " segments in all, are more work than is done unasked (--budget SECONDS allows more)");
     return false;
   }
 
@@ -171,64 +177,44 @@ class TransportBuilder {
     }
   }
 
-  void set_barriers(int n) {
-    if (!(options_.lattice == Point{})) {
-      std::vector<const ManifoldTangle*> tangles;
-      for (const std::unique_ptr<TangleGrowth>& growth : growths_) tangles.push_back(&growth->current());
-      cylinder_.emplace(cylinder_of(options_.lattice, tangles));
-    }
-    // Wrapping may be as much work as growing was, or what the budget leaves.
-    const std::uint64_t work_before = map_.work();
-    double allowance = static_cast<double>(work_before - work_of_wrapping_);
-    if (options_.budget > 0) {
-      const double seconds = watch_.seconds();
-      allowance = static_cast<double>(work_before) * std::max(options_.budget - seconds, 0.0) / std::max(seconds, 1e-3);
-    }
-    allowance /= static_cast<double>(growths_.size());
-    for (std::size_t c = 0; c < growths_.size(); ++c) {
-      SeriesBoundary& boundary = boundaries_[c];
-      const ManifoldTangle& manifolds = growths_[c]->current();
-      if (cylinder_) {
-        boundary.wrapped = wrapped_tangle(*cylinder_, map_, manifolds, images_before(n), images_after(n), allowance);
-        boundary.barrier = barrier_of(manifolds, boundary.wrapped);
-      } else {
-        boundary.barrier = barrier_of(manifolds);
-      }
-    }
-    work_of_wrapping_ += map_.work() - work_before;
-  }
-  [[nodiscard]] bool crossings_may_be_missing() const {
-    return cylinder_ && std::any_of(boundaries_.begin(), boundaries_.end(),
-                                    [](const SeriesBoundary& one) { return !one.wrapped.has_all_crossings; });
-  }
+  // Of what there is.
   [[nodiscard]] std::vector<Barrier> barriers() const {
     std::vector<Barrier> list;
-    for (const SeriesBoundary& boundary : boundaries_) list.push_back(boundary.barrier);
+    for (const std::unique_ptr<TangleGrowth>& growth : growths_)
+      list.push_back(barrier_of(growth->current(), options_.lattice));
     return list;
   }
 
-  void finish(const TransportSeries& series) {
-    result_.regions = series.partition().regions();
-    const std::vector<Barrier> last = barriers();
+  // What is known of the boundaries with the last row: the tangles may be grown on without another one.
+  void record(const TransportSeries& series) {
     for (std::size_t c = 0; c < growths_.size(); ++c) {
       TransportBoundary& boundary = result_.boundaries[c];
-      boundary.point_error = last[c].curve_error;
-      boundary.enclosed = enclosed_area(last[c], 0);
       const Turnstile& turnstile = series.turnstiles()[c];
+      boundary.enclosed = enclosed_area(turnstile.barrier(), 0);
       boundary.flux12 = turnstile.flux12();
       boundary.flux21 = turnstile.flux21();
       boundary.lobe_area12 = turnstile.lobe_area12();
       boundary.lobe_area21 = turnstile.lobe_area21();
-      boundary.manifolds = growths_[c]->take();
-      const ManifoldTangle& manifolds = *boundary.manifolds;
-      result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
-      if (const std::string remark = overlap_remark(boundary); !remark.empty()) result_.remarks.push_back(remark);
+      const ManifoldTangle& manifolds = growths_[c]->current();
       boundary.lobe_area12_by_action = boundary.lobe_area21_by_action = manifolds.areas_by_action.empty() ? no_area : 0;
+      const std::vector<std::size_t>& leaving = turnstile.lobes(true);
       for (std::size_t k = 0; k < manifolds.areas_by_action.size(); ++k) {
-        const bool leaves = manifolds.tangle.images.labels[manifolds.image_of_bip(-1) + k].from == 1;
+        const bool leaves = std::find(leaving.begin(), leaving.end(), manifolds.image_of_bip(-1) + k) != leaving.end();
         (leaves ? boundary.lobe_area12_by_action : boundary.lobe_area21_by_action) +=
             std::fabs(manifolds.areas_by_action[k]);
       }
+    }
+  }
+
+  void finish(const Partition& partition) {
+    result_.regions = partition.regions();
+    const std::vector<Barrier> last = barriers();
+    for (std::size_t c = 0; c < growths_.size(); ++c) {
+      TransportBoundary& boundary = result_.boundaries[c];
+      boundary.point_error = last[c].curve_error;
+      const ManifoldTangle& manifolds = growths_[c]->current();
+      result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
+      if (const std::string remark = overlap_remark(boundary); !remark.empty()) result_.remarks.push_back(remark);
     }
     if (options_.particles > 0) {
       ParticleOptions how;
@@ -237,22 +223,20 @@ class TransportBuilder {
       how.progress = [&](double) { return !options_.progress || options_.progress("particles"); };
       const auto stride = static_cast<std::size_t>(result_.iterates_a_step);
       const std::vector<RegionMatrix> counted =
-          count_particles(map_, cylinder_ ? &*cylinder_ : nullptr, last, series.partition(),
-                          static_cast<int>(result_.steps.size() * stride), how);
+          count_particles(map_, last, partition, static_cast<int>(result_.steps.size() * stride), how);
       for (std::size_t k = 0; k < result_.steps.size(); ++k) {
         result_.steps[k].by_particles = counted[(k + 1) * stride - 1];
         compare_particles(result_.agreement, result_.steps[k]);
       }
     }
+    for (std::size_t c = 0; c < growths_.size(); ++c) result_.boundaries[c].manifolds = growths_[c]->take();
   }
 
   const PlanarMap& map_;
   const TransportOptions& options_;
   std::vector<std::unique_ptr<TangleGrowth>> growths_;
-  std::vector<SeriesBoundary> boundaries_;
-  std::optional<Cylinder> cylinder_;
-  std::uint64_t work_of_wrapping_ = 0;
   Stopwatch watch_;
+  double row_begun_ = 0, segments_before_ = 0;  // of the row before
   Transport result_;
 };
 

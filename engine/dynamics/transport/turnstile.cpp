@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/dynamics/transport/cylinder.hpp"
 #include "lober/curve.hpp"
 #include "lober/error.hpp"
 #include "lober/regions.hpp"
@@ -31,12 +32,12 @@ Turnstile::Turnstile(Barrier barrier) : barrier_(std::move(barrier)) {
     throw DataError("transport: the lobes between the bip and its pre-image are not all there");
   }
   const Tangle& tangle = *barrier_.tangle;
-  const int orientation = swept_area(tangle, barrier_.bip).area < 0 ? -1 : 1;
+  const int orientation = sign_of(barrier_);
   for (std::size_t k = barrier_.pip(-1); k < barrier_.bip; ++k) {
     // Before the bip a lobe lies inside if its left is the boundary's left: next it will be outside.
     lobes_[tangle.lobes[k].orientation() == orientation ? 0 : 1].push_back(k);
   }
-  common_ = lober::overlaps(tangle);
+  common_ = barrier_.lattice == Point{} ? lober::overlaps(tangle) : overlaps_on_cylinder(barrier_);
   if (!(barrier_.fine.min_x() < barrier_.fine.max_x())) return;
   far_.resize(tangle.lobes.size());
   for (std::size_t k = 0; k < far_.size(); ++k) far_[k] = leaves(lobe_outline(tangle, k), barrier_.fine);
@@ -50,13 +51,13 @@ Measured Turnstile::area(std::size_t lobe) const {
 }
 
 Measured Turnstile::common(std::size_t i, std::size_t j) const {
-  if (i == j) return area(i);
+  Measured found = i == j ? area(i) : Measured{};
   if (i > j) std::swap(i, j);
   const auto at = std::lower_bound(
       common_.begin(), common_.end(), std::pair(i, j),
       [](const LobeOverlap& x, const auto& y) { return std::pair<std::size_t, std::size_t>(x.i, x.j) < y; });
-  if (at == common_.end() || at->i != i || at->j != j) return {};
-  return within_reason({at->area, at->error + barrier_.curve_error * at->perimeter}, i, j);
+  if (at == common_.end() || at->i != i || at->j != j) return found;
+  return found + within_reason({at->area, at->error + barrier_.curve_error * at->perimeter}, i, j);
 }
 
 // What two lobes have in common far outside, where manifolds are followed coarsely, is not known: at most what the map,
@@ -128,7 +129,7 @@ Measured balance(const Turnstile& c, const Turnstile& d, int m) {
       for (const bool leaves_d : {true, false}) {
         for (const std::size_t j : d.lobes(leaves_d)) {
           const std::vector<Point> other = lobe_outline(*d.barrier().tangle, d.moved(j, -back));
-          const Measured common = area_in_common(one, other, curve_error);
+          const Measured common = area_in_common(one, other, curve_error, c.barrier().lattice);
           sum = leaves_c == leaves_d ? sum + common : sum - common;
         }
       }
@@ -138,14 +139,11 @@ Measured balance(const Turnstile& c, const Turnstile& d, int m) {
 }
 
 Measured first_gain(const Turnstile& c, const Turnstile& d) {
-  const std::vector<Point> region = outline_of(d.barrier(), 0);
   const double curve_error = std::max(c.barrier().curve_error, d.barrier().curve_error);
-  // f^-1 may be applied to both sides where the image of the lobes is not there.
   Measured sum{};
   for (const bool leaving : {true, false}) {
     for (const std::size_t k : c.lobes(leaving)) {
-      const std::vector<Point> lobe = lobe_outline(*c.barrier().tangle, c.moved(k, 1));
-      const Measured common = area_in_common(lobe, region, curve_error);
+      const Measured common = area_inside(lobe_outline(*c.barrier().tangle, c.moved(k, 1)), d.barrier(), curve_error);
       sum = leaving ? sum + common : sum - common;
     }
   }

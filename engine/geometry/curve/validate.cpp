@@ -3,6 +3,7 @@
 
 #include "engine/base/finite.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/curve/require.hpp"
 #include "lober/curve.hpp"
 
 namespace lober {
@@ -42,6 +43,10 @@ std::size_t detail::first_not_finite(std::span<const Point> points) {
     }
   });
   return first;
+}
+
+bool detail::bounds_something(std::span<const Point> polygon) {
+  return distinct_vertices(polygon) >= 3;
 }
 
 void require_enough_vertices(CurveView curve, std::string_view name) {

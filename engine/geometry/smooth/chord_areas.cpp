@@ -9,7 +9,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t segments_a_block = 2048;
+constexpr std::size_t segments_a_block = 2048, segments_an_entry = 16;
 
 class Running {
  public:
@@ -55,6 +55,53 @@ ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uin
     for (auto at = from; at != segments.end() && *at < (block + 1) * segments_a_block; ++at) {
       for (; next < *at; ++next) sum.add(curve.segment(static_cast<std::int64_t>(next)));
       sums.before[static_cast<std::size_t>(at - segments.begin())] = sum.value();
+    }
+  });
+  return sums;
+}
+
+ChordAreaTable::ChordAreaTable(const SmoothCurve& curve) {
+  const std::size_t size = curve.segments(), blocks = (size + segments_a_block - 1) / segments_a_block;
+  before_.resize(size / segments_an_entry + 1);
+  std::vector<ChordArea> totals(blocks + 1);
+  std::vector<std::uint64_t> fallbacks(blocks);
+  for_each_block(size, segments_a_block, [&](std::size_t begin, std::size_t end) {
+    Running sum;
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k % segments_an_entry == 0) before_[k / segments_an_entry] = sum.value();
+      const SmoothSegment segment = curve.segment(static_cast<std::int64_t>(k));
+      sum.add(segment);
+      fallbacks[begin / segments_a_block] += segment.kind != SmoothSegment::Kind::smooth && !(segment.chord == Point{});
+    }
+    totals[begin / segments_a_block + 1] = sum.value();
+  });
+  for (std::size_t block = 0; block < blocks; ++block) {
+    totals[block + 1].area += totals[block].area;
+    totals[block + 1].error += totals[block].error;
+    fallbacks_ += fallbacks[block];
+  }
+  if (size % segments_an_entry == 0) before_[size / segments_an_entry] = {};
+  for (std::size_t entry = 0; entry < before_.size(); ++entry) {
+    const ChordArea& block = totals[std::min(entry * segments_an_entry / segments_a_block, blocks)];
+    before_[entry].area += block.area;
+    before_[entry].error += block.error;
+  }
+  if (size % segments_an_entry == 0) before_[size / segments_an_entry] = totals[blocks];
+}
+
+Buffer<ChordArea> ChordAreaTable::before(const SmoothCurve& curve, std::span<const std::uint32_t> segments) const {
+  Buffer<ChordArea> sums(segments.size());
+  for_each_block(segments.size(), 512, [&](std::size_t begin, std::size_t end) {
+    Running sum;
+    std::size_t next = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t entry = segments[k] / segments_an_entry;
+      if (k == begin || next < entry * segments_an_entry) {
+        sum = Running(before_[entry]);
+        next = entry * segments_an_entry;
+      }
+      for (; next < segments[k]; ++next) sum.add(curve.segment(static_cast<std::int64_t>(next)));
+      sums[k] = sum.value();
     }
   });
   return sums;

@@ -25,4 +25,18 @@ struct ChordAreaSums {
 /// `segments` ascend. O(n + segments asked for), parallel.
 [[nodiscard]] ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uint32_t> segments);
 
+/// The same sums of one curve for many lists of segments, also of translates of the curve: kept at every 16th segment.
+class ChordAreaTable {
+ public:
+  /// O(n), parallel.
+  explicit ChordAreaTable(const SmoothCurve& curve);
+  [[nodiscard]] std::uint64_t fallbacks() const { return fallbacks_; }
+  /// Of all segments before segments[k]; they ascend. O(segments asked for).
+  [[nodiscard]] Buffer<ChordArea> before(const SmoothCurve& curve, std::span<const std::uint32_t> segments) const;
+
+ private:
+  Buffer<ChordArea> before_;
+  std::uint64_t fallbacks_ = 0;
+};
+
 }  // namespace lober::detail

@@ -19,7 +19,7 @@ class GapFinder {
   GapFinder(CurveView c1, CurveView c2, const NodeGraph& graph, std::span<const std::uint32_t> nodes)
       : c1_(c1), c2_(c2), view1_(c1), view2_(c2), graph_(graph), nodes_(nodes), moved_(nodes.size()) {}
 
-  SmoothGaps find() {
+  SmoothGaps find(const ChordAreaTable& table1, const ChordAreaTable& table2) {
     for_each_block(nodes_.size(), gaps_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         if (graph_.span(nodes_[k]).direction != 0) continue;
@@ -40,13 +40,13 @@ class GapFinder {
       segments1[k] = contact(k).segment1;
       segments2[k] = contact(order[k]).segment2;
     }
-    const ChordAreaSums sums1 = sum_chord_areas(c1_, segments1), sums2 = sum_chord_areas(c2_, segments2);
-    gaps.fallback_segments = sums1.fallbacks + sums2.fallbacks;
+    const Buffer<ChordArea> before1 = table1.before(c1_, segments1), before2 = table2.before(c2_, segments2);
+    gaps.fallback_segments = table1.fallbacks() + table2.fallbacks();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      gaps.at[k].twice += sums1.before[k].area;
-      gaps.at[k].error1 = sums1.before[k].error;
-      gaps.at[order[k]].twice -= sums2.before[k].area;
-      gaps.at[order[k]].error2 = sums2.before[k].error;
+      gaps.at[k].twice += before1[k].area;
+      gaps.at[k].error1 = before1[k].error;
+      gaps.at[order[k]].twice -= before2[k].area;
+      gaps.at[order[k]].error2 = before2[k].error;
     }
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       SmoothGap& gap = gaps.at[k];
@@ -100,8 +100,9 @@ class GapFinder {
 
 }  // namespace
 
-SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
-  return GapFinder(c1, c2, graph, nodes).find();
+SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const ChordAreaTable& sums1, const ChordAreaTable& sums2,
+                       const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
+  return GapFinder(c1, c2, graph, nodes).find(sums1, sums2);
 }
 
 }  // namespace lober::detail

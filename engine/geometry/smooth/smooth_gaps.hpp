@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/crossings/node_graph.hpp"
+#include "engine/geometry/smooth/chord_areas.hpp"
 #include "kernels/double_double.hpp"
 #include "lober/curve.hpp"
 
@@ -27,9 +28,11 @@ struct SmoothGaps {
   std::uint64_t fallback_crossings = 0;  ///< that were not moved
 };
 
-/// At the given nodes, which ascend, in the method of smooth_areas (engine/lober/smooth.hpp). Coordinates
-/// must be scaled (curve/scaled.hpp). O(n + m), parallel; the same bits for any number of threads.
-[[nodiscard]] SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const NodeGraph& graph,
+/// At the given nodes, which ascend, in the method of smooth_areas (engine/lober/smooth.hpp), with the sums of both
+/// curves, or of translates of them. Coordinates must be scaled (curve/scaled.hpp). O(nodes log nodes), parallel; the
+/// same bits for any number of threads.
+[[nodiscard]] SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const ChordAreaTable& sums1,
+                                     const ChordAreaTable& sums2, const NodeGraph& graph,
                                      std::span<const std::uint32_t> nodes);
 
 }  // namespace lober::detail

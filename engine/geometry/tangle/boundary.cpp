@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
 #include "kernels/shoelace.hpp"
@@ -68,10 +69,12 @@ ClosureCuts cuts_of_closure(const Tangle& tangle) {
 }
 
 double nonzero_area(const std::vector<Point>& polygon) {
+  if (!bounds_something(polygon)) return 0;
   return regions(ClosedCurve::borrow(polygon)).areas(FillRule::nonzero).c1;
 }
 
 double common_area(const std::vector<Point>& first, const std::vector<Point>& second) {
+  if (!bounds_something(first) || !bounds_something(second)) return 0;
   return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(FillRule::nonzero).intersection;
 }
 

@@ -3,10 +3,13 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/index/index.hpp"
+#include "engine/geometry/smooth/smooth_gaps.hpp"
 #include "lober/tangle.hpp"
 
 namespace lober::detail {
@@ -22,9 +25,14 @@ struct TangleCurves {
   std::vector<Point> scaled_u, scaled_s;
   std::optional<IndexedCurve> index_u, index_s;  // of the caller's own, or of what was made here
   bool smooth = false;
+  std::shared_ptr<const ChordAreaTable> chords_u, chords_s;  // if smooth
 
   [[nodiscard]] const IndexedCurve& u() const { return *index_u; }
   [[nodiscard]] const IndexedCurve& s() const { return *index_s; }
+
+  [[nodiscard]] SmoothGaps smooth_gaps_at(const NodeGraph& graph, std::span<const std::uint32_t> nodes) const {
+    return smooth_gaps(u().view(), s().view(), *chords_u, *chords_s, graph, nodes);
+  }
 
   [[nodiscard]] double area(DD twice) const { return scaled_area(twice.hi + twice.lo, -1 - 2 * exponent); }
   [[nodiscard]] Point origin() const { return u().view().points[0]; }

@@ -48,7 +48,7 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
 Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
   Buffer<DD> gaps = polygon_gaps_at(curves, graph, nodes);
   if (!curves.smooth || nodes.empty()) return gaps;
-  const SmoothGaps smooth = smooth_gaps(curves.u().view(), curves.s().view(), graph, nodes);
+  const SmoothGaps smooth = curves.smooth_gaps_at(graph, nodes);
   for (std::size_t k = 0; k < nodes.size(); ++k) gaps[k] += smooth.at[k].twice;
   return gaps;
 }

@@ -14,11 +14,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/crossings/crossings_data.hpp"
-#include "engine/geometry/smooth/smooth_gaps.hpp"
-#include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
+#include "engine/geometry/tangle/running_sums.hpp"
 
 namespace lober {
 using namespace detail;
@@ -34,50 +32,6 @@ struct Sum {
   DD twice{};
   double error = 0, length = 0;
 };
-
-// What runs up along the curves to one crossing: the gap, twice the estimated errors of the areas, lengths.
-struct SumsAlong {
-  DD gap;
-  double error_u = 0, error_s = 0, uncertainty = 0;
-  double length_u = 0, length_s = 0;
-};
-
-// Length of a curve up to each vertex.
-std::vector<double> lengths(const CurveView& curve) {
-  std::vector<double> sums(curve.points.size());
-  for (std::size_t k = 1; k < sums.size(); ++k) sums[k] = sums[k - 1] + distance(curve.points[k - 1], curve.points[k]);
-  return sums;
-}
-double length_to(std::span<const double> sums, Position at) {
-  const double from = sums[at.segment];
-  return at.segment + 1 < sums.size() ? from + at.t * (sums[at.segment + 1] - from) : from;
-}
-
-std::vector<SumsAlong> sums_along(const Tangle& tangle, std::span<const std::uint32_t> nodes) {
-  std::vector<SumsAlong> along(nodes.size());
-  if (nodes.empty()) return along;
-  const Buffer<DD> gaps = polygon_gaps_at(*tangle.curves, graph_of(tangle.nodes), nodes);
-  std::vector<double> u, s;
-  parallel_if(
-      tangle.u().segments() + tangle.s().segments() > 100'000, [&] { u = lengths(tangle.u()); },
-      [&] { s = lengths(tangle.s()); });
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const Node node = tangle.nodes[nodes[k]];
-    along[k].gap = gaps[k];
-    along[k].length_u = length_to(u, node.begin1);
-    along[k].length_s = length_to(s, node.begin2);
-  }
-  if (!tangle.curves->smooth) return along;
-  const SmoothGaps smooth =
-      smooth_gaps(tangle.curves->u().view(), tangle.curves->s().view(), graph_of(tangle.nodes), nodes);
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    along[k].gap += smooth.at[k].twice;
-    along[k].error_u = smooth.at[k].error1;
-    along[k].error_s = smooth.at[k].error2;
-    along[k].uncertainty = smooth.at[k].uncertainty;
-  }
-  return along;
-}
 
 DD twice_area(const Tangle& tangle, std::size_t lobe) {
   const DD twice = gap_of(tangle.pips[lobe + 1]) - gap_of(tangle.pips[lobe]);
@@ -99,7 +53,7 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
         {static_cast<std::uint32_t>(at.s), static_cast<std::uint32_t>(at.u), static_cast<std::uint32_t>(nodes.size())});
     nodes.push_back(node);
   }
-  const std::vector<SumsAlong> along = sums_along(tangle, nodes);
+  const std::vector<SumsToNode> along = sums_to_nodes(*tangle.curves, tangle.nodes, nodes);
   std::stable_sort(terms.begin(), terms.end(),
                    [](const Term& x, const Term& y) { return x.i != y.i ? x.i < y.i : x.j < y.j; });
 
@@ -108,7 +62,7 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
     Sum sum{terms[k].i, terms[k].j};
     const int o_i = tangle.lobes[sum.i].orientation(), o_j = tangle.lobes[sum.j].orientation();
     for (; k < terms.size() && terms[k].i == sum.i && terms[k].j == sum.j; ++k) {
-      const SumsAlong& here = along[terms[k].node];
+      const SumsToNode& here = along[terms[k].node];
       const int rho = tangle.nodes.rho(nodes[terms[k].node]);
       sum.twice = rho > 0 ? sum.twice + here.gap : sum.twice - here.gap;
       // The crossing is one of U_j with S_i: U leaves lobe i if rho o_i = 1, S leaves lobe j if -rho o_j = 1.

@@ -19,6 +19,11 @@ namespace lober {
 using namespace detail;
 namespace {
 
+void sum_chords(TangleCurves& curves) {
+  curves.chords_u = std::make_shared<const ChordAreaTable>(SmoothCurve(curves.u().view()));
+  curves.chords_s = std::make_shared<const ChordAreaTable>(SmoothCurve(curves.s().view()));
+}
+
 // At a scale where products stay in range; at that of the given indexes whenever possible.
 std::shared_ptr<const TangleCurves> scaled_curves(const IndexedCurve& u, const IndexedCurve& s, bool smooth) {
   if (!u.tree().sums_finite()) validate(u.view(), "U");
@@ -35,6 +40,7 @@ std::shared_ptr<const TangleCurves> scaled_curves(const IndexedCurve& u, const I
     curves->index_u.emplace(CurveView{curves->scaled_u, false});
     curves->index_s.emplace(CurveView{curves->scaled_s, false});
   }
+  if (smooth) sum_chords(*curves);
   return curves;
 }
 
@@ -48,7 +54,7 @@ void smooth_lobes(Tangle& tangle) {
   const TangleCurves& curves = *tangle.curves;
   std::vector<std::uint32_t> nodes;
   for (const Pip& pip : tangle.pips) nodes.push_back(pip.node);
-  const SmoothGaps smooth = smooth_gaps(curves.u().view(), curves.s().view(), graph_of(tangle.nodes), nodes);
+  const SmoothGaps smooth = curves.smooth_gaps_at(graph_of(tangle.nodes), nodes);
   tangle.fallback_segments = smooth.fallback_segments;
   tangle.fallback_pips = smooth.fallback_crossings;
   for (std::size_t k = 0; k < nodes.size(); ++k) {

@@ -1,0 +1,180 @@
+// The integral of the product of two winding numbers, of smooth curves.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/curve/require.hpp"
+#include "engine/geometry/curve/scaled.hpp"
+#include "engine/geometry/smooth/smooth_curve.hpp"
+#include "kernels/box.hpp"
+#include "lober/error.hpp"
+#include "lober/interior.hpp"
+#include "lober/overlay.hpp"
+#include "lober/regions.hpp"
+#include "lober/smooth.hpp"
+
+namespace lober {
+using namespace detail;
+namespace {
+
+// One closed curve along another one.
+class AlongAnother {
+ public:
+  AlongAnother(const ClosedCurve& along, const ClosedCurve& other, int exponent)
+      : along_(along), other_(other), smooth_(CurveView(along)), smooth_other_(CurveView(other)), index_(other) {
+    common_ = common_points(IndexedCurve(along), index_);
+    scale_ = std::ldexp(1, -2 * exponent);
+    find_windings();
+  }
+
+  // What the arcs enclose more than the segments do, each weighted with the winding number of the other curve there.
+  [[nodiscard]] CommonArea chord_areas() const {
+    constexpr std::size_t segments_a_block = 2048;
+    const std::size_t size = along_.size();
+    std::vector<CommonArea> sums((size + segments_a_block - 1) / segments_a_block);
+    for_each_block(size, segments_a_block, [&](std::size_t begin, std::size_t end) {
+      CommonArea& sum = sums[begin / segments_a_block];
+      auto next = std::lower_bound(common_.begin(), common_.end(), begin,
+                                   [](const CommonPoint& point, std::size_t k) { return point.first.segment < k; });
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto first = next;
+        while (next != common_.end() && next->first.segment == k) ++next;
+        const double from = numbers_[k], to = numbers_[k + 1 == size ? 0 : k + 1];
+        if (from == 0 && to == 0 && first == next) continue;
+        const SmoothSegment segment = smooth_.segment(static_cast<std::int64_t>(k));
+        sum.error += std::max(std::fabs(from), std::fabs(to)) * segment.error;
+        if (first == next || (from == to && next - first == 1)) {
+          sum.area += (from + to) / 2 * segment.chord_area(1);
+          sum.error += std::fabs((from - to) / 2 * segment.chord_area(1));
+        } else if (next - first == 1) {
+          const double t = first->first.t;
+          sum.area += from * between(segment, 0, t) + to * between(segment, t, 1);
+          sum.error += std::fabs(from - to) * hidden_at(segment, *first);
+        } else {
+          // Each of the other crossings may count one winding more or less for most of the segment.
+          sum.area += (from + to) / 2 * segment.chord_area(1);
+          sum.error += std::max(std::fabs(from - to) / 2, static_cast<double>(next - first) / 2) *
+                       std::fabs(segment.chord_area(1));
+        }
+      }
+    });
+    CommonArea twice;
+    for (const CommonArea& sum : sums) {
+      twice.area += sum.area;
+      twice.error += sum.error;
+    }
+    return {scale_ * twice.area / 2, scale_ * twice.error / 2};
+  }
+
+ private:
+  // Of the other curve about each vertex of this one: on it, the mean of both sides. Asked for once between two points
+  // that both have in common.
+  void find_windings() {
+    std::vector<bool> ask(along_.size());
+    for (const CommonPoint& point : common_) {
+      const std::size_t segment = point.first.segment;
+      if (point.vertex1) ask[segment] = true;
+      ask[segment + 1 == along_.size() ? 0 : segment + 1] = true;
+    }
+    numbers_.resize(along_.size());
+    for_each_block(along_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      bool again = true;
+      for (std::size_t k = begin; k < end; ++k) {
+        if (!again && !ask[k]) {
+          numbers_[k] = numbers_[k - 1];
+          continue;
+        }
+        const Point at = along_.points()[k];
+        const Winding found = winding(index_, at);
+        numbers_[k] = found.on ? std::round(interior_function(index_, at).j / std::numbers::pi) / 2 : found.number;
+        again = found.on;
+      }
+    });
+  }
+
+  // Twice the area between a part of an arc and its segment, positive to the right of it.
+  [[nodiscard]] static double between(const SmoothSegment& segment, double from, double to) {
+    const auto integral = [&](double u) {
+      double sum = 0;
+      for (std::size_t k = segment.f.size(); k-- > 0;) sum = (sum + segment.f[k] / static_cast<double>(k + 1)) * u;
+      return sum;
+    };
+    const double square = segment.chord.x * segment.chord.x + segment.chord.y * segment.chord.y;
+    return -2 * square * (integral(to) - integral(from));
+  }
+
+  // Twice the area that may hide where two arcs cross elsewhere than their segments: these lie at distances d and e
+  // from them, so that it is (d + e)^2 / sin(angle).
+  [[nodiscard]] double hidden_at(const SmoothSegment& segment, const CommonPoint& point) const {
+    const SmoothSegment other = smooth_other_.segment(point.second.segment);
+    const auto off = [](const SmoothSegment& arc, double u) {
+      double f = 0;
+      for (std::size_t k = arc.f.size(); k-- > 0;) f = f * u + arc.f[k];
+      return std::fabs(f) * length(arc.chord);
+    };
+    const double distance = off(segment, point.first.t) + off(other, point.second.t);
+    const double longest = std::max(length(segment.chord), length(other.chord));
+    const double cross = std::fabs(segment.chord.x * other.chord.y - segment.chord.y * other.chord.x);
+    const double sine = cross / (length(segment.chord) * length(other.chord));
+    return distance * std::min(distance / std::max(sine, 1e-300), longest);
+  }
+
+  ClosedCurve along_, other_;
+  SmoothCurve smooth_, smooth_other_;
+  IndexedCurve index_;
+  std::vector<CommonPoint> common_;  // in order along this one
+  std::vector<double> numbers_;      // by vertex
+  double scale_ = 1;
+};
+
+// Cut to the box that both share: what lies elsewhere brings nothing, however coarse or far away it is. With a margin,
+// so that no curve touches what the other one is cut to.
+CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
+  const Box box1 = box_of(whole1.points()), box2 = box_of(whole2.points());
+  Rectangle both{std::max(box1.min_x(), box2.min_x()), std::max(box1.min_y(), box2.min_y()),
+                 std::min(box1.max_x(), box2.max_x()), std::min(box1.max_y(), box2.max_y())};
+  if (both.empty()) return {};
+  const double margin_x = both.width() / 64, margin_y = both.height() / 64;
+  both = {both.min_x - margin_x, both.min_y - margin_y, both.max_x + margin_x, both.max_y + margin_y};
+  const auto cut = [&](const ClosedCurve& whole) {
+    return ClosedCurve(clipped({whole.points().begin(), whole.points().end()}, both));
+  };
+  const ClosedCurve first = cut(whole1), second = cut(whole2);
+  if (!bounds_something(first.points()) || !bounds_something(second.points())) return {};
+  const Regions found = regions(first, second);
+  double polygons = 0, most = 0;
+  for (const WindingArea& entry : found.table()) {
+    polygons += entry.w1 * entry.w2 * entry.area;
+    most += std::abs(entry.w1 * entry.w2) * entry.area;
+  }
+  const int exponent = scaling_exponent(union_of(box_of(first.points()), box_of(second.points())));
+  const auto at_scale = [&](const ClosedCurve& curve) {
+    return exponent == 0 ? curve : ClosedCurve(scaled(curve, exponent));
+  };
+  const ClosedCurve scaled1 = at_scale(first), scaled2 = at_scale(second);
+  const CommonArea along1 = AlongAnother(scaled1, scaled2, exponent).chord_areas();
+  const CommonArea along2 = AlongAnother(scaled2, scaled1, exponent).chord_areas();
+  return {polygons + along1.area + along2.area, found.rounding(most) + along1.error + along2.error};
+}
+
+}  // namespace
+
+CommonArea winding_product(const ClosedCurve& first, const ClosedCurve& second) {
+  if (!bounds_something(first.points()) || !bounds_something(second.points())) return {};
+  try {
+    OverlayOptions options;
+    options.pieces = false;
+    const Overlay both = overlay(first, second, options);
+    if (both.nodes.size() == 0 && both.areas.intersection == 0) return {};
+    const SmoothAreas smooth = smooth_areas(both);
+    const bool same_way = (signed_area(first) < 0) == (signed_area(second) < 0);
+    return {same_way ? smooth.areas.intersection : -smooth.areas.intersection, smooth.error.intersection};
+  } catch (const NotSimpleError&) {
+    return of_regions(first, second);
+  }
+}
+
+}  // namespace lober

@@ -1,0 +1,83 @@
+// Overlaps with translates, against overlays of outlines.
+#include "lober/tangle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "kernels/box.hpp"
+#include "lober/error.hpp"
+#include "lober/manifold_tangle.hpp"
+#include "lober/regions.hpp"
+
+namespace lober::detail {
+namespace {
+
+std::unique_ptr<ManifoldTangle> standard_tangle(double K, bool smooth) {
+  const System system = make_system("standard", {{"K", K}});
+  ManifoldTangleOptions options;
+  options.lattice = system.lattice;
+  options.smooth = smooth;
+  options.before = 2;
+  options.after = 2;
+  options.tolerance = 1e-4;
+  return grow_tangle(*system.map, *system.connection, options);
+}
+
+double common_area_of(const std::vector<Point>& first, std::vector<Point> second, Point translation) {
+  for (Point& point : second) point = {point.x + translation.x, point.y + translation.y};
+  if (!meet(box_of(first), box_of(second))) return 0;
+  return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(FillRule::nonzero).intersection;
+}
+
+// Lobes that reach into neighbouring cells, by polygons: the same to rounding as an overlay of every pair of them.
+TEST(OverlapsWithCopy, AreThoseOfOutlines) {
+  for (const double K : {2.0, 6.5}) {
+    const auto found = standard_tangle(K, false);
+    const Tangle& tangle = found->tangle;
+    const Point lattice = make_system("standard", {}).lattice;
+    std::size_t seen = 0;
+    for (const int times : {1, 2, -1}) {
+      const Point translation{times * lattice.x, 0};
+      std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
+      for (const LobeOverlap& both : overlaps_with_copy(tangle, translation).overlaps)
+        areas[{both.i, both.j}] = both.area;
+      for (std::uint32_t i = 0; i < tangle.lobes.size(); ++i) {
+        for (std::uint32_t j = 0; j < tangle.lobes.size(); ++j) {
+          const double expected = common_area_of(lobe_outline(tangle, i), lobe_outline(tangle, j), translation);
+          const auto at = areas.find({i, j});
+          // Corners of outlines are rounded.
+          EXPECT_NEAR(at == areas.end() ? 0 : at->second, expected, 1e-11) << K << ": " << i << ", " << j;
+          seen += expected > 1e-6;
+        }
+      }
+    }
+    if (K > 5) {
+      EXPECT_GT(seen, 10U);
+    }
+  }
+}
+
+TEST(OverlapsWithCopy, TheOtherWayRoundForTheOtherTranslation) {
+  const auto found = standard_tangle(6.5, true);
+  const Point lattice = make_system("standard", {}).lattice;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, LobeOverlap> there;
+  for (const LobeOverlap& both : overlaps_with_copy(found->tangle, lattice).overlaps) there[{both.i, both.j}] = both;
+  ASSERT_FALSE(there.empty());
+  for (const LobeOverlap& both : overlaps_with_copy(found->tangle, {-lattice.x, 0}).overlaps) {
+    const auto at = there.find({both.j, both.i});
+    ASSERT_NE(at, there.end());
+    EXPECT_NEAR(both.area, at->second.area, both.error + at->second.error);
+    EXPECT_NEAR(both.perimeter, at->second.perimeter, 1e-9);
+  }
+}
+
+TEST(OverlapsWithCopy, AreRefusedWithoutATranslation) {
+  const auto found = standard_tangle(2, false);
+  EXPECT_THROW(static_cast<void>(overlaps_with_copy(found->tangle, {0, 0})), UsageError);
+}
+
+}  // namespace
+}  // namespace lober::detail
