@@ -51,6 +51,13 @@ void add_options(OptionParser& parser, FixedPointsRequest& request) {
   parser.add("--max-grid", request.max_grid, "The points a side of the grid of the last scan (default: 384).")
       .range(2, 16384)
       .value("N");
+  parser
+      .add("--budget", request.options.budget,
+           "The wall time that the search may take, in seconds; points found by then are shown (default: by work, not "
+           "by "
+           "time: some seconds on one core).")
+      .range(0.01, 1e9)
+      .value("SECONDS");
   add_integration_option(parser, request.integration);
   parser.add("--csv", request.csv, "Write the points to FILE as comma-separated columns (default: no file).")
       .value("FILE");

@@ -44,7 +44,11 @@ std::string completeness_text(const FixedPointsReport& report) {
   } else {
     text += "; the index of the box is not defined";
   }
-  if (!search.settled) text += "; points may be missing, or the map may not be continuous: try a larger --max-grid";
+  if (search.out_of_work) {
+    text += "; points may be missing: more is more work than ";
+    text += report.options.budget > 0 ? "--budget allows" : "is done unasked (--budget SECONDS allows more)";
+  } else if (!search.settled)
+    text += "; points may be missing, or the map may not be continuous: try a larger --max-grid";
   return text + "\n";
 }
 
@@ -91,6 +95,7 @@ void write_fixed_points_json(const std::string& path, const FixedPointsReport& r
                           {"grid", report.options.grid},
                           {"max_grid", report.max_grid}});
   json.member("search", {{"settled", search.settled},
+                         {"out_of_work", search.out_of_work},
                          {"grid", search.grid},
                          {"index_sum", search.index_sum},
                          {"index_of_box", search.index_of_box ? Json(*search.index_of_box) : Json()}});

@@ -69,7 +69,9 @@ std::string range_text(const Parameter& parameter) {
 // Those in the window; none where the system has no map or no such point.
 std::vector<FixedPoint> fixed_points_of(const System& system) {
   if (!system.map || !(system.window.width() > 0 && system.window.height() > 0)) return {};
-  return search_fixed_points(*system.map, system.window, {}, FixedPointOptions{}.grid).points;
+  FixedPointOptions options;
+  options.max_work = 1e7;  // an overview, which is not waited for
+  return search_fixed_points(*system.map, system.window, options, options.grid).points;
 }
 
 std::string details_text(const System& system, std::span<const FixedPoint> points) {

@@ -47,6 +47,9 @@ struct FixedPointOptions {
   Point shift{};
   /// A scan evaluates f^period on grid x grid points.
   int grid = 48;
+  /// Of `search_fixed_points`: the work that it may take, as PlanarMap::work counts it. Not with `budget`.
+  double max_work = 5e7;
+  double budget = 0;  ///< seconds instead, by the clock: results then depend on the machine; 0: max_work
 };
 
 /// Newton's method from `guess`, damped, until rounding (or the tolerance of the integration) stops it. Throws
@@ -73,6 +76,7 @@ struct FixedPointSearch {
   std::vector<FixedPoint> points;  ///< as find_fixed_points; may be empty
   int grid = 0;                    ///< of the last scan
   bool settled = false;            ///< the last scan found what the one before had found, and no index contradicts it
+  bool out_of_work = false;        ///< the work that is allowed ended the search: the points are those found by then
   int index_sum = 0;               ///< of the points inside the box
   /// How often f^period(z) - z - shift turns round while z runs round the box: the sum of the indices of all points
   /// inside, where the map is continuous there. None where a point lies next to the edge of the box, is degenerate, or
@@ -81,8 +85,8 @@ struct FixedPointSearch {
 };
 
 /// The points in a box, by scans on grids of options.grid, twice as many, ... points a side, until two in a row find
-/// the same and the sum of their indices is that of the box; the last scan has max_grid points a side at most.
-/// `progress` takes the grid of the scan that begins; false cancels. Throws UsageError, Cancelled. Parallel; the same
+/// the same and the sum of their indices is that of the box; the last scan has max_grid points a side at most. The first
+/// grid is coarser where its points alone would take more than a quarter of the work that is allowed. `progress` takes the grid of the scan that begins; false cancels. Throws UsageError, Cancelled. Parallel; the same
 /// bits for any number of threads.
 [[nodiscard]] LOBER_API FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
                                                              const FixedPointOptions& options = {}, int max_grid = 384,

@@ -83,15 +83,22 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
 }
 
 std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
-                                     const DisplacementGrid& grid) {
+                                     const DisplacementGrid& grid, const SearchAllowance* allowance) {
   const std::vector<Point> seeds = grid.seeds();
   std::vector<std::optional<FixedPoint>> found(seeds.size());
-  for_each_block(seeds.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const NewtonEnd newton_end = newton(map, seeds[k], options, 2 * grid.cell());
-      if (newton_end.converged && in_box(box, newton_end.at)) found[k] = describe(map, newton_end.at, options);
-    }
-  });
+  // Whether there is work left is asked between rounds, so that it does not depend on threads.
+  constexpr std::size_t seeds_a_task = 16, seeds_a_round = 32;
+  for (std::size_t round = 0; round < seeds.size() && (!allowance || allowance->has(0)); round += seeds_a_round) {
+    for_each_block(std::min(seeds_a_round, seeds.size() - round), seeds_a_task,
+                   [&](std::size_t begin, std::size_t end) {
+                     const auto some = std::span(seeds).subspan(round + begin, end - begin);
+                     const std::vector<NewtonEnd> ends = newton(map, some, options, 2 * grid.cell());
+                     for (std::size_t k = 0; k < ends.size(); ++k) {
+                       if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
+                       found[round + begin + k] = describe(map, ends[k].at, options);
+                     }
+                   });
+  }
   std::vector<FixedPoint> result;
   for (const std::optional<FixedPoint>& point : found) {
     if (!point) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace lober::detail {
 
@@ -15,13 +16,84 @@ Point newton_step(const Displacement& here) {
   return {(a.xy * here.gap.y - a.yy * here.gap.x) / d, (a.yx * here.gap.x - a.xx * here.gap.y) / d};
 }
 
-/// Whether the map is defined all round z. At the edge of the chart of a section it has limits that look like fixed
-/// points.
-bool is_inside(const PlanarMap& map, Point z, int period) {
-  const double h = 1e-6 * size_at(z);
-  std::array<Point, 4> around{{{z.x + h, z.y}, {z.x - h, z.y}, {z.x, z.y + h}, {z.x, z.y - h}}};
+// Newton's method from one guess, one displacement at a time.
+class Iteration {
+ public:
+  explicit Iteration(Point guess) : next_(guess) {}
+
+  [[nodiscard]] bool ended() const { return ended_; }
+  /// Where the displacement is wanted next.
+  [[nodiscard]] Point next() const { return next_; }
+  [[nodiscard]] const NewtonEnd& best() const { return best_; }
+  [[nodiscard]] bool stalled() const { return stalled_; }
+
+  void take(const Displacement& here, double reach) {
+    if (++evaluations_ == max_evaluations) ended_ = stalled_ = true;
+    if (ended_) return;
+    const double residual = length(here.gap);
+    if (round_ == 0) {
+      z_ = next_;
+      best_ = {z_, residual, false};
+    } else if (close_ || residual < best_.residual) {
+      z_ = next_;
+      if (residual < best_.residual) {
+        best_ = {z_, residual, false};
+      } else if (!std::isfinite(residual) || round_ > min_rounds) {
+        ended_ = true;
+        return;
+      }
+    } else {
+      // Far from the point each step has to bring it nearer. Close to it rounding decides, and the best of some is
+      // taken.
+      stalled_ = ended_ = halvings_ == max_halvings;
+      ++halvings_;
+      step_ = {0.5 * step_.x, 0.5 * step_.y};
+      next_ = {z_.x + step_.x, z_.y + step_.y};
+      return;
+    }
+    step_from(here, reach);
+  }
+
+ private:
+  // An iteration that has not converged by then is on its way to nowhere, where orbits may be long.
+  static constexpr int max_rounds = 60, min_rounds = 8, max_halvings = 12, max_evaluations = 150;
+
+  void step_from(const Displacement& here, double reach) {
+    ++round_;
+    halvings_ = 0;
+    step_ = newton_step(here);
+    const double size = length(step_);
+    ended_ = round_ == max_rounds || !(best_.residual > 0) || !std::isfinite(size);
+    close_ = size <= 1e-8 * size_at(z_);
+    if (size > reach) step_ = {step_.x * reach / size, step_.y * reach / size};
+    next_ = {z_.x + step_.x, z_.y + step_.y};
+  }
+
+  Point z_{}, step_{}, next_;
+  NewtonEnd best_{};
+  int round_ = 0, halvings_ = 0, evaluations_ = 0;
+  bool close_ = false, ended_ = false, stalled_ = false;
+};
+
+/// Marks those that have converged, if the map is defined all round them: at the edge of the chart of a section it has
+/// limits that look like fixed points.
+void mark_converged(const PlanarMap& map, int period, std::span<const Iteration> iterations,
+                    std::vector<NewtonEnd>& ends) {
+  std::vector<std::size_t> candidates;
+  std::vector<Point> around;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    ends[k] = iterations[k].best();
+    if (iterations[k].stalled() || !(ends[k].residual <= 1e-7 * size_at(ends[k].at))) continue;
+    candidates.push_back(k);
+    const Point z = ends[k].at;
+    const double h = 1e-6 * size_at(z);
+    around.insert(around.end(), {{z.x + h, z.y}, {z.x - h, z.y}, {z.x, z.y + h}, {z.x, z.y - h}});
+  }
   map.iterate(around, period);
-  return std::all_of(around.begin(), around.end(), is_finite);
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const auto first = around.begin() + static_cast<std::ptrdiff_t>(4 * k);
+    ends[candidates[k]].converged = std::all_of(first, first + 4, is_finite);
+  }
 }
 
 }  // namespace
@@ -34,36 +106,29 @@ Displacement displacement(const PlanarMap& map, Point z, int period, Point shift
 }
 
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach) {
-  constexpr int max_rounds = 60, min_rounds = 8, max_halvings = 12;
-  Displacement here = displacement(map, guess, options.period, options.shift);
-  Point z = guess;
-  NewtonEnd best{z, length(here.gap), false};
-  for (int round = 1; round < max_rounds && best.residual > 0; ++round) {
-    Point step = newton_step(here);
-    const double size = length(step);
-    if (!std::isfinite(size)) break;
-    const bool close = size <= 1e-8 * size_at(z);
-    if (size > reach) step = {step.x * reach / size, step.y * reach / size};
-    // Far from the point each step has to bring it nearer. Close to it rounding decides, and the best of some is taken.
-    for (int halvings = 0;; ++halvings) {
-      const Point next{z.x + step.x, z.y + step.y};
-      here = displacement(map, next, options.period, options.shift);
-      if (close || length(here.gap) < best.residual) {
-        z = next;
-        break;
-      }
-      if (halvings == max_halvings) return best;
-      step = {0.5 * step.x, 0.5 * step.y};
+  return newton(map, std::span<const Point>(&guess, 1), options, reach)[0];
+}
+
+std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses, const FixedPointOptions& options,
+                              double reach) {
+  std::vector<Iteration> iterations(guesses.begin(), guesses.end());
+  std::vector<std::size_t> open(guesses.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  while (!open.empty()) {
+    std::vector<Point> points;
+    for (const std::size_t k : open) points.push_back(iterations[k].next());
+    std::vector<Matrix2> derivatives(points.size());
+    map.iterate_with_derivatives(points, options.period, derivatives);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Point from = iterations[open[i]].next();
+      const Point gap{points[i].x - from.x - options.shift.x, points[i].y - from.y - options.shift.y};
+      iterations[open[i]].take({gap, derivatives[i]}, reach);
     }
-    const double residual = length(here.gap);
-    if (residual < best.residual) {
-      best = {z, residual, false};
-    } else if (!std::isfinite(residual) || round > min_rounds) {
-      break;
-    }
+    std::erase_if(open, [&](std::size_t k) { return iterations[k].ended(); });
   }
-  best.converged = best.residual <= 1e-7 * size_at(best.at) && is_inside(map, best.at, options.period);
-  return best;
+  std::vector<NewtonEnd> ends(guesses.size());
+  mark_converged(map, options.period, iterations, ends);
+  return ends;
 }
 
 }  // namespace lober::detail

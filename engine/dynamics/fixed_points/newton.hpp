@@ -1,6 +1,9 @@
 // Newton's method for points with f^period(z) = z + shift.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/fixed_points.hpp"
 
@@ -29,5 +32,8 @@ struct NewtonEnd {
 /// point of the least residual. Converged: that is small, and the map is defined all round the point. A negative period
 /// stands for iterates of the inverse.
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach);
+/// The same from many guesses, whose images are asked for together: flows follow several points at a time.
+[[nodiscard]] std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses,
+                                            const FixedPointOptions& options, double reach);
 
 }  // namespace lober::detail

@@ -1,8 +1,11 @@
 // One scan of a box for fixed points.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
+#include "engine/base/stopwatch.hpp"
 #include "engine/dynamics/fixed_points/displacement_grid.hpp"
 #include "lober/fixed_points.hpp"
 
@@ -11,8 +14,35 @@ namespace lober::detail {
 /// Throws UsageError for options or a box that make no sense.
 void require_scan(const Rectangle& box, const FixedPointOptions& options);
 
-/// What Newton's method finds in the box from the seeds of the grid, sorted by period, x, y.
+/// The work that a search may still take: what the map has counted since, or the time.
+class SearchAllowance {
+ public:
+  SearchAllowance(const PlanarMap& map, const FixedPointOptions& options)
+      : map_(map), options_(options), begun_(map.work()) {}
+  /// Whether so much more work fits in.
+  [[nodiscard]] bool has(double work) const {
+    const double done = static_cast<double>(map_.work() - begun_);
+    if (!(options_.budget > 0)) return done + work <= options_.max_work;
+    const double seconds = watch_.seconds(), a_unit = done > 0 ? seconds / done : 0;
+    return seconds + a_unit * work <= options_.budget;
+  }
+  /// A part of all of it, as work.
+  [[nodiscard]] double part(double share) const {
+    if (!(options_.budget > 0)) return share * options_.max_work;
+    const double done = static_cast<double>(map_.work() - begun_), seconds = watch_.seconds();
+    return seconds > 0 && done > 0 ? share * options_.budget * done / seconds : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  const PlanarMap& map_;
+  const FixedPointOptions& options_;
+  std::uint64_t begun_;
+  Stopwatch watch_;
+};
+
+/// What Newton's method finds in the box from the seeds of the grid, sorted by period, x, y; with an allowance, from
+/// those before it ends.
 [[nodiscard]] std::vector<FixedPoint> scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
-                                           const DisplacementGrid& grid);
+                                           const DisplacementGrid& grid, const SearchAllowance* allowance = nullptr);
 
 }  // namespace lober::detail

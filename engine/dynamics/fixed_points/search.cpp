@@ -32,8 +32,23 @@ double turn(Point a, Point b) {
   return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
 }
 
-// Samples are put in until neighbouring displacements differ by less than `most` in direction.
-std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options) {
+// Work that an image of a point of the box takes, from some that are spread over it.
+double work_of_image(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options) {
+  constexpr std::size_t side = 8;
+  std::vector<Point> points;
+  for (std::size_t k = 0; k < side * side; ++k) {
+    const double x = (static_cast<double>(k % side) + 0.5) / side, y = (static_cast<double>(k / side) + 0.5) / side;
+    points.push_back({box.min_x + x * box.width(), box.min_y + y * box.height()});
+  }
+  const std::uint64_t before = map.work();
+  map.iterate(points, options.period);
+  return static_cast<double>(map.work() - before) / static_cast<double>(points.size());
+}
+
+// Samples are put in until neighbouring displacements differ by less than `most` in direction; none where that takes
+// more than a quarter of the work.
+std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
+                                 double an_image, const SearchAllowance& allowance) {
   constexpr std::size_t first_samples = 512;  // a side
   constexpr double most = 0.5;
   constexpr int rounds = 24;
@@ -50,6 +65,8 @@ std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, con
     }
     return samples;
   };
+  double left = allowance.part(0.25) / std::max(an_image, 1e-3);
+  if (left < 4 * first_samples) return std::nullopt;
   std::vector<double> ts;
   for (std::size_t k = 0; k <= 4 * first_samples; ++k) ts.push_back(static_cast<double>(k) / first_samples);
   std::vector<Sample> samples = displaced(ts);
@@ -63,6 +80,8 @@ std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, con
       }
     }
     if (ts.empty()) break;
+    left -= static_cast<double>(ts.size());
+    if (left < 4 * first_samples) return std::nullopt;
     if (round == rounds) return std::nullopt;  // a point lies on the edge, or the map is not continuous there
     const std::vector<Sample> more = displaced(ts);
     samples.insert(samples.end(), more.begin(), more.end());
@@ -107,12 +126,26 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
   require_scan(box, options);
   if (max_grid < options.grid) throw UsageError("the last grid of a search must not be coarser than the first one");
   FixedPointSearch search;
-  const std::optional<int> edge = index_of_edge(map, box, options);
+  const SearchAllowance allowance(map, options);
+  const double an_image = work_of_image(map, box, options);
+  const std::optional<int> edge = index_of_edge(map, box, options, an_image, allowance);
   FixedPointOptions each = options;
+  const auto work_of_grid = [&] { return an_image * each.grid * each.grid; };
+  constexpr int coarsest_grid = 12;
+  while (each.grid > coarsest_grid && work_of_grid() > allowance.part(0.25))
+    each.grid = std::max(each.grid / 2, coarsest_grid);
   for (bool first = true;; first = false, each.grid = std::min(2 * each.grid, max_grid)) {
     if (progress && !progress(each.grid)) throw Cancelled();
+    if (!first && !allowance.has(work_of_grid())) {
+      search.out_of_work = true;
+      return search;
+    }
     const DisplacementGrid grid(map, box, each);
-    std::vector<FixedPoint> found = scan(map, box, each, grid);
+    std::vector<FixedPoint> found = scan(map, box, each, grid, &allowance);
+    if (!allowance.has(0)) {  // the seeds may not be through: of two scans the one that found more
+      search.out_of_work = true;
+      if (!first && found.size() < search.points.size()) return search;
+    }
     const bool same = !first && same_points(found, search.points);
     search.points = std::move(found);
     search.grid = each.grid;
@@ -125,7 +158,8 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     }
     search.index_of_box = degenerate || !grid.all_have_images() ? std::nullopt : edge;
     search.settled = same && (!search.index_of_box || *search.index_of_box == search.index_sum);
-    if (search.settled || each.grid == max_grid) return search;
+    if (search.out_of_work) search.settled = false;
+    if (search.settled || search.out_of_work || each.grid == max_grid) return search;
   }
 }
 
