@@ -15,6 +15,7 @@
 #include "cli/report/report.hpp"
 #include "engine/batch/export.hpp"
 #include "engine/batch/forecast.hpp"
+#include "engine/batch/output_folder.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/threads.hpp"
 
@@ -40,6 +41,7 @@ void run_manifest(const Arguments& arguments) {
     BatchProgress line;
     BatchOptions options;
     options.store = request->store;
+    options.output_root = request->output_root;
     options.shard = request->shard;
     options.queue.threads = request->threads;
     options.queue.memory = request->memory;
@@ -57,17 +59,19 @@ void run_manifest(const Arguments& arguments) {
 }
 
 void check_manifest(const Arguments& arguments) {
-  std::string path;
+  std::string path, output_root;
   std::uint64_t memory = 0;
   OptionParser parser(
       "Reads a manifest and reports the number of its jobs, curves and points, and the work that the memory is too "
       "small for. Nothing is computed.",
       "lober batch check");
   parser.add("MANIFEST", path, "The manifest, a TOML file that names the operation and the curves.").required();
+  add_output_root_option(parser, output_root);
   const Option memory_given = add_memory_budget(parser, memory);
   if (!parser.parse(arguments)) return;
   const std::size_t budget = memory_given.given() ? memory : detail::machine_memory() / 2;
   const detail::Plan plan = detail::make_plan(detail::read_manifest(path));
+  detail::OutputFolder(output_root, path, plan, default_store(path)).accept_all(plan);
   const detail::Estimate sum = estimate(plan, path);
   std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
                                  counted(sum.curves, "curve", "curves"), counted(sum.files, "file", "files"));

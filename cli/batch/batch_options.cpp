@@ -30,6 +30,14 @@ Option add_memory_budget(OptionParser& parser, std::uint64_t& bytes) {
                            "(default: half of the machine's memory).");
 }
 
+void add_output_root_option(OptionParser& parser, std::string& folder) {
+  parser
+      .add("--output-root", folder,
+           "The folder below which jobs write their files, and which names of outputs are relative to (default: the "
+           "folder of the manifest).")
+      .value("DIR");
+}
+
 std::string default_store(const std::string& manifest) {
   return std::filesystem::path(manifest).replace_extension(".results");
 }
@@ -49,6 +57,7 @@ std::optional<BatchRequest> parse_batch(const std::vector<std::string>& argument
            "The store of results, a SQLite file, which is created if it does not exist (default: MANIFEST with the "
            "ending .results).")
       .value("FILE");
+  add_output_root_option(parser, request.output_root);
   add_threads_option(parser, request.threads);
   const Option memory_given = add_memory_budget(parser, memory);
   const Option shard_given =

@@ -109,6 +109,8 @@ BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& opti
   const Stopwatch watch;
   BatchReport report;
   const Plan plan = make_plan(manifest);
+  const OutputFolder outputs(options.output_root, manifest.path, plan, options.store);
+  outputs.accept_all(plan);
   QueueOptions queue_options = options.queue;
   queue_options.digests = true;
   std::atomic<bool> broken{false};
@@ -118,7 +120,7 @@ BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& opti
   report.damaged = session.damaged();
   std::size_t unusable = 0;
   {
-    PlanRunner queue(plan, manifest.path, session.pending(), queue_options);
+    PlanRunner queue(plan, manifest.path, session.pending(), queue_options, &outputs);
     std::optional<Stopwatch> since_stop;
     ProgressTimer timer([&] {
       try {

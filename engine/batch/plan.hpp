@@ -25,6 +25,8 @@ struct Plan {
   [[nodiscard]] const JobGroup& group_of(const Job& job) const { return groups[job.group]; }
   /// Of a curve; empty for no_curve.
   [[nodiscard]] std::string name(CurveId curve) const { return curve == no_curve ? "" : curves[curve].name(); }
+  /// The name of the file that a job writes; empty for none.
+  [[nodiscard]] std::string output_of(const Job& job) const;
   /// As CBOR: the same for the same plan.
   [[nodiscard]] std::string encoded() const;
   /// Throws DataError for bytes that are no plan, among them those of one that names groups or curves which it does not

@@ -14,7 +14,7 @@ QueueOptions concurrently(QueueOptions options) {
 }  // namespace
 
 PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
-                       const QueueOptions& options)
+                       const QueueOptions& options, const OutputFolder* outputs)
     : plan_(plan), keys_(plan), queue_(concurrently(options)), ids_(plan.curves.size(), no_curve) {
   const std::vector<std::vector<CurveId>> units = units_of(plan, jobs);
   std::vector<CurveUnit> made(units.size());  // in parallel: each opens its file to see how long it is
@@ -24,7 +24,10 @@ PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::
     const std::vector<CurveId> ids = queue_.add(std::move(made[k]));
     for (std::size_t i = 0; i < ids.size(); ++i) ids_[units[k][i]] = ids[i];
   }
-  for (const JobGroup& group : plan.groups) queue_.add(group);  // numbered as in the plan
+  for (JobGroup group : plan.groups) {  // numbered as in the plan
+    group.outputs = outputs;
+    queue_.add(std::move(group));
+  }
 }
 
 QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::function<void(Result&&)>& done) {

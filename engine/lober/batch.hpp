@@ -89,6 +89,9 @@ struct BatchOptions {
   /// and is passed on.
   std::function<bool(const QueueProgress&)> progress;
   double patience = 1;
+  /// The folder below which jobs write their files, and which names of outputs are relative to; empty: the folder of
+  /// the manifest. It has to exist.
+  std::string output_root = {};
 };
 
 struct BatchReport {
