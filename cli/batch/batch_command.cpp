@@ -149,6 +149,9 @@ void merge_stores(const Arguments& arguments) {
   parser.add("TARGET", target, "The store that takes the results, which is created if it does not exist.").required();
   parser.add("STORES", sources, "The stores whose results are copied.").required();
   if (!parser.parse(arguments)) return;
+  std::vector<std::string> all{target};
+  all.insert(all.end(), sources.begin(), sources.end());
+  detail::require_different_stores(all);
   std::vector<detail::Store> others;
   for (const std::string& source : sources) others.push_back(detail::Store::open(source));
   const bool is_new = !std::filesystem::exists(target);

@@ -37,7 +37,7 @@ std::string text_of(Shard shard) {
 StoreSession::StoreSession(const std::string& store_path, const Plan& plan, const Manifest& manifest, Shard shard,
                            int threads, std::function<void()> broken)
     : plan_(plan), store_(Store::create(store_path)), digests_(plan.curves.size()), seen_(plan.curves.size(), 0) {
-  store_->begin_run(provenance(), threads, manifest.text, text_of(shard), plan);
+  store_->begin_run(provenance(), threads, manifest, text_of(shard), plan);
   pending_ = jobs_of(plan, shard);
   InputDigests inputs;
   if (!store_->stored().empty()) {

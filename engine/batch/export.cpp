@@ -1,5 +1,8 @@
 #include "engine/batch/export.hpp"
 
+#include <filesystem>
+#include <set>
+
 #include "engine/batch/export_formats.hpp"
 
 namespace lober {
@@ -43,6 +46,25 @@ std::string inputs_of(const Plan& plan, const Job& job) {
   return inputs.empty() ? plan.group_of(job).options.to_string() : inputs;
 }
 
+// By what they are: the table of a batch is not to take the place of one of its curves, by whatever name.
+void require_no_curve(const std::string& path, const Store& store, const Plan& plan) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (path == "-" || !fs::exists(path, ignored)) return;
+  // Where the curves were, or are now if the batch was moved.
+  std::set<fs::path> folders{"", fs::path(store.path()).parent_path()};
+  for (const Store::Run& run : store.runs()) folders.insert(run.folder);
+  std::set<std::string_view> done;
+  for (const CurveSource& curve : plan.curves) {
+    if (curve.file.empty() || !done.insert(curve.file).second) continue;
+    for (const fs::path& folder : folders) {
+      if (fs::equivalent(folder / curve.file, path, ignored)) {
+        throw UsageError(path + ": is " + curve.file + ", a curve of this batch; name another file");
+      }
+    }
+  }
+}
+
 Plan plan_of(const Store& store) {
   std::optional<Plan> plan = store.plan();
   if (!plan) throw DataError("the store holds no plan yet");
@@ -80,6 +102,7 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
   const EachResult results = [&](const std::function<void(const Result&)>& take) {
     counts = for_each_result(store, plan, wanted, take);
   };
+  require_no_curve(path, store, plan);
   OutputFile file(path);
   if (format == ExportFormat::json_lines) {
     write_json_lines(file, plan, results);

@@ -32,6 +32,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "engine/batch/database.hpp"
@@ -53,7 +54,7 @@ class Store {
 
   /// Notes a new run and makes `plan` the one that exports and views follow. Throws DataError when the tables of the
   /// file do not hold together: O(size) when there are results already.
-  void begin_run(const Provenance& who, int threads, const std::string& manifest, const std::string& shard, Plan plan);
+  void begin_run(const Provenance& who, int threads, const Manifest& manifest, const std::string& shard, Plan plan);
   /// Of a plan whose inputs have these digests now, or else those that they had: makes the views show the results that
   /// hold, and no others.
   void show(const InputDigests& inputs);
@@ -93,7 +94,14 @@ class Store {
   struct Run {
     std::int64_t id;
     std::string started, ended, how, version, commit, compiler, flags, host, shard, manifest;
+    std::string folder;  ///< of the manifest: what names of curves are relative to
     int threads;
+    /// Whether both are one run, of which one may have been noted before it had ended.
+    [[nodiscard]] bool is_same(const Run& other) const {
+      return std::tie(started, version, commit, host, shard, manifest, folder, threads) ==
+             std::tie(other.started, other.version, other.commit, other.host, other.shard, other.manifest, other.folder,
+                      other.threads);
+    }
   };
   [[nodiscard]] std::vector<Run> runs() const;
 

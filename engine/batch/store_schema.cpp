@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* common_tables = R"(
   CREATE TABLE runs (id INTEGER PRIMARY KEY, started TEXT, ended TEXT, how TEXT, version TEXT,
-    "commit" TEXT, compiler TEXT, flags TEXT, host TEXT, threads INTEGER, shard TEXT, manifest TEXT);
+    "commit" TEXT, compiler TEXT, flags TEXT, host TEXT, threads INTEGER, shard TEXT, manifest TEXT, folder TEXT);
   CREATE TABLE plan (id INTEGER PRIMARY KEY CHECK (id = 1), body BLOB, sum INTEGER);
   CREATE TABLE curves (name TEXT PRIMARY KEY, digest TEXT, sum INTEGER) WITHOUT ROWID;
   CREATE TABLE groups (id INTEGER PRIMARY KEY, name TEXT, operation TEXT, options TEXT);
