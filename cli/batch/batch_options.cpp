@@ -9,17 +9,20 @@ namespace lober::cli {
 namespace {
 
 Shard parse_shard(const std::string& text) {
+  constexpr std::size_t max_shards = 0xffffffff;
   Shard shard;
   const char* const end = text.data() + text.size();
   const auto [slash, first] = std::from_chars(text.data(), end, shard.number);
   if (first == std::errc{} && slash != end && *slash == '/') {
     const auto [stop, second] = std::from_chars(slash + 1, end, shard.of);
-    if (second == std::errc{} && stop == end && shard.number >= 1 && shard.number <= shard.of) {
+    if (second == std::errc{} && stop == end && shard.number >= 1 && shard.number <= shard.of &&
+        shard.of <= max_shards) {
       --shard.number;
       return shard;
     }
   }
-  throw UsageError("--shard: \"" + text + "\" is not of the form I/N with 1 <= I <= N");
+  throw UsageError("--shard: \"" + text +
+                   "\" is not of the form I/N with 1 <= I <= N <= " + std::to_string(max_shards));
 }
 
 }  // namespace

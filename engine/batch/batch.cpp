@@ -111,6 +111,7 @@ BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& opti
   const Plan plan = make_plan(manifest);
   const OutputFolder outputs(options.output_root, manifest.path, plan, options.store);
   outputs.accept_all(plan);
+  (void)jobs_of(plan, options.shard);  // refused before there is a store
   QueueOptions queue_options = options.queue;
   queue_options.digests = true;
   std::atomic<bool> broken{false};

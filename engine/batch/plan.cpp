@@ -109,6 +109,12 @@ Plan make_plan(const Manifest& manifest) {
 }
 
 std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard) {
+  constexpr std::size_t max_shards = 0xffffffff;  // as many as there can be jobs; their product has to fit
+  if (shard.number >= shard.of || shard.of > max_shards) {
+    throw UsageError("shard " + std::to_string(shard.number) + " of " + std::to_string(shard.of) +
+                     " does not exist; count shards from 0, below their number, which is at most " +
+                     std::to_string(max_shards));
+  }
   std::vector<std::uint32_t> chosen;
   for (std::size_t begin = 0; begin < plan.jobs.size();) {
     std::size_t end = begin;

@@ -39,7 +39,7 @@ struct Plan {
 [[nodiscard]] Plan make_plan(const Manifest& manifest);
 
 /// The jobs of a shard: of each group its share, a run of jobs that follow each other, so that a shard reads few
-/// curves. Depends on nothing but the plan.
+/// curves. Depends on nothing but the plan. Throws UsageError for a shard that does not exist.
 [[nodiscard]] std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard);
 
 /// The curves of these jobs, those together that are read together; in the order of the plan.

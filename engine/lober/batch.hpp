@@ -41,7 +41,7 @@ struct OperationInfo {
 /// All operations of batches.
 [[nodiscard]] LOBER_API std::vector<OperationInfo> list_operations();
 
-/// One of several processes or machines that share a plan.
+/// One of several processes or machines that share a plan: `number` counts from 0 and is less than `of`.
 struct Shard {
   std::size_t number = 0, of = 1;
 };
@@ -104,9 +104,10 @@ struct BatchReport {
 };
 
 /// Runs what the manifest asks for and the store does not have yet. Throws DataError when the manifest or a store
-/// cannot be read, UsageError "path:line: key: what is wrong" for everything in the manifest that is not understood,
-/// DataError as soon as the store can no longer be written; a job that fails is not an exception but counted. Jobs run
-/// side by side; results do not depend on the number of threads, on shards or on the memory given.
+/// cannot be read, UsageError "path:line: key: what is wrong" for everything in the manifest that is not understood and
+/// for a shard that does not exist, DataError as soon as the store can no longer be written; a job that fails is not an
+/// exception but counted. Jobs run side by side; results do not depend on the number of threads, on shards or on the
+/// memory given.
 [[nodiscard]] LOBER_API BatchReport run_batch(const std::string& manifest, const BatchOptions& options);
 
 enum class ExportFormat : std::uint8_t {

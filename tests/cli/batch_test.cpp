@@ -262,6 +262,7 @@ TEST_F(Batch, BadCommandsAreRefused) {
                                              {"batch", "walk"},
                                              {"batch", "run"},
                                              {"batch", "run", "job.toml", "--shard", "4/3"},
+                                             {"batch", "run", "job.toml", "--shard", "1/4294967296"},
                                              {"batch", "run", "job.toml", "--memory", "much"},
                                              {"batch", "export", "job.results", "-o", "table.xls"}}) {
     EXPECT_EQ(run(bad).status, 2) << bad.back();

@@ -8,6 +8,7 @@
 #include "engine/batch/work_queue.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
+#include "tests/refusal.hpp"
 
 namespace lober::detail {
 namespace {
@@ -131,6 +132,19 @@ operation = "interior"
     for (const std::uint32_t job : jobs_of(all, {k, 5})) ++seen[job];
   }
   EXPECT_EQ(seen, std::vector<int>(all.jobs.size(), 1));
+}
+
+TEST_F(ManifestTest, ShardsThatDoNotExistAreRefused) {
+  const Plan all = plan("operation = \"interior\"\ncurves = \"separ.*\"\n");
+  for (const Shard none : {Shard{0, 0}, Shard{1, 1}, Shard{7, 5}, Shard{0, std::size_t{1} << 40}}) {
+    EXPECT_NE(test::refusal<UsageError>([&] { (void)jobs_of(all, none); }).find("does not exist; count shards from 0"),
+              std::string::npos);
+    BatchOptions options;
+    options.store = path("s");
+    options.shard = none;
+    EXPECT_THROW((void)run_batch(path("job.toml"), options), UsageError);
+    EXPECT_FALSE(std::filesystem::exists(path("s")));
+  }
 }
 
 TEST_F(ManifestTest, WorkQueueHandsOutEachJobOnceInShrinkingPortions) {
