@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -26,6 +27,36 @@ using Arguments = std::vector<std::string>;
 
 std::string how_far(const ExportCounts& counts) {
   return fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing);
+}
+
+// Each message once, and where to find the others of a long list.
+std::string failures_text(const detail::StoreSurvey& found, const std::string& store) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, found.failures.size()); ++k) {
+    const detail::StoreSurvey::Failure& failure = found.failures[k];
+    text += failure.jobs == 1 ? "" : fmt::format("{} jobs failed, first ", failure.jobs);
+    text += failure.first + ": " + failure.message + "\n";
+  }
+  if (found.failures.size() > most) {
+    text += fmt::format("and {}\n", counted(found.failures.size() - most, "other message", "other messages"));
+  }
+  if (!found.failures.empty()) {
+    text += "lober batch export " + store +
+            " --format jsonl lists every job that failed; the next lober batch run runs them again\n";
+  }
+  return text;
+}
+
+// What was meant by a word that is not a subcommand, if it is a file.
+std::string advice_for_file(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  if (path.ends_with(".toml")) return ", but a file; give lober batch run " + path;
+  const std::filesystem::path file(path);
+  const std::string pattern = (file.parent_path() / ("*" + file.extension().string())).string();
+  return ", but a file; write a manifest of three lines, operation = \"overlay\", curves = \"" + pattern +
+         "\" and pairs = \"all\", and give it to lober batch run";
 }
 
 void run_manifest(const Arguments& arguments) {
@@ -109,7 +140,7 @@ void show_status(const Arguments& arguments) {
                         run.ended.empty() ? "?" : run.ended, run.how.empty() ? "broken off" : run.how, run.version,
                         run.commit, run.host, run.compiler, run.flags, run.shard);
   }
-  for (const std::string& failure : found.failures) text += failure + "\n";
+  text += failures_text(found, path);
   print(text);
   warn_of(found.counts.damaged);
 }
@@ -210,6 +241,9 @@ void run_batch_command(const Arguments& arguments) {
   if (verb == "merge") return merge_stores(rest);
   if (verb == "manifest") return show_manifest_keys(rest);
   if (verb == "operations") return show_operations(rest);
+  if (const std::string advice = advice_for_file(verb); !advice.empty()) {
+    throw UsageError("\"" + verb + "\" is not a subcommand of lober batch" + advice);
+  }
   throw UsageError("\"" + verb +
                    "\" is not a subcommand of lober batch; give run, check, status, export, merge, "
                    "manifest or operations");

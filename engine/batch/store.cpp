@@ -100,12 +100,13 @@ void Store::put_plan(const Plan& plan) {
   Statement(*database_, "INSERT OR REPLACE INTO plan VALUES (1, ?1, ?2)").bind_blob(1, body).bind(2, plan_sum_).run();
   if (!plan_is_new_) return;
   database_->execute("DELETE FROM groups");
-  Statement insert(*database_, "INSERT INTO groups VALUES (?1, ?2, ?3, ?4)");
+  Statement insert(*database_, "INSERT INTO groups VALUES (?1, ?2, ?3, ?4, ?5)");
   for (std::size_t k = 0; k < plan.groups.size(); ++k) {
     const JobGroup& group = plan.groups[k];
-    const std::string options = group.options.to_string();
+    const std::string options = group.options.to_string(), settings = encoded_settings(group.options);
     insert.bind(1, static_cast<std::int64_t>(k)).bind(2, std::string_view(group.name));
-    insert.bind(3, std::string_view(group.operation->name)).bind(4, std::string_view(options)).run();
+    insert.bind(3, std::string_view(group.operation->name)).bind(4, std::string_view(options));
+    insert.bind(5, std::string_view(settings)).run();
   }
 }
 

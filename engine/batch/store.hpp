@@ -5,8 +5,9 @@
 //   sqlite3 pairs.results "SELECT curve1, curve2, area FROM overlaps WHERE crossings > 0"
 //
 //   overlaps, interiors, tangles, densified, transports
-//             a row for each job of the newest plan that is done: job, group, options, curve1, curve2, the values,
-//             named as in exports (and `area`, the intersection), lists (JSON, see result.hpp), seconds
+//             a row for each job of the newest plan that is done: job, group, options, settings (the options as JSON),
+//             curve1, curve2, the values, named as in exports (and `area`, the intersection), lists (JSON, see
+//             result.hpp), seconds
 //   results   a row for each job of the newest plan that is done or has failed: status, message, ...
 //   failures  those that failed
 //   runs      who computed, when, with what (provenance) and from which manifest

@@ -219,6 +219,32 @@ options = { max_length = 0.01, output = "fine_{name}.npy" }
   EXPECT_EQ(first["lobes_c1_minus_c2"].size(), first["pieces_c1_minus_c2"]);
 }
 
+TEST_F(Batch, StatusSaysAFailureOnce) {
+  write("job.toml",
+        "operation = \"transport\"\noptions = { system = \"henon\", tolerance = 1e-3 }\n"
+        "grid = { parameters.k = [-2, -1.5, -1.2, 1.02] }\n");
+  (void)report({"job.toml"}, 1);
+  const std::string status = run({"batch", "status", "job.results"}).out;
+  EXPECT_NE(status.find("1 done, 3 failed, 0 to do"), std::string::npos) << status;
+  EXPECT_NE(status.find("3 jobs failed, first parameters.k=-2: no tangle at these parameters: "), std::string::npos)
+      << status;
+  EXPECT_EQ(std::count(status.begin(), status.end(), '\n'), 4) << status;
+  EXPECT_NE(status.find("lober batch export job.results --format jsonl lists every job that failed"), std::string::npos)
+      << status;
+}
+
+TEST_F(Batch, FilesInThePlaceOfASubcommandAreExplained) {
+  write_curves(2);
+  write("a.csv", "0,0\n1,0\n0,1\n");
+  const Outcome curves = run({"batch", "./a.csv", "./b.csv"}), manifest = run({"batch", "job.toml"});
+  EXPECT_EQ(curves.status, 2);
+  EXPECT_NE(curves.err.find("write a manifest of three lines, operation = \"overlay\", curves = \"./*.csv\""),
+            std::string::npos)
+      << curves.err;
+  EXPECT_EQ(manifest.status, 2);
+  EXPECT_NE(manifest.err.find("give lober batch run job.toml"), std::string::npos) << manifest.err;
+}
+
 // What numpy.load would need: a header that is aligned and a body of whole rows.
 TEST_F(Batch, NpyExportIsAStructuredArray) {
   write_curves(4);
