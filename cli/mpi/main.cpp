@@ -117,7 +117,6 @@ int run_rank(const std::vector<std::string>& arguments) {
   const int fair = fair_threads();  // by all ranks together, also by those that are given one
   work.queue.threads = request->threads > 0 ? request->threads : fair;
   work.queue.memory = request->memory;
-  work.queue.digests = true;
   run_with_threads(work.queue.threads, [&] {
     if (rank == 0) return run_coordinator(*request, work, ranks);
     std::string plan;

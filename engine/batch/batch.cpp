@@ -112,16 +112,14 @@ BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& opti
   const OutputFolder outputs(options.output_root, manifest.path, plan, options.store);
   outputs.accept_all(plan);
   (void)jobs_of(plan, options.shard);  // refused before there is a store
-  QueueOptions queue_options = options.queue;
-  queue_options.digests = true;
   std::atomic<bool> broken{false};
-  StoreSession session(options.store, plan, manifest, options.shard, queue_options.threads, [&] { broken = true; });
+  StoreSession session(options.store, plan, manifest, options.shard, options.queue.threads, [&] { broken = true; });
   report.jobs = session.pending().size() + session.finished_before();
   report.finished_before = session.finished_before();
   report.damaged = session.damaged();
   std::size_t unusable = 0;
   {
-    PlanRunner queue(plan, manifest.path, session.pending(), queue_options, &outputs);
+    PlanRunner queue(plan, manifest.path, session.pending(), options.queue, &outputs);
     std::optional<Stopwatch> since_stop;
     ProgressTimer timer([&] {
       try {

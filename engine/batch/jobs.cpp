@@ -36,7 +36,7 @@ std::size_t machine_memory() {
   return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
 }
 
-JobQueue::JobQueue(const QueueOptions& options) : options_(options) {
+JobQueue::JobQueue(const JobQueueOptions& options) : options_(options) {
   if (options_.memory == 0) options_.memory = machine_memory() / 2;
   cache_ = std::make_unique<CurveCache>(options_.memory);
 }

@@ -67,7 +67,7 @@ class Options {
 
 /// "key=value key=value".
 [[nodiscard]] std::string to_string(std::span<const OptionSetting> settings);
-/// A value as `spelled` has it: numbers in the shortest form that reads back to the same bits.
+/// A value as Options::to_string has it: numbers in the shortest form that reads back to the same bits.
 [[nodiscard]] std::string to_string(const OptionValue& value);
 
 }  // namespace lober::detail

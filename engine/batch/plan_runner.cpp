@@ -3,19 +3,13 @@
 #include "engine/base/parallel/parallel.hpp"
 
 namespace lober::detail {
-namespace {
-
-// So that keys are made by all threads.
-QueueOptions concurrently(QueueOptions options) {
-  options.concurrent = true;
-  return options;
-}
-
-}  // namespace
-
 PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
                        const QueueOptions& options, const OutputFolder* outputs)
-    : plan_(plan), keys_(plan), queue_(concurrently(options)), ids_(plan.curves.size(), no_curve) {
+    : plan_(plan),
+      keys_(plan),
+      // Keys are made of digests, by all threads.
+      queue_({.threads = options.threads, .memory = options.memory, .digests = true, .concurrent = true}),
+      ids_(plan.curves.size(), no_curve) {
   const std::vector<std::vector<CurveId>> units = units_of(plan, jobs);
   std::vector<CurveUnit> made(units.size());  // in parallel: each opens its file to see how long it is
   for_each_block(units.size(), 1,

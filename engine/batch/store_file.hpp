@@ -1,4 +1,4 @@
-// The file that a store is: whether it may be one, and whether it still is where it was (private to jobs/).
+// The file that a store is: whether it may be one, and whether it still is where it was (private to engine/batch).
 #pragma once
 
 #include <sys/types.h>

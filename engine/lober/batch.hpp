@@ -55,10 +55,8 @@ struct CacheCounts {
 };
 
 struct QueueOptions {
-  int threads = 0;          ///< 0: as many as the calling thread may use
-  std::size_t memory = 0;   ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
-  bool digests = false;     ///< hash what is read
-  bool concurrent = false;  ///< `done` may be called from several threads at the same time
+  int threads = 0;         ///< 0: as many as the calling thread may use
+  std::size_t memory = 0;  ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
 };
 
 /// What a run did. Seconds of threads are added up over all threads.
