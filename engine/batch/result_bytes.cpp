@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/batch/bytes.hpp"
+#include "engine/batch/options.hpp"
 #include "engine/batch/result.hpp"
 
 namespace lober::detail {
