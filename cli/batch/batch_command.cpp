@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -15,6 +16,7 @@
 #include "cli/report/report.hpp"
 #include "engine/batch/export.hpp"
 #include "engine/batch/forecast.hpp"
+#include "engine/batch/output_folder.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/threads.hpp"
 
@@ -25,6 +27,36 @@ using Arguments = std::vector<std::string>;
 
 std::string how_far(const ExportCounts& counts) {
   return fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing);
+}
+
+// Each message once, and where to find the others of a long list.
+std::string failures_text(const detail::StoreSurvey& found, const std::string& store) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, found.failures.size()); ++k) {
+    const detail::StoreSurvey::Failure& failure = found.failures[k];
+    text += failure.jobs == 1 ? "" : fmt::format("{} jobs failed, first ", failure.jobs);
+    text += failure.first + ": " + failure.message + "\n";
+  }
+  if (found.failures.size() > most) {
+    text += fmt::format("and {}\n", counted(found.failures.size() - most, "other message", "other messages"));
+  }
+  if (!found.failures.empty()) {
+    text += "lober batch export " + store +
+            " --format jsonl lists every job that failed; the next lober batch run runs them again\n";
+  }
+  return text;
+}
+
+// What was meant by a word that is not a subcommand, if it is a file.
+std::string advice_for_file(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  if (path.ends_with(".toml")) return ", but a file; give lober batch run " + path;
+  const std::filesystem::path file(path);
+  const std::string pattern = (file.parent_path() / ("*" + file.extension().string())).string();
+  return ", but a file; write a manifest of three lines, operation = \"overlay\", curves = \"" + pattern +
+         "\" and pairs = \"all\", and give it to lober batch run";
 }
 
 void run_manifest(const Arguments& arguments) {
@@ -40,6 +72,7 @@ void run_manifest(const Arguments& arguments) {
     BatchProgress line;
     BatchOptions options;
     options.store = request->store;
+    options.output_root = request->output_root;
     options.shard = request->shard;
     options.queue.threads = request->threads;
     options.queue.memory = request->memory;
@@ -57,17 +90,19 @@ void run_manifest(const Arguments& arguments) {
 }
 
 void check_manifest(const Arguments& arguments) {
-  std::string path;
+  std::string path, output_root;
   std::uint64_t memory = 0;
   OptionParser parser(
       "Reads a manifest and reports the number of its jobs, curves and points, and the work that the memory is too "
       "small for. Nothing is computed.",
       "lober batch check");
   parser.add("MANIFEST", path, "The manifest, a TOML file that names the operation and the curves.").required();
+  add_output_root_option(parser, output_root);
   const Option memory_given = add_memory_budget(parser, memory);
   if (!parser.parse(arguments)) return;
   const std::size_t budget = memory_given.given() ? memory : detail::machine_memory() / 2;
   const detail::Plan plan = detail::make_plan(detail::read_manifest(path));
+  detail::OutputFolder(output_root, path, plan, default_store(path)).accept_all(plan);
   const detail::Estimate sum = estimate(plan, path);
   std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
                                  counted(sum.curves, "curve", "curves"), counted(sum.files, "file", "files"));
@@ -105,7 +140,7 @@ void show_status(const Arguments& arguments) {
                         run.ended.empty() ? "?" : run.ended, run.how.empty() ? "broken off" : run.how, run.version,
                         run.commit, run.host, run.compiler, run.flags, run.shard);
   }
-  for (const std::string& failure : found.failures) text += failure + "\n";
+  text += failures_text(found, path);
   print(text);
   warn_of(found.counts.damaged);
 }
@@ -145,6 +180,9 @@ void merge_stores(const Arguments& arguments) {
   parser.add("TARGET", target, "The store that takes the results, which is created if it does not exist.").required();
   parser.add("STORES", sources, "The stores whose results are copied.").required();
   if (!parser.parse(arguments)) return;
+  std::vector<std::string> all{target};
+  all.insert(all.end(), sources.begin(), sources.end());
+  detail::require_different_stores(all);
   std::vector<detail::Store> others;
   for (const std::string& source : sources) others.push_back(detail::Store::open(source));
   const bool is_new = !std::filesystem::exists(target);
@@ -203,6 +241,9 @@ void run_batch_command(const Arguments& arguments) {
   if (verb == "merge") return merge_stores(rest);
   if (verb == "manifest") return show_manifest_keys(rest);
   if (verb == "operations") return show_operations(rest);
+  if (const std::string advice = advice_for_file(verb); !advice.empty()) {
+    throw UsageError("\"" + verb + "\" is not a subcommand of lober batch" + advice);
+  }
   throw UsageError("\"" + verb +
                    "\" is not a subcommand of lober batch; give run, check, status, export, merge, "
                    "manifest or operations");

@@ -9,17 +9,20 @@ namespace lober::cli {
 namespace {
 
 Shard parse_shard(const std::string& text) {
+  constexpr std::size_t max_shards = 0xffffffff;
   Shard shard;
   const char* const end = text.data() + text.size();
   const auto [slash, first] = std::from_chars(text.data(), end, shard.number);
   if (first == std::errc{} && slash != end && *slash == '/') {
     const auto [stop, second] = std::from_chars(slash + 1, end, shard.of);
-    if (second == std::errc{} && stop == end && shard.number >= 1 && shard.number <= shard.of) {
+    if (second == std::errc{} && stop == end && shard.number >= 1 && shard.number <= shard.of &&
+        shard.of <= max_shards) {
       --shard.number;
       return shard;
     }
   }
-  throw UsageError("--shard: \"" + text + "\" is not of the form I/N with 1 <= I <= N");
+  throw UsageError("--shard: \"" + text +
+                   "\" is not of the form I/N with 1 <= I <= N <= " + std::to_string(max_shards));
 }
 
 }  // namespace
@@ -28,6 +31,14 @@ Option add_memory_budget(OptionParser& parser, std::uint64_t& bytes) {
   return add_memory_option(parser, bytes,
                            "The memory budget for curves and the work on them, in bytes or with a unit, as 4G or 500M "
                            "(default: half of the machine's memory).");
+}
+
+void add_output_root_option(OptionParser& parser, std::string& folder) {
+  parser
+      .add("--output-root", folder,
+           "The folder below which jobs write their files, and which names of outputs are relative to (default: the "
+           "folder of the manifest).")
+      .value("DIR");
 }
 
 std::string default_store(const std::string& manifest) {
@@ -49,6 +60,7 @@ std::optional<BatchRequest> parse_batch(const std::vector<std::string>& argument
            "The store of results, a SQLite file, which is created if it does not exist (default: MANIFEST with the "
            "ending .results).")
       .value("FILE");
+  add_output_root_option(parser, request.output_root);
   add_threads_option(parser, request.threads);
   const Option memory_given = add_memory_budget(parser, memory);
   const Option shard_given =

@@ -11,7 +11,7 @@
 namespace lober::cli {
 
 struct BatchRequest {
-  std::string manifest, store, json;
+  std::string manifest, store, output_root, json;
   Shard shard;
   std::size_t memory = 0;
   int threads = 0;
@@ -23,6 +23,9 @@ struct BatchRequest {
 
 /// --memory SIZE, for curves and the work on them.
 Option add_memory_budget(OptionParser& parser, std::uint64_t& bytes);
+
+/// --output-root DIR, below which jobs write their files.
+void add_output_root_option(OptionParser& parser, std::string& folder);
 
 /// The store of a manifest unless another one is named: beside it, .results instead of .toml.
 [[nodiscard]] std::string default_store(const std::string& manifest);

@@ -37,7 +37,8 @@ Keys, at the top for all groups or in a [[group]] for that group:
              [["a", "b"], ...]  these pairs, by name; `curves` is then not needed
              (default: "all"; "product" where there is `with`; "single" for operations on one curve)
   options    a table of options of the operation; those of a group count before those at the top
-  grid       a table of lists of values of options: the jobs are repeated for each combination
+  grid       a table of lists of values of options, or ranges "FIRST:LAST:STEP" of numbers: the jobs are repeated for
+             each combination; exports have a column for each option that varies
 
 Curves are taken in the natural order of their names, separ.2 before separ.10. A curve of a system is a table:
 
@@ -52,7 +53,7 @@ curves. Its options name a system, whose parameters a grid can vary:
 
   operation = "transport"
   options = { system = "duffing", iterates = 7 }
-  grid = { parameters.eps = [0.1, 0.2, 0.3] }
+  grid = { parameters.eps = "0.1:0.3:0.05" }
 )";
 
 std::string curves_text(const OperationInfo& info) {

@@ -42,6 +42,7 @@ void run_coordinator(const BatchRequest& request, SharedWork& work, int ranks) {
   try {
     manifest = detail::read_manifest(request.manifest);
     work.plan = detail::make_plan(manifest);
+    detail::OutputFolder(request.output_root, request.manifest, work.plan, request.store).accept_all(work.plan);
     plan = work.plan.encoded();
   } catch (...) {
     broadcast(plan);  // nothing: the others leave
@@ -111,10 +112,11 @@ int run_rank(const std::vector<std::string>& arguments) {
   if (!request) return status;
   SharedWork work;
   work.manifest_path = request->manifest;
+  work.store = request->store;
+  work.output_root = request->output_root;
   const int fair = fair_threads();  // by all ranks together, also by those that are given one
   work.queue.threads = request->threads > 0 ? request->threads : fair;
   work.queue.memory = request->memory;
-  work.queue.digests = true;
   run_with_threads(work.queue.threads, [&] {
     if (rank == 0) return run_coordinator(*request, work, ranks);
     std::string plan;

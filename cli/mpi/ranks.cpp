@@ -37,7 +37,8 @@ class Coordinator {
         queue_(work.plan, work.manifest_path, session.pending(), static_cast<std::size_t>(ranks)),
         at_work_(static_cast<std::size_t>(ranks), true),
         workers_(ranks - 1),
-        runner_(work.plan, work.manifest_path, session.pending(), work.queue) {}
+        outputs_(work.output_root, work.manifest_path, work.plan, work.store),
+        runner_(work.plan, work.manifest_path, session.pending(), work.queue, &outputs_) {}
 
   BatchReport run(const std::function<bool(const QueueProgress&)>& progress) {
     const detail::Stopwatch watch;
@@ -167,6 +168,7 @@ class Coordinator {
   detail::WorkQueue queue_;
   std::vector<bool> at_work_;  ///< by rank: may have jobs, or ask for some
   int workers_;                ///< that have not reported yet
+  detail::OutputFolder outputs_;
   detail::PlanRunner runner_;
   std::mutex mutex_;  ///< for all that follows, the work queue and the session
   bool stopped_ = false, stop_sent_ = false;
@@ -179,7 +181,8 @@ class Coordinator {
 
 // All that a worker does.
 void work_until_done(const SharedWork& work) {
-  detail::PlanRunner runner(work.plan, work.manifest_path, all_jobs(work.plan), work.queue);
+  const detail::OutputFolder outputs(work.output_root, work.manifest_path, work.plan, work.store);
+  detail::PlanRunner runner(work.plan, work.manifest_path, all_jobs(work.plan), work.queue, &outputs);
   QueueReport sum;
   for (;;) {
     send(0, Tag::ready, {});

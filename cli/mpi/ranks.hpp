@@ -11,7 +11,7 @@ namespace lober::cli {
 /// What all ranks know.
 struct SharedWork {
   detail::Plan plan;
-  std::string manifest_path;
+  std::string manifest_path, store, output_root;
   QueueOptions queue;  ///< of one rank
 };
 

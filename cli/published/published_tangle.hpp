@@ -6,7 +6,7 @@
 // them, are taken with zones sskip, sskip + 1, ... of <s>, pair by pair; z counts the pairs from 0. Written are
 //
 //   <lobefile>     100 x 100 points of a window that fits the lobes, with the number of the lobe that each lies in
-//                  (lobe_raster.hpp); a zone for each pair
+//                  (lober/drawing.hpp); a zone for each pair
 //   <manifile>     both manifolds of each pair as zones
 //   <pipsfile>     the pips of each pair as a zone
 //   <lobebfile>    a zone for each lobe, its first point repeated at the end, with the title `zone=z lobe=k`

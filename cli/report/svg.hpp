@@ -38,7 +38,7 @@ class View {
 };
 
 /// Draws lines into the `d` of a path, leaving out points without which no line moves by more than `tolerance` pixels
-/// sideways (simplified.hpp), and the rest of a line after its largest number of points.
+/// sideways (lober/drawing.hpp), and the rest of a line after its largest number of points.
 class PathWriter {
  public:
   PathWriter(const View& view, double tolerance, std::size_t max_points)

@@ -11,12 +11,11 @@
 #include "cli/report/json_file.hpp"
 #include "cli/report/plot.hpp"
 #include "cli/report/svg.hpp"
+#include "engine/base/even_values.hpp"
 #include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {
-
-constexpr std::size_t max_values = 100'000;
 
 std::string fixed_text(const SweepReport& report) {
   System fixed;
@@ -139,16 +138,9 @@ SweepRange sweep_range(const std::string& text) {
   }
   const auto [from, to, step] = numbers;
   if (step == 0 || (to - from) / step < 0) throw bad(" with a step that leads from the first value to the last");
-  const double steps = (to - from) / step;
-  if (!(steps < max_values)) throw bad(" with at most 100000 values");
-  SweepRange range{text.substr(0, equals), {}};
-  const auto count = static_cast<std::size_t>(std::floor(steps * (1 + 1e-12) + 1e-9)) + 1;
-  for (std::size_t k = 0; k < count; ++k) {
-    // Fifteen digits, as a person would write the values.
-    const double value = from + static_cast<double>(k) * step;
-    range.values.push_back(std::stod(fmt::format("{:.14g}", value)));
-  }
-  return range;
+  const auto values = detail::even_values(from, to, step);
+  if (!values) throw bad(" with at most 100000 values");
+  return {text.substr(0, equals), *values, from == to || values->size() > 1};
 }
 
 std::string sweep_table(const SweepReport& report) {

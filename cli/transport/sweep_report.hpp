@@ -14,6 +14,7 @@ namespace lober::cli {
 struct SweepRange {
   std::string name;
   std::vector<double> values;
+  bool reaches = true;  ///< false where the step is longer than the range, so that there is one value
 };
 /// NAME=FIRST:LAST:STEP; LAST is among the values if a whole number of steps leads there, to rounding. Throws
 /// UsageError.

@@ -176,6 +176,10 @@ void run_sweep(const TransportRequest& request) {
   const std::vector<Output> outputs = outputs_of(request);
   SweepReport report;
   report.range = sweep_range(request.sweep);
+  if (!report.range.reaches) {
+    log_warning("--sweep: the step of " + request.sweep +
+                " is longer than its range, so there is one value; give NAME=FIRST:LAST:STEP with a shorter step");
+  }
   report.tolerance = request.options.tolerance;
   report.find_zeros = request.find_zero;
   report.integration = request.system.integration;

@@ -37,7 +37,7 @@ std::string text_of(Shard shard) {
 StoreSession::StoreSession(const std::string& store_path, const Plan& plan, const Manifest& manifest, Shard shard,
                            int threads, std::function<void()> broken)
     : plan_(plan), store_(Store::create(store_path)), digests_(plan.curves.size()), seen_(plan.curves.size(), 0) {
-  store_->begin_run(provenance(), threads, manifest.text, text_of(shard), plan);
+  store_->begin_run(provenance(), threads, manifest, text_of(shard), plan);
   pending_ = jobs_of(plan, shard);
   InputDigests inputs;
   if (!store_->stored().empty()) {
@@ -109,16 +109,17 @@ BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& opti
   const Stopwatch watch;
   BatchReport report;
   const Plan plan = make_plan(manifest);
-  QueueOptions queue_options = options.queue;
-  queue_options.digests = true;
+  const OutputFolder outputs(options.output_root, manifest.path, plan, options.store);
+  outputs.accept_all(plan);
+  (void)jobs_of(plan, options.shard);  // refused before there is a store
   std::atomic<bool> broken{false};
-  StoreSession session(options.store, plan, manifest, options.shard, queue_options.threads, [&] { broken = true; });
+  StoreSession session(options.store, plan, manifest, options.shard, options.queue.threads, [&] { broken = true; });
   report.jobs = session.pending().size() + session.finished_before();
   report.finished_before = session.finished_before();
   report.damaged = session.damaged();
   std::size_t unusable = 0;
   {
-    PlanRunner queue(plan, manifest.path, session.pending(), queue_options);
+    PlanRunner queue(plan, manifest.path, session.pending(), options.queue, &outputs);
     std::optional<Stopwatch> since_stop;
     ProgressTimer timer([&] {
       try {

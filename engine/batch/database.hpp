@@ -1,4 +1,4 @@
-// A thin cover of SQLite (private to jobs/): what fails throws DataError "path: reason".
+// A thin cover of SQLite (private to engine/batch): what fails throws DataError "path: reason".
 #pragma once
 
 #include <sqlite3.h>

@@ -1,4 +1,4 @@
-// Who runs which job when (private to jobs/).
+// Who runs which job when (private to engine/batch).
 //
 // Each thread of the arena runs a *worker*, a task that takes one job after the other. Work inside a job is isolated,
 // so that a thread which waits for a piece of it never starts another job in between. A worker that finds no job to

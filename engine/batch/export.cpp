@@ -1,6 +1,11 @@
 #include "engine/batch/export.hpp"
 
+#include <filesystem>
+#include <map>
+#include <set>
+
 #include "engine/batch/export_formats.hpp"
+#include "engine/batch/swept_options.hpp"
 
 namespace lober {
 using namespace detail;
@@ -36,11 +41,33 @@ ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted&
   return counts;
 }
 
-// "FIRST SECOND", or the options of a job without curves.
-std::string inputs_of(const Plan& plan, const Job& job) {
+// "FIRST SECOND parameters.K=0.9": the curves and what a grid varies, or else all options of a job without curves.
+std::string inputs_of(const Plan& plan, const Job& job, const std::vector<SweptOption>& swept) {
+  const JobGroup& group = plan.group_of(job);
   std::string inputs;
   for (const CurveId id : job.curves()) inputs += (inputs.empty() ? "" : " ") + plan.name(id);
-  return inputs.empty() ? plan.group_of(job).options.to_string() : inputs;
+  const std::string values = swept_values(swept, group);
+  if (!values.empty()) inputs += (inputs.empty() ? "" : " ") + values;
+  return inputs.empty() ? group.options.to_string() : inputs;
+}
+
+// By what they are: the table of a batch is not to take the place of one of its curves, by whatever name.
+void require_no_curve(const std::string& path, const Store& store, const Plan& plan) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (path == "-" || !fs::exists(path, ignored)) return;
+  // Where the curves were, or are now if the batch was moved.
+  std::set<fs::path> folders{"", fs::path(store.path()).parent_path()};
+  for (const Store::Run& run : store.runs()) folders.insert(run.folder);
+  std::set<std::string_view> done;
+  for (const CurveSource& curve : plan.curves) {
+    if (curve.file.empty() || !done.insert(curve.file).second) continue;
+    for (const fs::path& folder : folders) {
+      if (fs::equivalent(folder / curve.file, path, ignored)) {
+        throw UsageError(path + ": is " + curve.file + ", a curve of this batch; name another file");
+      }
+    }
+  }
 }
 
 Plan plan_of(const Store& store) {
@@ -80,6 +107,7 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
   const EachResult results = [&](const std::function<void(const Result&)>& take) {
     counts = for_each_result(store, plan, wanted, take);
   };
+  require_no_curve(path, store, plan);
   OutputFile file(path);
   if (format == ExportFormat::json_lines) {
     write_json_lines(file, plan, results);
@@ -95,15 +123,28 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
 StoreSurvey detail::survey(const Store& store) {
   const Plan plan = plan_of(store);
   StoreSurvey all;
+  std::map<std::string, std::size_t> known;  // failures, by message
+  std::map<const Operation*, std::vector<SweptOption>> swept;
+  const auto first_of = [&](const Result& result) {
+    const Job& job = plan.jobs[result.job];
+    const Operation* const operation = plan.group_of(job).operation;
+    const auto [at, is_new] = swept.try_emplace(operation);
+    if (is_new) at->second = swept_options(plan, *operation);
+    return inputs_of(plan, job, at->second);
+  };
   const auto any = [](const JobGroup&) { return true; };
   all.counts = for_each_result(store, plan, any, [&](const Result& result) {
-    if (result.failed()) all.failures.push_back(inputs_of(plan, plan.jobs[result.job]) + ": " + result.error);
+    if (!result.failed()) return;
+    const auto [at, is_new] = known.try_emplace(result.error, all.failures.size());
+    if (is_new) all.failures.push_back({result.error, first_of(result)});
+    ++all.failures[at->second].jobs;
   });
   return all;
 }
 
 std::string detail::damage_line(const Store& store, const Plan& plan, std::size_t job) {
-  return store.path() + ": the result of job " + std::to_string(job) + " (" + inputs_of(plan, plan.jobs[job]) +
+  const std::vector<SweptOption> swept = swept_options(plan, *plan.group_of(plan.jobs[job]).operation);
+  return store.path() + ": the result of job " + std::to_string(job) + " (" + inputs_of(plan, plan.jobs[job], swept) +
          ") is damaged and counts as missing";
 }
 

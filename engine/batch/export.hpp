@@ -21,7 +21,13 @@ ExportCounts export_results(const Store& store, const std::string& path, ExportF
 /// How far the plan of a store is. Reads and verifies all results.
 struct StoreSurvey {
   ExportCounts counts;
-  std::vector<std::string> failures;  ///< "FIRST SECOND: message" for each job of the plan that failed
+  /// Jobs of the plan that failed with the same message.
+  struct Failure {
+    std::string message;
+    std::string first;  ///< of them: "FIRST SECOND parameters.K=0.9", its curves and what a grid varies
+    std::size_t jobs = 0;
+  };
+  std::vector<Failure> failures;  ///< in the order of the plan
 };
 [[nodiscard]] StoreSurvey survey(const Store& store);
 

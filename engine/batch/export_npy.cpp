@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/batch/export_formats.hpp"
+#include "engine/batch/swept_options.hpp"
 
 namespace lober::detail {
 namespace {
@@ -21,6 +22,37 @@ void put(std::string& bytes, const std::string& text, std::size_t width) {
 template <typename T>
 void put_value(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+// A column of a swept option.
+struct SweptField {
+  std::string key;
+  OptionValue any;    // whose type all values have
+  std::size_t width;  // of the longest value as text
+};
+
+std::string type_of(const SweptField& field) {
+  if (std::holds_alternative<bool>(field.any)) return "|b1";
+  if (std::holds_alternative<std::int64_t>(field.any)) return "<i8";
+  return std::holds_alternative<double>(field.any) ? "<f8" : "|S" + std::to_string(field.width);
+}
+
+// Null for an option that a group does not have: a parameter, which is a number.
+void put_option(std::string& bytes, const OptionValue* value, const SweptField& field) {
+  if (value == nullptr) return put_value(bytes, std::numeric_limits<double>::quiet_NaN());
+  if (const auto* text = std::get_if<std::string>(value)) return put(bytes, *text, field.width);
+  if (const auto* flag = std::get_if<bool>(value)) return put_value(bytes, *flag);
+  if (const auto* whole = std::get_if<std::int64_t>(value)) return put_value(bytes, *whole);
+  put_value(bytes, std::get<double>(*value));
+}
+
+std::size_t longest_text(const Plan& plan, const std::string& key) {
+  std::size_t width = 1;
+  for (const JobGroup& group : plan.groups) {
+    const OptionValue* const value = group.options.find(key);
+    if (value != nullptr) width = std::max(width, to_string(*value).size());
+  }
+  return width;
 }
 
 }  // namespace
@@ -45,6 +77,11 @@ void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operat
   for (std::size_t k = 0; k < std::size(names); ++k) {
     header += std::string("('") + names[k] + "', '|S" + std::to_string(widths[k]) + "'), ";
   }
+  std::vector<SweptField> swept;
+  for (const SweptOption& option : swept_options(plan, operation)) {
+    swept.push_back({option.key, any_value(option, plan, operation), longest_text(plan, option.key)});
+    header += "('" + option.column + "', '" + type_of(swept.back()) + "'), ";
+  }
   for (const Column& column : operation.columns) {
     header += "('" + column.name + "', '" + (column.kind == Column::Kind::count ? "<i8" : "<f8") + "'), ";
   }
@@ -60,6 +97,8 @@ void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operat
     put_value(bytes, result.failed());
     const auto all = texts(result);
     for (std::size_t k = 0; k < all.size(); ++k) put(bytes, all[k], widths[k]);
+    const Options& options = plan.group_of(plan.jobs[result.job]).options;
+    for (const SweptField& field : swept) put_option(bytes, options.find(field.key), field);
     for (std::size_t k = 0; k < operation.columns.size(); ++k) {
       const double value = result.failed() ? std::numeric_limits<double>::quiet_NaN() : result.values.at(k);
       if (operation.columns[k].kind == Column::Kind::count) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/batch/export_formats.hpp"
+#include "engine/batch/swept_options.hpp"
 #include "engine/batch/text.hpp"
 
 namespace lober::detail {
@@ -35,7 +36,9 @@ std::string json_option(const OptionValue& value) {
 }  // namespace
 
 void write_csv(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results) {
+  const std::vector<SweptOption> swept = swept_options(plan, operation);
   std::string text = "job,group,operation,options,first,second,status,message";
+  for (const SweptOption& option : swept) text += "," + csv_field(option.column);
   for (const Column& column : operation.columns) text += "," + column.name;
   for (const std::string& list : operation.lists) text += "," + list;
   text += "\n";
@@ -47,6 +50,10 @@ void write_csv(OutputFile& file, const Plan& plan, const Operation& operation, c
          {group.name, group.operation->name, group.options.to_string(), plan.name(job.first), plan.name(job.second),
           std::string(result.failed() ? "failed" : "done"), result.error}) {
       text += "," + csv_field(field);
+    }
+    for (const SweptOption& option : swept) {
+      const OptionValue* const value = group.options.find(option.key);
+      text += "," + (value != nullptr ? csv_field(to_string(*value)) : "");
     }
     for (std::size_t k = 0; k < operation.columns.size(); ++k) {
       text += ",";

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/base/file_bytes.hpp"
+#include "engine/files/file_hash.hpp"
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
 
@@ -61,13 +61,18 @@ std::string zone_digest(const std::string& sha256, const CurveSource& zone) {
 void require_regular(const std::string& path) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  if (!std::filesystem::exists(status)) return;
+  if (std::filesystem::is_regular_file(status)) {
+    // Files under /proc have a size of zero and content without end, for which no memory could be booked.
+    if (std::filesystem::file_size(path, ignored) > 0) return;
+    throw DataError(path + ": is empty, or has a size that is not known before it is read; copy it to a file first");
+  }
   throw DataError(path + ": is not a regular file; a batch reads its inputs more than once");
 }
 
 std::string file_sha256(const std::string& path) {
   require_regular(path);
-  return sha256(FileBytes(path).bytes());
+  return sha256_of_file(path);
 }
 
 }  // namespace lober::detail

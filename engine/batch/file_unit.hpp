@@ -16,10 +16,11 @@ namespace lober::detail {
 /// The digest of a zone, from the SHA-256 of its file. By contents only: no name goes in.
 [[nodiscard]] std::string zone_digest(const std::string& file_sha256, const CurveSource& zone);
 
-/// Throws DataError for a device, a pipe or a folder: what has no end, or comes only once. Not for what is not there.
+/// Throws DataError for a device, a pipe or a folder, and for a file of size zero: what has no end, comes only once, or
+/// takes memory that nobody knows before. Not for what is not there.
 void require_regular(const std::string& path);
 
-/// SHA-256 of a file as it is now. Throws DataError.
+/// SHA-256 of a file as it is now, read piece by piece. Throws DataError.
 [[nodiscard]] std::string file_sha256(const std::string& path);
 
 }  // namespace lober::detail

@@ -11,6 +11,7 @@
 namespace lober::detail {
 
 struct Operation;
+class OutputFolder;
 
 /// The number of a curve, in a plan or in a queue.
 using CurveId = std::uint32_t;
@@ -39,6 +40,7 @@ struct JobGroup {
   std::string name;                      ///< in exports; may be empty
   const Operation* operation = nullptr;  ///< has to outlive the group
   Options options;
+  const OutputFolder* outputs = nullptr;  ///< where its jobs may write files; null: anywhere
 };
 
 /// A job of a group, which counts by its number in the plan or in the queue that the job belongs to.

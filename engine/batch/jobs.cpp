@@ -36,7 +36,7 @@ std::size_t machine_memory() {
   return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
 }
 
-JobQueue::JobQueue(const QueueOptions& options) : options_(options) {
+JobQueue::JobQueue(const JobQueueOptions& options) : options_(options) {
   if (options_.memory == 0) options_.memory = machine_memory() / 2;
   cache_ = std::make_unique<CurveCache>(options_.memory);
 }
@@ -72,12 +72,13 @@ std::uint32_t JobQueue::add(JobGroup group) {
 
 std::size_t JobQueue::submit(Job job) {
   refuse_if_running("submit");
-  const auto& [name, operation, options] = groups_.at(job.group);
+  const JobGroup& group = groups_.at(job.group);
+  const Operation* const operation = group.operation;
   const std::size_t count = job.curves().size();
   if (!takes(operation->arity, count)) {
     throw UsageError(operation->name + " does not take " + std::to_string(count) + " curves");
   }
-  const Requirements requirements = operation->requirements(options);
+  const Requirements requirements = operation->requirements(group.options);
   for (const CurveId curve : job.curves()) cache_->require(curve, requirements);
   jobs_.push_back(job);
   return jobs_.size() - 1;
@@ -117,7 +118,7 @@ class JobQueue::Run final : public JobRunner {
     const Stopwatch watch;
     if (!result.failed()) {
       try {
-        result = group.operation->run({std::span(curves).first(ids.size()), allowance}, group.options);
+        result = group.operation->run({std::span(curves).first(ids.size()), allowance, group.outputs}, group.options);
       } catch (const Cancelled&) {
         throw;
       } catch (const std::bad_alloc&) {

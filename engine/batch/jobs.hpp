@@ -1,15 +1,15 @@
 // A queue of jobs on curves: many small pairs side by side, a huge pair inside itself, each curve read and indexed
 // once.
 //
-//   lober::JobQueue queue({.memory = std::size_t{4} << 30});
-//   std::vector<lober::CurveId> curves;
-//   for (lober::Curve& curve : mine) curves.push_back(queue.add(std::move(curve)));
-//   const auto operation = lober::find_operation("overlay");
-//   const std::uint32_t group = queue.add({"", operation, {operation->options, lober::no_settings}});
-//   for (lober::CurveId i : curves)
-//     for (lober::CurveId j : curves)
+//   JobQueue queue({.memory = std::size_t{4} << 30});
+//   std::vector<CurveId> curves;
+//   for (Curve& curve : mine) curves.push_back(queue.add(std::move(curve)));
+//   const auto operation = find_operation("overlay");
+//   const std::uint32_t group = queue.add({"", operation, {operation->options, no_settings}});
+//   for (CurveId i : curves)
+//     for (CurveId j : curves)
 //       if (i < j) queue.submit({group, i, j});
-//   queue.run([&](const lober::Result& result) {
+//   queue.run([&](const Result& result) {
 //     if (!result.failed()) use(result.job, result.values[0]);   // operation->columns says what they are
 //   });
 //
@@ -35,9 +35,16 @@ namespace lober::detail {
 
 inline constexpr std::span<const OptionSetting> no_settings{};
 
+struct JobQueueOptions {
+  int threads = 0;          ///< 0: as many as the calling thread may use
+  std::size_t memory = 0;   ///< bytes, as QueueOptions::memory
+  bool digests = false;     ///< hash what is read
+  bool concurrent = false;  ///< `done` may be called from several threads at the same time
+};
+
 class JobQueue {
  public:
-  explicit JobQueue(const QueueOptions& options = {});
+  explicit JobQueue(const JobQueueOptions& options = {});
   ~JobQueue();
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
@@ -57,11 +64,11 @@ class JobQueue {
   std::size_t submit(Job job);
 
   /// Runs all jobs that wait, what costs most first as far as memory allows (schedule.hpp), and hands each result to
-  /// `done`: one call at a time (unless QueueOptions::concurrent), from any thread, in no particular order. A job that
-  /// throws a std::exception is a result with `error`. What `done` throws ends the run and is passed on, when the jobs
-  /// that ran have ended; it is not called again then (but may be in other calls, if QueueOptions::concurrent), and
-  /// those that wait are dropped. Results have the same bits for any number of threads, any memory and any order. May
-  /// be called again after more was submitted, whatever became of the jobs before: none runs twice, curves stay in
+  /// `done`: one call at a time (unless JobQueueOptions::concurrent), from any thread, in no particular order. A job
+  /// that throws a std::exception is a result with `error`. What `done` throws ends the run and is passed on, when the
+  /// jobs that ran have ended; it is not called again then (but may be in other calls, if JobQueueOptions::concurrent),
+  /// and those that wait are dropped. Results have the same bits for any number of threads, any memory and any order.
+  /// May be called again after more was submitted, whatever became of the jobs before: none runs twice, curves stay in
   /// memory.
   QueueReport run(const std::function<void(Result&&)>& done);
 
@@ -79,7 +86,7 @@ class JobQueue {
   class Run;
   class Running;
   void refuse_if_running(const char* what) const;
-  QueueOptions options_;
+  JobQueueOptions options_;
   std::unique_ptr<CurveCache> cache_;
   std::vector<JobGroup> groups_;
   std::vector<Job> jobs_;

@@ -1,9 +1,12 @@
 #include "engine/batch/manifest.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <functional>
 #include <set>
 
+#include "engine/base/even_values.hpp"
 #include "engine/base/file_bytes.hpp"
 #include "engine/batch/recipe_reader.hpp"
 
@@ -241,18 +244,57 @@ class Reader {
   std::vector<std::vector<OptionSetting>> combined(const ManifestGroup& group,
                                                    const std::vector<std::vector<OptionSetting>>& rounds,
                                                    const std::string& key, const toml::node& list) const {
-    if (!list.is_array() || list.as_array()->empty()) fail(list, "grid." + key, "has to be a list of values");
+    std::vector<OptionSetting> settings;
+    if (list.is_string()) {
+      for (const OptionValue& value : range_of(list, "grid." + key)) {
+        settings.push_back({key, value});
+        (void)checked(group, {settings.back()}, list);
+      }
+    } else {
+      if (!list.is_array() || list.as_array()->empty()) fail(list, "grid." + key, grid_form);
+      for (const toml::node& node : *list.as_array()) {
+        settings.push_back({key, value_of(node, "grid." + key)});
+        (void)checked(group, {settings.back()}, node);
+      }
+    }
     std::vector<std::vector<OptionSetting>> all;
     for (const std::vector<OptionSetting>& round : rounds) {
-      for (const toml::node& node : *list.as_array()) {
-        const OptionSetting setting{key, value_of(node, "grid." + key)};
-        (void)checked(group, {setting}, node);
+      for (const OptionSetting& setting : settings) {
         all.push_back(round);
         all.back().push_back(setting);
       }
     }
     return all;
   }
+
+  // The values of "FIRST:LAST:STEP": whole numbers if all three are spelled so.
+  std::vector<OptionValue> range_of(const toml::node& node, const std::string& key) const {
+    std::vector<double> numbers;
+    const std::string text = **node.as_string();
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (numbers.size() < 3 && at <= end) {
+      double number = 0;
+      const auto [stop, error] = std::from_chars(at, end, number);
+      if (error != std::errc{} || !std::isfinite(number) || (stop != end && *stop != ':')) break;
+      numbers.push_back(number);
+      at = stop + 1;
+    }
+    if (numbers.size() != 3 || at != end + 1) fail(node, key, grid_form);
+    const auto values = even_values(numbers[0], numbers[1], numbers[2]);
+    if (!values) fail(node, key, "needs a step that leads from the first value to the last in at most 100000 values");
+    if (values->size() == 1) {
+      fail(node, key, "stands for one value, since its step is longer than the range; the third number is the step");
+    }
+    const bool are_whole = text.find_first_not_of("+-0123456789:") == std::string::npos;
+    std::vector<OptionValue> all;
+    for (const double value : *values) {
+      are_whole ? all.emplace_back(static_cast<std::int64_t>(value)) : all.emplace_back(value);
+    }
+    return all;
+  }
+
+  static constexpr const char* grid_form = "has to be a list of values, or a range \"FIRST:LAST:STEP\"";
 
   Options checked(const ManifestGroup& group, const std::vector<OptionSetting>& settings,
                   const toml::node& node) const {

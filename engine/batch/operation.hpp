@@ -16,6 +16,8 @@
 
 namespace lober::detail {
 
+class OutputFolder;
+
 /// How many curves a job of an operation has.
 enum class Arity : std::uint8_t { none, one, two, one_or_two };
 [[nodiscard]] bool takes(Arity arity, std::size_t curves);
@@ -23,15 +25,19 @@ enum class Arity : std::uint8_t { none, one, two, one_or_two };
 /// Those of a job, in order, and what the job may take.
 class JobCurves {
  public:
-  JobCurves(std::span<const PreparedCurve* const> curves, const Allowance& allowance)
-      : curves_(curves), allowance_(allowance) {}
+  JobCurves(std::span<const PreparedCurve* const> curves, const Allowance& allowance,
+            const OutputFolder* outputs = nullptr)
+      : curves_(curves), allowance_(allowance), outputs_(outputs) {}
   [[nodiscard]] std::size_t size() const { return curves_.size(); }
   [[nodiscard]] const PreparedCurve* operator[](std::size_t k) const { return curves_[k]; }
   [[nodiscard]] const Allowance& allowance() const { return allowance_; }
+  /// Below which the job writes its file; null: anywhere.
+  [[nodiscard]] const OutputFolder* outputs() const { return outputs_; }
 
  private:
   std::span<const PreparedCurve* const> curves_;
   const Allowance& allowance_;
+  const OutputFolder* outputs_;
 };
 
 /// A program that feeds the queue may bring its own.
@@ -51,6 +57,8 @@ struct Operation {
   /// Makes the values and the lists. Called from several threads at the same time. May throw what is a std::exception:
   /// the job has failed then.
   std::function<Result(JobCurves curves, const Options& options)> run;
+  /// The name of the file that a job on curves of these names writes, as its options have it; empty for none.
+  std::function<std::string(const Options& options, std::string_view first, std::string_view second)> output = {};
   /// Microseconds on one core for a number of points, roughly: what comes first is what costs most.
   std::function<double(std::size_t points)> cost;
   /// Bytes of what it makes of its first curve, roughly, where its options decide that; may be empty.

@@ -78,11 +78,16 @@ std::vector<std::pair<std::string, double>> Options::reals_of(std::string_view p
   return found;
 }
 
-const OptionValue& Options::at(std::string_view key) const {
+const OptionValue* Options::find(std::string_view key) const {
   const auto found =
       std::find_if(settings_.begin(), settings_.end(), [&](const OptionSetting& any) { return any.key == key; });
-  if (found == settings_.end()) throw UsageError("no option " + std::string(key));
-  return found->value;
+  return found == settings_.end() ? nullptr : &found->value;
+}
+
+const OptionValue& Options::at(std::string_view key) const {
+  const OptionValue* const found = find(key);
+  if (found == nullptr) throw UsageError("no option " + std::string(key));
+  return *found;
 }
 
 std::string to_string(const OptionValue& value) {

@@ -46,6 +46,8 @@ class Options {
   [[nodiscard]] std::int64_t whole(std::string_view key) const { return std::get<std::int64_t>(at(key)); }
   [[nodiscard]] double real(std::string_view key) const { return std::get<double>(at(key)); }
   [[nodiscard]] const std::string& text(std::string_view key) const { return std::get<std::string>(at(key)); }
+  /// Null for one that is not there: all of the specs are, but those of families only if they were given.
+  [[nodiscard]] const OptionValue* find(std::string_view key) const;
   /// Those whose keys begin with "prefix.", which is left out; by name.
   [[nodiscard]] std::vector<std::pair<std::string, double>> reals_of(std::string_view prefix) const;
 
@@ -60,9 +62,12 @@ class Options {
   std::vector<OptionSetting> settings_;
 };
 
+/// As JSON, where SQL can look into it: {"system": "henon", "parameters": {"k": 1.5}}, keys nested at their dots.
+[[nodiscard]] std::string encoded_settings(const Options& options);
+
 /// "key=value key=value".
 [[nodiscard]] std::string to_string(std::span<const OptionSetting> settings);
-/// A value as `spelled` has it: numbers in the shortest form that reads back to the same bits.
+/// A value as Options::to_string has it: numbers in the shortest form that reads back to the same bits.
 [[nodiscard]] std::string to_string(const OptionValue& value);
 
 }  // namespace lober::detail

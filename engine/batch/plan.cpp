@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/base/input_guard.hpp"
 #include "engine/batch/curve_set.hpp"
 
 namespace lober::detail {
@@ -82,7 +83,10 @@ class Planner {
       source.closed = closed && !source.file.empty();
       const auto [at, is_new] = curves_.try_emplace(source.input_name(), static_cast<CurveId>(plan_.curves.size()));
       ids.push_back(at->second);
-      if (is_new) plan_.curves.push_back(std::move(source));
+      if (!is_new) continue;
+      // From now on no output of the program replaces it, whichever job reads it when, if any does.
+      if (!source.file.empty()) note_input(located(manifest_.path, source.file));
+      plan_.curves.push_back(std::move(source));
     }
     return ids;
   }
@@ -94,11 +98,23 @@ class Planner {
 
 }  // namespace
 
+std::string Plan::output_of(const Job& job) const {
+  const JobGroup& group = group_of(job);
+  if (!group.operation->output) return {};
+  return group.operation->output(group.options, name(job.first), name(job.second));
+}
+
 Plan make_plan(const Manifest& manifest) {
   return Planner(manifest).plan();
 }
 
 std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard) {
+  constexpr std::size_t max_shards = 0xffffffff;  // as many as there can be jobs; their product has to fit
+  if (shard.number >= shard.of || shard.of > max_shards) {
+    throw UsageError("shard " + std::to_string(shard.number) + " of " + std::to_string(shard.of) +
+                     " does not exist; count shards from 0, below their number, which is at most " +
+                     std::to_string(max_shards));
+  }
   std::vector<std::uint32_t> chosen;
   for (std::size_t begin = 0; begin < plan.jobs.size();) {
     std::size_t end = begin;

@@ -25,6 +25,8 @@ struct Plan {
   [[nodiscard]] const JobGroup& group_of(const Job& job) const { return groups[job.group]; }
   /// Of a curve; empty for no_curve.
   [[nodiscard]] std::string name(CurveId curve) const { return curve == no_curve ? "" : curves[curve].name(); }
+  /// The name of the file that a job writes; empty for none.
+  [[nodiscard]] std::string output_of(const Job& job) const;
   /// As CBOR: the same for the same plan.
   [[nodiscard]] std::string encoded() const;
   /// Throws DataError for bytes that are no plan, among them those of one that names groups or curves which it does not
@@ -37,7 +39,7 @@ struct Plan {
 [[nodiscard]] Plan make_plan(const Manifest& manifest);
 
 /// The jobs of a shard: of each group its share, a run of jobs that follow each other, so that a shard reads few
-/// curves. Depends on nothing but the plan.
+/// curves. Depends on nothing but the plan. Throws UsageError for a shard that does not exist.
 [[nodiscard]] std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard);
 
 /// The curves of these jobs, those together that are read together; in the order of the plan.

@@ -3,19 +3,13 @@
 #include "engine/base/parallel/parallel.hpp"
 
 namespace lober::detail {
-namespace {
-
-// So that keys are made by all threads.
-QueueOptions concurrently(QueueOptions options) {
-  options.concurrent = true;
-  return options;
-}
-
-}  // namespace
-
 PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
-                       const QueueOptions& options)
-    : plan_(plan), keys_(plan), queue_(concurrently(options)), ids_(plan.curves.size(), no_curve) {
+                       const QueueOptions& options, const OutputFolder* outputs)
+    : plan_(plan),
+      keys_(plan),
+      // Keys are made of digests, by all threads.
+      queue_({.threads = options.threads, .memory = options.memory, .digests = true, .concurrent = true}),
+      ids_(plan.curves.size(), no_curve) {
   const std::vector<std::vector<CurveId>> units = units_of(plan, jobs);
   std::vector<CurveUnit> made(units.size());  // in parallel: each opens its file to see how long it is
   for_each_block(units.size(), 1,
@@ -24,7 +18,10 @@ PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::
     const std::vector<CurveId> ids = queue_.add(std::move(made[k]));
     for (std::size_t i = 0; i < ids.size(); ++i) ids_[units[k][i]] = ids[i];
   }
-  for (const JobGroup& group : plan.groups) queue_.add(group);  // numbered as in the plan
+  for (JobGroup group : plan.groups) {  // numbered as in the plan
+    group.outputs = outputs;
+    queue_.add(std::move(group));
+  }
 }
 
 QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::function<void(Result&&)>& done) {

@@ -1,4 +1,4 @@
-// Curves of systems as a manifest writes them (private to jobs/).
+// Curves of systems as a manifest writes them (private to engine/batch).
 #pragma once
 
 #define TOML_HEADER_ONLY 1

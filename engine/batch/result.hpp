@@ -31,7 +31,7 @@ struct Result {
   std::string error = {};                       ///< why the job failed; empty if it did not
   double seconds = 0;                           ///< the operation alone
   std::uint32_t job = 0;                        ///< as `submit` numbered it, or its number in the plan
-  /// Of the contents of the curves, hexadecimal; only if QueueOptions::digests. Empty for a curve that was not read.
+  /// Of the contents of the curves, hexadecimal; only if JobQueueOptions::digests. Empty for a curve that was not read.
   std::array<std::string, 2> digests = {};
   JobKey key = {};       ///< of a job of a plan
   std::int64_t run = 0;  ///< of the store in which it was computed; 0: the present one

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/batch/bytes.hpp"
+#include "engine/batch/options.hpp"
 #include "engine/batch/result.hpp"
 
 namespace lober::detail {
@@ -116,6 +117,16 @@ std::vector<std::vector<double>> decoded_lists(std::string_view text, std::span<
     throw DataError(std::string("the stored text is no lists: ") + error.what());
   }
   return lists;
+}
+
+std::string encoded_settings(const Options& options) {
+  Json made = Json::object();
+  for (const auto& [key, value] : options.settings()) {
+    const std::size_t dot = key.find('.');
+    Json& place = dot == std::string::npos ? made[key] : made[key.substr(0, dot)][key.substr(dot + 1)];
+    place = std::visit([](const auto& any) { return Json(any); }, value);
+  }
+  return made.dump();
 }
 
 }  // namespace lober::detail

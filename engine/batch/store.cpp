@@ -1,6 +1,7 @@
 #include "engine/batch/store.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <unordered_set>
 
 #include "engine/batch/checksum.hpp"
@@ -26,7 +27,9 @@ std::int64_t pragma(const Database& database, const char* sql) {
 }  // namespace
 
 Store::Store(const std::string& path, bool create)
-    : path_(path), file_(std::make_unique<StoreFile>(path)), database_(std::make_unique<Database>(path, create)) {
+    : path_(path),
+      file_(std::make_unique<StoreFile>(path, create)),
+      database_(std::make_unique<Database>(path, create)) {
   check_format(create);
   file_->opened();
   for (const Operation& operation : all_operations()) tables_.emplace_back(*database_, operation);
@@ -74,11 +77,14 @@ void Store::require_whole() {
                   " takes over into NEW what can be read, then run with --store NEW");
 }
 
-void Store::begin_run(const Provenance& who, int threads, const std::string& manifest, const std::string& shard,
+void Store::begin_run(const Provenance& who, int threads, const Manifest& manifest, const std::string& shard,
                       Plan plan) {
   require_whole();
   Transaction transaction(*database_);
-  Run run{0, "", "", "", who.version, who.commit, who.compiler, who.flags, who.host, shard, manifest, threads};
+  std::error_code ignored;
+  const std::string folder = std::filesystem::absolute(manifest.path, ignored).parent_path().string();
+  Run run{0,      "",     "", "", who.version, who.commit, who.compiler, who.flags, who.host, shard, manifest.text,
+          folder, threads};
   put_run(run);
   run_ = sqlite3_last_insert_rowid(database_->handle());
   Statement(*database_, "UPDATE runs SET started = strftime('%Y-%m-%dT%H:%M:%fZ') WHERE id = ?1").bind(1, run_).run();
@@ -94,12 +100,13 @@ void Store::put_plan(const Plan& plan) {
   Statement(*database_, "INSERT OR REPLACE INTO plan VALUES (1, ?1, ?2)").bind_blob(1, body).bind(2, plan_sum_).run();
   if (!plan_is_new_) return;
   database_->execute("DELETE FROM groups");
-  Statement insert(*database_, "INSERT INTO groups VALUES (?1, ?2, ?3, ?4)");
+  Statement insert(*database_, "INSERT INTO groups VALUES (?1, ?2, ?3, ?4, ?5)");
   for (std::size_t k = 0; k < plan.groups.size(); ++k) {
     const JobGroup& group = plan.groups[k];
-    const std::string options = group.options.to_string();
+    const std::string options = group.options.to_string(), settings = encoded_settings(group.options);
     insert.bind(1, static_cast<std::int64_t>(k)).bind(2, std::string_view(group.name));
-    insert.bind(3, std::string_view(group.operation->name)).bind(4, std::string_view(options)).run();
+    insert.bind(3, std::string_view(group.operation->name)).bind(4, std::string_view(options));
+    insert.bind(5, std::string_view(settings)).run();
   }
 }
 
@@ -120,7 +127,7 @@ void Store::put_run(const Run& run) {
   Statement statement(
       *database_,
       "INSERT INTO runs (started, ended, how, version, \"commit\", compiler, flags, host, threads, shard,"
-      " manifest) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)");
+      " manifest, folder) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)");
   int index = 0;
   for (const std::string* const text :
        {&run.started, &run.ended, &run.how, &run.version, &run.commit, &run.compiler, &run.flags, &run.host}) {
@@ -129,6 +136,7 @@ void Store::put_run(const Run& run) {
   statement.bind(9, std::int64_t{run.threads})
       .bind(10, std::string_view(run.shard))
       .bind(11, std::string_view(run.manifest))
+      .bind(12, std::string_view(run.folder))
       .run();
 }
 
@@ -147,6 +155,9 @@ std::optional<Plan> Store::plan() const {
     const std::string body(statement.bytes(0));
     if (statement.whole(1) == checksum(body)) return Plan::decoded(body);
   } catch (const DataError&) {
+  }
+  if (file_->has_several_names()) {
+    throw DataError(path_ + ": cannot be read by this name, one of several (hard links); give the one that wrote it");
   }
   throw DataError(path_ + ": its plan is damaged; lober batch run MANIFEST --store " + path_ + " writes it again");
 }
@@ -280,14 +291,14 @@ void Store::label_rows(const InputDigests& inputs) {
 std::vector<Store::Run> Store::runs() const {
   Statement statement(
       *database_,
-      "SELECT id, started, ended, how, version, \"commit\", compiler, flags, host, threads, shard, manifest"
-      " FROM runs ORDER BY id");
+      "SELECT id, started, ended, how, version, \"commit\", compiler, flags, host, threads, shard, manifest,"
+      " folder FROM runs ORDER BY id");
   std::vector<Run> all;
   const auto text = [&](int column) { return std::string(statement.bytes(column)); };
   try {
     while (statement.step()) {
       all.push_back({statement.whole(0), text(1), text(2), text(3), text(4), text(5), text(6), text(7), text(8),
-                     text(10), text(11), static_cast<int>(statement.whole(9))});
+                     text(10), text(11), text(12), static_cast<int>(statement.whole(9))});
     }
   } catch (const DamagedError&) {  // those that can be read
   }
@@ -323,9 +334,11 @@ void Store::take_over(const Store& other) {
   put_plan(*plan_);
   plan_is_new_ = false;  // rows bear its names if there are any
   std::map<std::int64_t, std::int64_t> renumbered;
-  for (const Run& run : other.runs()) {
-    put_run(run);
-    renumbered[run.id] = sqlite3_last_insert_rowid(database_->handle());
+  const std::vector<Run> present = runs();
+  for (const Run& run : other.runs()) {  // a store may be merged again, when it has more
+    const auto same = std::find_if(present.begin(), present.end(), [&](const Run& any) { return any.is_same(run); });
+    if (same == present.end()) put_run(run);
+    renumbered[run.id] = same == present.end() ? sqlite3_last_insert_rowid(database_->handle()) : same->id;
   }
   for (const auto& [key, known] : other.stored()) {
     std::optional<Result> result = other.result(known);

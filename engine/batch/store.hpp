@@ -5,8 +5,9 @@
 //   sqlite3 pairs.results "SELECT curve1, curve2, area FROM overlaps WHERE crossings > 0"
 //
 //   overlaps, interiors, tangles, densified, transports
-//             a row for each job of the newest plan that is done: job, group, options, curve1, curve2, the values,
-//             named as in exports (and `area`, the intersection), lists (JSON, see result.hpp), seconds
+//             a row for each job of the newest plan that is done: job, group, options, settings (the options as JSON),
+//             curve1, curve2, the values, named as in exports (and `area`, the intersection), lists (JSON, see
+//             result.hpp), seconds
 //   results   a row for each job of the newest plan that is done or has failed: status, message, ...
 //   failures  those that failed
 //   runs      who computed, when, with what (provenance) and from which manifest
@@ -32,6 +33,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "engine/batch/database.hpp"
@@ -53,7 +55,7 @@ class Store {
 
   /// Notes a new run and makes `plan` the one that exports and views follow. Throws DataError when the tables of the
   /// file do not hold together: O(size) when there are results already.
-  void begin_run(const Provenance& who, int threads, const std::string& manifest, const std::string& shard, Plan plan);
+  void begin_run(const Provenance& who, int threads, const Manifest& manifest, const std::string& shard, Plan plan);
   /// Of a plan whose inputs have these digests now, or else those that they had: makes the views show the results that
   /// hold, and no others.
   void show(const InputDigests& inputs);
@@ -93,7 +95,14 @@ class Store {
   struct Run {
     std::int64_t id;
     std::string started, ended, how, version, commit, compiler, flags, host, shard, manifest;
+    std::string folder;  ///< of the manifest: what names of curves are relative to
     int threads;
+    /// Whether both are one run, of which one may have been noted before it had ended.
+    [[nodiscard]] bool is_same(const Run& other) const {
+      return std::tie(started, version, commit, host, shard, manifest, folder, threads) ==
+             std::tie(other.started, other.version, other.commit, other.host, other.shard, other.manifest, other.folder,
+                      other.threads);
+    }
   };
   [[nodiscard]] std::vector<Run> runs() const;
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace lober::detail {
@@ -23,7 +24,7 @@ std::string saved_beside(const std::string& path, Database& database) {
 
 }  // namespace
 
-StoreFile::StoreFile(std::string path) : path_(std::move(path)) {
+StoreFile::StoreFile(std::string path, bool written) : path_(std::move(path)) {
   // SQLite takes these for databases that go with the process.
   if (path_.empty()) throw UsageError("the name of the store is empty");
   if (path_ == ":memory:") throw UsageError(":memory: keeps no results, name a file for the store");
@@ -31,6 +32,10 @@ StoreFile::StoreFile(std::string path) : path_(std::move(path)) {
   if (::stat(path_.c_str(), &status) != 0) return;
   if (!S_ISREG(status.st_mode)) throw DataError(path_ + ": is no file, a store cannot be there");
   if (status.st_size > 0 && status.st_size < shortest_database) throw DataError(path_ + ": is no store of results");
+  several_names_ = status.st_nlink > 1;
+  if (!written || !several_names_) return;
+  throw DataError(path_ + ": has " + std::to_string(status.st_nlink) +
+                  " names (hard links), and a store can have one only; copy the file, or remove the other names");
 }
 
 StoreFile::~StoreFile() {
@@ -81,6 +86,16 @@ void StoreFile::require_in_place(Database& database) const {
     where = std::string("was deleted or moved, and its results so far could not be saved (") + error.what() + ")";
   }
   throw DataError(path_ + ": the store is not there any more: it " + where);
+}
+
+void require_different_stores(std::span<const std::string> paths) {
+  std::map<std::pair<::dev_t, ::ino_t>, std::string> known;
+  for (const std::string& path : paths) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) continue;
+    const auto [at, is_new] = known.try_emplace({status.st_dev, status.st_ino}, path);
+    if (!is_new) throw UsageError(at->second + " and " + path + " are the same store; name each store once");
+  }
 }
 
 }  // namespace lober::detail

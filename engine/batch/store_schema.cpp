@@ -7,10 +7,10 @@ namespace {
 
 constexpr const char* common_tables = R"(
   CREATE TABLE runs (id INTEGER PRIMARY KEY, started TEXT, ended TEXT, how TEXT, version TEXT,
-    "commit" TEXT, compiler TEXT, flags TEXT, host TEXT, threads INTEGER, shard TEXT, manifest TEXT);
+    "commit" TEXT, compiler TEXT, flags TEXT, host TEXT, threads INTEGER, shard TEXT, manifest TEXT, folder TEXT);
   CREATE TABLE plan (id INTEGER PRIMARY KEY CHECK (id = 1), body BLOB, sum INTEGER);
   CREATE TABLE curves (name TEXT PRIMARY KEY, digest TEXT, sum INTEGER) WITHOUT ROWID;
-  CREATE TABLE groups (id INTEGER PRIMARY KEY, name TEXT, operation TEXT, options TEXT);
+  CREATE TABLE groups (id INTEGER PRIMARY KEY, name TEXT, operation TEXT, options TEXT, settings TEXT);
   CREATE TABLE repeats (job INTEGER PRIMARY KEY, "group" INTEGER, curve1 TEXT, curve2 TEXT, operation TEXT,
     result INTEGER);
 )";
@@ -35,7 +35,7 @@ std::string jobs_with_rows(const Operation& operation) {
 // "intersection" is also the `area` of an overlap.
 std::string create_view(const Operation& operation) {
   std::string sql = "CREATE VIEW " + quoted_name(operation.view) +
-                    " AS SELECT j.job, g.name AS \"group\", g.options, j.curve1, j.curve2";
+                    " AS SELECT j.job, g.name AS \"group\", g.options, g.settings, j.curve1, j.curve2";
   for (const Column& column : operation.columns) {
     if (column.name == "intersection") sql += ", r.intersection AS area";
   }
@@ -45,7 +45,8 @@ std::string create_view(const Operation& operation) {
 
 std::string select_results(const Operation& operation) {
   return "SELECT j.job, g.name AS \"group\", '" + operation.name +
-         "' AS operation, g.options, j.curve1, j.curve2, CASE WHEN r.message IS NULL THEN 'done' ELSE 'failed' END AS "
+         "' AS operation, g.options, g.settings, j.curve1, j.curve2, CASE WHEN r.message IS NULL THEN 'done' ELSE "
+         "'failed' END AS "
          "status, r.message,"
          " r.seconds, r.run, hex(r.key) AS key FROM " +
          jobs_with_rows(operation);
@@ -68,7 +69,7 @@ std::string store_schema() {
     all += (all.empty() ? "" : " UNION ALL ") + select_results(operation);
   }
   return sql + "CREATE VIEW results AS " + all +
-         ";\nCREATE VIEW failures AS SELECT job, \"group\", operation, options, "
+         ";\nCREATE VIEW failures AS SELECT job, \"group\", operation, options, settings, "
          "curve1, curve2, message FROM results WHERE status = 'failed';\n";
 }
 

@@ -1,4 +1,4 @@
-// Small pieces of text (private to jobs/).
+// Small pieces of text (private to engine/batch).
 #pragma once
 
 #include <string>

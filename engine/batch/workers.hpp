@@ -1,5 +1,5 @@
-// Tasks that may start further ones, on the threads of the present arena (private to jobs/). They ask what the thread
-// that starts them asks whether they are cancelled.
+// Tasks that may start further ones, on the threads of the present arena (private to engine/batch). They ask what the
+// thread that starts them asks whether they are cancelled.
 #pragma once
 
 #include <tbb/task_arena.h>

@@ -41,7 +41,7 @@ struct OperationInfo {
 /// All operations of batches.
 [[nodiscard]] LOBER_API std::vector<OperationInfo> list_operations();
 
-/// One of several processes or machines that share a plan.
+/// One of several processes or machines that share a plan: `number` counts from 0 and is less than `of`.
 struct Shard {
   std::size_t number = 0, of = 1;
 };
@@ -55,10 +55,8 @@ struct CacheCounts {
 };
 
 struct QueueOptions {
-  int threads = 0;          ///< 0: as many as the calling thread may use
-  std::size_t memory = 0;   ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
-  bool digests = false;     ///< hash what is read
-  bool concurrent = false;  ///< `done` may be called from several threads at the same time
+  int threads = 0;         ///< 0: as many as the calling thread may use
+  std::size_t memory = 0;  ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
 };
 
 /// What a run did. Seconds of threads are added up over all threads.
@@ -89,6 +87,9 @@ struct BatchOptions {
   /// and is passed on.
   std::function<bool(const QueueProgress&)> progress;
   double patience = 1;
+  /// The folder below which jobs write their files, and which names of outputs are relative to; empty: the folder of
+  /// the manifest. It has to exist.
+  std::string output_root = {};
 };
 
 struct BatchReport {
@@ -101,9 +102,10 @@ struct BatchReport {
 };
 
 /// Runs what the manifest asks for and the store does not have yet. Throws DataError when the manifest or a store
-/// cannot be read, UsageError "path:line: key: what is wrong" for everything in the manifest that is not understood,
-/// DataError as soon as the store can no longer be written; a job that fails is not an exception but counted. Jobs run
-/// side by side; results do not depend on the number of threads, on shards or on the memory given.
+/// cannot be read, UsageError "path:line: key: what is wrong" for everything in the manifest that is not understood and
+/// for a shard that does not exist, DataError as soon as the store can no longer be written; a job that fails is not an
+/// exception but counted. Jobs run side by side; results do not depend on the number of threads, on shards or on the
+/// memory given.
 [[nodiscard]] LOBER_API BatchReport run_batch(const std::string& manifest, const BatchOptions& options);
 
 enum class ExportFormat : std::uint8_t {

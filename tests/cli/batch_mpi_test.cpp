@@ -48,6 +48,19 @@ TEST_F(BatchMpi, SameBytesAsOneProcess) {
   EXPECT_EQ(run({"batch", "status", "ranks3"}).out.substr(0, 27), "435 done, 0 failed, 0 to do");
 }
 
+TEST_F(BatchMpi, OutputsStayBelowTheirFolder) {
+  std::filesystem::create_directory(folder() / "out");
+  const auto status_of = [&](const std::string& output) {
+    write("job.toml", "operation = \"densify\"\ncurves = \"separ.*\"\noptions = { output = \"" + output + "\" }\n");
+    return wait_for(start_in(folder(), {LOBER_MPIRUN, "--oversubscribe", "-n", "3", LOBER_MPI_PROGRAM, "job.toml",
+                                        "--store", "s", "--output-root", "out"}));
+  };
+  for (const char* const bad : {"../{name}", "x.npy"}) EXPECT_EQ(status_of(bad), 2) << bad;
+  EXPECT_FALSE(exists("s"));
+  EXPECT_EQ(status_of("{name}"), 0);
+  for (int k = 0; k < 30; ++k) EXPECT_TRUE(exists("out/separ." + std::to_string(k))) << k;
+}
+
 TEST_F(BatchMpi, FailedJobsShowInTheExitStatus) {
   write("separ.3", "0 0\n1 1\n1 0\n0 1\n");
   EXPECT_EQ(wait_for(start(2, "failed")), 1);

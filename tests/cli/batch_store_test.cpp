@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <future>
+#include <sstream>
 #include <thread>
 
 #include "tests/cli/program.hpp"
@@ -145,6 +146,35 @@ TEST_F(BatchStore, DevicesAndPipesAreNoCurves) {
   const Outcome batch = shell("exec timeout 60 \"$LOBER\" batch run job.toml --store s");
   EXPECT_EQ(batch.status, 1) << batch.err;
   EXPECT_NE(run({"batch", "status", "s"}).out.find("1 done, 2 failed, 0 to do"), std::string::npos);
+}
+
+// Files under /proc say that they have no bytes and give gigabytes.
+TEST_F(BatchStore, FilesWhoseSizeIsNotKnownAreNoCurves) {
+  write("empty", "");
+  write("job.toml", "operation = \"densify\"\ncurves = [\"/proc/self/[a-df-z]*\", \"empty\"]\n");
+  const Outcome batch =
+      shell("ulimit -d 300000; exec timeout 60 \"$LOBER\" batch run job.toml --store s --memory 100M");
+  EXPECT_EQ(batch.status, 1) << batch.err;
+  const std::string table = run({"batch", "export", "s"}).out;
+  std::istringstream lines(table);
+  std::string line;
+  std::getline(lines, line);
+  std::size_t count = 0;
+  for (; std::getline(lines, line); ++count) {
+    if (line.find(": Permission denied") != std::string::npos) continue;
+    EXPECT_NE(line.find("is empty, or has a size that is not known before it is read"), std::string::npos) << line;
+  }
+  EXPECT_GT(count, 10U);
+}
+
+TEST_F(BatchStore, InputsOfFinishedJobsAreHashedInPieces) {
+  const std::vector<Point> points = flower(4'000'000, 7, 0.3, {0, 0});
+  write("big", std::string_view(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point)));
+  write("job.toml", "operation = \"densify\"\ncurves = \"big\"\n");
+  ASSERT_EQ(run({"batch", "run", "job.toml", "--store", "s"}).status, 0);
+  const Outcome again = shell("ulimit -d 55000; exec \"$LOBER\" batch run job.toml --store s --threads 1");
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.out.find("1 done before, 0 run"), std::string::npos) << again.out;
 }
 
 // Whatever there is not enough memory for, the other jobs are done.

@@ -123,6 +123,61 @@ TEST_F(Batch, MergeThatFailsLeavesNoStore) {
   }
 }
 
+TEST_F(Batch, AStoreIsMergedOnce) {
+  write_curves(4, 50);
+  report({"job.toml", "--store", "s"});
+  const auto runs = [&](const std::string& store) {
+    const std::string status = run({"batch", "status", store}).out;
+    return std::count(status.begin(), status.end(), '\n') - 1;
+  };
+  std::filesystem::create_symlink("s", folder() / "link");
+  for (const std::vector<std::string>& same : std::vector<std::vector<std::string>>{
+           {"s", "s"}, {"s", "./s"}, {"s", "link"}, {"joined", "s", "s"}, {"joined", "link", "s"}}) {
+    std::vector<std::string> arguments{"batch", "merge"};
+    arguments.insert(arguments.end(), same.begin(), same.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << same.back();
+    EXPECT_NE(outcome.err.find("are the same store; name each store once"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(exists("joined"));
+  }
+  EXPECT_EQ(runs("s"), 1);
+  for (int round = 0; round < 2; ++round) {  // as when a shard has got further
+    EXPECT_EQ(run({"batch", "merge", "joined", "s"}).status, 0);
+    EXPECT_EQ(runs("joined"), 1);
+  }
+}
+
+TEST_F(Batch, AHardLinkToAStoreIsNamed) {
+  write_curves(4, 50);
+  report({"job.toml", "--store", "s"});
+  std::filesystem::create_hard_link(folder() / "s", folder() / "hard");
+  EXPECT_EQ(run({"batch", "export", "hard"}).out, exported("s"));
+  const Outcome twice = run({"batch", "merge", "joined", "s", "hard"});
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_NE(twice.err.find("s and hard are the same store"), std::string::npos) << twice.err;
+  const Outcome written = run({"batch", "run", "job.toml", "--store", "hard"});
+  EXPECT_EQ(written.status, 1);
+  EXPECT_NE(written.err.find("hard: has 2 names (hard links)"), std::string::npos) << written.err;
+  std::filesystem::remove(folder() / "hard");
+  EXPECT_EQ(report({"job.toml", "--store", "s"})["finished_before"], 6);
+}
+
+TEST_F(Batch, AnExportReplacesNoCurve) {
+  std::filesystem::create_directory(folder() / "in");
+  for (int k = 0; k < 3; ++k) write_curve("in/c" + std::to_string(k) + ".csv", flower(50, 3 + k, 0.3, {0.1 * k, 0}));
+  write("in/job.toml", "operation = \"overlay\"\ncurves = \"c*.csv\"\n");
+  report({"in/job.toml", "--store", "s"});
+  std::filesystem::create_hard_link(folder() / "in" / "c2.csv", folder() / "other.csv");
+  const std::string before = read("in/c1.csv") + read("in/c2.csv");
+  for (const char* const name : {"in/c1.csv", "./in/c2.csv", "other.csv"}) {
+    const Outcome outcome = run({"batch", "export", "s", "-o", name});
+    EXPECT_EQ(outcome.status, 2) << name;
+    EXPECT_NE(outcome.err.find("a curve of this batch; name another file"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(read("in/c1.csv") + read("in/c2.csv"), before);
+  for (int round = 0; round < 2; ++round) EXPECT_EQ(run({"batch", "export", "s", "-o", "in/table.csv"}).status, 0);
+}
+
 TEST_F(Batch, FailuresAreRecordedAndTheRestGoesOn) {
   write_curves(4);
   write("separ.9", "0 0\n1 1\n1 0\n0 1\n");  // crosses itself
@@ -162,6 +217,32 @@ options = { max_length = 0.01, output = "fine_{name}.npy" }
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 12);
   const nlohmann::json first = nlohmann::json::parse(lines.substr(0, lines.find('\n')));
   EXPECT_EQ(first["lobes_c1_minus_c2"].size(), first["pieces_c1_minus_c2"]);
+}
+
+TEST_F(Batch, StatusSaysAFailureOnce) {
+  write("job.toml",
+        "operation = \"transport\"\noptions = { system = \"henon\", tolerance = 1e-3 }\n"
+        "grid = { parameters.k = [-2, -1.5, -1.2, 1.02] }\n");
+  (void)report({"job.toml"}, 1);
+  const std::string status = run({"batch", "status", "job.results"}).out;
+  EXPECT_NE(status.find("1 done, 3 failed, 0 to do"), std::string::npos) << status;
+  EXPECT_NE(status.find("3 jobs failed, first parameters.k=-2: no tangle at these parameters: "), std::string::npos)
+      << status;
+  EXPECT_EQ(std::count(status.begin(), status.end(), '\n'), 4) << status;
+  EXPECT_NE(status.find("lober batch export job.results --format jsonl lists every job that failed"), std::string::npos)
+      << status;
+}
+
+TEST_F(Batch, FilesInThePlaceOfASubcommandAreExplained) {
+  write_curves(2);
+  write("a.csv", "0,0\n1,0\n0,1\n");
+  const Outcome curves = run({"batch", "./a.csv", "./b.csv"}), manifest = run({"batch", "job.toml"});
+  EXPECT_EQ(curves.status, 2);
+  EXPECT_NE(curves.err.find("write a manifest of three lines, operation = \"overlay\", curves = \"./*.csv\""),
+            std::string::npos)
+      << curves.err;
+  EXPECT_EQ(manifest.status, 2);
+  EXPECT_NE(manifest.err.find("give lober batch run job.toml"), std::string::npos) << manifest.err;
 }
 
 // What numpy.load would need: a header that is aligned and a body of whole rows.
@@ -207,6 +288,7 @@ TEST_F(Batch, BadCommandsAreRefused) {
                                              {"batch", "walk"},
                                              {"batch", "run"},
                                              {"batch", "run", "job.toml", "--shard", "4/3"},
+                                             {"batch", "run", "job.toml", "--shard", "1/4294967296"},
                                              {"batch", "run", "job.toml", "--memory", "much"},
                                              {"batch", "export", "job.results", "-o", "table.xls"}}) {
     EXPECT_EQ(run(bad).status, 2) << bad.back();

@@ -217,6 +217,15 @@ TEST_F(TransportCommand, MelnikovsFunctionOfTheDuffingOscillator) {
   EXPECT_NE(table.out.find("lobes on the left of U: first order 0.354130"), std::string::npos) << table.out;
 }
 
+TEST_F(TransportCommand, AStepLongerThanTheRangeIsRemarkedOn) {
+  const Outcome one = transport({"henon", "--sweep", "k=1.02:1.5:200", "--tolerance", "1e-3"});
+  EXPECT_EQ(one.status, 0) << one.err;
+  EXPECT_NE(one.err.find("the step of k=1.02:1.5:200 is longer than its range, so there is one value"),
+            std::string::npos)
+      << one.err;
+  EXPECT_EQ(transport({"henon", "--sweep", "k=1.02:1.02:1", "--tolerance", "1e-3"}).err, "");
+}
+
 // By the second derivative of the area the estimate is off by eps^2 at most: along a sweep of eps it is a line.
 TEST_F(TransportCommand, SweepComparesWithMelnikovsFunction) {
   const nlohmann::json rows =

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 #include "engine/batch/operations/table.hpp"
+#include "engine/batch/output_folder.hpp"
+#include "engine/batch/output_name.hpp"
 
 namespace lober::detail {
 namespace {
@@ -37,15 +38,6 @@ Interpolation interpolation_of(const Options& options) {
     if (name(kind) == options.text("interpolation")) return kind;
   }
   return has_angles(options) ? Interpolation::dritschel : Interpolation::linear;
-}
-
-// "folder/{name}.npy" with the name of the curve's file (and zone) put in.
-std::string output_path(std::string pattern, const std::string& name) {
-  std::string stem = std::filesystem::path(name).filename();
-  std::replace(stem.begin(), stem.end(), '#', '_');
-  constexpr std::string_view hole = "{name}";
-  if (const std::size_t at = pattern.find(hole); at != std::string::npos) pattern.replace(at, hole.size(), stem);
-  return pattern;
 }
 
 // How many points the distance criterion alone asks for.
@@ -108,7 +100,9 @@ Result run_densify(JobCurves curves, const Options& options) {
   }
   if (options.flag("crossings")) done(std::move(insert_crossings(result, second->curve())[0]));
   if (const std::string& pattern = options.text("output"); !pattern.empty()) {
-    write_npy(output_path(pattern, first.curve().name), result.points);
+    const std::string name =
+        output_name(pattern, options, first.curve().name, second != nullptr ? second->curve().name : "");
+    write_npy(curves.outputs() != nullptr ? curves.outputs()->accept(name) : name, result.points);
   }
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
   return {{signed_area(result), number(first.curve().points.size()), number(result.points.size()), number(rounds),
@@ -149,7 +143,9 @@ Operation densify_operation() {
        "auto",
        "the curve through the points; auto: dritschel with criteria on angles, else linear",
        {"auto", "linear", "dritschel", "spline"}},
-      {"output", "", "file for the curve, with {name} for the name of the one given; empty: no file"}};
+      {"output", "",
+       "file for the curve, in NPY, below the folder of the manifest; {name} and {second} stand for the names of the "
+       "curves given, {max_length} and the like for options; empty: no file"}};
   operation.columns = {{"signed_area", Column::Kind::real},
                        {"points_in", Column::Kind::count},
                        {"points", Column::Kind::count},
@@ -158,6 +154,9 @@ Operation densify_operation() {
   operation.requirements = [](const Options&) { return Requirements{}; };
   operation.run = run_densify;
   operation.result_bytes = result_bytes;
+  operation.output = [](const Options& options, std::string_view first, std::string_view second) {
+    return output_name(options.text("output"), options, first, second);
+  };
   operation.cost = [](std::size_t points) { return 10 + 0.1 * static_cast<double>(points); };
   return operation;
 }

@@ -154,9 +154,9 @@ CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
   const auto at_scale = [&](const ClosedCurve& curve) {
     return exponent == 0 ? curve : ClosedCurve(scaled(curve, exponent));
   };
-  const ClosedCurve scaled1 = at_scale(first), scaled2 = at_scale(second);
-  const CommonArea along1 = AlongAnother(scaled1, scaled2, exponent).chord_areas();
-  const CommonArea along2 = AlongAnother(scaled2, scaled1, exponent).chord_areas();
+  const ClosedCurve own = at_scale(first), others = at_scale(second);
+  const CommonArea along1 = AlongAnother(own, others, exponent).chord_areas();
+  const CommonArea along2 = AlongAnother(others, own, exponent).chord_areas();
   return {polygons + along1.area + along2.area, found.rounding(most) + along1.error + along2.error};
 }
 

@@ -49,7 +49,7 @@ Operation summing() {
 
 class Queue {
  public:
-  explicit Queue(QueueOptions how) : queue(how), group(queue.add({"", &operation, {}})) {
+  explicit Queue(JobQueueOptions how) : queue(how), group(queue.add({"", &operation, {}})) {
     for (int k = 0; k < 8; ++k) {
       CurveUnit unit;
       unit.points = 200;

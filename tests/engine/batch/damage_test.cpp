@@ -180,7 +180,7 @@ class StoreInPlace : public ScratchFolder {
   template <typename Between>
   std::string message_after(const Between& between) const {
     Store store = Store::create(path("s"));
-    store.begin_run(provenance(), 1, "", "1/1", plan_of_pairs(3));
+    store.begin_run(provenance(), 1, {}, "1/1", plan_of_pairs(3));
     store.append(std::vector{done(1, 1)}, {});
     between();
     try {
@@ -217,7 +217,7 @@ TEST_F(StoreInPlace, ReplacedWhileInUse) {
 
 TEST_F(StoreInPlace, DeletedBeforeTheEnd) {
   Store store = Store::create(path("s"));
-  store.begin_run(provenance(), 1, "", "1/1", {});
+  store.begin_run(provenance(), 1, {}, "1/1", {});
   std::filesystem::remove(path("s"));
   EXPECT_THROW(store.end_run("complete"), DataError);
 }

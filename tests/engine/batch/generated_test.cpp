@@ -26,7 +26,7 @@ class Generated : public ScratchFolder {
     write("job.toml", text);
     const Plan plan = make_plan(read_manifest(path("job.toml")));
     const std::vector<std::uint32_t> jobs = jobs_of(plan, {});
-    PlanRunner runner(plan, path("job.toml"), jobs, {.threads = 2, .memory = memory, .digests = true});
+    PlanRunner runner(plan, path("job.toml"), jobs, {.threads = 2, .memory = memory});
     std::map<std::size_t, std::string> found;
     std::thread stopper;
     if (stop) {

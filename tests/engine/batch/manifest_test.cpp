@@ -8,6 +8,7 @@
 #include "engine/batch/work_queue.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
+#include "tests/refusal.hpp"
 
 namespace lober::detail {
 namespace {
@@ -131,6 +132,42 @@ operation = "interior"
     for (const std::uint32_t job : jobs_of(all, {k, 5})) ++seen[job];
   }
   EXPECT_EQ(seen, std::vector<int>(all.jobs.size(), 1));
+}
+
+TEST_F(ManifestTest, GridsTakeRanges) {
+  const std::string head = "operation = \"densify\"\ncurves = \"separ.1\"\n";
+  const Plan all = plan(head + "grid = { max_length = \"0.5:1.5:0.005\", passes = \"3:1:-2\" }");
+  ASSERT_EQ(all.groups.size(), 201U * 2);
+  EXPECT_EQ(all.groups.front().options.real("max_length"), 0.5);
+  EXPECT_EQ(all.groups[2].options.real("max_length"), 0.505);
+  EXPECT_EQ(all.groups.back().options.real("max_length"), 1.5);
+  EXPECT_EQ(all.groups[0].options.whole("passes"), 3);
+  EXPECT_EQ(all.groups[1].options.whole("passes"), 1);
+  const auto refused = [&](const std::string& range) {
+    return refusal(head + "grid = { max_length = " + range + " }");
+  };
+  for (const char* const bad : {"\"\"", "\"1:2\"", "\"1:2:3:4\"", "\"a:b:c\"", "\"1:2:inf\"", "\"1:2:1x\"", "3"}) {
+    EXPECT_EQ(refused(bad), "job.toml:3: grid.max_length: has to be a list of values, or a range \"FIRST:LAST:STEP\"")
+        << bad;
+  }
+  for (const char* const bad : {"\"1:2:0\"", "\"1:2:-1\"", "\"0:1:1e-9\""}) {
+    EXPECT_NE(refused(bad).find("needs a step that leads from the first value to the last"), std::string::npos) << bad;
+  }
+  EXPECT_NE(refused("\"0.5:1.5:200\"").find("the third number is the step"), std::string::npos);
+  EXPECT_NE(refused("\"-1:2:1\"").find("has to be at least 0"), std::string::npos);
+}
+
+TEST_F(ManifestTest, ShardsThatDoNotExistAreRefused) {
+  const Plan all = plan("operation = \"interior\"\ncurves = \"separ.*\"\n");
+  for (const Shard none : {Shard{0, 0}, Shard{1, 1}, Shard{7, 5}, Shard{0, std::size_t{1} << 40}}) {
+    EXPECT_NE(test::refusal<UsageError>([&] { (void)jobs_of(all, none); }).find("does not exist; count shards from 0"),
+              std::string::npos);
+    BatchOptions options;
+    options.store = path("s");
+    options.shard = none;
+    EXPECT_THROW((void)run_batch(path("job.toml"), options), UsageError);
+    EXPECT_FALSE(std::filesystem::exists(path("s")));
+  }
 }
 
 TEST_F(ManifestTest, WorkQueueHandsOutEachJobOnceInShrinkingPortions) {

@@ -21,7 +21,7 @@ JobGroup usual(const Operation& operation) {
 
 class QueueOfCurves {
  public:
-  QueueOfCurves(QueueOptions options, int count, std::size_t points) : queue(options) {
+  QueueOfCurves(JobQueueOptions options, int count, std::size_t points) : queue(options) {
     for (int k = 0; k < count; ++k)
       curves.push_back(queue.add(Curve{wavy(points, k), true, "wavy" + std::to_string(k)}));
   }
@@ -67,8 +67,8 @@ TEST(JobQueue, GivesWhatTheOverlayGives) {
 
 TEST(JobQueue, SameBitsForAnyThreadsAndMemory) {
   std::vector<std::map<std::size_t, std::pair<std::vector<double>, std::vector<std::vector<double>>>>> all;
-  for (const QueueOptions options : {QueueOptions{.threads = 1}, QueueOptions{.threads = 4},
-                                     QueueOptions{.threads = 3, .memory = std::size_t{200} << 10}}) {
+  for (const JobQueueOptions options : {JobQueueOptions{.threads = 1}, JobQueueOptions{.threads = 4},
+                                        JobQueueOptions{.threads = 3, .memory = std::size_t{200} << 10}}) {
     QueueOfCurves mine(options, 10, 1500);
     mine.submit_all_pairs(*find_operation("overlay"));
     mine.submit_all_pairs(*find_operation("interior"));

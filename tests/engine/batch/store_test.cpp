@@ -16,7 +16,7 @@ class StoreTest : public ScratchFolder {
  protected:
   Store started(const std::string& name, const Plan& plan) const {
     Store store = Store::create(path(name));
-    store.begin_run(provenance(), 2, "text", "1/1", plan);
+    store.begin_run(provenance(), 2, {"job.toml", "text", {}}, "1/1", plan);
     return store;
   }
   static double first_value(const Store& store, int key) {

@@ -33,7 +33,7 @@ class SystemJobs : public ScratchFolder {
   std::map<std::size_t, RecordNumbers> results(const std::string& text, int threads = 2) {
     const Plan plan = make_plan(manifest(text));
     const std::vector<std::uint32_t> jobs = jobs_of(plan, {});
-    PlanRunner runner(plan, path("job.toml"), jobs, {.threads = threads, .digests = true});
+    PlanRunner runner(plan, path("job.toml"), jobs, {.threads = threads});
     std::map<std::size_t, RecordNumbers> found;
     messages.clear();
     runner.run(jobs, [&](const Result& result) {

@@ -112,6 +112,46 @@ TEST_F(StoreViews, ListsCanBeLookedInto) {
   EXPECT_EQ(std::stod(found[0]), first);
 }
 
+// A grid varies what a table has a column for.
+TEST_F(StoreViews, SweptValuesHaveColumns) {
+  const auto lines = [&](const char* operation) {
+    export_results(Store::open(path("s")), path("out.csv"), ExportFormat::csv, operation);
+    Rows all;
+    std::ifstream file(path("out.csv"));
+    for (std::string line; std::getline(file, line);) all.push_back(line);
+    return all;
+  };
+  ran("operation = \"transport\"\noptions = { system = \"henon\", iterates = 2, tolerance = 1e-3 }\n"
+      "grid = { parameters.k = \"1.02:1.04:0.01\" }\n");
+  const Rows transports = lines("transport");
+  ASSERT_EQ(transports.size(), 4U);
+  EXPECT_TRUE(transports[0].starts_with("job,group,operation,options,first,second,status,message,parameters.k,region,"))
+      << transports[0];
+  EXPECT_NE(transports[2].find(",,,done,,1.03,"), std::string::npos) << transports[2];
+  EXPECT_EQ(asked("SELECT json_extract(settings, '$.parameters.k') AS k FROM transports ORDER BY k"),
+            (Rows{"1.02", "1.03", "1.04"}));
+
+  ran("operation = \"densify\"\ncurves = \"c.*\"\noptions = { points = 3 }\n"
+      "grid = { points = \"2:3:1\", interpolation = [\"linear\", \"spline\"], hobson = [true, false] }\n");
+  const Rows densified = lines("densify");
+  ASSERT_EQ(densified.size(), 1U + 4 * 8);
+  EXPECT_NE(densified[0].find(",message,hobson,interpolation,options.points,signed_area,"), std::string::npos)
+      << densified[0];
+  EXPECT_NE(densified[5 * 4 + 1].find(",done,,"), std::string::npos) << densified[21];
+  EXPECT_NE(
+      densified[1].find(",failed,densify: points on the chords turn no corner; the angle needs another interpolation "
+                        "than linear,true,linear,2,"),
+      std::string::npos)
+      << densified[1];
+  export_results(Store::open(path("s")), path("out.npy"), ExportFormat::npy);
+  std::ifstream file(path("out.npy"), std::ios::binary);
+  std::string head(600, '\0');
+  file.read(head.data(), 600);
+  EXPECT_NE(head.find("('hobson', '|b1'), ('interpolation', '|S6'), ('options.points', '<i8'), ('signed_area', '<f8')"),
+            std::string::npos)
+      << head;
+}
+
 TEST_F(StoreViews, FailuresAreNotAmongTheValues) {
   write("c.4", "0 0\n1 1\n1 0\n0 1\n");
   ran(all_pairs_manifest);

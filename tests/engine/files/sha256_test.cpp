@@ -1,13 +1,25 @@
 // The examples of FIPS 180-4 and its test vectors, and messages about as long as one block and two.
 #include "lober/files.hpp"
 
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
 #include "curve_testing.hpp"
+#include "engine/files/file_hash.hpp"
 
 namespace lober {
+using namespace detail;
 namespace {
 
 void expect_digest(std::string_view message, std::string_view digest) {
   EXPECT_EQ(sha256(test::bytes_of(message)), digest);
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("lober-hashed-" + std::to_string(::getpid()))).string();
+  std::ofstream(path, std::ios::binary) << message;
+  EXPECT_EQ(sha256_of_file(path), digest);
+  std::filesystem::remove(path);
 }
 
 TEST(Sha256, KnownVectors) {
@@ -16,6 +28,17 @@ TEST(Sha256, KnownVectors) {
   expect_digest("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq",
                 "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
   expect_digest(std::string(1000000, 'a'), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Sha256, OfAFileLongerThanAPieceAndOfNone) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("lober-hashed-" + std::to_string(::getpid()))).string();
+  std::string content;
+  for (int k = 0; content.size() < 2'500'000; ++k) content += std::to_string(k) + "\n";
+  std::ofstream(path, std::ios::binary) << content;
+  EXPECT_EQ(sha256_of_file(path), sha256(test::bytes_of(content)));
+  std::filesystem::remove(path);
+  EXPECT_THROW((void)sha256_of_file(path), DataError);
 }
 
 // By sha256sum of GNU coreutils.

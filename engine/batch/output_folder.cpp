@@ -1,0 +1,111 @@
+#include "engine/batch/output_folder.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <map>
+
+#include "engine/files/binary_file.hpp"
+#include "kernels/point.hpp"
+#include "lober/error.hpp"
+
+namespace lober::detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Without links, as far as it is there.
+fs::path without_links(const fs::path& path) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(path), ignored);
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  const auto [rest, end] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return rest == folder.end() && end != path.end();
+}
+
+// To the letter: a table or another array is not a curve that a job has written.
+bool is_curve_in_npy(const fs::path& path) {
+  std::error_code ignored;
+  const auto size = static_cast<std::size_t>(fs::file_size(path, ignored));
+  const std::size_t head_size = npy_head(std::array{size / sizeof(Point), std::size_t{2}}).size();
+  if (ignored || size < head_size) return false;
+  const std::string expected = npy_head(std::array{(size - head_size) / sizeof(Point), std::size_t{2}});
+  std::string head(expected.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  return file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == expected;
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const std::string& root, const std::string& manifest_path, const Plan& plan,
+                           const std::string& store)
+    : manifest_path_(manifest_path), root_(root) {
+  std::set<std::string_view> done;
+  for (const CurveSource& curve : plan.curves) {
+    if (!curve.file.empty() && done.insert(curve.file).second) protect(located(manifest_path, curve.file));
+  }
+  protect(manifest_path);
+  if (store.empty()) return;
+  for (const char* const file : {"", "-wal", "-shm"}) protect(store + file);
+}
+
+void OutputFolder::protect(const std::string& path) {
+  struct ::stat status {};
+  if (::stat(path.c_str(), &status) == 0) files_.emplace(status.st_dev, status.st_ino);
+  paths_.insert(without_links(path).string());
+}
+
+bool OutputFolder::is_protected(const fs::path& resolved) const {
+  struct ::stat status {};
+  const bool exists = ::stat(resolved.c_str(), &status) == 0;
+  return (exists && files_.contains({status.st_dev, status.st_ino})) || paths_.contains(resolved.string());
+}
+
+fs::path OutputFolder::resolved(const std::string& name) const {
+  const fs::path path(name);
+  if (path.is_absolute()) return without_links(path);
+  return without_links(root_.empty() ? fs::path(located(manifest_path_, name)) : fs::path(root_) / path);
+}
+
+std::string OutputFolder::accept(const std::string& name) const {
+  const fs::path folder = resolved("."), target = resolved(name);
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) throw UsageError(root_ + " is not a folder; make it first");
+  const auto refuse = [&](const std::string& why) { throw UsageError("\"" + name + "\" " + why); };
+  if (!is_below(target, folder)) {
+    refuse("lies outside of " + folder.string() +
+           "; name a file below that folder, or make another one the root of outputs");
+  }
+  if (is_protected(target)) refuse("would replace an input of the manifest, or its store; name another file");
+  if (!fs::is_directory(target.parent_path(), ignored)) {
+    refuse("needs the folder " + target.parent_path().string() + ", which does not exist; make it first");
+  }
+  const fs::file_status status = fs::symlink_status(target, ignored);
+  if (fs::exists(status) && !(fs::is_regular_file(status) && is_curve_in_npy(target))) {
+    refuse("would replace what is not a curve in NPY, as an earlier run would have written it; name a new file");
+  }
+  return target.string();
+}
+
+void OutputFolder::accept_all(const Plan& plan) const {
+  std::map<std::string, std::size_t> writers;
+  for (std::size_t number = 0; number < plan.jobs.size(); ++number) {
+    const std::string name = plan.output_of(plan.jobs[number]);
+    if (name.empty()) continue;
+    try {
+      const auto [at, is_new] = writers.try_emplace(accept(name), number);
+      if (!is_new) {
+        throw UsageError("\"" + name + "\" is the output of both job " + std::to_string(at->second) + " and job " +
+                         std::to_string(number) + "; put {name}, {second} or the {key} of an option into the name");
+      }
+    } catch (const UsageError& error) {
+      throw UsageError(manifest_path_ + ": options.output: " + error.what());
+    }
+  }
+}
+
+}  // namespace lober::detail
