@@ -151,10 +151,10 @@ CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
     most += std::abs(entry.w1 * entry.w2) * entry.area;
   }
   const int exponent = scaling_exponent(union_of(box_of(first.points()), box_of(second.points())));
-  const auto at_scale = [&](const ClosedCurve& curve) {
+  const auto rescaled = [&](const ClosedCurve& curve) {
     return exponent == 0 ? curve : ClosedCurve(scaled(curve, exponent));
   };
-  const ClosedCurve own = at_scale(first), others = at_scale(second);
+  const ClosedCurve own = rescaled(first), others = rescaled(second);
   const CommonArea along1 = AlongAnother(own, others, exponent).chord_areas();
   const CommonArea along2 = AlongAnother(others, own, exponent).chord_areas();
   return {polygons + along1.area + along2.area, found.rounding(most) + along1.error + along2.error};
