@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from . import _lober
 from ._integrate import over_period
-from ._systems import Connection, Pair, System
+from ._numbers import number_of
+from ._systems import Connection, Pair, System, pair_of
 from .errors import UsageError
 
 Array = NDArray[np.float64]
@@ -37,7 +38,8 @@ class Family:
                 raise UsageError(f"system {self.name} has no parameter '{key}'; it has: {known}")
         if not 0 < integration_tolerance < 1:
             raise UsageError("the tolerance of integration must be in (0, 1)")
-        numbers = {key: float(value) for key, value in {**self.parameters, **values}.items()}
+        chosen = {**self.parameters, **values}
+        numbers = {key: number_of(value, f"system {self.name}: parameter {key}") for key, value in chosen.items()}
         for key, value in numbers.items():
             if not np.isfinite(value):
                 raise UsageError(f"system {self.name}: parameter {key} is not finite")
@@ -266,7 +268,7 @@ def map(
 
         def make(values: Mapping[str, float], tolerance: float) -> System:
             own = _FormulaMap(title, forwards(values), backwards(values), actions(values))
-            return _system(title, function, values, own, window, lattice, _value(connection, values))
+            return own_system(title, function, values, own, window, lattice, _value(connection, values))
 
         return Family(title, parameters, make)
 
@@ -303,29 +305,38 @@ def flow(
         title = name or function.__name__
         velocities = _bound(function, parameters, 3, title)
         hamiltonians = _bound(hamiltonian, parameters, 3, title)
+        begin = number_of(phase, f"system {title}: phase")
 
         def make(values: Mapping[str, float], tolerance: float) -> System:
-            length = float(_value(period, values))
-            if not (np.isfinite(length) and length > 0):
-                raise UsageError(f"system {title}: its period is not positive")
-            own = _PeriodMap(title, velocities(values), hamiltonians(values), phase * length, length, tolerance)
-            return _system(title, function, values, own, window, lattice, _value(connection, values))
+            length = number_of(_value(period, values), f"system {title}: the period")
+            own = period_map(title, velocities(values), hamiltonians(values), begin, length, tolerance)
+            return own_system(title, function, values, own, window, lattice, _value(connection, values))
 
         return Family(title, parameters, make)
 
     return decorate if velocity is None else decorate(velocity)
 
 
-def _system(
+def period_map(
+    name: str, velocity: Function, hamiltonian: Function | None, phase: float, period: float, tolerance: float
+) -> _OwnMap:
+    if not (np.isfinite(period) and period > 0):
+        raise UsageError(f"system {name}: its period is not positive")
+    return _PeriodMap(name, velocity, hamiltonian, phase * period, period, tolerance)
+
+
+def own_system(
     name: str,
-    function: Function,
+    function: Any,
     values: Mapping[str, float],
     own: _OwnMap,
     window: Box,
     lattice: Pair,
     connection: Connection | None,
 ) -> System:
-    summary = (inspect.getdoc(function) or "").partition("\n")[0]
+    summary = "of expressions" if function is None else (inspect.getdoc(function) or "").partition("\n")[0]
     parts = None if connection is None else connection._parts()
-    made = _lober.own_system(name, summary, list(values.items()), own, window, lattice, parts)
+    x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
+    shift = pair_of(lattice, f"system {name}: lattice")
+    made = _lober.own_system(name, summary, list(values.items()), own, (x0, y0, x1, y1), shift, parts)
     return System(made, ())

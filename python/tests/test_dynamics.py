@@ -36,8 +36,10 @@ def test_systems_that_are_refused():
         lober.system("duffing", epsilon=1)
     with pytest.raises(lober.UsageError, match="not finite"):
         lober.system("duffing", eps=math.nan)
-    with pytest.raises(TypeError, match="numbers"):
+    with pytest.raises(TypeError, match="eps has to be a number, not list"):
         lober.system("duffing", eps=[1])
+    with pytest.raises(lober.UsageError, match="eps has to be a number, not the text '0.2'"):
+        lober.system("duffing", eps="0.2")
     with pytest.raises(lober.DataError, match="cannot load"):
         lober.system("./missing.so")
     with pytest.raises(TypeError, match="a system or its name"):
