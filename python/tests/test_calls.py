@@ -112,6 +112,19 @@ def test_interrupt(handler):
     assert lober.overlay(ring(50), ring(50, 0.5)).crossings == 2
 
 
+@pytest.mark.parametrize("threads", [-1, 4097, 100_000, 1_000_000_000])
+def test_threads_that_no_machine_gives(threads):
+    for call in (
+        lambda: lober.overlay(ring(50), ring(50, 0.5), threads=threads),
+        lambda: lober.section("standard", orbits=5, iterates=5, threads=threads),
+        lambda: lober.system("standard").iterate(ring(50), threads=threads),
+        lambda: lober.manifold_tangle("duffing", threads=threads),
+    ):
+        with pytest.raises(lober.UsageError, match=f"threads has to be 0 .* to 4096, not {threads}"):
+            call()
+    assert lober.overlay(ring(50), ring(50, 0.5), threads=4096).crossings == 2
+
+
 def test_handler_is_put_back():
     before = signal.getsignal(signal.SIGINT)
     lober.overlay(ring(50), ring(50, 0.5))
