@@ -272,6 +272,7 @@ def curve_images(
 def grow_tangle(
     system: System,
     connection: tuple[Any, ...],
+    bip_near: _Pair | None,
     tolerance: float,
     before: int,
     after: int,
@@ -285,6 +286,7 @@ def grow_tangle(
 def transport(
     system: System,
     connection: tuple[Any, ...],
+    bip_near: _Pair | None,
     further: list[tuple[Any, ...]],
     iterates: int,
     tolerance: float,

@@ -190,6 +190,28 @@ def system_of(given: Any) -> System:
     raise TypeError(f"a system or its name is needed, not {type(given).__name__}")
 
 
+@dataclass(frozen=True)
+class TangleChoice:
+    """Which tangles of a system a call is about."""
+
+    connection: Connection
+    #: Where the caller wants the bip; None where the one of the connection is a hint, which may be far from any pip.
+    bip_near: Pair | None
+    further: tuple[Connection, ...]
+
+
+def choice_of(given: System, connection: Connection | None, all_regions: bool = False) -> TangleChoice:
+    """The one place that turns a system and what a caller says into options, as the program does (further_of and --bip)."""
+    own = given.connection
+    # Compared as numbers: a caller's may be arrays.
+    if connection is not None and (own is None or connection._parts() != own._parts()):
+        return TangleChoice(connection, connection.bip, ())
+    chosen = connection_of(given, own)
+    takes_further = all_regions or given._of.further_needed
+    further = tuple(Connection(*parts) for parts in given._of.further) if takes_further else ()
+    return TangleChoice(chosen, None, further)
+
+
 def connection_of(given: System, connection: Connection | None) -> Connection:
     if connection is not None:
         return connection

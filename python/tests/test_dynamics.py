@@ -145,6 +145,23 @@ def test_connections_of_ones_own():
     assert sorted(np.abs(t.area_by_action.value)) == pytest.approx(sorted(np.abs(own.area_by_action.value)), rel=1e-9)
 
 
+@pytest.mark.parametrize("k", [4.8, 5, 10])
+def test_the_bip_of_a_system_is_a_hint(k):
+    """The program took it for one; here it was asked for, and no pip was near."""
+    henon = lober.system("henon", k=k)
+    t = lober.manifold_tangle(henon, tolerance=1e-4)
+    assert t.agreement
+    r = lober.transport(henon, iterates=1, tolerance=1e-4)
+    lobes = t.lobes.area[list(t.turnstile)]
+    assert r.boundaries[0].lobe_area12.value == pytest.approx(lobes[lobes > 0].sum(), rel=1e-6)
+    assert lober.manifold_tangle(henon, henon.connection, tolerance=1e-4).bip == t.bip
+    c = henon.connection
+    # A bip that the caller gives is asked for.
+    far = lober.Connection(c.from_saddle, c.u_direction, c.to_saddle, c.s_direction, (c.from_saddle[0] + 50, 50.0))
+    with pytest.raises(lober.DataError):
+        lober.manifold_tangle(henon, far, tolerance=1e-4, max_work=1e5)
+
+
 def test_agreement_that_fails():
     comparison = lober.Comparison("area", "overlay", "interior", 1.0, 2.0, 0.5)
     agreement = lober.Agreement([comparison])
