@@ -61,19 +61,47 @@ def _member(family: Family, values: dict[str, float], tolerance: float) -> Syste
     return family(integration_tolerance=tolerance, **values)
 
 
-def _columns(answer: Any, points: Array, name: str) -> Array:
-    """What a function gives for two coordinates or more as an array of dimension x N."""
-    dimension, count = points.shape
-    try:
-        parts = list(answer)
-    except TypeError:
-        raise UsageError(f"{name} has to give {dimension} coordinates, not one {type(answer).__name__}") from None
-    if len(parts) != dimension:
-        raise UsageError(f"{name} has to give {dimension} coordinates, not {len(parts)}")
-    result = np.empty((dimension, count))
-    for k, part in enumerate(parts):
-        result[k] = part
-    return result
+class _Columns:
+    """What a function gives for two coordinates, and what else it takes, as an array of 2 x N.
+
+    It has to give two coordinates, numbers or arrays of N. For two points one array of 2 x 2 could hold them either way, so
+    that the first call is for three.
+    """
+
+    def __init__(self, function: Function, name: str) -> None:
+        self._function = function
+        self._name = name
+        self._seen = False
+
+    def __call__(self, *arguments: Array) -> Array:
+        count = len(arguments[0])
+        if not self._seen and count > 0:
+            self._of([entry[np.arange(3) % count] for entry in arguments])
+            self._seen = True
+        return self._of(list(arguments))
+
+    def _of(self, arguments: list[Array]) -> Array:
+        count = len(arguments[0])
+        answer = self._function(*arguments)
+        try:
+            parts = list(answer)
+        except TypeError:
+            raise UsageError(f"{self._name} has to give 2 coordinates, not one {type(answer).__name__}") from None
+        if len(parts) != 2:
+            shape = getattr(answer, "shape", None)
+            seen = len(parts) if shape is None else f"{len(parts)}, an array of shape {shape} for {count} points"
+            raise UsageError(
+                f"{self._name} has to give 2 coordinates, not {seen}; return two arrays, such as (a[:, 0], a[:, 1])"
+            )
+        result = np.empty((2, count))
+        for k, part in enumerate(parts):
+            if np.shape(part) not in ((), (1,), (count,)):
+                raise UsageError(
+                    f"{self._name} has to give an array of {count} numbers, or one, for each coordinate of {count} points, "
+                    f"not one of shape {np.shape(part)}"
+                )
+            result[k] = part
+        return result
 
 
 def _parameters(function: Function, known: Mapping[str, float], coordinates: int, name: str) -> list[str]:
@@ -139,8 +167,8 @@ class _OwnMap:
 class _FormulaMap(_OwnMap):
     def __init__(self, name: str, forward: Function, inverse: Function | None, action: Function | None) -> None:
         self._name = name
-        self._forward = forward
-        self._inverse = inverse
+        self._forward = _Columns(forward, name)
+        self._inverse = None if inverse is None else _Columns(inverse, name)
         self._action = action
 
     def step(self, x: Array, forward: bool) -> tuple[Array, int]:
@@ -148,7 +176,7 @@ class _FormulaMap(_OwnMap):
         if function is None:
             raise UsageError(f"system {self._name} has no inverse, which this needs; give inverse")
         with np.errstate(all="ignore"):
-            return _columns(function(*x), x, self._name), 0
+            return function(*x), 0
 
     def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
         return differences(lambda points: self.step(points, forward)[0], x)
@@ -163,6 +191,7 @@ class _PeriodMap(_OwnMap):
     ) -> None:
         self._name = name
         self._velocity = velocity
+        self._columns = _Columns(velocity, name)
         self._hamiltonian = hamiltonian
         self._begin = begin
         self._period = period
@@ -199,7 +228,7 @@ class _PeriodMap(_OwnMap):
         return _PeriodMap(self._name, self._velocity, self._hamiltonian, self._begin, self._period, tolerance)
 
     def _field(self, x: Array, t: Array) -> Array:
-        return _columns(self._velocity(*x, t), x, self._name)
+        return self._columns(*x, t)
 
     def _with_tangents(self, x: Array, t: Array) -> Array:
         times = np.tile(t, 9)
