@@ -30,6 +30,16 @@ class Areas:
     def symmetric_difference(self) -> float: ...
     def __eq__(self, other: object) -> bool: ...
 
+def areas_of(
+    c1: float,
+    c2: float,
+    intersection: float,
+    union: float,
+    c1_minus_c2: float,
+    c2_minus_c1: float,
+    symmetric_difference: float,
+) -> Areas: ...
+
 class Overlay:
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
     @property

@@ -100,6 +100,8 @@ class _Columns:
                     f"{self._name} has to give an array of {count} numbers, or one, for each coordinate of {count} points, "
                     f"not one of shape {np.shape(part)}"
                 )
+            if np.iscomplexobj(part):
+                raise UsageError(f"{self._name} has to give real numbers, not complex ones; return their parts as coordinates")
             result[k] = part
         return result
 
@@ -182,7 +184,7 @@ class _FormulaMap(_OwnMap):
         return differences(lambda points: self.step(points, forward)[0], x)
 
     def action(self, start: Pair, end: Pair) -> float | None:
-        return None if self._action is None else float(self._action(start[0], end[0]))
+        return None if self._action is None else number_of(self._action(start[0], end[0]), f"{self._name}: action")
 
 
 class _PeriodMap(_OwnMap):
@@ -239,7 +241,10 @@ class _PeriodMap(_OwnMap):
     def _with_action(self, x: Array, t: Array) -> Array:
         assert self._hamiltonian is not None
         velocity = self._field(np.ascontiguousarray(x[:2]), t)
-        return np.stack([*velocity, x[1] * velocity[0] - self._hamiltonian(x[0], x[1], t)])
+        energy = self._hamiltonian(x[0], x[1], t)
+        if np.iscomplexobj(energy):
+            raise UsageError(f"{self._name}: hamiltonian has to give real numbers, not complex ones")
+        return np.stack([*velocity, x[1] * velocity[0] - energy])
 
 
 def _bound(function: Any, params: Mapping[str, float], coordinates: int, name: str) -> Any:

@@ -44,6 +44,16 @@ def test_exceptions_of_a_callback_pass_through():
         lober.overlay(ring(20), ring(20), progress=3)
 
 
+def test_answers_of_a_callback_that_are_neither_true_nor_false():
+    """An array was a SystemError."""
+    for answer in (np.zeros(3), np.ones((2, 2))):
+        with pytest.raises(lober.UsageError, match="True, False or None, not ndarray"):
+            lober.overlay(ring(2000), ring(2000, 0.5), progress=lambda fraction, text: answer)
+    assert lober.overlay(ring(2000), ring(2000, 0.5), progress=lambda fraction, text: np.bool_(True)).crossings == 2
+    with pytest.raises(lober.Cancelled):
+        lober.overlay(ring(2000), ring(2000, 0.5), progress=lambda fraction, text: np.bool_(False))
+
+
 def test_a_callback_may_call_lober():
     areas = []
 

@@ -186,6 +186,28 @@ def test_forms_of_coordinates(count):
         lober.map(lambda x, y: (x[:, None], y))().iterate(points)
 
 
+def test_complex_coordinates_are_refused():
+    """Their imaginary parts were left out, with a warning of NumPy at best."""
+    circle = 0.3 * np.exp(2j * np.pi * np.arange(20) / 20)
+    turn = lober.map(lambda x, y: (1j * x, y), name="turn")
+    with pytest.raises(lober.UsageError, match="turn has to give real numbers"):
+        lober.image(turn, circle, tolerance=1e-3)
+    standard = lober.system("standard")
+    image = lober.image(standard, circle, tolerance=1e-3).points
+    np.testing.assert_array_equal(image, lober.image(standard, np.stack([circle.real, circle.imag], 1), tolerance=1e-3).points)
+    at = np.array([0, 1j])
+    for call in (
+        lambda: lober.image(standard, circle, tolerance=1e-3, box=np.array([-1, -1, 1, 1 + 1j])),
+        lambda: lober.fixed_point(standard, at),
+        lambda: lober.grow(standard, tolerance=1e-3, length=1, at=at),
+        lambda: lober.system("standard", K=np.complex64(1 + 1j)),
+        lambda: lober.flow(lambda x, y, t: (y, x), period=np.complex128(1 + 1j))(),
+        lambda: lober.manifold_tangle(standard, lober.Connection(at, (1, 1), (0, 0), (1, 1))),
+    ):
+        with pytest.raises((lober.UsageError, TypeError), match="real|complex"):
+            call()
+
+
 def test_exceptions_of_functions_pass_through():
     def fails(x, y):
         raise ZeroDivisionError("mine")
