@@ -59,7 +59,7 @@ def require_same(library: str, form: Form, in_numpy: NumPyForm, values: list[flo
     # What rounding does is what moving all numbers by a few units in the last place does.
     noise = np.zeros_like(by_numpy)
     with np.errstate(all="ignore"):
-        for _ in range(2):
+        for _ in range(8):
             moved = points + 1e-14 * random.uniform(-1, 1, points.shape) * (1 + np.abs(points))
             later = times + 1e-14 * random.uniform(-1, 1, POINTS) * (1 + np.abs(times))
             others = [value * (1 + 1e-14 * random.uniform(-1, 1)) for value in values]

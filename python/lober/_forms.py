@@ -53,6 +53,15 @@ def symbols_of(given: Sequence[Any], what: str) -> list[Any]:
     return found
 
 
+def _with_steps(entry: Any) -> Any:
+    """Heaviside's function by cases, which C and NumPy have."""
+
+    def step(at: Any, half: Any = sympy.Rational(1, 2)) -> Any:
+        return sympy.Piecewise((0, at < 0), (1, at > 0), (half, True))
+
+    return entry.replace(sympy.Heaviside, step)
+
+
 def form_of(
     name: str,
     velocity: Sequence[Any] | None,
@@ -90,6 +99,9 @@ def form_of(
     period = renamed(length, "the period")
     if period.free_symbols - set(ours):
         raise UsageError(f"system {name}: the period is a number or an expression of params")
-    jacobian = [sympy.diff(entry, coordinate) for entry in speed for coordinate in (X, Y)]
+    # Where a sign or a step jumps there is no derivative; everywhere else this is one.
+    slopes = [sympy.diff(entry, coordinate) for entry in speed for coordinate in (X, Y)]
+    jacobian = [_with_steps(slope.replace(sympy.DiracDelta, lambda *_: sympy.S.Zero)) for slope in slopes]
+    speed = [_with_steps(entry) for entry in speed]
     values = {key: number_of(value, f"system {name}: parameter {key}") for key, value in zip(names, params.values())}
-    return Form(name, speed, jacobian, energy, period, values, ours)
+    return Form(name, speed, jacobian, None if h is None else _with_steps(energy), period, values, ours)

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from typing import Any
+from typing import Any, Callable
 
+import numpy as np
 import sympy
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.numpy import NumPyPrinter
@@ -38,6 +39,12 @@ class _Doubles:
     _print_Integer = _print_Zero = _print_One = _print_NegativeOne = _print_Half = _print_Rational
     _print_Float = _print_NumberSymbol = _print_Pi = _print_Exp1 = _print_EulerGamma = _print_Rational
     _print_GoldenRatio = _print_Catalan = _print_TribonacciConstant = _print_Rational
+
+    def _print_Function(self, expr: Any) -> str:
+        """In parentheses where SymPy writes another formula for it: it takes that for one term, so that y/sec(x) would
+        be y/1/cos(x), and cot(x)**2 tan(x)**-1**2."""
+        text: str = super()._print_Function(expr)  # type: ignore[misc]
+        return f"({text})" if type(expr).__name__ in self._rewriteable_functions else text  # type: ignore[attr-defined]
 
 
 class DoublesInC(_Doubles, C99CodePrinter):  # type: ignore[misc]
@@ -76,6 +83,27 @@ class DoublesInNumPy(_Doubles, NumPyPrinter):  # type: ignore[misc]
         return str(text)
 
 
+def _each(function: Callable[[float], float]) -> Any:
+    """A function of Python's math for arrays: NaN where it has no value, as in C."""
+
+    def value(number: float) -> float:
+        try:
+            return function(number)
+        except (ValueError, OverflowError):
+            return math.nan
+
+    return np.vectorize(value, otypes=[float])
+
+
+#: What NumPy does not have.
+_OF_MATH = {
+    "erf": _each(math.erf),
+    "erfc": _each(math.erfc),
+    "gamma": _each(math.gamma),
+    "lgamma": _each(math.lgamma),
+}
+
+
 def in_c(entry: Any) -> str:
     """An expression of C. Raises UsageError for a function that C does not have."""
     _, missing, text = DoublesInC().doprint(entry)
@@ -90,7 +118,7 @@ def in_numpy(symbols: list[Any], entries: Any) -> Any:
         _, missing, _ = DoublesInNumPy(human=False).doprint(entry)
         if missing:
             raise UsageError(f"{_names(missing)} cannot be written in NumPy; write a formula of functions that it has")
-    return sympy.lambdify(symbols, entries, "numpy", printer=DoublesInNumPy(), cse=True)
+    return sympy.lambdify(symbols, entries, [_OF_MATH, "numpy"], printer=DoublesInNumPy(), cse=True)
 
 
 def _names(missing: Any) -> str:

@@ -50,6 +50,29 @@ def test_functions_that_both_forms_have():
     assert np.isfinite(compiled).any()
 
 
+@ALL
+@pytest.mark.parametrize(
+    "force",
+    [
+        p / sympy.sec(q) + sympy.cot(q + 5) ** 2,
+        sympy.coth(q + 5) ** 2 - 1 / sympy.csch(q + 5),
+        sympy.erf(q) + sympy.exp(-q * p),
+        sympy.Abs(q) * sympy.sign(p) + sympy.Heaviside(q - 1),
+        sympy.Piecewise((q**2, q < 0), (q**3, True)),
+        sympy.cosh(10 * q) - sympy.sinh(10 * q),
+    ],
+    ids=str,
+)
+def test_velocities_are_those_of_sympy(force, compiler):
+    """For a period of next to nothing the image is x + period * velocity."""
+    period = 1e-4
+    system = lober.equations([p, force], (q, p), t, period=period, compiler=compiler, window=(-1, -1, 1, 1))()
+    points = np.random.default_rng(3).uniform(-0.9, 0.9, (20, 2))
+    expected = [float(force.subs({q: x, p: y}).evalf(30)) for x, y in points]
+    velocity = (system.iterate(points)[:, 1] - points[:, 1]) / period
+    np.testing.assert_allclose(velocity, expected, rtol=5e-2, atol=5e-3)
+
+
 def test_functions_that_c_does_not_have():
     with pytest.raises(lober.UsageError, match='Derivative cannot be written in C; give compiler=""'):
         lober.equations([p, sympy.Mod(q, 2)], (q, p), t, period=1)
