@@ -48,7 +48,7 @@ void run_watched(const std::atomic<double>& done, const std::function<void()>& w
       if (!report(done)) return cancelled.store(true);
     }
   };
-  const std::jthread watcher(watch);  // stops and is joined when work has ended, however it did
+  const std::jthread timer(watch);  // stops and is joined when work has ended, however it did
   const CancellationScope scope(cancelled);
   work();
 }
