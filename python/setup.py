@@ -18,7 +18,9 @@ from setuptools.command.sdist import sdist
 here = Path(__file__).resolve().parent
 # In a source distribution the C++ code lies beside this file, in the repository it is the folder above.
 source = ((here / "source") if (here / "source").is_dir() else here.parent).resolve()
-SOURCES = ["CMakeLists.txt", "cmake", "cli", "engine", "kernels", "python/CMakeLists.txt", "python/bindings"]
+SOURCES = ["CMakeLists.txt", "cmake", "engine", "kernels", "python/CMakeLists.txt", "python/bindings"]
+# Of a build of its own. Without batches there is no program and no test, nor the libraries that only those need.
+OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DLOBER_BUILD_BATCH=OFF", "-DLOBER_INSTALL=OFF", "-DLOBER_UNITY=ON"]
 
 
 def version() -> str:
@@ -30,8 +32,7 @@ class build_with_cmake(build_ext):
     def build_extension(self, ext: Extension) -> None:
         build = Path(os.environ.get("LOBER_BUILD") or Path(self.build_temp) / "cmake").resolve()
         if not (build / "CMakeCache.txt").exists():
-            options = ["-DCMAKE_BUILD_TYPE=Release", "-DLOBER_BUILD_TESTS=OFF", "-DLOBER_INSTALL=OFF"]
-            subprocess.check_call(["cmake", "-S", source, "-B", build, "-G", "Ninja", *options])
+            subprocess.check_call(["cmake", "-S", source, "-B", build, "-G", "Ninja", *OPTIONS])
         options = ["-DLOBER_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
         subprocess.check_call(["cmake", "-S", source, "-B", build, *options])
         jobs = os.environ.get("LOBER_JOBS") or str(os.cpu_count() or 1)

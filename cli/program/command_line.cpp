@@ -9,6 +9,7 @@
 #include "engine/base/output_file.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "lober/error.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::cli {
 namespace {
@@ -124,7 +125,7 @@ void add_threads_option(OptionParser& parser, int& threads) {
       .add("--threads", threads,
            "The number of threads (default: one per core). The results are the same bits for any number.")
       .value("N")
-      .range(1, 4096);
+      .range(1, max_threads);
 }
 
 void add_index_option(OptionParser& parser, IndexKind& kind) {

@@ -29,7 +29,8 @@ void JsonFile::finish(const Json& timing) {
 
 void write_listing(const std::string& path, std::string_view command, const std::string& key, Json list) {
   detail::OutputFile file(path);
-  file.write(Json{{"program", program_json()}, {"command", command}, {key, std::move(list)}}.dump(1) + "\n");
+  const Json all{{"program", program_json()}, {"command", command}, {key, std::move(list)}};
+  file.write(all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   file.commit();
 }
 

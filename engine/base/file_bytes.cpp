@@ -12,6 +12,7 @@
 
 #include "engine/base/input_guard.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/path_text.hpp"
 #include "lober/error.hpp"
 
 namespace lober::detail {
@@ -28,7 +29,7 @@ constexpr std::size_t piece_bytes = std::size_t{4} << 20;  // of one call, and o
 class Descriptor {
  public:
   explicit Descriptor(const std::string& path)
-      : number_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+      : number_((require_no_zero_byte(path), path == "-") ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     if (number_ < 0) fail(path);
   }
   ~Descriptor() {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "engine/base/input_guard.hpp"
+#include "engine/base/path_text.hpp"
 #include "lober/error.hpp"
 
 namespace lober::detail {
@@ -45,6 +46,7 @@ auto uninterrupted(const Call& call) {
 }  // namespace
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
+  require_no_zero_byte(path_);
   struct ::stat status {};
   if (const auto own = own_descriptor(path_)) {
     // What the program printed before has to come before.

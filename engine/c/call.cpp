@@ -12,8 +12,6 @@ namespace lober::detail::c {
 namespace {
 
 thread_local std::string message;
-thread_local lober_progress progress_function = nullptr;
-thread_local void* progress_context = nullptr;
 
 int failed(int status, const char* text) noexcept {
   try {
@@ -28,10 +26,11 @@ int failed(int status, const char* text) noexcept {
 
 int guarded(const std::function<void()>& function) noexcept {
   try {
+    refuse_in_progress_function();
     function();
     return LOBER_OK;
-  } catch (const Disagreement& disagreement) {
-    return failed(LOBER_DISAGREEMENT, disagreement.text.c_str());
+  } catch (const WithResult& reason) {
+    return failed(reason.status, reason.text.c_str());
   } catch (const UsageError& error) {
     return failed(LOBER_USAGE_ERROR, error.what());
   } catch (const Cancelled& error) {
@@ -59,7 +58,7 @@ int operation(const char* options, lober_result** result,
     auto made = std::make_unique<lober_result>();
     try {
       run_with_threads(threads, [&] { work(*made); });
-    } catch (const Disagreement&) {
+    } catch (const WithResult&) {
       *result = made.release();
       throw;
     }
@@ -87,22 +86,10 @@ OpenCurve open_curve(const double* points, std::size_t count, const char* name) 
   return OpenCurve(std::vector<Point>(given.begin(), given.end()));
 }
 
-std::function<bool(double)> progress() {
-  if (!progress_function) return {};
-  return [function = progress_function, context = progress_context](double fraction) {
-    return function(fraction, context) != 0;
-  };
-}
-
 }  // namespace lober::detail::c
 
 const char* lober_message(void) {
   return lober::detail::c::message.c_str();
-}
-
-void lober_set_progress(lober_progress function, void* context) {
-  lober::detail::c::progress_function = function;
-  lober::detail::c::progress_context = context;
 }
 
 int lober_interface_version(void) {

@@ -6,12 +6,14 @@
 #include <string>
 
 #include "engine/c/options.hpp"
+#include "engine/c/progress.hpp"
 #include "engine/c/result.hpp"
 #include "lober/curve.hpp"
 
 namespace lober::detail::c {
 
-/// Runs the function; the status that its exception stands for, whose text is then that of lober_message().
+/// Runs the function; the status that its exception stands for, whose text is then that of lober_message(). Refuses
+/// within a progress function.
 [[nodiscard]] int guarded(const std::function<void()>& function) noexcept;
 
 /// An operation: options are asked for by `prepare`, which returns the work; that fills the result with as many threads
@@ -19,8 +21,9 @@ namespace lober::detail::c {
 [[nodiscard]] int operation(const char* options, lober_result** result,
                             const std::function<std::function<void(lober_result&)>(Options&)>& prepare) noexcept;
 
-/// What an operation throws to hand out its result with LOBER_DISAGREEMENT.
-struct Disagreement {
+/// What an operation throws to hand out its result with a status that is not LOBER_OK.
+struct WithResult {
+  int status;
   std::string text;
 };
 
@@ -31,8 +34,5 @@ struct Disagreement {
 [[nodiscard]] OpenCurve open_curve(const double* points, std::size_t count, const char* name);
 /// The same, with a copy: for results that outlive the call.
 [[nodiscard]] ClosedCurve kept_closed_curve(const double* points, std::size_t count, const char* name);
-
-/// For operations whose progress is a fraction, and for those whose is not; empty if this thread has none.
-[[nodiscard]] std::function<bool(double)> progress();
 
 }  // namespace lober::detail::c

@@ -1,4 +1,5 @@
 // Overlay, interior, regions, winding, densify and simplify for C.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -125,6 +126,21 @@ Work winding_work(const double* curve, std::size_t n, const double* points, std:
   };
 }
 
+// Throws where a limit left criteria unmet. The shortest length and corners are what the caller asked for.
+void require_criteria(const std::vector<Diagnostic>& diagnostics, std::size_t points) {
+  const auto ended_by = [&](DiagnosticCause cause) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [&](const Diagnostic& one) { return one.cause == cause; });
+  };
+  const std::string count = "the curve has " + std::to_string(points) + " points and does not meet the criteria";
+  if (ended_by(DiagnosticCause::max_points)) {
+    throw WithResult{LOBER_INCOMPLETE, count + ", since max_points allows no more; give a larger max_points"};
+  }
+  if (ended_by(DiagnosticCause::max_rounds)) {
+    throw WithResult{LOBER_INCOMPLETE, count + " after all rounds; give a larger min_length"};
+  }
+}
+
 Work densify_work(const double* points, std::size_t n, Options& given) {
   static constexpr std::array interpolations{Interpolation::linear, Interpolation::dritschel, Interpolation::spline};
   Criteria criteria;
@@ -139,7 +155,18 @@ Work densify_work(const double* points, std::size_t n, Options& given) {
   const CurveView view{points_of(points, n, "curve"), given.flag("closed", true)};
   return [=](lober_result& result) {
     validate(view, "curve");
-    result.add_points("points", densify(view, criteria, options).points);
+    DensifiedCurve dense = densify(view, criteria, options);
+    lober_result::Integers segments;
+    std::string causes;
+    for (const Diagnostic& one : dense.diagnostics) {
+      segments.insert(segments.end(), {one.first, one.count});
+      causes += (causes.empty() ? "" : "\n") + std::string(name(one.cause));
+    }
+    result.add("diagnostics", std::move(segments), 2);
+    result.add("causes", std::move(causes));
+    const std::size_t count = dense.points.size();
+    result.add_points("points", std::move(dense.points));
+    require_criteria(dense.diagnostics, count);
   };
 }
 

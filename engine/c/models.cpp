@@ -1,11 +1,14 @@
 // Systems, their points and manifolds, for C.
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdlib>
 #include <limits>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/c/call.hpp"
 #include "engine/c/model.hpp"
+#include "lober/cancellation.hpp"
 #include "lober/error.hpp"
 #include "lober/fixed_points.hpp"
 #include "lober/local_manifold.hpp"
@@ -54,6 +57,29 @@ Work fixed_points_work(const lober_model* model, Options& given) {
     result.add("residues", std::move(residues));
     result.add("kinds", std::move(kinds));
   };
+}
+
+// Images of `from` into `to`, which may be the same and stays as it is where the work is cancelled. Integrations ask by
+// themselves whether it is; a formula does not, so it takes some steps at a time.
+void iterate(const lober_model& model, const PlanarMap& map, std::span<const Point> from, Point* to, int iterates) {
+  constexpr std::size_t together = 4096;
+  const std::int64_t all = std::abs(std::int64_t{iterates});
+  Buffer<Point> points(from.begin(), from.end());
+  std::atomic<double> done{0};
+  run_watched(done, [&] {
+    for_each_block(points.size(), together, [&](std::size_t begin, std::size_t end) {
+      const std::span<Point> block = std::span(points).subspan(begin, end - begin);
+      const double share = static_cast<double>(block.size()) / static_cast<double>(points.size());
+      const std::int64_t at_once = model.system.flow ? all : std::int64_t{16 * together} / std::ssize(block);
+      for (std::int64_t k = 0; k < all; k += at_once) {
+        throw_if_cancelled();
+        const std::int64_t steps = std::min(at_once, all - k);
+        map.iterate(block, static_cast<int>(iterates < 0 ? -steps : steps));
+        done += share * static_cast<double>(steps) / static_cast<double>(all);
+      }
+    });
+  });
+  std::copy(points.begin(), points.end(), to);
 }
 
 Work grow_work(const lober_model* model, Options& given) {
@@ -169,13 +195,7 @@ int lober_models(lober_result** result) {
 int lober_iterate(const lober_model* model, double* points, size_t n, int iterates) {
   using namespace lober::detail::c;
   return guarded([&] {
-    const lober::PlanarMap& map = map_of(model);
-    (void)points_of(points, n, "points");
-    const std::span<lober::Point> all(reinterpret_cast<lober::Point*>(points), n);
-    constexpr std::size_t together = 4096;
-    lober::detail::for_each_block(n, together, [&](std::size_t begin, std::size_t end) {
-      map.iterate(all.subspan(begin, end - begin), iterates);
-    });
+    iterate(*model, map_of(model), points_of(points, n, "points"), reinterpret_cast<lober::Point*>(points), iterates);
   });
 }
 

@@ -54,12 +54,11 @@ double Options::number(const std::string& name, double otherwise) {
   return given ? number_of(name, *given) : otherwise;
 }
 
-std::int64_t Options::integer(const std::string& name, std::int64_t otherwise, std::int64_t least) {
+std::int64_t Options::integer(const std::string& name, std::int64_t otherwise, std::int64_t least, std::int64_t most) {
   const std::optional<std::string> given = text(name);
   if (!given) return otherwise;
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), value);
-  constexpr std::int64_t most = 2'000'000'000;
   if (error != std::errc() || end != given->data() + given->size() || value < least || value > most) {
     refuse(name, *given, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   }

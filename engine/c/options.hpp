@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lober/point.hpp"
+#include "lober/threads.hpp"
 
 namespace lober::detail::c {
 
@@ -25,7 +26,8 @@ class Options {
   explicit Options(const char* text) : words_(words_of(text)) {}
 
   [[nodiscard]] double number(const std::string& name, double otherwise);
-  [[nodiscard]] std::int64_t integer(const std::string& name, std::int64_t otherwise, std::int64_t least = 0);
+  [[nodiscard]] std::int64_t integer(const std::string& name, std::int64_t otherwise, std::int64_t least = 0,
+                                     std::int64_t most = 2'000'000'000);
   [[nodiscard]] bool flag(const std::string& name, bool otherwise);
   [[nodiscard]] std::optional<Point> point(const std::string& name);
   [[nodiscard]] std::optional<Rectangle> box(const std::string& name);
@@ -47,7 +49,7 @@ class Options {
     }
     refuse(name, *given, "one of " + names);
   }
-  [[nodiscard]] int threads() { return static_cast<int>(integer("threads", 0)); }
+  [[nodiscard]] int threads() { return static_cast<int>(integer("threads", 0, 0, max_threads)); }
   void require_all_known() const;
 
  private:

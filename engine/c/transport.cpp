@@ -35,7 +35,7 @@ void require_agreement(lober_result& result, const Agreement& agreement) {
                     detail::format_rounded(one.bar));
   }
   result.add("disagreements", lines_of(lines));
-  throw Disagreement{lines_of(lines)};
+  throw WithResult{LOBER_DISAGREEMENT, lines_of(lines)};
 }
 
 Work tangle_work(const lober_model* model, Options& given) {

@@ -18,11 +18,11 @@
    A result is a list of named arrays, which belong to it: they are valid until lober_result_free. Each operation says
    which it makes. Numbers are arrays of one row and column. A matrix is stored row by row.
 
-   Options are one text of words NAME=VALUE, separated by blanks, or NULL. All operations know threads=N (0: one for each
-   core). A name that an operation does not know is refused, with those that it does.
+   Options are one text of words NAME=VALUE, separated by blanks, or NULL. All operations know threads=N, 0 (one for each
+   core) to 4096. A name that an operation does not know is refused, with those that it does.
 
    Functions that return int return LOBER_OK or what went wrong; then lober_message() says it in a sentence, and *result is
-   NULL. No exception leaves this interface, and no signal is handled. All functions may be called from several
+   NULL unless the status says that there is one. No exception leaves this interface, and no signal is handled. All functions may be called from several
    threads at the same time, with the same results and models too, except that nothing else may use what is being freed.
    The same bits for any number of threads.
 
@@ -44,7 +44,7 @@ extern "C" {
 #endif
 
 /* Raised with each addition to this header. */
-#define LOBER_INTERFACE_VERSION 1
+#define LOBER_INTERFACE_VERSION 2
 /* That of the library that is linked. */
 LOBER_C_API int lober_interface_version(void);
 /* "0.2.0". */
@@ -58,6 +58,7 @@ enum lober_status {
   LOBER_DISAGREEMENT = 3,   /* two routes to a number differ beyond their error bars; there is a result all the same */
   LOBER_OUT_OF_MEMORY = 4,
   LOBER_INTERNAL_ERROR = 5, /* a defect of lober */
+  LOBER_INCOMPLETE = 6,     /* a limit, such as max_points, ended the work; there is a result all the same */
   LOBER_CANCELLED = 130     /* the progress function returned 0 */
 };
 
@@ -65,7 +66,8 @@ enum lober_status {
 LOBER_C_API const char* lober_message(void);
 
 /* Called during long operations of this thread, several times a second, by one thread at a time: with the fraction done,
-   or -1 where it is not known. 0 cancels. NULL: none. */
+   or -1 where it is not known. 0 cancels. NULL: none. It may be called by another thread, and cannot call lober: functions
+   that return a status refuse with LOBER_USAGE_ERROR. */
 typedef int (*lober_progress)(double fraction, void* context);
 LOBER_C_API void lober_set_progress(lober_progress function, void* context);
 
@@ -120,7 +122,9 @@ LOBER_C_API int lober_winding(const double* curve, size_t n, const double* point
 /* Signed area of a closed curve, positive counter-clockwise. */
 LOBER_C_API int lober_signed_area(const double* curve, size_t n, double* area);
 /* More points (lober/densify.hpp). Options: closed=0|1 (1), max_length=D, angle=RADIANS, distance_angle=D, min_length=D,
-   interpolation=linear|dritschel|spline, max_points=N. Arrays: points. */
+   interpolation=linear|dritschel|spline, max_points=N. Arrays: points; diagnostics (n x 2): first segment, number of segments
+   that break a criterion; causes: a line for each: min_length, corner, max_points, max_rounds. Where one of the last two ended
+   it, LOBER_INCOMPLETE with a result. */
 LOBER_C_API int lober_densify(const double* curve, size_t n, const char* options, lober_result** result);
 /* Fewer points. Options: closed=0|1 (1), tolerance=D, max_length=D. Arrays: points. */
 LOBER_C_API int lober_simplify(const double* curve, size_t n, const char* options, lober_result** result);
@@ -133,7 +137,8 @@ LOBER_C_API int lober_tangle(const double* u, size_t nu, const double* s, size_t
 
 /* -------------------------------------------------------------------------------------------------------------- files */
 
-/* One curve of a file as the program reads it: FILE, or FILE:K for zone K. Options: closed=0|1 (1). Arrays: points. */
+/* One curve of a file as the program reads it: FILE, or FILE#K for zone K from 0, FILE#TITLE for that of a
+   title. Options: closed=0|1 (1). Arrays: points. */
 LOBER_C_API int lober_read(const char* spec, const char* options, lober_result** result);
 /* By the ending: .npy, .csv, .f64 (raw), else text. */
 LOBER_C_API int lober_write(const char* path, const double* points, size_t n);
@@ -147,7 +152,8 @@ LOBER_C_API int lober_model_open(const char* name, const char* parameters, const
 LOBER_C_API void lober_model_free(lober_model* model);
 /* Names, summaries, parameters and defaults of the built-in systems, as lines of text. Arrays: names, summaries. */
 LOBER_C_API int lober_models(lober_result** result);
-/* Replaces each point by its image; NaN where an orbit is lost. Negative: by the inverse. */
+/* Replaces each point by its image; NaN where an orbit is lost. Negative: by the inverse. Where it fails, or is cancelled,
+   points stay as they were. */
 LOBER_C_API int lober_iterate(const lober_model* model, double* points, size_t n, int iterates);
 /* Options: box=XMIN,YMIN,XMAX,YMAX, period=N, turns=N, grid=N. Arrays: points (n x 2), derivatives (n x 4, row by row),
    residues, kinds: a line each. */

@@ -102,6 +102,7 @@ typedef struct lober_flow {
 } lober_flow;
 
 #define LOBER_MAX_CORNERS 16
+#define LOBER_MAX_CONNECTIONS 64
 
 /* The manifolds that bound a region: U from the saddle near `from`, S from that near `to`, each on the branch that
    leaves in the given direction. */
@@ -120,7 +121,7 @@ typedef struct lober_system {
   unsigned abi; /* LOBER_SYSTEM_ABI */
   lober_kind kind;
   const char* name;
-  const char* summary; /* one line */
+  const char* summary; /* one line; all texts are UTF-8 */
   size_t parameter_count;
   const lober_parameter* parameters;
   /* Where the fixed points of interest are: min x, min y, max x, max y in the plane of the map. */
@@ -129,8 +130,8 @@ typedef struct lober_system {
   double lattice[2];
   const lober_map* map;   /* for LOBER_MAP */
   const lober_flow* flow; /* for LOBER_FLOW */
-  /* From version 2 on. How many connections there are whose boundaries bound regions, the first one region 1; 0 and
-     NULL for none. `connection` fills in number `index`. */
+  /* From version 2 on. How many connections there are whose boundaries bound regions, the first one region 1, up to
+     LOBER_MAX_CONNECTIONS; 0 and NULL for none. `connection` fills in number `index`. */
   size_t connection_count;
   int (*connection)(const double* parameters, size_t index, lober_connection* connection);
   /* Not 0: region 1 is bounded by all of them together, such as the strip of a cylinder between two boundaries. */

@@ -15,16 +15,15 @@ void bind_areas(py::module_& module) {
       .def_readonly("union", &Areas::union_)
       .def_readonly("c1_minus_c2", &Areas::c1_minus_c2)
       .def_readonly("c2_minus_c1", &Areas::c2_minus_c1)
-      .def_readonly("symmetric_difference", &Areas::symmetric_difference)
-      .def(py::pickle(
-          [](const Areas& areas) {
-            return py::make_tuple(areas.c1, areas.c2, areas.intersection, areas.union_, areas.c1_minus_c2,
-                                  areas.c2_minus_c1, areas.symmetric_difference);
-          },
-          [](const py::tuple& state) {
-            const auto number = [&](std::size_t k) { return state[k].cast<double>(); };
-            return Areas{number(0), number(1), number(2), number(3), number(4), number(5), number(6)};
-          }));
+      .def_readonly("symmetric_difference", &Areas::symmetric_difference);
+  module.def(
+      "areas_of",
+      [](double c1, double c2, double intersection, double union_, double c1_minus_c2, double c2_minus_c1,
+         double symmetric_difference) {
+        return Areas{c1, c2, intersection, union_, c1_minus_c2, c2_minus_c1, symmetric_difference};
+      },
+      py::arg("c1"), py::arg("c2"), py::arg("intersection"), py::arg("union"), py::arg("c1_minus_c2"),
+      py::arg("c2_minus_c1"), py::arg("symmetric_difference"));
 }
 
 Pairing pairing_of(const std::string& name) {

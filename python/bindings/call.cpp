@@ -30,7 +30,12 @@ bool has_handler(const struct sigaction& action) {
 }
 
 bool goes_on(const py::object& answer) {
-  return answer.is_none() || PyObject_IsTrue(answer.ptr()) != 0;
+  if (answer.is_none()) return true;
+  const int truth = PyObject_IsTrue(answer.ptr());
+  if (truth >= 0) return truth != 0;
+  PyErr_Clear();
+  throw UsageError("a progress function has to return True, False or None, not " +
+                   py::type::of(answer).attr("__name__").cast<std::string>());
 }
 
 }  // namespace

@@ -43,12 +43,10 @@ class Interrupt {
 /// signal throws what the signal raises.
 template <typename Work>
 auto long_call(int threads, Work&& work) {
-  if (threads < 0) throw UsageError("threads has to be 0 (one for each core) or more");
   const Interrupt interrupt;
   const auto run = [&] {
     const pybind11::gil_scoped_release released;
     const CancellationScope scope(interrupt.flag());
-    if (threads == 0) return work();
     std::optional<decltype(work())> result;
     run_with_threads(threads, [&] { result.emplace(work()); });
     return std::move(*result);

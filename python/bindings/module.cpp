@@ -6,6 +6,7 @@
 #include "python/bindings/areas.hpp"
 #include "python/bindings/errors.hpp"
 #include "python/bindings/nodes.hpp"
+#include "python/bindings/sealed.hpp"
 
 PYBIND11_MODULE(_lober, module) {
   using namespace lober::python;
@@ -25,4 +26,5 @@ PYBIND11_MODULE(_lober, module) {
   bind_manifolds(module);
   bind_transport(module);
   bind_escape(module);
+  seal_classes(module);
 }

@@ -101,6 +101,16 @@ py::list saddles_of(const System& system) {
   return saddles;
 }
 
+// Not by a cast: one of complex numbers of NumPy leaves their imaginary parts out.
+std::vector<double> numbers_from(const py::handle& given) {
+  for (const py::handle entry : given) {
+    if (PyComplex_Check(entry.ptr()) != 0 || py::module_::import("numpy").attr("iscomplexobj")(entry).cast<bool>()) {
+      throw UsageError("a point or a box has real coordinates; give x and y instead of a complex number");
+    }
+  }
+  return given.cast<std::vector<double>>();
+}
+
 }  // namespace
 
 const PlanarMap& map_of(const System& system) {
@@ -109,13 +119,13 @@ const PlanarMap& map_of(const System& system) {
 }
 
 Point point_from(const py::handle& pair) {
-  const auto numbers = pair.cast<std::vector<double>>();
+  const std::vector<double> numbers = numbers_from(pair);
   if (numbers.size() != 2) throw UsageError("a point has two coordinates");
   return {numbers[0], numbers[1]};
 }
 
 Rectangle rectangle_from(const py::handle& corners) {
-  const auto numbers = corners.cast<std::vector<double>>();
+  const std::vector<double> numbers = numbers_from(corners);
   if (numbers.size() != 4 || !(numbers[0] < numbers[2] && numbers[1] < numbers[3])) {
     throw UsageError("a box is given by its corners (x0, y0, x1, y1), with x0 < x1 and y0 < y1");
   }

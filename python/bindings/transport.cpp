@@ -19,9 +19,9 @@ namespace lober::python {
 namespace {
 
 // The tangle as a handle, and what is known beside it.
-py::tuple tangle_of(const System& system, const py::tuple& connection, double tolerance, int before, int after,
-                    bool smooth, int max_iterates, std::size_t max_points, double max_work, int threads,
-                    const py::object& progress) {
+py::tuple tangle_of(const System& system, const py::tuple& connection, const py::object& bip_near, double tolerance,
+                    int before, int after, bool smooth, int max_iterates, std::size_t max_points, double max_work,
+                    int threads, const py::object& progress) {
   const ProgressCallback callback(progress);
   const PlanarMap& map = map_of(system);
   const Connection between = connection_from(connection);
@@ -33,7 +33,7 @@ py::tuple tangle_of(const System& system, const py::tuple& connection, double to
   options.max_iterates = max_iterates;
   options.max_points = max_points;
   options.max_work = max_work;
-  options.bip_near = between.bip;
+  if (!bip_near.is_none()) options.bip_near = point_from(bip_near);
   options.progress = text_progress(callback);
   std::shared_ptr<ManifoldTangle> grown =
       long_call(threads, [&] { return std::shared_ptr<ManifoldTangle>(grow_tangle(map, between, options)); });
@@ -76,16 +76,16 @@ py::tuple pair_of(Measured measured) {
   return py::make_tuple(measured.value, measured.error);
 }
 
-py::dict transport_of(const System& system, const py::tuple& connection, const py::list& further, int iterates,
-                      double tolerance, std::size_t max_points, double max_work, std::uint64_t particles,
-                      std::uint64_t seed, int threads, const py::object& progress) {
+py::dict transport_of(const System& system, const py::tuple& connection, const py::object& bip_near,
+                      const py::list& further, int iterates, double tolerance, std::size_t max_points, double max_work,
+                      std::uint64_t particles, std::uint64_t seed, int threads, const py::object& progress) {
   const ProgressCallback callback(progress);
   const PlanarMap& map = map_of(system);
   const Connection first = connection_from(connection);
   TransportOptions options;
   options.iterates = iterates;
   options.tolerance = tolerance;
-  options.bip_near = first.bip;
+  if (!bip_near.is_none()) options.bip_near = point_from(bip_near);
   options.max_points = max_points;
   options.max_work = max_work;
   options.lattice = system.lattice;
@@ -126,11 +126,11 @@ py::dict transport_of(const System& system, const py::tuple& connection, const p
 }  // namespace
 
 void bind_transport(py::module_& module) {
-  module.def("grow_tangle", tangle_of, py::arg("system"), py::arg("connection"), py::arg("tolerance"),
-             py::arg("before"), py::arg("after"), py::arg("smooth"), py::arg("max_iterates"), py::arg("max_points"),
-             py::arg("max_work"), py::arg("threads"), py::arg("progress"));
-  module.def("transport", transport_of, py::arg("system"), py::arg("connection"), py::arg("further"),
-             py::arg("iterates"), py::arg("tolerance"), py::arg("max_points"), py::arg("max_work"),
+  module.def("grow_tangle", tangle_of, py::arg("system"), py::arg("connection"), py::arg("bip_near"),
+             py::arg("tolerance"), py::arg("before"), py::arg("after"), py::arg("smooth"), py::arg("max_iterates"),
+             py::arg("max_points"), py::arg("max_work"), py::arg("threads"), py::arg("progress"));
+  module.def("transport", transport_of, py::arg("system"), py::arg("connection"), py::arg("bip_near"),
+             py::arg("further"), py::arg("iterates"), py::arg("tolerance"), py::arg("max_points"), py::arg("max_work"),
              py::arg("particles"), py::arg("seed"), py::arg("threads"), py::arg("progress"));
 }
 

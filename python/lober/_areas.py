@@ -64,7 +64,17 @@ def _areas_equal(self: Areas, other: Any) -> Any:
     return dict_of(self) == dict_of(other) if isinstance(other, Areas) else NotImplemented
 
 
+def _areas_of(numbers: tuple[float, ...]) -> Areas:
+    return _lober.areas_of(*numbers)
+
+
+def _areas_reduce(self: Areas) -> tuple[Any, ...]:
+    """By a function: the classes of the extension have no __new__ to unpickle with (bindings/sealed.hpp)."""
+    return _areas_of, (tuple(dict_of(self).values()),)
+
+
 _lober.Areas.__module__ = "lober"
+_lober.Areas.__reduce__ = _areas_reduce  # type: ignore[assignment]
 _lober.Areas.__repr__ = _areas_repr  # type: ignore[assignment]
 _lober.Areas.__eq__ = _areas_equal  # type: ignore[assignment]
 _lober.Areas.__hash__ = None  # type: ignore[assignment]

@@ -30,6 +30,16 @@ class Areas:
     def symmetric_difference(self) -> float: ...
     def __eq__(self, other: object) -> bool: ...
 
+def areas_of(
+    c1: float,
+    c2: float,
+    intersection: float,
+    union: float,
+    c1_minus_c2: float,
+    c2_minus_c1: float,
+    symmetric_difference: float,
+) -> Areas: ...
+
 class Overlay:
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
     @property
@@ -272,6 +282,7 @@ def curve_images(
 def grow_tangle(
     system: System,
     connection: tuple[Any, ...],
+    bip_near: _Pair | None,
     tolerance: float,
     before: int,
     after: int,
@@ -285,6 +296,7 @@ def grow_tangle(
 def transport(
     system: System,
     connection: tuple[Any, ...],
+    bip_near: _Pair | None,
     further: list[tuple[Any, ...]],
     iterates: int,
     tolerance: float,

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from . import _lober
 from ._integrate import over_period
-from ._systems import Connection, Pair, System
+from ._numbers import number_of
+from ._systems import Connection, Pair, System, pair_of
 from .errors import UsageError
 
 Array = NDArray[np.float64]
@@ -37,7 +38,8 @@ class Family:
                 raise UsageError(f"system {self.name} has no parameter '{key}'; it has: {known}")
         if not 0 < integration_tolerance < 1:
             raise UsageError("the tolerance of integration must be in (0, 1)")
-        numbers = {key: float(value) for key, value in {**self.parameters, **values}.items()}
+        chosen = {**self.parameters, **values}
+        numbers = {key: number_of(value, f"system {self.name}: parameter {key}") for key, value in chosen.items()}
         for key, value in numbers.items():
             if not np.isfinite(value):
                 raise UsageError(f"system {self.name}: parameter {key} is not finite")
@@ -59,19 +61,49 @@ def _member(family: Family, values: dict[str, float], tolerance: float) -> Syste
     return family(integration_tolerance=tolerance, **values)
 
 
-def _columns(answer: Any, points: Array, name: str) -> Array:
-    """What a function gives for two coordinates or more as an array of dimension x N."""
-    dimension, count = points.shape
-    try:
-        parts = list(answer)
-    except TypeError:
-        raise UsageError(f"{name} has to give {dimension} coordinates, not one {type(answer).__name__}") from None
-    if len(parts) != dimension:
-        raise UsageError(f"{name} has to give {dimension} coordinates, not {len(parts)}")
-    result = np.empty((dimension, count))
-    for k, part in enumerate(parts):
-        result[k] = part
-    return result
+class _Columns:
+    """What a function gives for two coordinates, and what else it takes, as an array of 2 x N.
+
+    It has to give two coordinates, numbers or arrays of N. For two points one array of 2 x 2 could hold them either way, so
+    that the first call is for three.
+    """
+
+    def __init__(self, function: Function, name: str) -> None:
+        self._function = function
+        self._name = name
+        self._seen = False
+
+    def __call__(self, *arguments: Array) -> Array:
+        count = len(arguments[0])
+        if not self._seen and count > 0:
+            self._of([entry[np.arange(3) % count] for entry in arguments])
+            self._seen = True
+        return self._of(list(arguments))
+
+    def _of(self, arguments: list[Array]) -> Array:
+        count = len(arguments[0])
+        answer = self._function(*arguments)
+        try:
+            parts = list(answer)
+        except TypeError:
+            raise UsageError(f"{self._name} has to give 2 coordinates, not one {type(answer).__name__}") from None
+        if len(parts) != 2:
+            shape = getattr(answer, "shape", None)
+            seen = len(parts) if shape is None else f"{len(parts)}, an array of shape {shape} for {count} points"
+            raise UsageError(
+                f"{self._name} has to give 2 coordinates, not {seen}; return two arrays, such as (a[:, 0], a[:, 1])"
+            )
+        result = np.empty((2, count))
+        for k, part in enumerate(parts):
+            if np.shape(part) not in ((), (1,), (count,)):
+                raise UsageError(
+                    f"{self._name} has to give an array of {count} numbers, or one, for each coordinate of {count} points, "
+                    f"not one of shape {np.shape(part)}"
+                )
+            if np.iscomplexobj(part):
+                raise UsageError(f"{self._name} has to give real numbers, not complex ones; return their parts as coordinates")
+            result[k] = part
+        return result
 
 
 def _parameters(function: Function, known: Mapping[str, float], coordinates: int, name: str) -> list[str]:
@@ -137,8 +169,8 @@ class _OwnMap:
 class _FormulaMap(_OwnMap):
     def __init__(self, name: str, forward: Function, inverse: Function | None, action: Function | None) -> None:
         self._name = name
-        self._forward = forward
-        self._inverse = inverse
+        self._forward = _Columns(forward, name)
+        self._inverse = None if inverse is None else _Columns(inverse, name)
         self._action = action
 
     def step(self, x: Array, forward: bool) -> tuple[Array, int]:
@@ -146,13 +178,13 @@ class _FormulaMap(_OwnMap):
         if function is None:
             raise UsageError(f"system {self._name} has no inverse, which this needs; give inverse")
         with np.errstate(all="ignore"):
-            return _columns(function(*x), x, self._name), 0
+            return function(*x), 0
 
     def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
         return differences(lambda points: self.step(points, forward)[0], x)
 
     def action(self, start: Pair, end: Pair) -> float | None:
-        return None if self._action is None else float(self._action(start[0], end[0]))
+        return None if self._action is None else number_of(self._action(start[0], end[0]), f"{self._name}: action")
 
 
 class _PeriodMap(_OwnMap):
@@ -161,6 +193,7 @@ class _PeriodMap(_OwnMap):
     ) -> None:
         self._name = name
         self._velocity = velocity
+        self._columns = _Columns(velocity, name)
         self._hamiltonian = hamiltonian
         self._begin = begin
         self._period = period
@@ -197,7 +230,7 @@ class _PeriodMap(_OwnMap):
         return _PeriodMap(self._name, self._velocity, self._hamiltonian, self._begin, self._period, tolerance)
 
     def _field(self, x: Array, t: Array) -> Array:
-        return _columns(self._velocity(*x, t), x, self._name)
+        return self._columns(*x, t)
 
     def _with_tangents(self, x: Array, t: Array) -> Array:
         times = np.tile(t, 9)
@@ -208,7 +241,10 @@ class _PeriodMap(_OwnMap):
     def _with_action(self, x: Array, t: Array) -> Array:
         assert self._hamiltonian is not None
         velocity = self._field(np.ascontiguousarray(x[:2]), t)
-        return np.stack([*velocity, x[1] * velocity[0] - self._hamiltonian(x[0], x[1], t)])
+        energy = self._hamiltonian(x[0], x[1], t)
+        if np.iscomplexobj(energy):
+            raise UsageError(f"{self._name}: hamiltonian has to give real numbers, not complex ones")
+        return np.stack([*velocity, x[1] * velocity[0] - energy])
 
 
 def _bound(function: Any, params: Mapping[str, float], coordinates: int, name: str) -> Any:
@@ -266,7 +302,7 @@ def map(
 
         def make(values: Mapping[str, float], tolerance: float) -> System:
             own = _FormulaMap(title, forwards(values), backwards(values), actions(values))
-            return _system(title, function, values, own, window, lattice, _value(connection, values))
+            return own_system(title, function, values, own, window, lattice, _value(connection, values))
 
         return Family(title, parameters, make)
 
@@ -303,29 +339,38 @@ def flow(
         title = name or function.__name__
         velocities = _bound(function, parameters, 3, title)
         hamiltonians = _bound(hamiltonian, parameters, 3, title)
+        begin = number_of(phase, f"system {title}: phase")
 
         def make(values: Mapping[str, float], tolerance: float) -> System:
-            length = float(_value(period, values))
-            if not (np.isfinite(length) and length > 0):
-                raise UsageError(f"system {title}: its period is not positive")
-            own = _PeriodMap(title, velocities(values), hamiltonians(values), phase * length, length, tolerance)
-            return _system(title, function, values, own, window, lattice, _value(connection, values))
+            length = number_of(_value(period, values), f"system {title}: the period")
+            own = period_map(title, velocities(values), hamiltonians(values), begin, length, tolerance)
+            return own_system(title, function, values, own, window, lattice, _value(connection, values))
 
         return Family(title, parameters, make)
 
     return decorate if velocity is None else decorate(velocity)
 
 
-def _system(
+def period_map(
+    name: str, velocity: Function, hamiltonian: Function | None, phase: float, period: float, tolerance: float
+) -> _OwnMap:
+    if not (np.isfinite(period) and period > 0):
+        raise UsageError(f"system {name}: its period is not positive")
+    return _PeriodMap(name, velocity, hamiltonian, phase * period, period, tolerance)
+
+
+def own_system(
     name: str,
-    function: Function,
+    function: Any,
     values: Mapping[str, float],
     own: _OwnMap,
     window: Box,
     lattice: Pair,
     connection: Connection | None,
 ) -> System:
-    summary = (inspect.getdoc(function) or "").partition("\n")[0]
+    summary = "of expressions" if function is None else (inspect.getdoc(function) or "").partition("\n")[0]
     parts = None if connection is None else connection._parts()
-    made = _lober.own_system(name, summary, list(values.items()), own, window, lattice, parts)
+    x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
+    shift = pair_of(lattice, f"system {name}: lattice")
+    made = _lober.own_system(name, summary, list(values.items()), own, (x0, y0, x1, y1), shift, parts)
     return System(made, ())

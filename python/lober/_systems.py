@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from . import _lober
 from ._arrays import Points, points_of
+from ._numbers import number_of
 from .errors import UsageError
 
 Pair = tuple[float, float]
@@ -54,7 +55,22 @@ class Connection:
     closure: tuple[Pair, ...] = field(default=())
 
     def _parts(self) -> tuple[Any, ...]:
-        return (self.from_saddle, self.u_direction, self.to_saddle, self.s_direction, self.bip, self.closure)
+        bip = None if self.bip is None else pair_of(self.bip, "bip of a connection")
+        return (
+            pair_of(self.from_saddle, "from_saddle of a connection"),
+            pair_of(self.u_direction, "u_direction of a connection"),
+            pair_of(self.to_saddle, "to_saddle of a connection"),
+            pair_of(self.s_direction, "s_direction of a connection"),
+            bip,
+            tuple(pair_of(corner, "a corner of a connection") for corner in self.closure),
+        )
+
+
+def pair_of(given: Any, what: str) -> Pair:
+    entries = [given] if isinstance(given, str) else list(given)
+    if len(entries) != 2:
+        raise UsageError(f"{what} has to be two numbers, not {given!r}")
+    return number_of(entries[0], what), number_of(entries[1], what)
 
 
 def _info(parts: tuple[Any, ...]) -> SystemInfo:
@@ -150,10 +166,7 @@ def system(
     """
     values = {**(parameters or {}), **more}
     text = os.fspath(name)
-    try:
-        numbers = [(key, float(value)) for key, value in values.items()]
-    except TypeError as error:
-        raise TypeError(f"system {text}: parameters are numbers: {error}") from None
+    numbers = [(key, number_of(value, f"system {text}: parameter {key}")) for key, value in values.items()]
     return System(
         _lober.system(text, numbers, integration_tolerance), (_system_of, (text, values, integration_tolerance))
     )
@@ -175,6 +188,28 @@ def system_of(given: Any) -> System:
         assert isinstance(made, System)
         return made
     raise TypeError(f"a system or its name is needed, not {type(given).__name__}")
+
+
+@dataclass(frozen=True)
+class TangleChoice:
+    """Which tangles of a system a call is about."""
+
+    connection: Connection
+    #: Where the caller wants the bip; None where the one of the connection is a hint, which may be far from any pip.
+    bip_near: Pair | None
+    further: tuple[Connection, ...]
+
+
+def choice_of(given: System, connection: Connection | None, all_regions: bool = False) -> TangleChoice:
+    """The one place that turns a system and what a caller says into options, as the program does (further_of and --bip)."""
+    own = given.connection
+    # Compared as numbers: a caller's may be arrays.
+    if connection is not None and (own is None or connection._parts() != own._parts()):
+        return TangleChoice(connection, connection.bip, ())
+    chosen = connection_of(given, own)
+    takes_further = all_regions or given._of.further_needed
+    further = tuple(Connection(*parts) for parts in given._of.further) if takes_further else ()
+    return TangleChoice(chosen, None, further)
 
 
 def connection_of(given: System, connection: Connection | None) -> Connection:

@@ -13,7 +13,7 @@ from ._agreement import Agreement, agreement_of
 from ._areas import html_table
 from ._arrays import Points
 from ._progress import Progress, watching
-from ._systems import Connection, Pair, System, connection_of, system_of
+from ._systems import Connection, Pair, System, choice_of, system_of
 from ._tangle import Tangle
 from .errors import UsageError
 
@@ -73,16 +73,18 @@ def manifold_tangle(
 ) -> SystemTangle:
     """Grows both manifolds of a connection and finds their tangle: `lober tangle --system`.
 
-    `connection` defaults to that of the system. `tolerance` is the distance that polygon and manifold may have; errors of
+    `connection` defaults to that of the system, whose bip is a hint; DataError where there is no pip near the bip of another
+    one. `tolerance` is the distance that polygon and manifold may have; errors of
     areas are far smaller. Images of the bip from f^-before to f^after are wanted; `max_work` bounds the evaluations of the
     vector field. Raises DataError where there is no tangle within the limits, UsageError, Cancelled.
     """
     made = system_of(system)
-    between = connection_of(made, connection)
+    choice = choice_of(made, connection)
     with watching(progress, "tangle") as callback:
         found, more = _lober.grow_tangle(
             made._of,
-            between._parts(),
+            choice.connection._parts(),
+            choice.bip_near,
             tolerance,
             before,
             after,
@@ -102,7 +104,7 @@ def manifold_tangle(
         "max_points": max_points,
         "max_work": max_work,
     }
-    return SystemTangle(found, more, ("manifold_tangle", (made, connection), options), made, between)
+    return SystemTangle(found, more, ("manifold_tangle", (made, connection), options), made, choice.connection)
 
 
 @dataclass(frozen=True)
@@ -182,14 +184,13 @@ def transport(
     Cancelled.
     """
     made = system_of(system)
-    between = connection_of(made, connection)
-    own = connection is None
-    further = list(made._of.further) if own and (all_regions or made._of.further_needed) else []
+    choice = choice_of(made, connection, all_regions)
     with watching(progress, "transport") as callback:
         found = _lober.transport(
             made._of,
-            between._parts(),
-            further,
+            choice.connection._parts(),
+            choice.bip_near,
+            [other._parts() for other in choice.further],
             iterates,
             tolerance,
             max_points,

@@ -44,6 +44,16 @@ def test_exceptions_of_a_callback_pass_through():
         lober.overlay(ring(20), ring(20), progress=3)
 
 
+def test_answers_of_a_callback_that_are_neither_true_nor_false():
+    """An array was a SystemError."""
+    for answer in (np.zeros(3), np.ones((2, 2))):
+        with pytest.raises(lober.UsageError, match="True, False or None, not ndarray"):
+            lober.overlay(ring(2000), ring(2000, 0.5), progress=lambda fraction, text: answer)
+    assert lober.overlay(ring(2000), ring(2000, 0.5), progress=lambda fraction, text: np.bool_(True)).crossings == 2
+    with pytest.raises(lober.Cancelled):
+        lober.overlay(ring(2000), ring(2000, 0.5), progress=lambda fraction, text: np.bool_(False))
+
+
 def test_a_callback_may_call_lober():
     areas = []
 
@@ -110,6 +120,19 @@ def test_interrupt(handler):
         timer.join()
         signal.signal(signal.SIGINT, before)
     assert lober.overlay(ring(50), ring(50, 0.5)).crossings == 2
+
+
+@pytest.mark.parametrize("threads", [-1, 4097, 100_000, 1_000_000_000])
+def test_threads_that_no_machine_gives(threads):
+    for call in (
+        lambda: lober.overlay(ring(50), ring(50, 0.5), threads=threads),
+        lambda: lober.section("standard", orbits=5, iterates=5, threads=threads),
+        lambda: lober.system("standard").iterate(ring(50), threads=threads),
+        lambda: lober.manifold_tangle("duffing", threads=threads),
+    ):
+        with pytest.raises(lober.UsageError, match=f"threads has to be 0 .* to 4096, not {threads}"):
+            call()
+    assert lober.overlay(ring(50), ring(50, 0.5), threads=4096).crossings == 2
 
 
 def test_handler_is_put_back():

@@ -124,6 +124,23 @@ def test_zones(tmp_path):
     assert lober.read(tmp_path / "numpy.npy").tobytes() == ring(9).tobytes()
 
 
+def test_names_of_files_with_a_zero_byte(tmp_path):
+    """They were cut there: another file was written, or read."""
+    victim = tmp_path / "nul"
+    victim.write_text("0 0\n1 0\n0 1\n")
+    name = f"{victim}\0b.csv"
+    for call in (
+        lambda: lober.write(name, ring(5)),
+        lambda: lober.write(f"{victim}\0b.dat", ring(5)),
+        lambda: lober.read(name),
+        lambda: lober.read_zones(name),
+        lambda: lober.system(f"{victim}\0.so"),
+    ):
+        with pytest.raises(lober.DataError, match="zero byte"):
+            call()
+    assert victim.read_text() == "0 0\n1 0\n0 1\n" and list(tmp_path.iterdir()) == [victim]
+
+
 def test_files_that_cannot_be_used(tmp_path):
     with pytest.raises(lober.DataError, match="missing.dat"):
         lober.read(tmp_path / "missing.dat")

@@ -36,8 +36,10 @@ def test_systems_that_are_refused():
         lober.system("duffing", epsilon=1)
     with pytest.raises(lober.UsageError, match="not finite"):
         lober.system("duffing", eps=math.nan)
-    with pytest.raises(TypeError, match="numbers"):
+    with pytest.raises(TypeError, match="eps has to be a number, not list"):
         lober.system("duffing", eps=[1])
+    with pytest.raises(lober.UsageError, match="eps has to be a number, not the text '0.2'"):
+        lober.system("duffing", eps="0.2")
     with pytest.raises(lober.DataError, match="cannot load"):
         lober.system("./missing.so")
     with pytest.raises(TypeError, match="a system or its name"):
@@ -141,6 +143,23 @@ def test_connections_of_ones_own():
     t = lober.manifold_tangle(duffing, mine, tolerance=1e-4)
     own = lober.manifold_tangle(duffing, tolerance=1e-4)
     assert sorted(np.abs(t.area_by_action.value)) == pytest.approx(sorted(np.abs(own.area_by_action.value)), rel=1e-9)
+
+
+@pytest.mark.parametrize("k", [4.8, 5, 10])
+def test_the_bip_of_a_system_is_a_hint(k):
+    """The program took it for one; here it was asked for, and no pip was near."""
+    henon = lober.system("henon", k=k)
+    t = lober.manifold_tangle(henon, tolerance=1e-4)
+    assert t.agreement
+    r = lober.transport(henon, iterates=1, tolerance=1e-4)
+    lobes = t.lobes.area[list(t.turnstile)]
+    assert r.boundaries[0].lobe_area12.value == pytest.approx(lobes[lobes > 0].sum(), rel=1e-6)
+    assert lober.manifold_tangle(henon, henon.connection, tolerance=1e-4).bip == t.bip
+    c = henon.connection
+    # A bip that the caller gives is asked for.
+    far = lober.Connection(c.from_saddle, c.u_direction, c.to_saddle, c.s_direction, (c.from_saddle[0] + 50, 50.0))
+    with pytest.raises(lober.DataError):
+        lober.manifold_tangle(henon, far, tolerance=1e-4, max_work=1e5)
 
 
 def test_agreement_that_fails():

@@ -157,6 +157,57 @@ def test_functions_of_the_wrong_form(function, text):
         lober.map(function, name="wrong")().iterate(np.zeros((5, 2)))
 
 
+def as_rows(x, y):
+    return np.stack([x + y, y], axis=1)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 7])
+@pytest.mark.parametrize("inverse", [False, True])
+def test_one_array_of_points_is_refused_for_any_number_of_points(count, inverse):
+    """For two points it was unpacked as (x, y): wrong numbers without a word."""
+    points = np.arange(2.0 * count).reshape(count, 2)
+    own = lober.map(lambda x, y: (x, y), inverse=as_rows, name="rows") if inverse else lober.map(as_rows, name="rows")
+    for system in [own(), *([] if inverse else [lober.flow(lambda x, y, t: as_rows(x, y), period=1, name="rows")()])]:
+        with pytest.raises(lober.UsageError, match="rows has to give 2 coordinates.*return two arrays"):
+            system.iterate(points, -1 if inverse else 1)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 7])
+def test_forms_of_coordinates(count):
+    points = np.arange(2.0 * count).reshape(count, 2)
+    expected = np.stack([points[:, 0] + points[:, 1], np.full(count, 2.0)], axis=1)
+    for forward in (
+        lambda x, y: (x + y, 2),
+        lambda x, y: [x + y, np.array([2.0])],
+        lambda x, y: np.stack([x + y, np.full_like(x, 2)]),
+    ):
+        np.testing.assert_array_equal(lober.map(forward)().iterate(points), expected)
+    with pytest.raises(lober.UsageError, match="for each coordinate"):
+        lober.map(lambda x, y: (x[:, None], y))().iterate(points)
+
+
+def test_complex_coordinates_are_refused():
+    """Their imaginary parts were left out, with a warning of NumPy at best."""
+    circle = 0.3 * np.exp(2j * np.pi * np.arange(20) / 20)
+    turn = lober.map(lambda x, y: (1j * x, y), name="turn")
+    with pytest.raises(lober.UsageError, match="turn has to give real numbers"):
+        lober.image(turn, circle, tolerance=1e-3)
+    standard = lober.system("standard")
+    image = lober.image(standard, circle, tolerance=1e-3).points
+    np.testing.assert_array_equal(image, lober.image(standard, np.stack([circle.real, circle.imag], 1), tolerance=1e-3).points)
+    at = np.array([0, 1j])
+    for call in (
+        lambda: lober.image(standard, circle, tolerance=1e-3, box=np.array([-1, -1, 1, 1 + 1j])),
+        lambda: lober.fixed_point(standard, at),
+        lambda: lober.grow(standard, tolerance=1e-3, length=1, at=at),
+        lambda: lober.system("standard", K=np.complex64(1 + 1j)),
+        lambda: lober.flow(lambda x, y, t: (y, x), period=np.complex128(1 + 1j))(),
+        lambda: lober.manifold_tangle(standard, lober.Connection(at, (1, 1), (0, 0), (1, 1))),
+    ):
+        with pytest.raises((lober.UsageError, TypeError), match="real|complex"):
+            call()
+
+
 def test_exceptions_of_functions_pass_through():
     def fails(x, y):
         raise ZeroDivisionError("mine")

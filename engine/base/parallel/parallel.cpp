@@ -7,6 +7,7 @@
 
 #include "engine/base/parallel/complete.hpp"
 #include "engine/base/parallel/handover.hpp"
+#include "engine/base/thread_limit.hpp"
 
 namespace lober::detail {
 
@@ -53,6 +54,7 @@ int concurrency() {
 }
 
 void run_in_arena(int threads, FunctionRef<void()> function) {
+  require_thread_count(threads);
   // An arena has as many slots as it is asked for, but oneTBB makes no more workers than there are cores until a limit
   // that is higher allows it. Of several limits the lowest holds, so none is set that would hold others back.
   std::optional<tbb::global_control> limit;

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "engine/base/input_guard.hpp"
+#include "engine/base/path_text.hpp"
 #include "engine/base/text.hpp"
+#include "engine/base/utf8.hpp"
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/maps/formula_map.hpp"
 #include "engine/dynamics/systems/library_checks.hpp"
@@ -204,6 +206,17 @@ Point point_of(const double (&numbers)[2]) {
   return {numbers[0], numbers[1]};
 }
 
+bool all_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
+
+bool is_finite(const lober_connection& given) {
+  bool finite = all_finite(given.from) && all_finite(given.u_direction) && all_finite(given.to) &&
+                all_finite(given.s_direction) && (given.has_bip == 0 || all_finite(given.bip));
+  for (std::size_t k = 0; k < given.corner_count; ++k) finite = finite && all_finite(given.corners[k]);
+  return finite;
+}
+
 /// Those that a library of version 2 describes.
 void set_connections(System& made, const lober_system& system, std::span<const double> values) {
   if (system.abi < 2) return;
@@ -212,6 +225,7 @@ void set_connections(System& made, const lober_system& system, std::span<const d
     const std::string where = std::string("system ") + system.name + ": connection " + std::to_string(k);
     if (system.connection(values.data(), k, &found) != 0) throw DataError(where + " is not given for these parameters");
     if (found.corner_count > LOBER_MAX_CORNERS) throw DataError(where + " has too many corners");
+    if (!is_finite(found)) throw DataError(where + " has a number that is not finite for these parameters");
     Connection connection{point_of(found.from), point_of(found.u_direction), point_of(found.to),
                           point_of(found.s_direction)};
     if (found.has_bip != 0) connection.bip = point_of(found.bip);
@@ -311,13 +325,25 @@ const char* fault(const lober_system* system) {
   if (system == nullptr) return "lober_system_describe returned null";
   if (system->abi < 1 || system->abi > LOBER_SYSTEM_ABI) return "it was built for another version of lober_system.h";
   if (system->name == nullptr || system->summary == nullptr) return "the name or the summary is null";
+  // JSON and Python take nothing else.
+  if (!is_utf8(system->name) || !is_utf8(system->summary)) return "the name or the summary is not UTF-8";
   if (system->parameter_count != 0 && system->parameters == nullptr) return "parameters is null";
   for (std::size_t k = 0; k < system->parameter_count; ++k) {
     if (system->parameters[k].name == nullptr || system->parameters[k].meaning == nullptr) {
       return "a parameter's name or meaning is null";
     }
+    if (!is_utf8(system->parameters[k].name) || !is_utf8(system->parameters[k].meaning)) {
+      return "a parameter's name or meaning is not UTF-8";
+    }
   }
   if (system->abi >= 2 && system->connection_count != 0 && system->connection == nullptr) return "connection is null";
+  if (system->abi >= 2 && system->connection_count > LOBER_MAX_CONNECTIONS) {
+    return "connection_count is more than LOBER_MAX_CONNECTIONS, 64";
+  }
+  if (!all_finite(system->window)) return "the window has a number that is not finite";
+  if (!all_finite(system->lattice) || (system->abi >= 4 && !all_finite(system->second_lattice))) {
+    return "the lattice has a number that is not finite";
+  }
   switch (system->kind) {
     case LOBER_MAP:
       if (system->map == nullptr) return "map is null";
@@ -334,6 +360,7 @@ const char* fault(const lober_system* system) {
 }  // namespace
 
 SystemEntry load_system(const std::string& path) {
+  require_no_zero_byte(path);
   // Without a slash dlopen would search the system's folders.
   const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -6,7 +6,6 @@
 #include "engine/dynamics/transport/cylinder.hpp"
 #include "lober/curve.hpp"
 #include "lober/error.hpp"
-#include "lober/regions.hpp"
 
 namespace lober::detail {
 
@@ -16,13 +15,9 @@ bool leaves(const std::vector<Point>& polygon, const Box& box) {
   return std::any_of(polygon.begin(), polygon.end(), [&](Point p) { return !meet(Box::of(p, p), box); });
 }
 
-// Of the regions that wind about, however the polygons cross themselves.
-double area_of_both(const std::vector<Point>& first, const std::vector<Point>& second) {
-  try {
-    return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(FillRule::nonzero).intersection;
-  } catch (const DataError&) {  // nothing is left of one of them
-    return 0;
-  }
+Measured area_of_both(const std::vector<Point>& first, const std::vector<Point>& second) {
+  const Measured product = product_of_windings(first, second, 0);
+  return {std::fabs(product.value), product.error};
 }
 
 }  // namespace
@@ -66,11 +61,13 @@ Measured Turnstile::within_reason(Measured common, std::size_t i, std::size_t j)
   if (far_.empty() || !far_[i] || !far_[j]) return common;
   const std::vector<Point> first = lobe_outline(*barrier_.tangle, i), second = lobe_outline(*barrier_.tangle, j);
   const std::vector<Point> first_in = clipped(first, barrier_.fine), second_in = clipped(second, barrier_.fine);
-  const double outside = std::max(common.value - area_of_both(first_in, second_in), 0.0);
+  const Measured inside = area_of_both(first_in, second_in);
+  const double outside = std::max(common.value - inside.value, 0.0);
   const bool bounded = std::isfinite(common.error);
-  if (bounded && outside <= common.error) return common;
-  const double most =
-      std::min(area_here(i) - area_of_both(first_in, first_in), area_here(j) - area_of_both(second_in, second_in));
+  if (bounded && outside <= common.error + inside.error)
+    return {common.value, common.error + std::min(outside, inside.error)};
+  const double most = std::min(area_here(i) - area_of_both(first_in, first_in).value,
+                               area_here(j) - area_of_both(second_in, second_in).value);
   const bool distorted = leaves(first, barrier_.true_size) && leaves(second, barrier_.true_size);
   const double unknown = std::max(distorted || !bounded ? most : std::min(outside, most), 0.0);
   return {std::min(common.value, common.value - outside + unknown), (bounded ? common.error : 0) + unknown};

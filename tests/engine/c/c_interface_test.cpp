@@ -2,17 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
+#include "lober/files.hpp"
 #include "lober/lober.h"
+#include "lober/orbits.hpp"
 #include "lober/overlay.hpp"
 #include "lober/regions.hpp"
 #include "lober/systems.hpp"
@@ -138,6 +143,110 @@ TEST(CInterface, DensifySimplifyAndFiles) {
   std::filesystem::remove_all(folder);
 }
 
+// The status of a call that makes a result all the same.
+template <typename Call>
+Result made_with(int status, const char* words, const Call& call) {
+  lober_result* result = nullptr;
+  EXPECT_EQ(call(&result), status) << lober_message();
+  EXPECT_NE(std::string(lober_message()).find(words), std::string::npos) << lober_message();
+  EXPECT_NE(result, nullptr);
+  return Result(result);
+}
+
+TEST(CInterface, LimitsOfDensifyHaveAStatus) {
+  const std::vector<double> coarse = circle_coordinates(0, 0, 1, 40);
+  const Result full = made_with(LOBER_INCOMPLETE, "give a larger max_points", [&](lober_result** to) {
+    return lober_densify(coarse.data(), 40, "max_length=0.001 max_points=100", to);
+  });
+  EXPECT_LE(array_of(full, "points").rows, 100U);
+  EXPECT_GE(array_of(full, "diagnostics").rows, 1U);
+  EXPECT_TRUE(std::string_view(static_cast<const char*>(array_of(full, "causes").data)).starts_with("max_points"));
+  // A shortest length is what was asked for.
+  const Result coarser =
+      made([&](lober_result** to) { return lober_densify(coarse.data(), 40, "max_length=0.001 min_length=0.01", to); });
+  EXPECT_EQ(array_of(coarser, "diagnostics").columns, 2U);
+  const Result done = made([&](lober_result** to) { return lober_densify(coarse.data(), 40, "max_length=0.05", to); });
+  EXPECT_EQ(array_of(done, "diagnostics").rows, 0U);
+}
+
+TEST(CInterface, ZonesAreNamedAsInTheHeader) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "lober_c_zones.dat";
+  const std::vector<Point> first{{0, 0}, {1, 0}, {0, 1}}, second{{5, 5}, {6, 5}, {5, 6}};
+  write_tecplot(file, std::vector<Zone>{{"one", first, 1}, {"two", second, 1}});
+  for (const char* const zone : {"#1", "#two"}) {
+    const std::string spec = file.string() + zone;
+    const Result read = made([&](lober_result** to) { return lober_read(spec.c_str(), nullptr, to); });
+    EXPECT_EQ(doubles_of(read, "points"), (std::vector<double>{5, 5, 6, 5, 5, 6}));
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(CInterface, IterateCanBeCancelled) {
+  for (const char* const name : {"henon", "duffing"}) {
+    const Model opened = model(name);
+    const std::vector<double> before{0.01, 0.01, 0.02, 0.01};
+    std::vector<double> points = before;
+    int calls = 0;
+    lober_set_progress(
+        [](double fraction, void* context) {
+          EXPECT_GE(fraction, 0);
+          EXPECT_LE(fraction, 1);
+          return ++*static_cast<int*>(context) < 3 ? 1 : 0;
+        },
+        &calls);
+    EXPECT_EQ(lober_iterate(opened.get(), points.data(), 2, 2'000'000'000), LOBER_CANCELLED) << name;
+    lober_set_progress(nullptr, nullptr);
+    EXPECT_EQ(calls, 3);
+    EXPECT_EQ(points, before);
+  }
+}
+
+TEST(CInterface, IteratesInPiecesAreThoseOfOneCall) {
+  for (const char* const name : {"henon", "standard", "duffing"}) {
+    const Model opened = model(name);
+    const System system = make_system(name);
+    Buffer<Point> expected = spread_points(system.window, 5000);
+    Buffer<Point> points = expected;
+    system.map->iterate(expected, -100);
+    ASSERT_EQ(lober_iterate(opened.get(), &points.data()->x, points.size(), -100), LOBER_OK) << lober_message();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(points[k].x), std::bit_cast<std::uint64_t>(expected[k].x)) << name << k;
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(points[k].y), std::bit_cast<std::uint64_t>(expected[k].y)) << name << k;
+    }
+  }
+}
+
+// It recursed until the stack was full.
+TEST(CInterface, ProgressFunctionsCannotCallLober) {
+  struct Seen {
+    std::vector<double> circle = circle_coordinates(0, 0, 1, 3000);
+    std::vector<int> status;
+    std::string message;
+  } seen;
+  const auto function = [](double, void* context) {
+    auto& all = *static_cast<Seen*>(context);
+    lober_result* result = nullptr;
+    const double* const points = all.circle.data();
+    all.status.push_back(lober_overlay(points, 3000, points, 3000, nullptr, &result));
+    EXPECT_EQ(result, nullptr);
+    all.message = lober_message();
+    double area = 0;
+    all.status.push_back(lober_signed_area(points, 3000, &area));
+    return 1;
+  };
+  lober_set_progress(function, &seen);
+  const std::vector<double> other = circle_coordinates(0.5, 0, 1, 3000);
+  const auto overlay_of = [&](lober_result** to) {
+    return lober_overlay(seen.circle.data(), 3000, other.data(), 3000, nullptr, to);
+  };
+  EXPECT_TRUE(made(overlay_of));
+  lober_set_progress(nullptr, nullptr);
+  ASSERT_FALSE(seen.status.empty());
+  for (const int status : seen.status) EXPECT_EQ(status, LOBER_USAGE_ERROR);
+  EXPECT_EQ(seen.message, "a progress function cannot call lober; let it return, and call lober afterwards");
+  EXPECT_TRUE(made(overlay_of));
+}
+
 TEST(CInterface, SystemsGiveWhatCppGives) {
   const Model standard = model("standard", "K=1.1");
   const System system = make_system("standard", {{"K", 1.1}});
@@ -209,6 +318,9 @@ TEST(CInterface, RefusesWhatMakesNoSense) {
   expect_refusal(LOBER_USAGE_ERROR, "0 or 1", with(good.data(), 30, "pieces=yes"));
   expect_refusal(LOBER_USAGE_ERROR, "twice", with(good.data(), 30, "pieces=1 pieces=0"));
   expect_refusal(LOBER_USAGE_ERROR, "whole number", with(good.data(), 30, "threads=-1"));
+  for (const char* const many : {"threads=4097", "threads=100000", "threads=1000000000"}) {
+    expect_refusal(LOBER_USAGE_ERROR, "threads has to be a whole number from 0 to 4096", with(good.data(), 30, many));
+  }
   expect_refusal(LOBER_USAGE_ERROR, "one of split, ends", [&](lober_result** to) {
     return lober_interior(good.data(), 30, good.data(), 30, "method=best", to);
   });

@@ -8,6 +8,9 @@
 #include <set>
 #include <thread>
 
+#include "lober/error.hpp"
+#include "lober/threads.hpp"
+
 namespace lober::detail {
 namespace {
 
@@ -31,6 +34,20 @@ TEST(Parallel, SoManyThreadsWorkAtOnceAlsoMoreThanTheMachineHas) {
   for (const int threads : {2, 3, 7}) {
     EXPECT_TRUE(with_threads(threads, [&] { return meet_at_once(static_cast<std::size_t>(threads)); }))
         << threads << " threads";
+  }
+}
+
+TEST(Parallel, ThreadsThatNoMachineGivesAreRefused) {
+  for (const int threads : {-1, max_threads + 1, 100'000, 1'000'000'000}) {
+    bool ran = false;
+    EXPECT_THROW(run_with_threads(threads, [&] { ran = true; }), UsageError) << threads << " threads";
+    EXPECT_FALSE(ran);
+  }
+  EXPECT_THROW(with_threads(max_threads + 1, [] {}), UsageError);
+  for (const int threads : {0, 1, max_threads}) {
+    bool ran = false;
+    run_with_threads(threads, [&] { ran = true; });
+    EXPECT_TRUE(ran) << threads << " threads";
   }
 }
 

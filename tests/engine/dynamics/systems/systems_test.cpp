@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/base/utf8.hpp"
 #include "engine/dynamics/dynamics.hpp"
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
@@ -155,6 +156,35 @@ TEST(Systems, LibrariesThatCannotBeUsedAreRefusedWithTheReason) {
       mentions(system_refusal<DataError>(folder + "no_description.so"), "exports no function lober_system_describe"));
   EXPECT_TRUE(mentions(system_refusal<DataError>(folder + "other_version.so"), "built for another version"));
   EXPECT_TRUE(mentions(system_refusal<DataError>(folder + "no_backward.so"), "the map has no backward"));
+}
+
+TEST(Systems, DescriptionsThatMakeNoSenseAreRefused) {
+  const auto slip = [](int number) {
+    return std::string(LOBER_TEST_LIBRARIES "/bad_description_") + std::to_string(number) + ".so";
+  };
+  EXPECT_TRUE(make_system(slip(0)).connection);
+  const auto expect = [&](int number, const char* words) {
+    const std::string message = system_refusal<DataError>(slip(number));
+    EXPECT_TRUE(mentions(message, words)) << message;
+  };
+  expect(1, "connection_count is more than LOBER_MAX_CONNECTIONS");
+  expect(2, "the window has a number that is not finite");
+  expect(3, "the lattice has a number that is not finite");
+  expect(4, "the lattice has a number that is not finite");
+  expect(5, "the name or the summary is not UTF-8");
+  expect(6, "a parameter's name or meaning is not UTF-8");
+  expect(7, "connection 0 has a number that is not finite");
+  EXPECT_TRUE(mentions(system_refusal<DataError>(slip(0) + std::string("\0.so", 4)), "zero byte"));
+}
+
+TEST(Systems, TextsAreUtf8) {
+  for (const char* const good : {"", "plain", "\xc3\xa4", "\xe2\x82\xac", "\xf0\x9f\x98\x80", "\xf4\x8f\xbf\xbf"}) {
+    EXPECT_TRUE(is_utf8(good)) << good;
+  }
+  for (const char* const bad : {"\xff", "\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                                "\xe2\x82", "\x80", "a\xc3z", "\xf0\x80\x80\x80"}) {
+    EXPECT_FALSE(is_utf8(bad)) << bad;
+  }
 }
 
 // Functions that do not belong together are found before they give wrong results.

@@ -1,0 +1,9 @@
+// How many threads may be asked for.
+#pragma once
+
+namespace lober::detail {
+
+/// Throws UsageError unless `threads` is 0 (one for each core) to max_threads (lober/threads.hpp).
+void require_thread_count(int threads);
+
+}  // namespace lober::detail

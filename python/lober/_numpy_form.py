@@ -1,0 +1,44 @@
+"""The expressions of a flow as functions of NumPy."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._c_source import VALUES
+from ._forms import T, X, Y, Form
+from ._printers import in_numpy
+
+
+class NumPyForm:
+    def __init__(self, form: Form) -> None:
+        symbols = [X, Y, T, *form.symbols]
+        self._form = form
+        #: Of x, y, t and the parameters, arrays or numbers.
+        self.velocity = in_numpy(symbols, form.velocity)
+        self.hamiltonian: Any = None if form.h is None else in_numpy(symbols, form.h)
+        self._length = in_numpy(form.symbols, form.length)
+
+    def period(self, values: Sequence[float]) -> float:
+        with np.errstate(all="ignore"):
+            return float(self._length(*map(np.float64, values)))
+
+    @cached_property
+    def _jacobian(self) -> Any:
+        """When it is asked for: NumPy alone does without, and a remainder, say, has no derivative in SymPy."""
+        return in_numpy([X, Y, T, *self._form.symbols], self._form.jacobian)
+
+    def values(self, points: NDArray[np.float64], times: NDArray[np.float64], values: Sequence[float]) -> NDArray[np.float64]:
+        """What `lober_values` of the library writes (_c_source.py), a column for each point."""
+        arguments: list[Any] = [points[0], points[1], times, *map(np.float64, values)]
+        found = np.zeros((VALUES, len(times)))
+        with np.errstate(all="ignore"):
+            for row, entry in enumerate([*self.velocity(*arguments), *self._jacobian(*arguments)]):
+                found[row] = entry
+            found[6] = self.period(values)
+            if self.hamiltonian is not None:
+                found[7] = self.hamiltonian(*arguments)
+        return found
