@@ -46,18 +46,11 @@ class AlongAnother {
         if (from == 0 && to == 0 && first == next) continue;
         const SmoothSegment segment = smooth_.segment(static_cast<std::int64_t>(k));
         sum.error += std::max(std::fabs(from), std::fabs(to)) * segment.error;
-        if (first == next || (from == to && next - first == 1)) {
+        if (!add_parts(segment, k, first, next, sum)) {
+          // Each common point may count one winding more or less for most of the segment.
+          const double jumps = std::max(std::fabs(from - to), static_cast<double>(next - first));
           sum.area += (from + to) / 2 * segment.chord_area(1);
-          sum.error += std::fabs((from - to) / 2 * segment.chord_area(1));
-        } else if (next - first == 1) {
-          const double t = first->first.t;
-          sum.area += from * between(segment, 0, t) + to * between(segment, t, 1);
-          sum.error += std::fabs(from - to) * hidden_at(segment, *first);
-        } else {
-          // Each of the other crossings may count one winding more or less for most of the segment.
-          sum.area += (from + to) / 2 * segment.chord_area(1);
-          sum.error += std::max(std::fabs(from - to) / 2, static_cast<double>(next - first) / 2) *
-                       std::fabs(segment.chord_area(1));
+          sum.error += jumps / 2 * std::fabs(segment.chord_area(1));
         }
       }
     });
@@ -70,6 +63,8 @@ class AlongAnother {
   }
 
  private:
+  using Points = std::vector<CommonPoint>::const_iterator;
+
   // Of the other curve about each vertex of this one: on it, the mean of both sides. Asked for once between two points
   // that both have in common.
   void find_windings() {
@@ -93,6 +88,31 @@ class AlongAnother {
         again = found.on;
       }
     });
+  }
+
+  // Arc by arc between the points where the other curve crosses a segment, each with its winding number. False where
+  // these points are not all crossings of two segments inside of both.
+  bool add_parts(const SmoothSegment& segment, std::size_t k, Points first, Points last, CommonArea& sum) const {
+    const double to = numbers_[k + 1 == along_.size() ? 0 : k + 1];
+    double number = numbers_[k], begin = 0;
+    CommonArea parts;
+    for (Points point = first; point != last; ++point) {
+      if (point->vertex1 || point->vertex2) return false;
+      const Point across = chord_of(other_, point->second.segment);
+      parts.area += number * between(segment, begin, point->first.t);
+      parts.error += hidden_at(segment, *point);
+      begin = point->first.t;
+      // To the left of a curve its winding number is one more than to the right.
+      number += across.x * segment.chord.y - across.y * segment.chord.x > 0 ? 1 : -1;
+    }
+    if (number != to) return false;
+    sum.area += parts.area + number * between(segment, begin, 1);
+    sum.error += parts.error;
+    return true;
+  }
+  [[nodiscard]] static Point chord_of(const ClosedCurve& curve, std::size_t k) {
+    const Point a = curve.points()[k], b = curve.points()[k + 1 == curve.size() ? 0 : k + 1];
+    return {b.x - a.x, b.y - a.y};
   }
 
   // Twice the area between a part of an arc and its segment, positive to the right of it.
