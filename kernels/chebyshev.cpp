@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "kernels/elementary.hpp"
 #include "kernels/kernel_table.hpp"
 
 namespace lober::detail {
@@ -21,7 +22,8 @@ void chebyshev_coefficients(std::span<const Point> points, std::span<Point> coef
     for (std::size_t k = 0; k < count; ++k) {
       // The angle j (2 k + 1) pi / (2 count), reduced exactly.
       const std::size_t turns = j * (2 * k + 1) % (4 * count);
-      const double weight = std::cos(std::numbers::pi * static_cast<double>(turns) / static_cast<double>(2 * count));
+      const double weight =
+          elementary::cos(std::numbers::pi * static_cast<double>(turns) / static_cast<double>(2 * count));
       sum.x += weight * points[k].x;
       sum.y += weight * points[k].y;
     }
@@ -31,7 +33,7 @@ void chebyshev_coefficients(std::span<const Point> points, std::span<Point> coef
 }
 
 double chebyshev_node(std::size_t k, std::size_t count) {
-  return std::cos(std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(count));
+  return elementary::cos(std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(count));
 }
 
 }  // namespace lober::detail

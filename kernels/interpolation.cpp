@@ -1,4 +1,5 @@
 #include "kernels/interpolation.hpp"
+#include "kernels/elementary.hpp"
 
 #include <cmath>
 #include <limits>
@@ -14,7 +15,7 @@ double curvature(Point a, Point b, Point c) {
 
 double turning_angle(Point a, Point b, Point c) {
   const Point e = b - a, f = c - b;
-  return std::atan2(std::fabs(cross(e, f)), dot(e, f));
+  return elementary::atan2(std::fabs(cross(e, f)), dot(e, f));
 }
 
 double turning_angle_bound(Point a, Point b, Point c) {

@@ -5,12 +5,19 @@
 #include <cmath>
 
 #include "lober/error.hpp"
+#include "lober/orbits.hpp"
 
 namespace lober::cli {
 namespace {
 
 Point point_of(const std::vector<double>& numbers) {
   return {numbers[0], numbers[1]};
+}
+
+// Whether a guess means a point or one of its translates.
+bool is_copy(Point guess, Point point, Point period) {
+  const Point there = folded(guess, period, {point.x - 0.5 * period.x, point.y - 0.5 * period.y});
+  return std::hypot(there.x - point.x, there.y - point.y) < 0.1 * std::hypot(period.x, period.y);
 }
 
 // To what the coordinates of saddles, which may have been computed, are rounded.
@@ -53,7 +60,8 @@ void add_system_options(OptionParser& parser, SystemRequest& request, bool posit
             "A point near the saddle of the unstable manifold, in the coordinates of the map (default: the system's).");
   add_point("--to", request.to,
             "A point near the saddle of the stable manifold, in the coordinates of the map (default: that of --from, "
-            "a period of the plane farther where the system's own saddles are so, or the system's).");
+            "a period of the plane farther where that is the system's own saddle and its tangle leads there, or the "
+            "system's).");
   add_point("--u-direction", request.u_direction,
             "A vector roughly along the unstable manifold, away from its saddle (default: the system's).");
   add_point("--s-direction", request.s_direction,
@@ -111,10 +119,12 @@ Connection connection_of(const SystemRequest& request, const System& system) {
     connection.closure.clear();
   }
   if (!request.from.empty()) {
-    // The system's own tangle may join a saddle to itself a period of the plane farther, which its directions fit.
+    // The system's own tangle may join a saddle to itself a period of the plane farther, which its directions fit;
+    // other saddles are joined to themselves.
     const Point from = point_of(request.from), period = system.lattice;
     const bool own_directions = request.u_direction.empty() && request.s_direction.empty();
-    const bool next_cell = own_directions && is_period_apart(connection, period);
+    const bool next_cell =
+        own_directions && is_period_apart(connection, period) && is_copy(from, connection.from, period);
     connection.from = connection.to = from;
     if (next_cell) connection.to = {from.x + period.x, from.y + period.y};
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/elementary.hpp"
+
 namespace lober::detail {
 
 class GrowthForecast {
@@ -17,7 +19,7 @@ class GrowthForecast {
   }
   /// The member `ahead` places behind the last one: each is as many times the one before as the last one was, never
   /// fewer; as many as the last one where there is only one. 0 when none is known.
-  [[nodiscard]] double next(int ahead = 1) const { return last_ * std::pow(ratio(), ahead); }
+  [[nodiscard]] double next(int ahead = 1) const { return last_ * elementary::power(ratio(), ahead); }
   /// The sum of the next members, as many as asked for.
   [[nodiscard]] double sum(int ahead) const {
     double sum = 0;

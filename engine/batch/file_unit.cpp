@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/files/file_hash.hpp"
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
+#include "kernels/elementary.hpp"
 
 namespace lober::detail {
 namespace {
@@ -45,7 +46,7 @@ double forecast_points(CurveSource source, const std::string& manifest_path) {
     if (!curve) {
       if (k == 1) return std::numeric_limits<double>::infinity();  // more than can be tried, or no image at all
       const double factor = std::max(before > 0 ? last / before : 2, 1.0);
-      return last * std::pow(factor, std::abs(all) - k + 1);
+      return last * elementary::power(factor, std::abs(all) - k + 1);
     }
     before = last;
     last = static_cast<double>(curve->points.size());

@@ -3,13 +3,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <map>
 
-#include "engine/files/binary_file.hpp"
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
+#include "lober/files.hpp"
 
 namespace lober::detail {
 namespace {
@@ -25,18 +23,6 @@ fs::path without_links(const fs::path& path) {
 bool is_below(const fs::path& path, const fs::path& folder) {
   const auto [rest, end] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return rest == folder.end() && end != path.end();
-}
-
-// To the letter: a table or another array is not a curve that a job has written.
-bool is_curve_in_npy(const fs::path& path) {
-  std::error_code ignored;
-  const auto size = static_cast<std::size_t>(fs::file_size(path, ignored));
-  const std::size_t head_size = npy_head(std::array{size / sizeof(Point), std::size_t{2}}).size();
-  if (ignored || size < head_size) return false;
-  const std::string expected = npy_head(std::array{(size - head_size) / sizeof(Point), std::size_t{2}});
-  std::string head(expected.size(), '\0');
-  std::ifstream file(path, std::ios::binary);
-  return file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == expected;
 }
 
 }  // namespace
@@ -85,7 +71,7 @@ std::string OutputFolder::accept(const std::string& name) const {
     refuse("needs the folder " + target.parent_path().string() + ", which does not exist; make it first");
   }
   const fs::file_status status = fs::symlink_status(target, ignored);
-  if (fs::exists(status) && !(fs::is_regular_file(status) && is_curve_in_npy(target))) {
+  if (fs::exists(status) && !(fs::is_regular_file(status) && is_curve_in_npy(target.string()))) {
     refuse("would replace what is not a curve in NPY, as an earlier run would have written it; name a new file");
   }
   return target.string();

@@ -1,4 +1,5 @@
 #include "engine/files/plausible.hpp"
+#include "kernels/elementary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,7 @@ struct Decades {
 Decades decades_of(const Column& column) {
   std::vector<double> decades;
   for (const double value : column) {
-    if (value != 0 && std::isfinite(value)) decades.push_back(std::log10(std::fabs(value)));
+    if (value != 0 && std::isfinite(value)) decades.push_back(elementary::log10(std::fabs(value)));
   }
   if (decades.empty()) return {};
   std::sort(decades.begin(), decades.end());

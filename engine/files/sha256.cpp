@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "engine/base/input_guard.hpp"
-#include "engine/files/file_hash.hpp"
 #include "lober/error.hpp"
 #include "lober/files.hpp"
 
@@ -91,7 +90,7 @@ std::string sha256(std::span<const std::byte> bytes) {
   return hash.hexadecimal();
 }
 
-std::string detail::sha256_of_file(const std::string& path) {
+std::string sha256_of_file(const std::string& path) {
   const HashedFile file(path);
   Sha256 hash;
   std::vector<std::byte> piece(std::size_t{1} << 20);

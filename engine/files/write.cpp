@@ -2,6 +2,8 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 
 #include "engine/base/finite.hpp"
 #include "engine/base/output_file.hpp"
@@ -106,6 +108,17 @@ void write_tecplot(const std::string& path, std::span<const Zone> zones, ZoneLin
     write_points(file, zone.points, '\t');
   }
   file.commit();
+}
+
+bool is_curve_in_npy(const std::string& path) {
+  std::error_code ignored;
+  const auto size = static_cast<std::size_t>(std::filesystem::file_size(path, ignored));
+  const std::size_t head_size = npy_head(std::array{size / sizeof(Point), std::size_t{2}}).size();
+  if (ignored || size < head_size) return false;
+  const std::string expected = npy_head(std::array{(size - head_size) / sizeof(Point), std::size_t{2}});
+  std::string head(expected.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  return file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == expected;
 }
 
 void write_npy(const std::string& path, std::span<const Point> points) {

@@ -88,5 +88,12 @@ LOBER_API void write_file(const std::string& path, std::string_view content);
 
 /// SHA-256 (FIPS 180-4) of bytes in memory, lower-case hexadecimal.
 [[nodiscard]] LOBER_API std::string sha256(std::span<const std::byte> bytes);
+/// The same of a regular file, of which a mebibyte is in memory at a time. Throws DataError "path: reason", also for a
+/// file that changes meanwhile.
+[[nodiscard]] LOBER_API std::string sha256_of_file(const std::string& path);
+
+/// Whether a file is to the letter what `write_npy` writes for a curve: not a table, nor an array of another shape.
+/// O(1).
+[[nodiscard]] LOBER_API bool is_curve_in_npy(const std::string& path);
 
 }  // namespace lober

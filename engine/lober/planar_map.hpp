@@ -67,12 +67,19 @@ class LOBER_API PlanarMap {
   /// a time count a tenth, about what they take. None for a map that is given by formulas. The same number for the same
   /// points, however they are shared out and whatever the processor.
   [[nodiscard]] std::uint64_t work() const { return tenths_of_work_.load(std::memory_order_relaxed) / 10; }
+  /// The same of `iterate_with_derivatives`, where an evaluation counts three times.
+  [[nodiscard]] std::uint64_t work_of_derivatives() const {
+    return tenths_of_derivatives_.load(std::memory_order_relaxed) / 10;
+  }
 
  protected:
   void add_tenths_of_work(std::uint64_t tenths) const { tenths_of_work_.fetch_add(tenths, std::memory_order_relaxed); }
+  void add_tenths_of_derivatives(std::uint64_t tenths) const {
+    tenths_of_derivatives_.fetch_add(tenths, std::memory_order_relaxed);
+  }
 
  private:
-  mutable std::atomic<std::uint64_t> tenths_of_work_{0};
+  mutable std::atomic<std::uint64_t> tenths_of_work_{0}, tenths_of_derivatives_{0};
 };
 
 }  // namespace lober

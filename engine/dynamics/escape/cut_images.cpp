@@ -10,6 +10,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/escape/trajectory_arc.hpp"
+#include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
 #include "lober/index.hpp"
@@ -251,7 +252,7 @@ class CutImages::Cutting {
     while (k != enter) {
       const std::size_t next = k + 1 < count ? k + 1 : 0;
       const Point a = points_[k] - middle, b = points_[next] - middle;
-      angle += std::atan2(cross(a, b), a.x * b.x + a.y * b.y);
+      angle += elementary::atan2(cross(a, b), a.x * b.x + a.y * b.y);
       k = next;
     }
     return angle / (2 * std::numbers::pi);

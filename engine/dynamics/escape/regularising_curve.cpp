@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
 
@@ -17,7 +18,7 @@ double product_of(const Flow& flow, const Section& section, const BottleneckTube
     if (pair.q == orbit.local.chart_x) own = std::fabs(pair.factor);
     if (pair.q == section.chart_x) far = std::fabs(pair.factor);
   }
-  return strip * far / (own * std::log(s.multiplier) * std::fabs(cross(s.tangent, w.tangent)));
+  return strip * far / (own * elementary::log(s.multiplier) * std::fabs(cross(s.tangent, w.tangent)));
 }
 
 }  // namespace
@@ -27,19 +28,20 @@ RegularisingCurve::RegularisingCurve(const Flow& flow, const Section& section, c
     : flow_(flow),
       tubes_(tubes),
       product_(product_of(flow, section, tubes, strip)),
-      log_multiplier_(std::log(tubes.stable->local().multiplier)),
+      log_multiplier_(elementary::log(tubes.stable->local().multiplier)),
       widest_(std::sqrt(product_ * tubes.stable->local().multiplier)) {
   const PeriodicOrbit& orbit = tubes.stable->orbit();
   const auto map = flow.section_map(orbit.local, orbit.energy, integration);
   const Point along_w = tubes.stable->local().tangent, along_s = tubes.unstable->local().tangent;
   const double sine = cross(along_w, along_s);
-  const double w = static_cast<int>(tubes.out) * widest_ * std::exp(-log_multiplier_);
+  const double w = static_cast<int>(tubes.out) * widest_ * elementary::exp(-log_multiplier_);
   const double s = product_ / w * static_cast<int>(tubes.in) * static_cast<int>(tubes.out);
   for (int round = 0; round < 8; ++round) {
     Point image = point(1);
     map->iterate({&image, 1}, 1);
     const Point r = image - point(0);
-    const double off_w = std::log1p(cross(r, along_s) / sine / w), off_s = std::log1p(cross(along_w, r) / sine / s);
+    const double off_w = elementary::log1p(cross(r, along_s) / sine / w),
+                 off_s = elementary::log1p(cross(along_w, r) / sine / s);
     if (!std::isfinite(off_w) || !std::isfinite(off_s)) {
       throw DataError("the regularising curve of a tube could not be closed");
     }
@@ -50,8 +52,8 @@ RegularisingCurve::RegularisingCurve(const Flow& flow, const Section& section, c
 
 Point RegularisingCurve::point(double part) const {
   const LocalManifold &stable = tubes_.stable->local(), &unstable = tubes_.unstable->local();
-  const double v = part * turn_, w = widest_ * std::exp((v - 1) * log_multiplier_);
-  const double s = product_ * std::exp(growth_ * v) / w;
+  const double v = part * turn_, w = widest_ * elementary::exp((v - 1) * log_multiplier_);
+  const double s = product_ * elementary::exp(growth_ * v) / w;
   const Point a = stable.at(static_cast<int>(tubes_.out) * w), b = unstable.at(static_cast<int>(tubes_.in) * s);
   return {a.x + b.x - unstable.saddle.x, a.y + b.y - unstable.saddle.y};
 }

@@ -5,16 +5,18 @@
 #include <cmath>
 #include <cstddef>
 
+#include "kernels/elementary.hpp"
+
 namespace lober::detail {
 
 /// From 0 to 1, slow at both ends: there cut curves wind about a tube, each turn in a fraction 1 / multiplier of what
 /// is left.
 inline constexpr double grading = 30;
 [[nodiscard]] inline double graded(double t) {
-  return t <= 0.5 ? 0.5 * std::expm1(2 * grading * t) / std::expm1(grading) : 1 - graded(1 - t);
+  return t <= 0.5 ? 0.5 * elementary::expm1(2 * grading * t) / elementary::expm1(grading) : 1 - graded(1 - t);
 }
 [[nodiscard]] inline double ungraded(double g) {
-  return g <= 0.5 ? std::log1p(2 * g * std::expm1(grading)) / (2 * grading) : 1 - ungraded(1 - g);
+  return g <= 0.5 ? elementary::log1p(2 * g * elementary::expm1(grading)) / (2 * grading) : 1 - ungraded(1 - g);
 }
 
 /// An arc of trajectories of a tube or a regularising curve.

@@ -1,3 +1,4 @@
+#include "kernels/elementary.hpp"
 #include "lober/tubes.hpp"
 
 #include <algorithm>
@@ -58,9 +59,9 @@ Tube::Tube(const Flow& flow, const PeriodicOrbit& orbit, ManifoldSide side, cons
     : flow_(flow), orbit_(orbit), options_(options), local_(local_manifold_of(flow, orbit, side, options)) {}
 
 void Tube::begin(Branch branch, std::span<const double> u, std::span<FlowState> states) const {
-  const double reach = static_cast<int>(branch) * local_.reach, log_multiplier = std::log(local_.multiplier);
+  const double reach = static_cast<int>(branch) * local_.reach, log_multiplier = elementary::log(local_.multiplier);
   for (std::size_t k = 0; k < u.size(); ++k) {
-    const double s = reach * std::exp((u[k] - 1) * log_multiplier);
+    const double s = reach * elementary::exp((u[k] - 1) * log_multiplier);
     states[k] = flow_.on_section(orbit_.local, orbit_.energy, local_.at(s));
   }
 }

@@ -1,4 +1,5 @@
 #include "lober/connecting_orbit.hpp"
+#include "kernels/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +110,7 @@ ManifoldPosition position_on(const GrownManifold& grown, const LocalManifold& lo
   const int generation = generation_of(first), next = generation_of(second);
   const double factor = local.image().factor;
   const double from = grown.parameters[first];
-  const double to = grown.parameters[second] * (next > generation ? std::pow(factor, next - generation) : 1);
+  const double to = grown.parameters[second] * (next > generation ? elementary::power(factor, next - generation) : 1);
   return normalised(local, {generation, from + position.t * (to - from)});
 }
 

@@ -18,10 +18,10 @@ void require_scan(const Rectangle& box, const FixedPointOptions& options);
 class SearchAllowance {
  public:
   SearchAllowance(const PlanarMap& map, const FixedPointOptions& options)
-      : map_(map), options_(options), begun_(map.work()) {}
+      : map_(map), options_(options), begun_(all_work()) {}
   /// Whether so much more work fits in.
   [[nodiscard]] bool has(double work) const {
-    const double done = static_cast<double>(map_.work() - begun_);
+    const double done = static_cast<double>(all_work() - begun_);
     if (!(options_.budget > 0)) return done + work <= options_.max_work;
     const double seconds = watch_.seconds(), a_unit = done > 0 ? seconds / done : 0;
     return seconds + a_unit * work <= options_.budget;
@@ -29,11 +29,13 @@ class SearchAllowance {
   /// A part of all of it, as work.
   [[nodiscard]] double part(double share) const {
     if (!(options_.budget > 0)) return share * options_.max_work;
-    const double done = static_cast<double>(map_.work() - begun_), seconds = watch_.seconds();
+    const double done = static_cast<double>(all_work() - begun_), seconds = watch_.seconds();
     return seconds > 0 && done > 0 ? share * options_.budget * done / seconds : std::numeric_limits<double>::infinity();
   }
 
  private:
+  [[nodiscard]] std::uint64_t all_work() const { return map_.work() + map_.work_of_derivatives(); }
+
   const PlanarMap& map_;
   const FixedPointOptions& options_;
   std::uint64_t begun_;

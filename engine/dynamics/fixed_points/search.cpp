@@ -7,6 +7,7 @@
 
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/fixed_points/scan.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/error.hpp"
 
 namespace lober {
@@ -29,7 +30,7 @@ struct Sample {
 };
 
 double turn(Point a, Point b) {
-  return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+  return elementary::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
 }
 
 // Work that an image of a point of the box takes, from some that are spread over it.
@@ -116,7 +117,9 @@ int index_of(const FixedPoint& point, int period) {
   }
   std::complex<double> product = 1;
   for (const std::complex<double>& eigenvalue : point.eigenvalues) {
-    product *= 1.0 - std::pow(eigenvalue, period / point.period);
+    std::complex<double> power = 1;
+    for (int k = 0; k < period / point.period; ++k) power *= eigenvalue;
+    product *= 1.0 - power;
   }
   return product.real() > 1e-7 ? 1 : product.real() < -1e-7 ? -1 : 0;
 }

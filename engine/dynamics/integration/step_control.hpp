@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "engine/dynamics/integration/step_block.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/flow.hpp"
 
 namespace lober::detail {
@@ -53,7 +54,7 @@ inline double first_step(const double* x, const double* slope, int guarded, doub
     size = std::max(size, std::abs(x[k]));
     speed = std::max(speed, std::abs(slope[k]));
   }
-  return std::pow(tolerance, 1.0 / error_power) * std::clamp((1 + size) / std::max(speed, 1e-3), 1e-6, 10.0);
+  return elementary::power(tolerance, 1.0 / error_power) * std::clamp((1 + size) / std::max(speed, 1e-3), 1e-6, 10.0);
 }
 
 /// Whether the state at the end of a step is one to go on from. Only the first `guarded` components are compared with

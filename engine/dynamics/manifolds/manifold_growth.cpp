@@ -7,6 +7,7 @@
 #include "engine/base/parallel/insertion.hpp"
 #include "engine/dynamics/manifolds/outcome.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
 
@@ -35,7 +36,7 @@ ManifoldGrowth::ManifoldGrowth(const PlanarMap& map, const LocalManifold& local,
     : map_(map), local_(local), options_(options), side_(static_cast<double>(branch)) {
   steps_ = local.image().steps;
   ratio_ = local.image().factor;
-  pieces_ = std::max(1, static_cast<int>(std::ceil(std::log(ratio_) / std::log(stretching))));
+  pieces_ = std::max(1, static_cast<int>(std::ceil(elementary::log(ratio_) / elementary::log(stretching))));
   if (options.iterates >= 0) limit_ = static_cast<double>(options.iterates) / std::abs(steps_ / local.steps);
   set_up_tracing();
 }
@@ -86,7 +87,7 @@ GrowthStop ManifoldGrowth::grow_to(double end) {
 // The parameter where part `part` of a generation begins.
 double ManifoldGrowth::part_begin(int part) const {
   if (part == pieces_) return local_.reach;
-  return local_.reach / std::pow(ratio_, static_cast<double>(pieces_ - part) / pieces_);
+  return local_.reach / elementary::power(ratio_, static_cast<double>(pieces_ - part) / pieces_);
 }
 
 void ManifoldGrowth::grow_piece() {
@@ -94,8 +95,9 @@ void ManifoldGrowth::grow_piece() {
   const int generation = local ? 0 : (pieces_done_ - 1) / pieces_ + 1;
   const int part = local ? 0 : (pieces_done_ - 1) % pieces_;
   const double fraction = limit_ - (generation - 1);  // of this generation that is wanted
-  const double end = !local && (part + 1.0) / pieces_ > fraction ? local_.reach * std::pow(ratio_, fraction - 1)
-                                                                 : part_begin(local ? pieces_ : part + 1);
+  const double end = !local && (part + 1.0) / pieces_ > fraction
+                         ? local_.reach * elementary::power(ratio_, fraction - 1)
+                         : part_begin(local ? pieces_ : part + 1);
   if (part == 0) length_before_ = result_.length;
   std::vector<Samples> guides;
   if (local) {
@@ -196,7 +198,7 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
   for (const std::uint32_t k : segments) {
     const int generation = generation_of(k), next = generation_of(k + 1);
     const double from = side_ * result_.parameters[k];
-    const double to = side_ * result_.parameters[k + 1] * std::pow(ratio_, next - generation);
+    const double to = side_ * result_.parameters[k + 1] * elementary::power(ratio_, next - generation);
     const double step = (to - from) / parts;
     if (!(step > trace_options_.min_spacing)) continue;
     for (int j = 1; j < parts; ++j) insertions.push_back({k, generation, from + j * step, {}});

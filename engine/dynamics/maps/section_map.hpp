@@ -228,7 +228,8 @@ class SectionMap final : public PlanarMap {
     Queue queue{*this, points, derivatives, Arrivals(std::abs(iterates), points.size())};
     const IntegrationOptions options = options_.finer();
     // Two tangent vectors beside each point.
-    add_tenths_of_work(3 * tenths_each * follow(WithTangents<Field, 2>{field_}, options, iterates < 0 ? -1 : 1, queue));
+    add_tenths_of_derivatives(3 * tenths_each *
+                              follow(WithTangents<Field, 2>{field_}, options, iterates < 0 ? -1 : 1, queue));
   }
 
   [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {

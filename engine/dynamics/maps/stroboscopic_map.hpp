@@ -90,8 +90,8 @@ class StroboscopicMap final : public PlanarMap {
     Queue queue{points, derivatives, Arrivals(std::abs(iterates), points.size())};
     const IntegrationOptions options = options_.finer();
     // Two tangent vectors beside each point.
-    add_tenths_of_work(3 * tenths_each *
-                       follow(WithTangents<Field, 2>{field()}, options, iterates < 0 ? -1 : 1, queue));
+    add_tenths_of_derivatives(3 * tenths_each *
+                              follow(WithTangents<Field, 2>{field()}, options, iterates < 0 ? -1 : 1, queue));
   }
 
   [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "kernels/elementary.hpp"
 #include "lober/flow.hpp"
 #include "lober/systems.hpp"
 
@@ -22,7 +23,7 @@ struct ForcedOscillator {
   double eps, omega, delta;
 
   [[nodiscard]] double period() const { return 2 * std::numbers::pi / omega; }
-  void forcing(double t, double* force) const { force[0] = eps * std::cos(omega * t); }
+  void forcing(double t, double* force) const { force[0] = eps * elementary::cos(omega * t); }
   [[nodiscard]] std::span<const ConjugatePair> pairs() const {
     static constexpr std::array<ConjugatePair, 1> pair{{{0, 1, 1}}};
     return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);

@@ -6,6 +6,7 @@
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/fields/pendulum.hpp"
 #include "engine/dynamics/systems/forced_oscillator.hpp"
+#include "kernels/elementary.hpp"
 
 namespace lober::detail {
 
@@ -21,7 +22,7 @@ SystemEntry pendulum_entry() {
             system.window = window(-4, -2.5, 4, 2.5);
             system.lattice = {2 * std::numbers::pi, 0};
             const Pendulum flow{{values[0], values[1], values[2]}};
-            const Point saddle = flow.saddle_on_section(values[3], [](double u) { return std::sin(u) - u; });
+            const Point saddle = flow.saddle_on_section(values[3], [](double u) { return elementary::sin(u) - u; });
             system.connection = Connection{
                 {saddle.x - std::numbers::pi, saddle.y}, {1, 1}, {saddle.x + std::numbers::pi, saddle.y}, {-1, 1}};
             // Below, from right to left: the region is the strip of the cylinder between both.

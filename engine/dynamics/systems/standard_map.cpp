@@ -6,6 +6,7 @@
 
 #include "engine/dynamics/maps/formula_map.hpp"
 #include "engine/dynamics/systems/entries.hpp"
+#include "kernels/elementary.hpp"
 #include "kernels/sine.hpp"
 
 namespace lober::detail {
@@ -47,7 +48,7 @@ struct StandardMap {
     }
   }
   Matrix2 derivative(Point z) const {
-    const double c = k * std::cos(z.x);
+    const double c = k * elementary::cos(z.x);
     return {1 + c, 1, c, 1};
   }
   /// L(x, x') = (x' - x)^2 / 2 + |K| - K cos x, 0 at the saddle. The part of the potential is written as a square,

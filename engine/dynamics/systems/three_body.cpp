@@ -5,6 +5,7 @@
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/fields/three_body.hpp"
+#include "kernels/elementary.hpp"
 
 namespace lober::detail {
 
@@ -19,7 +20,7 @@ SystemEntry three_body_entry() {
             system.connection = Connection{{-2.03, 0}, {1, 0.29}, {-2.03, 0}, {1, -0.29}, Point{-1.15, 0}};
             system.flow = std::make_shared<FlowOf<ThreeBody>>(ThreeBody{values[0]});
             // L1 and L2, at Hill's distance from the smaller body.
-            const double hill = std::cbrt(values[0] / 3), one = 1 - values[0] - hill, two = 1 - values[0] + hill;
+            const double hill = elementary::cbrt(values[0] / 3), one = 1 - values[0] - hill, two = 1 - values[0] + hill;
             system.saddles = {FlowState{one, 0, 0, one}, FlowState{two, 0, 0, two}};
             system.section = Section{.coordinate = 1,
                                      .value = 0,

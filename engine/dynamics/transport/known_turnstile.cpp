@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "engine/dynamics/transport/splitting.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/error.hpp"
 
 namespace lober::detail {
@@ -16,12 +17,12 @@ constexpr double images_apart = 1e-9, one_image = 1e-6;  // in images, as Tangle
 // Along U, in images: 0 where its parameter is 1, whatever the reach.
 double time_of_orbit(const KnownTurnstile& known, std::size_t number) {
   const ManifoldPosition& u = known.orbits[number].u;
-  return u.images + std::log(std::fabs(u.parameter)) / std::log(known.u.image().factor);
+  return u.images + elementary::log(std::fabs(u.parameter)) / elementary::log(known.u.image().factor);
 }
 
 // About the same point of another manifold, whose reach and multiplier may differ, some images on.
 ManifoldPosition moved(const LocalManifold& from, const LocalManifold& to, ManifoldPosition position, double images) {
-  const double shift = std::log(from.reach / to.reach) / std::log(to.image().factor);
+  const double shift = elementary::log(from.reach / to.reach) / elementary::log(to.image().factor);
   return position_at(to, time_of(from, position) + shift + images, position.parameter);
 }
 
@@ -90,8 +91,8 @@ KnownBip KnownTurnstile::bip(std::size_t number) const {
   double least = std::numeric_limits<double>::infinity();
   int best = 0;
   for (const int images : {0, 1, -1, 2, -2}) {
-    const double cost = std::pow(u.image().factor, std::max(on_u + images, 0.0)) +
-                        std::pow(s.image().factor, std::max(on_s + 1 - images, 0.0));
+    const double cost = elementary::power(u.image().factor, std::max(on_u + images, 0.0)) +
+                        elementary::power(s.image().factor, std::max(on_s + 1 - images, 0.0));
     if (cost >= least) continue;
     least = cost;
     best = images;

@@ -1,4 +1,5 @@
 #include "lober/melnikov.hpp"
+#include "kernels/elementary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,7 +61,7 @@ struct LocalBranch {
   LocalBranch(const PlanarMap& map, Point guess, ManifoldSide side, Point direction, double period)
       : local(local_manifold(map, guess, side)) {
     sign = local.tangent.x * direction.x + local.tangent.y * direction.y < 0 ? -1 : 1;
-    rate = std::log(local.multiplier) / period;
+    rate = elementary::log(local.multiplier) / period;
   }
   [[nodiscard]] Point at(double s) const { return local.at(sign * s); }
 };
@@ -94,10 +95,10 @@ class ConnectingTrajectory {
   [[nodiscard]] std::vector<QuadratureNode> nodes(double h) {
     std::vector<QuadratureNode> list;
     const auto add = [&](double t, Point at) { list.push_back({t, at, as_point(flow_.velocity({at.x, at.y}, 0))}); };
-    const auto back = static_cast<long>(-std::log(least_departure) / (u_.rate * h));
+    const auto back = static_cast<long>(-elementary::log(least_departure) / (u_.rate * h));
     for (long k = -back; k < 0; ++k) {
       const double t = static_cast<double>(k) * h;
-      add(t, u_.at(u_.local.reach * std::exp(u_.rate * t)));
+      add(t, u_.at(u_.local.reach * elementary::exp(u_.rate * t)));
     }
     const Point begin = u_.at(u_.local.reach);
     std::array<FlowState, 1> state{FlowState{begin.x, begin.y}};
@@ -113,10 +114,10 @@ class ConnectingTrajectory {
         const Point on = s_.at(s);
         gap_ = length({on.x - at.x, on.y - at.y});
         if (gap_ <= max_gap * (1 + length(at))) {
-          const auto forward = static_cast<long>(-std::log(least_departure) / (s_.rate * h));
+          const auto forward = static_cast<long>(-elementary::log(least_departure) / (s_.rate * h));
           for (long j = 0; j < forward; ++j) {
             const double later = static_cast<double>(j) * h;
-            add(t + later, s_.at(s * std::exp(-s_.rate * later)));
+            add(t + later, s_.at(s * elementary::exp(-s_.rate * later)));
           }
           return list;
         }
@@ -164,8 +165,8 @@ void expand(const std::vector<double>& values, Melnikov& result) {
     for (std::size_t j = 0; j < n; ++j) {
       const double angle = 2 * std::numbers::pi * static_cast<double>((j * k) % n) / static_cast<double>(n);
       const double weight = (k == 0 ? 1.0 : 2.0) / static_cast<double>(n);
-      result.cosines[k] += weight * values[j] * std::cos(angle);
-      result.sines[k] += weight * values[j] * std::sin(angle);
+      result.cosines[k] += weight * values[j] * elementary::cos(angle);
+      result.sines[k] += weight * values[j] * elementary::sin(angle);
     }
   }
   result.sines[0] = 0;
@@ -180,7 +181,7 @@ double slope_at(const Melnikov& m, double t0) {
   for (std::size_t k = 1; k < m.cosines.size(); ++k) {
     const double angle = angle_of(m, k, t0);
     sum += 2 * std::numbers::pi * static_cast<double>(k) / m.period *
-           (m.sines[k] * std::cos(angle) - m.cosines[k] * std::sin(angle));
+           (m.sines[k] * elementary::cos(angle) - m.cosines[k] * elementary::sin(angle));
   }
   return sum;
 }
@@ -190,7 +191,7 @@ double primitive_at(const Melnikov& m, double t0) {
   double sum = m.cosines[0] * t0;
   for (std::size_t k = 1; k < m.cosines.size(); ++k) {
     const double angle = angle_of(m, k, t0), frequency = 2 * std::numbers::pi * static_cast<double>(k) / m.period;
-    sum += (m.cosines[k] * std::sin(angle) + m.sines[k] * (1 - std::cos(angle))) / frequency;
+    sum += (m.cosines[k] * elementary::sin(angle) + m.sines[k] * (1 - elementary::cos(angle))) / frequency;
   }
   return sum;
 }
@@ -253,7 +254,7 @@ double Melnikov::at(double t0) const {
   double sum = cosines[0];
   for (std::size_t k = 1; k < cosines.size(); ++k) {
     const double angle = angle_of(*this, k, t0);
-    sum += cosines[k] * std::cos(angle) + sines[k] * std::sin(angle);
+    sum += cosines[k] * elementary::cos(angle) + sines[k] * elementary::sin(angle);
   }
   return sum;
 }

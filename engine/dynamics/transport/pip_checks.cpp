@@ -7,6 +7,7 @@
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangle_box.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/error.hpp"
 
 namespace lober::detail {
@@ -34,7 +35,7 @@ std::optional<double> TangleGrowth::tolerance_for_splitting() {
   // manifolds cross, A / L: over a length tolerance / (A / L), with segments of A / L. Together with sqrt(1 /
   // tolerance) elsewhere that makes the fewest points for A^(4/3).
   const double amplitude = splitting_->amplitude, size = box_.extent() / times_scene;
-  const double wanted = std::min(amplitude / finer_than_splitting, size * std::pow(amplitude / size, 4.0 / 3));
+  const double wanted = std::min(amplitude / finer_than_splitting, size * elementary::power(amplitude / size, 4.0 / 3));
   // Points are off by some roundings, and polygons whose segments are so short that they turn by less than the
   // manifolds cross at then cross at random: measured on the standard map for K = 0.11 to 0.14.
   constexpr double finest_that_cross = 40;

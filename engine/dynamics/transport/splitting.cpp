@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/dynamics/maps/plane.hpp"
+#include "kernels/elementary.hpp"
 
 namespace lober::detail {
 namespace {
@@ -68,12 +69,13 @@ double roughness(const std::array<Opposite, samples_an_image + 1>& at) {
 }  // namespace
 
 double time_of(const LocalManifold& local, ManifoldPosition position) {
-  return position.images + std::log(std::fabs(position.parameter) / local.reach) / std::log(local.image().factor);
+  return position.images +
+         elementary::log(std::fabs(position.parameter) / local.reach) / elementary::log(local.image().factor);
 }
 
 ManifoldPosition position_at(const LocalManifold& local, double time, double side) {
   const int images = std::max(0, static_cast<int>(std::ceil(time)));
-  return {images, std::copysign(local.reach * std::pow(local.image().factor, time - images), side)};
+  return {images, std::copysign(local.reach * elementary::power(local.image().factor, time - images), side)};
 }
 
 std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,

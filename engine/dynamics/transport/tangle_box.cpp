@@ -1,4 +1,5 @@
 #include "engine/dynamics/transport/tangle_box.hpp"
+#include "kernels/elementary.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -50,7 +51,7 @@ void compress_radially(std::span<Point> points, const Box& box) {
   for (Point& point : points) {
     const double dx = point.x - middle.x, dy = point.y - middle.y, r = std::hypot(dx, dy);
     if (r <= radius) continue;
-    const double factor = (1 + std::log(r / radius)) * (radius / r);
+    const double factor = (1 + elementary::log(r / radius)) * (radius / r);
     point = {middle.x + factor * dx, middle.y + factor * dy};
   }
 }

@@ -9,6 +9,7 @@
 
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangle_box.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/tangle.hpp"
 
 namespace lober::detail {
@@ -48,7 +49,7 @@ bool TangleGrowth::refine_flat_pips() {
     for (std::size_t i = std::max<std::size_t>(k, 1); i <= std::min(k + 1, points.size() - 2); ++i) {
       const Point a = points[i - 1], b = points[i], c = points[i + 1];
       const Point in{b.x - a.x, b.y - a.y}, out{c.x - b.x, c.y - b.y};
-      most = std::max(most, std::fabs(std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y)));
+      most = std::max(most, std::fabs(elementary::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y)));
     }
     return most;
   };
@@ -58,7 +59,7 @@ bool TangleGrowth::refine_flat_pips() {
     if (i + 1 >= u.size() || j + 1 >= s.size()) continue;
     const Point a{u[i + 1].x - u[i].x, u[i + 1].y - u[i].y}, b{s[j + 1].x - s[j].x, s[j + 1].y - s[j].y};
     // S runs the other way, or the same one: the angle between lines.
-    const double angle = std::atan2(std::fabs(a.x * b.y - a.y * b.x), std::fabs(a.x * b.x + a.y * b.y));
+    const double angle = elementary::atan2(std::fabs(a.x * b.y - a.y * b.x), std::fabs(a.x * b.x + a.y * b.y));
     if (angle > trusted * (turning(u, i) + turning(s, j))) continue;
     on_u.push_back(static_cast<std::uint32_t>(i));
     on_s.push_back(static_cast<std::uint32_t>(j));
@@ -69,7 +70,7 @@ bool TangleGrowth::refine_flat_pips() {
 
 // How far from the saddle a manifold is at a time, as long as that is near.
 double TangleGrowth::distance_at(const Side& side, double time) {
-  return side.local.reach * std::pow(side.local.image().factor, time);
+  return side.local.reach * elementary::power(side.local.image().factor, time);
 }
 
 // Images of q come as near to the saddle of one manifold as the other passes it, nearer than the tolerance: its

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/elementary.hpp"
 #include "lober/drawing.hpp"
 
 namespace lober {
@@ -17,13 +18,13 @@ class Cone {
     const double x = point.x - apex_.x, y = point.y - apex_.y, distance = std::hypot(x, y);
     if (distance + tolerance < reach_) return false;  // it has turned back
     if (reach_ == 0 && distance <= tolerance) return true;
-    const double half_width = std::asin(std::min(1.0, tolerance / distance));
+    const double half_width = elementary::asin(std::min(1.0, tolerance / distance));
     if (reach_ == 0) {
       axis_ = {x, y};
       low_ = -half_width;
       high_ = half_width;
     } else {
-      const double angle = std::atan2(axis_.x * y - axis_.y * x, axis_.x * x + axis_.y * y);
+      const double angle = elementary::atan2(axis_.x * y - axis_.y * x, axis_.x * x + axis_.y * y);
       if (angle < low_ || angle > high_) return false;
       low_ = std::max(low_, angle - half_width);
       high_ = std::min(high_, angle + half_width);

@@ -6,6 +6,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/index/box_tree.hpp"
+#include "kernels/elementary.hpp"
 #include "kernels/predicates.hpp"
 #include "lober/interior.hpp"
 
@@ -43,8 +44,8 @@ double angle(Point at, Point a, Point b, PredicateCounts& counts) {
   }
   const double sine = u.x * v.y - u.y * v.x, cosine = u.x * v.x + u.y * v.y;
   // Near half a turn the rounded sine may have the wrong sign, which would be a whole turn.
-  if (cosine >= 0) return std::atan2(sine, cosine);
-  return std::copysign(std::atan2(std::fabs(sine), cosine), orient2d(at, a, b, counts));
+  if (cosine >= 0) return elementary::atan2(sine, cosine);
+  return std::copysign(elementary::atan2(std::fabs(sine), cosine), orient2d(at, a, b, counts));
 }
 
 // Half-planes beside the point.
@@ -139,7 +140,7 @@ double interior_function_direct(CurveView curve, Point point) {
     const auto [a, b] = curve.segment(k);
     const Vector u{a.x - point.x, a.y - point.y}, v{b.x - a.x, b.y - a.y};
     const double cross = u.x * v.y - u.y * v.x, dot = u.x * v.x + u.y * v.y;
-    if (cross != 0) sum += std::atan((v.x * v.x + v.y * v.y + dot) / cross) - std::atan(dot / cross);
+    if (cross != 0) sum += elementary::atan((v.x * v.x + v.y * v.y + dot) / cross) - elementary::atan(dot / cross);
   }
   return sum;
 }

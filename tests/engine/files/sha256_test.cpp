@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "curve_testing.hpp"
-#include "engine/files/file_hash.hpp"
 
 namespace lober {
 using namespace detail;

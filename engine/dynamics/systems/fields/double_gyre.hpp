@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "kernels/elementary.hpp"
 #include "kernels/trigonometric.hpp"
 #include "lober/flow.hpp"
 
@@ -25,7 +26,7 @@ struct DoubleGyre {
     static constexpr std::array<ConjugatePair, 1> pair{{{0, 1, 1}}};
     return pair;
   }
-  void forcing(double t, double* force) const { force[0] = eps * std::sin(omega * t); }
+  void forcing(double t, double* force) const { force[0] = eps * elementary::sin(omega * t); }
   template <typename T, typename V>
   LOBER_INLINE void velocity(const T* x, T* dxdt, const V* force) const {
     constexpr double pi = std::numbers::pi;
@@ -38,7 +39,7 @@ struct DoubleGyre {
   double hamiltonian(const double* x, const double* force) const {
     constexpr double pi = std::numbers::pi;
     const double a = force[0];
-    return -amplitude * std::sin(pi * x[0] * (a * x[0] + (1 - 2 * a))) * std::sin(pi * x[1]);
+    return -amplitude * elementary::sin(pi * x[0] * (a * x[0] + (1 - 2 * a))) * elementary::sin(pi * x[1]);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "engine/dynamics/systems/forced_oscillator.hpp"
+#include "kernels/elementary.hpp"
 #include "kernels/trigonometric.hpp"
 
 namespace lober::detail {
@@ -17,7 +18,7 @@ struct Pendulum : ForcedOscillator {
     dxdt[1] = force[0] - sine(x[0]) - delta * x[1];
   }
   double hamiltonian(const double* x, const double* force) const {
-    return 0.5 * x[1] * x[1] - std::cos(x[0]) - x[0] * force[0];
+    return 0.5 * x[1] * x[1] - elementary::cos(x[0]) - x[0] * force[0];
   }
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "kernels/elementary.hpp"
 #include "kernels/inline.hpp"
 #include "lober/flow.hpp"
 
@@ -25,13 +26,13 @@ class VortexPair {
   static constexpr bool in_lanes = true;
 
   VortexPair(double gamma, double eps)
-      : gamma_(gamma), eps_(eps), vv_(0.5 * std::exp(eps) / std::cyl_bessel_i(0.0, std::abs(eps))) {
+      : gamma_(gamma), eps_(eps), vv_(0.5 * elementary::exp(eps) / elementary::bessel_i(0, eps)) {
     // I_k(-e) = (-1)^k I_k(e). The terms fall off faster than (e/2)^k / k!.
     const double size = std::abs(eps);
     for (std::size_t k = 1; k <= max_terms; ++k) {
       const double sign = eps < 0 && k % 2 == 1 ? -1 : 1;
-      coefficient_[k] = sign * std::cyl_bessel_i(static_cast<double>(k), size) /
-                        (static_cast<double>(k) * std::cyl_bessel_i(0.0, size));
+      coefficient_[k] = sign * elementary::bessel_i(static_cast<int>(k), size) /
+                        (static_cast<double>(k) * elementary::bessel_i(0, size));
       if (std::abs(coefficient_[k]) > 1e-19) terms_ = k;
     }
   }
@@ -40,8 +41,8 @@ class VortexPair {
   [[nodiscard]] std::span<const ConjugatePair> pairs() const { return stream_function_pair; }
 
   void forcing(double t, double* force) const {
-    const double sine = std::sin(t / gamma_);
-    const double cosine = std::cos(t / gamma_);
+    const double sine = elementary::sin(t / gamma_);
+    const double cosine = elementary::cos(t / gamma_);
     // Clenshaw's recurrence for sum c_k sin(k theta).
     double next = 0, after = 0;
     for (std::size_t k = terms_; k >= 1; --k) {
@@ -49,7 +50,7 @@ class VortexPair {
       after = next;
       next = here;
     }
-    const double y = std::exp(eps_ * (cosine - 1));
+    const double y = elementary::exp(eps_ * (cosine - 1));
     force[0] = -gamma_ / y * next * sine;
     force[1] = y;
     force[2] = eps_ / gamma_ * sine;
@@ -71,7 +72,7 @@ class VortexPair {
     const double square = (x[0] - force[0]) * (x[0] - force[0]);
     // R- / R+ = 1 - 4 y yv / R+
     const double far = square + (x[1] + force[1]) * (x[1] + force[1]);
-    return -0.5 * std::log1p(-4 * x[1] * force[1] / far) - vv_ * x[1] + x[0] * x[1] * force[2];
+    return -0.5 * elementary::log1p(-4 * x[1] * force[1] / far) - vv_ * x[1] + x[0] * x[1] * force[2];
   }
 
  private:
@@ -97,8 +98,8 @@ class FirstOrderVortexPair {
   [[nodiscard]] std::span<const ConjugatePair> pairs() const { return stream_function_pair; }
 
   void forcing(double t, double* force) const {
-    force[0] = std::sin(t / gamma_);
-    force[1] = std::cos(t / gamma_) - 1;
+    force[0] = elementary::sin(t / gamma_);
+    force[1] = elementary::cos(t / gamma_) - 1;
   }
 
   template <typename T, typename V>
@@ -125,7 +126,7 @@ class FirstOrderVortexPair {
     const double square = x[0] * x[0];
     const double near = square + (x[1] - 1) * (x[1] - 1);
     const double far = square + (x[1] + 1) * (x[1] + 1);
-    const double psi0 = -0.5 * std::log1p(-4 * x[1] / far) - 0.5 * x[1];
+    const double psi0 = -0.5 * elementary::log1p(-4 * x[1] / far) - 0.5 * x[1];
     const double psi1 = c1 * ((x[1] - 1) / near + (x[1] + 1) / far) - 0.5 * gamma_ * s * (x[0] / near - x[0] / far) +
                         x[0] * x[1] / gamma_ * s - 0.5 * x[1];
     return psi0 + eps_ * psi1;

@@ -65,7 +65,7 @@ TEST(Transport, SaysThatNoPipIsNearThePlace) {
   const Connection connection{{-3, -3}, {1, 1}, {-3, -3}, {1, 1}, std::nullopt};
   TransportOptions options;
   options.iterates = 1;
-  options.bip_near = Point{-1.794, 2.567};
+  options.bip_near = Point{-1, 9};
   const std::string text = refusal([&] { (void)transport(GeneralHenon(3, 1, 1), connection, options); });
   EXPECT_NE(text.find("and pips about it are"), std::string::npos) << text;
 }
