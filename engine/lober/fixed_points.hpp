@@ -85,9 +85,10 @@ struct FixedPointSearch {
 };
 
 /// The points in a box, by scans on grids of options.grid, twice as many, ... points a side, until two in a row find
-/// the same and the sum of their indices is that of the box; the last scan has max_grid points a side at most. The first
-/// grid is coarser where its points alone would take more than a quarter of the work that is allowed. `progress` takes the grid of the scan that begins; false cancels. Throws UsageError, Cancelled. Parallel; the same
-/// bits for any number of threads.
+/// the same and the sum of their indices is that of the box; the last scan has max_grid points a side at most. The
+/// first grid is coarser where its points alone would take more than a quarter of the work that is allowed. `progress`
+/// takes the grid of the scan that begins; false cancels. Throws UsageError, Cancelled. Parallel; the same bits for any
+/// number of threads.
 [[nodiscard]] LOBER_API FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
                                                              const FixedPointOptions& options = {}, int max_grid = 384,
                                                              const std::function<bool(int)>& progress = {});

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What users of engine/lober/ rely on: each header compiles by itself with all warnings as errors, needs no other header
-# of ours, and curves of the wrong kind do not compile. "Private" is a fact: who includes what is looked at too.
+# of ours, the examples in their comments compile, and curves of the wrong kind and views of temporaries do not. "Private" is a fact: who includes what is looked at too.
 # What a shared library must export is marked, and inline functions have no bits that depend on the flags of the user.
 # usage: run.sh SOURCE_FOLDER COMPILER...
 set -uo pipefail
@@ -32,6 +32,12 @@ for compiler in "$@"; do
       { fail "$compiler, $header alone, as C:"; head -n 5 "$work/log"; }
     checked=$((checked + 1))
   done
+  awk -f "$root/tests/api/examples.awk" "$headers"/*.hpp >"$work/examples.cpp"
+  compiles -Wno-unused-variable -Wno-unused-parameter -Wno-shadow -include "$root/tests/api/example_names.hpp" "$work/examples.cpp" ||
+    { fail "$compiler, examples of the headers:"; head -n 15 "$work/log"; }
+  examples=$(grep -c '^void example' "$work/examples.cpp")
+  [ "$examples" -ge 9 ] || fail "there are $examples examples in the headers"
+  checked=$((checked + 1))
   source=$root/tests/api/must_not_compile/curves.cpp
   for number in $(grep -oE 'RIGHT == [0-9]+' "$source" | grep -oE '[0-9]+'); do
     compiles -Wno-unused-variable -Wno-unused-parameter -DRIGHT="$number" "$source" || { fail "$compiler, case $number does not compile"; head -n 5 "$work/log"; }

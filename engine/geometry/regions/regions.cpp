@@ -227,16 +227,16 @@ Regions::Regions() {
   arrangement_ = nothing;
 }
 
-std::span<const WindingArea> Regions::table() const {
+std::span<const WindingArea> Regions::table() const& {
   return arrangement_->table;
 }
 std::array<double, 2> Regions::signed_areas() const {
   return arrangement_->signed_areas;
 }
-const RegionCounts& Regions::counts() const {
+const RegionCounts& Regions::counts() const& {
   return arrangement_->counts;
 }
-const RegionTiming& Regions::timing() const {
+const RegionTiming& Regions::timing() const& {
   return arrangement_->timing;
 }
 

@@ -31,7 +31,7 @@ ClosedCurve circle(std::size_t points, double x, double radius, bool clockwise =
   return ClosedCurve(std::move(curve));
 }
 
-// Polygons of so many points are off by 1e-5; each part counts as often as both wind round it.
+// Polygons of this number of points are off by 1e-5; each part counts as often as both wind round it.
 TEST(WindingProduct, OfACurveThatWindsTwice) {
   for (const std::size_t points : {1000U, 1001U}) {
     const CommonArea inside = winding_product(limacon(points), circle(points, 1, 9));
