@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/base/quantities.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -114,10 +115,10 @@ class TransportBuilder {
     row_begun_ = now;
     segments_before_ = segments;
     if (!too_long && !too_much) return true;
-    note_limit(n, too_long ? "the overlaps of the next row would take longer than --budget"
+    note_limit(n, too_long ? "the overlaps of the next row would take longer than the " + std::string(quantity::seconds)
                            : "the manifolds run round the cylinder so often that the overlaps of the next row, of " +
-                                 format_rounded(segments) +
-                                 " segments in all, are more work than is done unasked (--budget SECONDS allows more)");
+                                 format_rounded(segments) + " segments in all, are more work than is done unasked; a " +
+                                 std::string(quantity::seconds) + " allows more");
     return false;
   }
 

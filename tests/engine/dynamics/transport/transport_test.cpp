@@ -180,7 +180,7 @@ TEST(Transport, RowsOfACylinderEndWithTheWork) {
   EXPECT_LT(found.steps.size(), 9U);
   EXPECT_GE(found.steps.size(), 1U);
   ASSERT_FALSE(found.remarks.empty());
-  EXPECT_NE(found.remarks[0].find("--budget"), std::string::npos) << found.remarks[0];
+  EXPECT_NE(found.remarks[0].find("a limit of seconds allows more"), std::string::npos) << found.remarks[0];
 }
 
 // Lobes thinner than what polygons on the cylinder would show at the tolerance: they crossed thrice for each pip, and T
