@@ -46,6 +46,29 @@ for compiler in "$@"; do
   done
 done
 
+# The commands that comments show to users: of the examples, in the folder of the sources; of lober_system.h, with a system
+# of one's own. The program is there in tests of the build (LOBER).
+mkdir "$work/user"
+ln -s "$root/engine" "$root/examples" "$work/user/"
+cp "$root/examples/quadratic_map.c" "$work/user/mysystem.c"
+shown=0
+for file in "$root"/examples/*.c "$root"/examples/*.cpp "$headers/lober_system.h"; do
+  while read -r command; do
+    shown=$((shown + 1))
+    case $command in
+      "lober "*) [ -n "${LOBER:-}" ] || continue; command="$LOBER ${command#lober }" ;;
+    esac
+    (cd "$work/user" && CPATH=$([ "$file" = "$headers/lober_system.h" ] && echo "$root/engine") bash -c "$command") >"$work/log" 2>&1 ||
+      { fail "$(basename "$file") shows a command that fails: $command"; head -n 5 "$work/log"; }
+  done < <(head -n 12 "$file" | grep -oE '(cc|c\+\+) -[^*]* -o [^*]*|^ +lober [a-z].*' | sed 's/^ *//; s/ *$//')
+done
+[ "$shown" -ge 4 ] || fail "comments show $shown commands"
+grep -q -- '--system' "$headers/lober_system.h" && fail "lober_system.h names --system, which most commands do not have"
+# A shell takes < and > for itself.
+bad=$(grep -nE -- '--bound [^" `|]*[<>]' "$root"/README.md "$root"/docs/*.md)
+[ -z "$bad" ] || fail "limits without quotes:
+$bad"
+
 # What is public is in namespace lober, all else of the engine and the kernels in lober::detail.
 bad=$(grep -rnE '^namespace lober( |$|::[a-ce-z])' "$root/kernels" "$root/engine" --include=*.hpp --include=*.inl | grep -v "^$headers/")
 [ -z "$bad" ] || fail "private headers that are not in lober::detail:
