@@ -1,7 +1,7 @@
 // A system of your own in C++: the flow of Henon & Heiles (1964), H = (px^2 + py^2 + x^2 + y^2) / 2 + x^2 y - y^3 / 3,
 // with its section x = 0, px > 0 in (y, py).
 //
-//     c++ -std=c++20 -shared -fPIC -O2 -I. examples/henon_heiles.cpp -o henon_heiles.so
+//     c++ -std=c++20 -shared -fPIC -O2 -Iengine examples/henon_heiles.cpp -o henon_heiles.so
 #include <limits>
 
 #include "lober/lober_system.h"

@@ -1,7 +1,7 @@
 /* A system of your own in C: the quadratic map of Henon (1969) as a rotation after a shear,
    (x, y) -> (x cos a - (y - x^2) sin a, x sin a + (y - x^2) cos a).
 
-       cc -shared -fPIC -O2 -I. examples/quadratic_map.c -o quadratic_map.so -lm */
+       cc -shared -fPIC -O2 -Iengine examples/quadratic_map.c -o quadratic_map.so -lm */
 #include <math.h>
 
 #include "lober/lober_system.h"

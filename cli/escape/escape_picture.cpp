@@ -32,7 +32,7 @@ std::vector<Drawn> curves_on_section(const Escape& result) {
       const auto& images = entry ? bottleneck.entry : bottleneck.exit;
       for (std::size_t k = 0; k < images.size(); ++k) {
         if (result.section.direction == 0 || images[k].direction == result.section.direction) {
-          curves.push_back({images[k].view(), entry, k});
+          curves.push_back({images[k].image, entry, k});
         }
       }
     }

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "cli/program/option_names.hpp"
+
 namespace lober::cli {
 
 void begin_log(const char* program) {
@@ -18,13 +20,13 @@ void show_all_messages() {
 }
 
 void log_info(std::string_view message) {
-  spdlog::info("{}", message);
+  spdlog::info("{}", with_option_names(message));
 }
 void log_warning(std::string_view message) {
-  spdlog::warn("{}", message);
+  spdlog::warn("{}", with_option_names(message));
 }
 void log_error(std::string_view message) {
-  spdlog::error("{}", message);
+  spdlog::error("{}", with_option_names(message));
 }
 
 void flush_log() {

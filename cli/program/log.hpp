@@ -11,6 +11,7 @@ void begin_log(const char* program);
 /// Shows what log_info says too (--verbose).
 void show_all_messages();
 
+/// Messages of the engine get the names of options (option_names.hpp).
 void log_info(std::string_view message);
 void log_warning(std::string_view message);
 void log_error(std::string_view message);

@@ -10,11 +10,13 @@
 
 #include "cli/interior/interior_report.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/report/text.hpp"
 #include "engine/files/number.hpp"
 #include "lober/interior.hpp"
 #include "lober/overlay.hpp"
+#include "lober/regions.hpp"
 
 namespace lober::cli {
 namespace {
@@ -78,12 +80,16 @@ PublishedFormRequest parse_published_form(const std::vector<std::string>& argume
   return request;
 }
 
-// What both methods give.
+// What all methods give, and the points of both curves with their labels.
 struct PublishedResult {
   Areas areas;
   Areas error;
-  Crossings nodes;
+  std::array<std::vector<LabelledPoint>, 2> points;
 };
+
+std::array<std::vector<LabelledPoint>, 2> points_of(const Crossings& nodes, const EndsDensification& densification) {
+  return {labelled_points(nodes, 1, densification), labelled_points(nodes, 2, densification)};
+}
 
 std::string result_line(const PublishedResult& result) {
   const auto percent = [](double error, double area) { return area == 0 ? 0 : 100 * error / area; };
@@ -93,13 +99,15 @@ std::string result_line(const PublishedResult& result) {
   return line;
 }
 
+// -DENS adds to the points only.
 PublishedResult by_overlay(const IndexedCurve& c1, const IndexedCurve& c2,
+                           const std::optional<EndsDensification>& densification,
                            const std::function<bool(double)>& progress) {
   OverlayOptions options;
   options.pieces = false;
   options.progress = progress;
-  Overlay found = overlay(c1, c2, options);
-  return {found.areas, found.rounding, std::move(found.nodes)};
+  const Overlay found = overlay(c1, c2, options);
+  return {found.areas, found.rounding, points_of(found.nodes, densification.value_or(EndsDensification{}))};
 }
 
 // Segments are split where the curves meet unless -DENS asks for the rule of the article instead.
@@ -113,12 +121,42 @@ PublishedResult by_interior(const IndexedCurve& c1, const IndexedCurve& c2,
     options.passes = densification->passes;
     options.points = densification->points;
   }
-  MeasuredAreas measured = measure_areas(c1, c2, options);
-  PublishedResult result{measured.result.areas, measured.result.rounding, std::move(measured.result.nodes)};
+  const MeasuredAreas measured = measure_areas(c1, c2, options);
+  PublishedResult result{measured.result.areas, measured.result.rounding,
+                         points_of(measured.result.nodes, densification.value_or(EndsDensification{}))};
   if (measured.splitting) {
     for (const NamedArea& area : named_areas) result.error.*area.member += (*measured.splitting).*area.member;
   }
   return result;
+}
+
+// As labelled_points, of a curve that may cross itself.
+std::vector<LabelledPoint> labelled_loop(const IndexedCurve& curve, const IndexedCurve& other) {
+  const std::span<const Point> vertices = curve.view().points;
+  const Buffer<Side> labels = label_points(other, vertices);
+  const std::vector<CommonPoint> common = common_points(curve, other);
+  std::vector<LabelledPoint> points;
+  points.reserve(vertices.size() + common.size());
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    points.push_back({vertices[k], labels[k]});
+    for (; next < common.size() && common[next].first.segment == k; ++next) {
+      if (!common[next].vertex1) points.push_back({common[next].at, Side::on});
+    }
+  }
+  return points;
+}
+
+// Of curves that cross themselves, which Lober 1.8 takes: by the nonzero rule, as points are labelled.
+PublishedResult by_rule(const std::array<NamedCurve, 2>& inputs, const std::function<bool(double)>& progress) {
+  RegionOptions options;
+  options.progress = progress;
+  const Regions found =
+      regions(ClosedCurve::borrow(inputs[0].curve.points), ClosedCurve::borrow(inputs[1].curve.points), options);
+  const IndexedCurve c1(inputs[0].curve), c2(inputs[1].curve);
+  return {found.areas(FillRule::nonzero),
+          found.rounding(FillRule::nonzero),
+          {labelled_loop(c1, c2), labelled_loop(c2, c1)}};
 }
 
 void write_labelled_points(const std::string& path, const std::vector<LabelledPoint>& points, Side side) {
@@ -186,17 +224,19 @@ void run_published_form(const std::vector<std::string>& arguments) {
   PublishedResult result;
   try {
     const IndexedCurve c1(inputs[0].curve), c2(inputs[1].curve);
-    result = request.light ? by_interior(c1, c2, request.densification, advance) : by_overlay(c1, c2, advance);
+    result = (request.light ? by_interior : by_overlay)(c1, c2, request.densification, advance);
   } catch (const NotSimpleError& error) {
-    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what() + " (lober " +
-                    (request.light ? "interior" : "overlay") + " --rule takes such curves)");
+    const std::string what = request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what();
+    if (!request.light) throw DataError(what + " (lober overlay --rule and lober -light take such curves)");
+    if (request.densification) {
+      throw DataError(what + " (lober -light without -DENS and lober interior --rule take such curves)");
+    }
+    log_warning("warning: " + what + "; what a curve winds round is inside of it, as by lober interior --rule nonzero");
+    result = by_rule(inputs, advance);
   }
   progress.phase("writing", 0.8, 1);
-  const EndsDensification densification = request.densification.value_or(EndsDensification{});
-  const std::array<std::vector<LabelledPoint>, 2> points{labelled_points(result.nodes, 1, densification),
-                                                         labelled_points(result.nodes, 2, densification)};
   for (const PointFile& file : published_point_files) {
-    write_labelled_points(file.path, points[static_cast<std::size_t>(file.curve - 1)], file.side);
+    write_labelled_points(file.path, result.points[static_cast<std::size_t>(file.curve - 1)], file.side);
   }
   write_file(request.result, result_line(result));
 }

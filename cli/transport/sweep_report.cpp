@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "cli/program/option_names.hpp"
 #include "cli/report/json_file.hpp"
 #include "cli/report/plot.hpp"
 #include "cli/report/svg.hpp"
@@ -32,7 +33,7 @@ std::string remarks_text(const SweepReport& report) {
   std::set<std::string> said;
   for (const SweepRow& row : report.result.rows) {
     if (row.remark.empty() || !said.insert(row.remark).second) continue;
-    text += fmt::format("no flux at {} = {:.6g}: {}\n", report.range.name, row.value, row.remark);
+    text += fmt::format("no flux at {} = {:.6g}: {}\n", report.range.name, row.value, with_option_names(row.remark));
   }
   return text;
 }
@@ -152,7 +153,7 @@ std::string sweep_table(const SweepReport& report) {
   for (std::size_t k = 0; k < report.result.rows.size(); ++k) {
     const SweepRow& row = report.result.rows[k];
     if (!row.failure.empty()) {
-      text += fmt::format("{:>10.6g} failed: {}\n", row.value, row.failure);
+      text += fmt::format("{:>10.6g} failed: {}\n", row.value, with_option_names(row.failure));
       continue;
     }
     const bool flux = row.remark.empty();
@@ -174,7 +175,7 @@ std::string sweep_table(const SweepReport& report) {
     if (zero.evaluations > 0) {
       text += fmt::format(", where it is {:.1e} ({} more values)", zero.difference, zero.evaluations);
     }
-    if (!zero.failure.empty()) text += ": " + zero.failure;
+    if (!zero.failure.empty()) text += ": " + with_option_names(zero.failure);
     text += "\n";
   }
   if (report.find_zeros && report.result.zeros.empty()) text += "\n" + no_zero_text(report) + "\n";

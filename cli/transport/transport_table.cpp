@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cli/program/option_names.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/turnstile_report.hpp"
 #include "cli/transport/transport_report.hpp"
@@ -99,7 +100,7 @@ std::string transport_table(const TransportReport& report) {
   }
   if (report.melnikov) text += melnikov_text(*report.melnikov) + "\n";
   text += regions_text(result.regions) + transport_steps_table(result.steps);
-  for (const std::string& remark : result.remarks) text += remark + "\n";
+  for (const std::string& remark : result.remarks) text += with_option_names(remark) + "\n";
   return text;
 }
 
@@ -118,7 +119,7 @@ std::string transport_table(const CurvesTransportReport& report) {
   text += regions_text(result.regions);
   text += result.steps.empty() ? std::string("no row: the curves do not reach f(q)\n")
                                : transport_steps_table(result.steps);
-  if (!result.limit.empty()) text += rows_text(report) + ": " + result.limit + "\n";
+  if (!result.limit.empty()) text += rows_text(report) + ": " + with_option_names(result.limit) + "\n";
   return text;
 }
 

@@ -98,7 +98,10 @@ Work regions_work(const double* points1, std::size_t n1, const double* points2, 
     result.add("winding_areas", std::move(areas));
     result.add("areas", found.areas(rule));
     result.add("rounding", found.rounding(rule));
-    for (const Pairing pairing : all_pairings) add_pieces(result, pairing, found.pieces(rule, pairing).areas());
+    for (const Pairing pairing : all_pairings) {
+      const RegionPieces pieces = found.pieces(rule, pairing);
+      add_pieces(result, pairing, pieces.areas());
+    }
   };
 }
 

@@ -52,7 +52,8 @@ class Crossings {
   [[nodiscard]] LOBER_API std::size_t size() const;
   [[nodiscard]] LOBER_API Node operator[](std::size_t node) const;
   /// Node numbers in order along C2, from its first vertex on.
-  [[nodiscard]] LOBER_API std::span<const std::uint32_t> order2() const;
+  [[nodiscard]] LOBER_API std::span<const std::uint32_t> order2() const&;
+  [[nodiscard]] std::span<const std::uint32_t> order2() const&& = delete;  // a view of what goes with the result
   /// The index of a node in order2().
   [[nodiscard]] LOBER_API std::uint32_t rank2(std::size_t node) const;
   [[nodiscard]] LOBER_API int rho(std::size_t node) const;
@@ -60,9 +61,12 @@ class Crossings {
   [[nodiscard]] LOBER_API std::size_t touches() const;      ///< points with rho == 0
   [[nodiscard]] LOBER_API std::size_t shared_arcs() const;  ///< arcs; 1 when the curves are one and the same
   [[nodiscard]] LOBER_API bool same_curve() const;
-  [[nodiscard]] LOBER_API const ContactCounts& counts() const;  ///< of the search
-  [[nodiscard]] LOBER_API const CurveView& curve1() const;
-  [[nodiscard]] LOBER_API const CurveView& curve2() const;
+  [[nodiscard]] LOBER_API const ContactCounts& counts() const&;  ///< of the search
+  [[nodiscard]] ContactCounts counts() const&& { return counts(); }
+  [[nodiscard]] LOBER_API const CurveView& curve1() const&;
+  [[nodiscard]] const CurveView& curve1() const&& = delete;
+  [[nodiscard]] LOBER_API const CurveView& curve2() const&;
+  [[nodiscard]] const CurveView& curve2() const&& = delete;
   [[nodiscard]] LOBER_API bool clockwise1() const;
   [[nodiscard]] LOBER_API bool clockwise2() const;
 

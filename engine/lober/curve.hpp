@@ -29,7 +29,8 @@ struct Segment {
 };
 
 /// A curve of either kind that somebody else owns, for functions that take both. Cheap to copy; valid as long as the
-/// points are.
+/// points are. Types that own points convert to it, but not as temporaries, whose points would soon be gone: give the
+/// curve a name.
 struct CurveView {
   std::span<const Point> points;
   bool closed = true;
@@ -46,7 +47,8 @@ namespace detail {
 /// Points that are owned, shared or borrowed. A value: copies share what is owned.
 class CurvePoints {
  public:
-  [[nodiscard]] std::span<const Point> points() const noexcept { return points_; }
+  [[nodiscard]] std::span<const Point> points() const& noexcept { return points_; }
+  [[nodiscard]] std::span<const Point> points() const&& = delete;  // they may go with the curve
   [[nodiscard]] std::size_t size() const noexcept { return points_.size(); }
   [[nodiscard]] bool empty() const noexcept { return points_.empty(); }
   /// What keeps the points alive; null when they are borrowed.
@@ -92,7 +94,8 @@ class ClosedCurve : public detail::CurvePoints {
   /// Points that the caller keeps alive and unchanged for as long as the curve and all results made of it live.
   [[nodiscard]] static ClosedCurve borrow(std::span<const Point> points) noexcept { return {nullptr, points}; }
 
-  operator CurveView() const noexcept { return {points(), true}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const& noexcept { return {points(), true}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const&& = delete;                             // NOLINT(google-explicit-constructor)
 
  private:
   explicit ClosedCurve(std::pair<std::shared_ptr<const void>, std::span<const Point>> kept)
@@ -110,7 +113,8 @@ class OpenCurve : public detail::CurvePoints {
       : CurvePoints(std::move(owner), points) {}
   [[nodiscard]] static OpenCurve borrow(std::span<const Point> points) noexcept { return {nullptr, points}; }
 
-  operator CurveView() const noexcept { return {points(), false}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const& noexcept { return {points(), false}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const&& = delete;                              // NOLINT(google-explicit-constructor)
 
  private:
   explicit OpenCurve(std::pair<std::shared_ptr<const void>, std::span<const Point>> kept)
@@ -123,7 +127,8 @@ struct Curve {
   bool closed = true;
   std::string name;
 
-  operator CurveView() const { return {points, closed}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)
 };
 
 enum class Orientation : std::int8_t { clockwise = -1, degenerate = 0, counter_clockwise = 1 };

@@ -72,7 +72,8 @@ struct DensifiedCurve {
   std::vector<Diagnostic> diagnostics;  ///< in order along the curve
   std::uint32_t rounds = 0;             ///< in which points were inserted or removed
 
-  operator CurveView() const { return {points, closed}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)
 };
 
 struct DensifyOptions {

@@ -14,7 +14,7 @@
 //
 //   const lober::System system = lober::make_system("capsize");
 //   const lober::Escape result = lober::escape(*system.flow, *system.section, 0.25307, system.saddles);
-//   for (const lober::EscapeFraction& entry : result.table) ...
+//   for (const lober::EscapeFraction& entry : result.table) use(entry.fraction, entry.error);
 #pragma once
 
 #include <cstdint>

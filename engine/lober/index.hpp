@@ -27,10 +27,11 @@ class IndexedCurve {
  public:
   LOBER_API explicit IndexedCurve(const ClosedCurve& curve);
   LOBER_API explicit IndexedCurve(const OpenCurve& curve);
-  /// Of points that somebody else keeps.
+  /// Of points that somebody else keeps. A temporary that owns its points does not convert to the view.
   LOBER_API explicit IndexedCurve(CurveView curve);
 
-  [[nodiscard]] const CurveView& view() const { return view_; }
+  [[nodiscard]] const CurveView& view() const& { return view_; }
+  [[nodiscard]] const CurveView& view() const&& = delete;  // the points may go with the curve
   [[nodiscard]] std::size_t segments() const { return view_.segments(); }
   /// False when some coordinate is not finite, or so large that products overflow: then `validate` says which.
   [[nodiscard]] LOBER_API bool finite() const;

@@ -7,7 +7,7 @@
 // areas found this way are an independent check of it.
 //
 //   const lober::IndexedCurve boundary(curve);
-//   if (lober::winding(boundary, point).number != 0) ...
+//   if (lober::winding(boundary, point).number != 0) use(point);
 //   double flux = lober::interior_areas(c1, c2).areas.c1_minus_c2;
 #pragma once
 

@@ -1,7 +1,9 @@
 /* A map or a flow of your own, as a shared library that lober loads:
 
        cc -shared -fPIC -O2 mysystem.c -o mysystem.so
-       ... --system ./mysystem.so --param k=0.3
+       lober systems ./mysystem.so
+
+   Its path stands for the name of a system in every command.
 
    The library exports one function, lober_system_describe, which returns a description that stays valid as long as
    the library is loaded. See examples/quadratic_map.c and examples/henon_heiles.cpp.

@@ -94,7 +94,8 @@ struct GrownManifold {
   double length = 0;         ///< of the polygon
   std::uint64_t images = 0;  ///< steps of the map taken in all
 
-  operator CurveView() const { return {points, false}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const& { return {points, false}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const&& = delete;                   // NOLINT(google-explicit-constructor)
 };
 
 /// Grows one branch. All that was computed is kept, whatever stops it. Throws UsageError for options that make no
@@ -127,7 +128,8 @@ struct CurveImage {
   GrowthStop stop = GrowthStop::iterates;
   std::uint64_t images = 0;
 
-  operator CurveView() const { return {points, closed}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
+  operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)
 };
 
 /// F^iterates of the closed curve c(t), which the function gives for corners.front() <= t <= corners.back() and which

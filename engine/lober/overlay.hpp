@@ -22,6 +22,7 @@
 #include "lober/areas.hpp"
 #include "lober/crossings.hpp"
 #include "lober/curve.hpp"
+#include "lober/element_iterator.hpp"
 #include "lober/export.hpp"
 #include "lober/index.hpp"
 
@@ -109,32 +110,22 @@ namespace detail {
 struct PiecesData;  // private: engine/geometry/overlay/pieces_data.hpp
 }  // namespace detail
 
-/// The pieces of one pairing: an array of Piece, stored compactly (12 to 20 bytes a piece, 4 a crossing). Nothing is
-/// allocated to look at them. Cheap to copy.
+/// The pieces of one pairing: a range of Piece with random access, stored compactly (12 to 20 bytes a piece, 4 a
+/// crossing). Nothing is allocated to look at them. Cheap to copy; a copy keeps alive what its pieces show.
 class Pieces {
  public:
   LOBER_API Pieces();  ///< none
   explicit Pieces(std::shared_ptr<const detail::PiecesData> data) : data_(std::move(data)) {}
 
   [[nodiscard]] std::size_t size() const { return areas().size(); }
-  [[nodiscard]] LOBER_API Piece operator[](std::size_t piece) const;
-  [[nodiscard]] LOBER_API std::span<const double> areas() const;
+  [[nodiscard]] LOBER_API Piece operator[](std::size_t piece) const&;
+  [[nodiscard]] Piece operator[](std::size_t piece) const&& = delete;  // its crossings are a view of what is gone then
+  [[nodiscard]] LOBER_API std::span<const double> areas() const&;
+  [[nodiscard]] std::span<const double> areas() const&& = delete;
 
-  class Iterator {
-   public:
-    using value_type = Piece;
-    using difference_type = std::ptrdiff_t;
-    Iterator(const Pieces* pieces, std::size_t at) : pieces_(pieces), at_(at) {}
-    Piece operator*() const { return (*pieces_)[at_]; }
-    Iterator& operator++() { return ++at_, *this; }
-    bool operator!=(const Iterator& other) const { return at_ != other.at_; }
-
-   private:
-    const Pieces* pieces_;
-    std::size_t at_;
-  };
-  [[nodiscard]] Iterator begin() const { return {this, 0}; }
-  [[nodiscard]] Iterator end() const { return {this, size()}; }
+  using Iterator = ElementIterator<Pieces>;
+  [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+  [[nodiscard]] Iterator end() const { return {*this, size()}; }
 
   [[nodiscard]] const detail::PiecesData& data() const { return *data_; }
 
@@ -180,7 +171,9 @@ struct Overlay {
   double longest_segment = 0;     ///< bound on the length of any segment of either curve
 
   std::array<Pieces, 4> all_pieces;  ///< in the order of all_pairings; empty without OverlayOptions::pieces
-  [[nodiscard]] const Pieces& pieces(Pairing pairing) const { return all_pieces[static_cast<std::size_t>(pairing)]; }
+  [[nodiscard]] const Pieces& pieces(Pairing pairing) const& { return all_pieces[static_cast<std::size_t>(pairing)]; }
+  /// Of a temporary: a copy, which a loop keeps alive.
+  [[nodiscard]] Pieces pieces(Pairing pairing) const&& { return pieces(pairing); }
 };
 
 /// Overlays two simple closed curves of either orientation. The result computes coordinates of nodes from their points

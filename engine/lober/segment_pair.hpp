@@ -1,6 +1,7 @@
 // Two segments, one of each curve, or two of the same.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 namespace lober {

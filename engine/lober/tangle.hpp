@@ -136,8 +136,10 @@ struct Tangle {
   TangleTiming timing;
 
   std::shared_ptr<const detail::TangleCurves> curves;
-  [[nodiscard]] const CurveView& u() const { return nodes.curve1(); }
-  [[nodiscard]] const CurveView& s() const { return nodes.curve2(); }
+  [[nodiscard]] const CurveView& u() const& { return nodes.curve1(); }
+  [[nodiscard]] const CurveView& u() const&& = delete;  // the points may go with the result
+  [[nodiscard]] const CurveView& s() const& { return nodes.curve2(); }
+  [[nodiscard]] const CurveView& s() const&& = delete;
   /// Bound on |computed - exact value| of an area of the polygons.
   [[nodiscard]] LOBER_API double rounding(double area) const;
 };

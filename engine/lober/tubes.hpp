@@ -34,7 +34,9 @@ struct TubeCurve {
   /// the local manifold.
   double area_error = 0;
   double displacement_area = 0;  ///< the part of it by integration and local manifold
-  [[nodiscard]] ClosedCurve view() const { return ClosedCurve::borrow(image.points); }
+  /// Borrows the points.
+  [[nodiscard]] ClosedCurve view() const& { return ClosedCurve::borrow(image.points); }
+  [[nodiscard]] ClosedCurve view() const&& = delete;
 };
 
 struct TubeCurveOptions {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What users of engine/lober/ rely on: each header compiles by itself with all warnings as errors, needs no other header
-# of ours, and curves of the wrong kind do not compile. "Private" is a fact: who includes what is looked at too.
+# of ours, the examples in their comments compile, and curves of the wrong kind and views of temporaries do not. "Private" is a fact: who includes what is looked at too.
 # What a shared library must export is marked, and inline functions have no bits that depend on the flags of the user.
 # usage: run.sh SOURCE_FOLDER COMPILER...
 set -uo pipefail
@@ -32,6 +32,12 @@ for compiler in "$@"; do
       { fail "$compiler, $header alone, as C:"; head -n 5 "$work/log"; }
     checked=$((checked + 1))
   done
+  awk -f "$root/tests/api/examples.awk" "$headers"/*.hpp >"$work/examples.cpp"
+  compiles -Wno-unused-variable -Wno-unused-parameter -Wno-shadow -include "$root/tests/api/example_names.hpp" "$work/examples.cpp" ||
+    { fail "$compiler, examples of the headers:"; head -n 15 "$work/log"; }
+  examples=$(grep -c '^void example' "$work/examples.cpp")
+  [ "$examples" -ge 9 ] || fail "there are $examples examples in the headers"
+  checked=$((checked + 1))
   source=$root/tests/api/must_not_compile/curves.cpp
   for number in $(grep -oE 'RIGHT == [0-9]+' "$source" | grep -oE '[0-9]+'); do
     compiles -Wno-unused-variable -Wno-unused-parameter -DRIGHT="$number" "$source" || { fail "$compiler, case $number does not compile"; head -n 5 "$work/log"; }
@@ -39,6 +45,29 @@ for compiler in "$@"; do
     checked=$((checked + 1))
   done
 done
+
+# The commands that comments show to users: of the examples, in the folder of the sources; of lober_system.h, with a system
+# of one's own. The program is there in tests of the build (LOBER).
+mkdir "$work/user"
+ln -s "$root/engine" "$root/examples" "$work/user/"
+cp "$root/examples/quadratic_map.c" "$work/user/mysystem.c"
+shown=0
+for file in "$root"/examples/*.c "$root"/examples/*.cpp "$headers/lober_system.h"; do
+  while read -r command; do
+    shown=$((shown + 1))
+    case $command in
+      "lober "*) [ -n "${LOBER:-}" ] || continue; command="$LOBER ${command#lober }" ;;
+    esac
+    (cd "$work/user" && CPATH=$([ "$file" = "$headers/lober_system.h" ] && echo "$root/engine") bash -c "$command") >"$work/log" 2>&1 ||
+      { fail "$(basename "$file") shows a command that fails: $command"; head -n 5 "$work/log"; }
+  done < <(head -n 12 "$file" | grep -oE '(cc|c\+\+) -[^*]* -o [^*]*|^ +lober [a-z].*' | sed 's/^ *//; s/ *$//')
+done
+[ "$shown" -ge 4 ] || fail "comments show $shown commands"
+grep -q -- '--system' "$headers/lober_system.h" && fail "lober_system.h names --system, which most commands do not have"
+# A shell takes < and > for itself.
+bad=$(grep -nE -- '--bound [^" `|]*[<>]' "$root"/README.md "$root"/docs/*.md)
+[ -z "$bad" ] || fail "limits without quotes:
+$bad"
 
 # What is public is in namespace lober, all else of the engine and the kernels in lober::detail.
 bad=$(grep -rnE '^namespace lober( |$|::[a-ce-z])' "$root/kernels" "$root/engine" --include=*.hpp --include=*.inl | grep -v "^$headers/")
@@ -60,6 +89,12 @@ $bad"
 done
 bad=$(grep -rnE '#include "engine/(geometry|dynamics)/' "$root/cli" "$root/examples" "$root/tests/consumer")
 [ -z "$bad" ] || fail "private headers of geometry and dynamics outside of the engine:
+$bad"
+
+# Users of C and Python have no options of the command line: messages name the quantity (engine/base/quantities.hpp). The
+# files of batches are made and read by the program.
+bad=$(grep -rnE --include='*.cpp' --include='*.hpp' --include='*.inl' '^[^/]*"[^"]*(--[a-z]|-DENS)' "$root/engine" | grep -v "^$root/engine/batch/")
+[ -z "$bad" ] || fail "messages of the engine that name options of the program:
 $bad"
 
 bad=$(awk -f "$root/tests/api/exported.awk" "$headers"/*.hpp)

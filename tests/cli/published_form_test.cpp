@@ -53,6 +53,39 @@ TEST_F(PublishedForm, WritesSixFilesOfPoints) {
   EXPECT_EQ(read("c20.dat"), "VARIABLES=\"x\"\"y\"\n2\t1\n1\t2\n");
 }
 
+// As Lober 1.8 does; areas are those of `interior --rule nonzero`.
+TEST_F(PublishedForm, LightTakesCurvesThatCrossThemselves) {
+  write_curve("c1.dat", std::vector<Point>{{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+  write_curve("c2.dat", box(0, -1, 3, 3));
+  const Outcome outcome = run({"-light", "c1.dat", "c2.dat", "result"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("c1.dat: curve 1 is not simple"), std::string::npos) << outcome.err;
+  std::istringstream stream(read("result"));
+  double minus12 = 0, error12 = 0, minus21 = 0, error21 = 0;
+  ASSERT_TRUE(stream >> minus12 >> error12 >> minus21 >> error21);
+  const Json ruled = Json::parse(run({"interior", "c1.dat", "c2.dat", "--rule", "nonzero", "--json", "-"}).out);
+  EXPECT_EQ(minus12, ruled["areas"]["c1_minus_c2"].get<double>());
+  EXPECT_EQ(minus21, ruled["areas"]["c2_minus_c1"].get<double>());
+  EXPECT_LT(error12, 1e-12);
+  EXPECT_EQ(read("c12.dat"), "VARIABLES=\"x\"\"y\"\n4\t4\n4\t0\n0\t4\n");
+  EXPECT_EQ(read("c10.dat"), "VARIABLES=\"x\"\"y\"\n0\t0\n3\t3\n3\t1\n1\t3\n0\t3\n");
+  EXPECT_EQ(read("c21.dat"), "VARIABLES=\"x\"\"y\"\n0\t-1\n3\t-1\n");
+  EXPECT_EQ(read("c20.dat"), "VARIABLES=\"x\"\"y\"\n3\t1\n3\t3\n1\t3\n0\t3\n0\t0\n");
+}
+
+TEST_F(PublishedForm, OthersRefuseCurvesThatCrossThemselvesWithAWayOn) {
+  write_curve("c1.dat", std::vector<Point>{{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+  const Outcome inserted = run({"-light", "c1.dat", "c2.dat", "result", "-DENS", "2", "3"});
+  EXPECT_EQ(inserted.status, 1);
+  EXPECT_NE(inserted.err.find("lober -light without -DENS and lober interior --rule"), std::string::npos)
+      << inserted.err;
+  const Outcome overlaid = run({"c1.dat", "c2.dat", "result"});
+  EXPECT_EQ(overlaid.status, 1);
+  EXPECT_NE(overlaid.err.find("lober overlay --rule and lober -light"), std::string::npos) << overlaid.err;
+  const Outcome interior = run({"interior", "c1.dat", "c2.dat"});
+  EXPECT_NE(interior.err.find("--rule"), std::string::npos) << interior.err;
+}
+
 TEST_F(PublishedForm, PutsSharedArcsOnTheCurve) {
   write_curve("c1.dat", box(0, 0, 1, 1));
   write_curve("c2.dat", box(0, 0, 2, 1));

@@ -281,7 +281,8 @@ TEST_F(TransportCommand, Refuses) {
   expect_failure({"henon", "--param", "k=-2"}, 2, "no fixed points for k < -1");
   expect_failure({"henon", "--bip", "100,100"}, 1, "no pip was found near the bip asked for, (100, 100)");
   expect_failure({"standard", "--svg", "x", "--picture", "x"}, 2, "both write");
-  expect_failure({"standard", "--iterates", "4", "--max-points", "100"}, 1, "--max-points allows 100");
+  expect_failure({"standard", "--iterates", "4", "--max-points", "100"}, 1,
+                 "the limit on points (--max-points) allows 100");
 }
 
 TEST_F(TransportCommand, TangleOfASystem) {

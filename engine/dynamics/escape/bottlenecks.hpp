@@ -16,6 +16,7 @@
 
 #include "engine/base/growth_forecast.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/quantities.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/escape/cut_images.hpp"
@@ -194,9 +195,9 @@ class Bottlenecks {
                     format_rounded(last.area) + " instead of " + format_rounded(bottleneck.area) + ", and all of " +
                     std::to_string(samples) + " trajectories are lost. The energy " +
                     format_number(bottleneck.orbit.energy) + " is above that of " + std::to_string(open.size()) +
-                    (open.size() == 1 ? " saddle, " : " saddles, ") + names +
-                    "; give each that bounds the well by --saddle, and by --section one that lies within the well and "
-                    "that none of their orbits meets");
+                    (open.size() == 1 ? " saddle, " : " saddles, ") + names + "; give " +
+                    std::string(quantity::saddles) + ", and " + std::string(quantity::section) +
+                    " that none of their orbits meets");
   }
 
   // Those of rank 1 below the energy, of Newton's method from a grid about the named ones: a help for a message.

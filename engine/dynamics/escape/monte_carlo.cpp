@@ -21,7 +21,7 @@ struct SectionCurve {
   IndexedCurve curve;
   Box box;
   int direction;
-  explicit SectionCurve(const TubeCurve& c) : curve(c.view()), box(box_of(c.view().points())), direction(c.direction) {}
+  explicit SectionCurve(const TubeCurve& c) : curve(c.view()), box(box_of(c.image.points)), direction(c.direction) {}
   [[nodiscard]] bool holds(Point p) const { return meet(box, Box::of(p, p)) && contains(curve, p); }
 };
 

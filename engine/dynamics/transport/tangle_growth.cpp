@@ -6,6 +6,7 @@
 #include <span>
 #include <tuple>
 
+#include "engine/base/quantities.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/point_errors.hpp"
@@ -181,16 +182,19 @@ bool TangleGrowth::grow(Side& side, double end) {
              std::to_string(s_.growth->grown().points.size()) + ": the next piece of " + name + " needs " +
              (growth.points_needed() < 1 ? "more points than it seemed to, "
                                          : format_rounded(growth.points_needed()) + " points or more, ");
-    limit_ += of_points             ? "--max-points allows " + std::to_string(options_.max_points) + " for both"
-              : options_.budget > 0 ? "which would take longer than --budget"
-                                    : "which is more work than is done unasked (--budget SECONDS allows more)";
+    limit_ += of_points ? "the " + std::string(quantity::points) + " allows " + std::to_string(options_.max_points) +
+                              " for both"
+              : options_.budget > 0
+                  ? "which would take longer than the " + std::string(quantity::seconds)
+                  : "which is more work than is done unasked; a " + std::string(quantity::seconds) + " allows more";
     // On a cylinder and after other tangles the map has done more than growing.
     const double an_image =
         static_cast<double>(map_.work() - work_before_) / std::max(static_cast<double>(images()), 1.0);
     if (!result_ && an_image > hardly_returns) {
       limit_ += "; one step of the map takes " + format_rounded(an_image) +
                 " evaluations of the vector field: orbits next to this saddle hardly return, or pass a singularity; "
-                "other parameters or another saddle (--from) may do";
+                "other parameters or " +
+                std::string(quantity::saddle) + " may do";
     }
     return false;
   }
@@ -248,7 +252,8 @@ bool TangleGrowth::grow_between(int before, int after) {
     if (!crosses || before <= 1) continue;
     limit_ = std::string("the polygon of ") + (side == &u_ ? "U" : "S") + " to the tolerance " +
              format_number(tolerance_) + " crosses itself near " + format_point(*crosses) +
-             ": arcs lie closer to each other there than it shows (a smaller --tolerance goes farther)";
+             ": arcs lie closer to each other there than it shows; a " + std::string(quantity::tolerance) +
+             " goes farther";
     return false;
   }
   look();

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/base/quantities.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -23,12 +24,24 @@ namespace {
 
 constexpr double no_area = std::numeric_limits<double>::quiet_NaN();
 
+// What boundary c encloses, by the names of regions: one of them, unless others are nested in it.
+std::string inside_of(std::size_t c, const std::vector<Region>& regions) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const std::vector<int>& coefficients = regions[i].coefficients;
+    if (coefficients[c + 1] != 1) continue;
+    const std::string name = "R" + std::to_string(i + 1);
+    const bool nested = std::find(coefficients.begin(), coefficients.end(), -1) != coefficients.end();
+    return nested ? "what the outer boundary of " + name + " encloses" : name;
+  }
+  return "a region";
+}
+
 // Where lobes of the turnstile that leave overlap such as enter, the flux is less than their areas in all.
-std::string overlap_remark(const TransportBoundary& boundary) {
+std::string overlap_remark(const TransportBoundary& boundary, const std::string& inside) {
   const double counted_twice = boundary.lobe_area12.value - boundary.flux12.value;
   if (!(counted_twice > boundary.lobe_area12.error + boundary.flux12.error)) return {};
   return "lobes of the turnstile overlap: those that leave have the area " + format_number(boundary.lobe_area12.value) +
-         " in all, and " + format_number(boundary.flux12.value) + " leaves R1 in one iterate";
+         " in all, and " + format_number(boundary.flux12.value) + " leaves " + inside + " in one iterate";
 }
 
 class TransportBuilder {
@@ -114,10 +127,10 @@ class TransportBuilder {
     row_begun_ = now;
     segments_before_ = segments;
     if (!too_long && !too_much) return true;
-    note_limit(n, too_long ? "the overlaps of the next row would take longer than --budget"
+    note_limit(n, too_long ? "the overlaps of the next row would take longer than the " + std::string(quantity::seconds)
                            : "the manifolds run round the cylinder so often that the overlaps of the next row, of " +
-                                 format_rounded(segments) +
-                                 " segments in all, are more work than is done unasked (--budget SECONDS allows more)");
+                                 format_rounded(segments) + " segments in all, are more work than is done unasked; a " +
+                                 std::string(quantity::seconds) + " allows more");
     return false;
   }
 
@@ -214,7 +227,8 @@ class TransportBuilder {
       boundary.point_error = last[c].curve_error;
       const ManifoldTangle& manifolds = growths_[c]->current();
       result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
-      if (const std::string remark = overlap_remark(boundary); !remark.empty()) result_.remarks.push_back(remark);
+      const std::string remark = overlap_remark(boundary, inside_of(c, result_.regions));
+      if (!remark.empty()) result_.remarks.push_back(remark);
     }
     if (options_.particles > 0) {
       ParticleOptions how;

@@ -43,13 +43,13 @@ Crossings::Crossings() {
 std::size_t Crossings::size() const {
   return data_->graph.size();
 }
-std::span<const std::uint32_t> Crossings::order2() const {
+std::span<const std::uint32_t> Crossings::order2() const& {
   return data_->graph.along2();
 }
 std::uint32_t Crossings::rank2(std::size_t node) const {
   return data_->graph.rank2[node];
 }
-const ContactCounts& Crossings::counts() const {
+const ContactCounts& Crossings::counts() const& {
   return data_->graph.counts;
 }
 std::size_t Crossings::crossings() const {
@@ -64,10 +64,10 @@ std::size_t Crossings::shared_arcs() const {
 bool Crossings::same_curve() const {
   return data_->graph.same_curve != 0;
 }
-const CurveView& Crossings::curve1() const {
+const CurveView& Crossings::curve1() const& {
   return data_->c1;
 }
-const CurveView& Crossings::curve2() const {
+const CurveView& Crossings::curve2() const& {
   return data_->c2;
 }
 bool Crossings::clockwise1() const {

@@ -54,8 +54,18 @@ double scaled_bound(double bound, int exponent) {
                   std::numeric_limits<double>::max());
 }
 
-void scale_bounds(Areas& bounds, int exponent) {
-  for (double Areas::*const member : area_members) bounds.*member = scaled_bound(bounds.*member, exponent);
+void require_known(double area, double bound) {
+  if (area != 0 || bound < std::numeric_limits<double>::max()) return;
+  throw DataError(
+      "an area may be larger than the largest double, 1.8e308, or zero: it is lost in the rounding of a curve that is "
+      "much larger; curves of more equal size, or coordinates in a larger unit, will do");
+}
+
+void scale_bounds(const Areas& areas, Areas& bounds, int exponent) {
+  for (double Areas::*const member : area_members) {
+    bounds.*member = scaled_bound(bounds.*member, exponent);
+    require_known(areas.*member, bounds.*member);
+  }
 }
 
 }  // namespace lober::detail

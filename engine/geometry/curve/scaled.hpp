@@ -25,7 +25,12 @@ void scale(Areas& areas, int exponent);
 
 /// Multiplies each bound on the error of an area by 2^exponent and adds what the area may have lost to underflow when
 /// it was scaled. No error of an area in the range of double is larger than the largest double, so no bound has to be.
-void scale_bounds(Areas& bounds, int exponent);
+/// Throws DataError when nothing is known of an area (require_known); `areas` are scaled already.
+void scale_bounds(const Areas& areas, Areas& bounds, int exponent);
 [[nodiscard]] double scaled_bound(double bound, int exponent);
+
+/// Throws DataError when an area came out as 0 and its bound, as `scaled_bound` gives it, is the largest double: the
+/// area may be beyond that as well. So it is with a curve of 1e210 beside one of 1e300, as sums have a common origin.
+void require_known(double area, double bound);
 
 }  // namespace lober::detail

@@ -167,7 +167,7 @@ InteriorAreas scaled_areas(const IndexedCurve& c1, const IndexedCurve& c2, const
   InteriorAreas result = InteriorBuilder(scaled1, scaled2, options, exponent).build();
   for (double* value : {&result.q1, &result.q2, &result.q3, &result.delta}) *value = std::ldexp(*value, -2 * exponent);
   scale(result.areas, -2 * exponent);
-  scale_bounds(result.rounding, -2 * exponent);
+  scale_bounds(result.areas, result.rounding, -2 * exponent);
   result.nodes = moved_to(result.nodes, c1, c2);
   return result;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/quantities.hpp"
 
 namespace lober::detail {
 namespace {
@@ -31,8 +32,8 @@ class PointBudget {
   explicit PointBudget(std::size_t limit) : limit_(limit) {}
   void take(std::size_t points) {
     if (taken_.fetch_add(points) + points <= limit_) return;
-    throw DataError("points inserted where labels change (-DENS, --densify) would make a curve of more than " +
-                    std::to_string(limit_) + " points, the limit; fewer passes or fewer points will do");
+    throw DataError("points inserted where labels change would make a curve of more than " + std::to_string(limit_) +
+                    " points, the limit; " + std::string(quantity::passes) + " will do");
   }
 
  private:

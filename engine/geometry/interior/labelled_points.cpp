@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 
+#include "engine/base/quantities.hpp"
 #include "lober/densify.hpp"
 #include "lober/error.hpp"
 #include "lober/interior.hpp"
@@ -52,7 +53,7 @@ std::vector<LabelledPoint> labelled_points(const Crossings& nodes, int curve, co
     const std::size_t max_points = InteriorOptions{}.max_points;
     if (points.size() > max_points) {
       throw DataError("the passes would make a curve of more than " + std::to_string(max_points) +
-                      " points, the limit; fewer passes or fewer points will do");
+                      " points, the limit; " + std::string(quantity::passes) + " will do");
     }
   }
   return points;

@@ -84,7 +84,7 @@ class OverlayBuilder {
   // Multiplies all areas by a power of two and lets the result speak of other points.
   void rescale(int exponent, const IndexedCurve& c1, const IndexedCurve& c2) {
     scale(result_.areas, exponent);
-    scale_bounds(result_.rounding, exponent);
+    scale_bounds(result_.areas, result_.rounding, exponent);
     for (PiecesData& pieces : pieces_) {
       for (double& area : pieces.areas) area = std::ldexp(area, exponent);
     }

@@ -25,11 +25,11 @@ Pieces::Pieces() {
   data_ = none;
 }
 
-std::span<const double> Pieces::areas() const {
+std::span<const double> Pieces::areas() const& {
   return data_->areas;
 }
 
-Piece Pieces::operator[](std::size_t piece) const {
+Piece Pieces::operator[](std::size_t piece) const& {
   const std::span<const PieceHole> holes = data_->holes_of(piece);
   return {data_->areas[piece], static_cast<std::uint32_t>(holes.size()), {data_->outer(piece), holes}};
 }

@@ -144,7 +144,7 @@ RegionPieces::RegionPieces() {
   data_ = none;
 }
 
-std::span<const double> RegionPieces::areas() const {
+std::span<const double> RegionPieces::areas() const& {
   return data_->areas;
 }
 

@@ -109,6 +109,8 @@ class RegionBuilder {
     scene.faces = make_faces(scene.edge_chains, scene.events, scene.graph, sums, found.mutual > 0, c1_, c2_, placing);
     scene.area_exponent = -2 * exponent_;
     make_table(scene);
+    const double bound = scaled_bound(scene.lost, scene.area_exponent);
+    for (const WindingArea& entry : scene.table) require_known(entry.area, bound);
     timing.faces = face_watch.seconds();
 
     count(scene, found, placing, kind);
@@ -227,16 +229,16 @@ Regions::Regions() {
   arrangement_ = nothing;
 }
 
-std::span<const WindingArea> Regions::table() const {
+std::span<const WindingArea> Regions::table() const& {
   return arrangement_->table;
 }
 std::array<double, 2> Regions::signed_areas() const {
   return arrangement_->signed_areas;
 }
-const RegionCounts& Regions::counts() const {
+const RegionCounts& Regions::counts() const& {
   return arrangement_->counts;
 }
-const RegionTiming& Regions::timing() const {
+const RegionTiming& Regions::timing() const& {
   return arrangement_->timing;
 }
 

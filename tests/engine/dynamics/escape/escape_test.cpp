@@ -159,7 +159,7 @@ TEST(Escape, GoesOnWhereImagesAreCut) {
     for (const auto* curves : {&bottleneck.entry, &bottleneck.exit}) {
       ASSERT_EQ(curves->size(), 6U);
       EXPECT_TRUE(curves->back().cut);
-      EXPECT_NEAR(std::fabs(signed_area(curves->back().view())), bottleneck.area * (1 - known[4]),
+      EXPECT_NEAR(std::fabs(signed_area(curves->back().image)), bottleneck.area * (1 - known[4]),
                   1e-3 * bottleneck.area);
     }
   }

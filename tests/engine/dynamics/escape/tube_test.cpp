@@ -36,7 +36,7 @@ TEST(Tube, OfTheThreeBodyProblemReachesTheOuterSection) {
     for (const Point& p : curve.points) box = union_of(box, Box::of({p.x, sign * p.y}, {p.x, sign * p.y}));
     return box;
   };
-  const Box in = box_of(found[0].entry[0].view(), 1), out = box_of(found[0].exit[0].view(), -1);
+  const Box in = box_of(found[0].entry[0].image, 1), out = box_of(found[0].exit[0].image, -1);
   EXPECT_NEAR(in.min_x(), out.min_x(), 1e-4);
   EXPECT_NEAR(in.max_x(), out.max_x(), 1e-4);
   EXPECT_NEAR(in.min_y(), out.min_y(), 1e-4);

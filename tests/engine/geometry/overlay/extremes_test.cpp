@@ -34,6 +34,22 @@ TEST(Extremes, AnAreaBeyondTheLargestDoubleIsAnError) {
   EXPECT_NE(refusal([&] { (void)tangle(CurveView{u, false}, CurveView{s, false}); }).find(reason), std::string::npos);
 }
 
+// C2 has an area of 1e420, which sums about a point of C1 lose.
+TEST(Extremes, AnAreaThatIsLostBesideAMuchLargerCurveIsAnErrorAndNotZero) {
+  const Points needle{{1e300, 0}, {1e300, 1e-3}, {0, 0}}, spike{{1e300, 0}, {0, 0}, {-1e299, 0}};
+  for (const double side : {1e150, 1e210}) {
+    const Points square = box(0, 0, side, side), bow_tie{{0, 0}, {side, side}, {side, 0}, {0, side}};
+    const std::string reason = "larger than the largest double";
+    EXPECT_NE(refusal([&] { (void)interior_areas(CurveView{needle}, CurveView{square}); }).find(reason),
+              std::string::npos);
+    for (const Points& large : {needle, spike}) {
+      for (const Points& lost : {square, bow_tie}) {
+        EXPECT_NE(refusal([&] { (void)regions(CurveView{large}, CurveView{lost}); }).find(reason), std::string::npos);
+      }
+    }
+  }
+}
+
 TEST(Extremes, AnAreaJustBelowItIsNot) {
   const Points first = box(-5e153, -5e153, 5e153, 5e153), second = box(0, 0, 9e153, 5e153);
   const Overlay result = overlay(CurveView{first}, CurveView{second});

@@ -1,0 +1,33 @@
+#include "cli/program/option_names.hpp"
+
+#include <array>
+#include <utility>
+
+#include "engine/base/quantities.hpp"
+
+namespace lober::cli {
+namespace {
+
+namespace quantity = detail::quantity;
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> options_of_quantities{{
+    {quantity::points, "--max-points"},
+    {quantity::seconds, "--budget"},
+    {quantity::tolerance, "--tolerance"},
+    {quantity::saddle, "--from"},
+    {quantity::saddles, "--saddle"},
+    {quantity::section, "--section"},
+    {quantity::passes, "--densify; -DENS of published forms"},
+}};
+
+}  // namespace
+
+std::string with_option_names(std::string_view message) {
+  std::string text(message);
+  for (const auto& [words, option] : options_of_quantities) {
+    const std::size_t at = text.find(words);
+    if (at != std::string::npos) text.insert(at + words.size(), " (" + std::string(option) + ")");
+  }
+  return text;
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,21 @@
+// Names that the examples in the comments of public headers use as if the reader had them.
+#pragma once
+
+#include <atomic>
+
+#include "lober/curve.hpp"
+#include "lober/flow.hpp"
+#include "lober/overlay.hpp"
+#include "lober/planar_map.hpp"
+#include "lober/systems.hpp"
+
+#define EXAMPLE_NAMES                                                                                              \
+  const lober::ClosedCurve &c1, const lober::ClosedCurve &c2, const lober::ClosedCurve &curve, lober::Point point, \
+      const lober::ClosedCurve &first, const lober::ClosedCurve &second, const lober::OpenCurve &u,                \
+      const lober::OpenCurve &s, const lober::PlanarMap &map, lober::Point saddle, const lober::Flow &flow,        \
+      double time, const lober::Rectangle &window, double energy
+
+template <typename... Values>
+void use(const Values&...) {}
+template <typename Points>
+void draw(const Points&) {}
