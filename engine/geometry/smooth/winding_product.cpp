@@ -151,10 +151,10 @@ CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
     most += std::abs(entry.w1 * entry.w2) * entry.area;
   }
   const int exponent = scaling_exponent(union_of(box_of(first.points()), box_of(second.points())));
-  const auto at_scale = [&](const ClosedCurve& curve) {
+  const auto rescaled = [&](const ClosedCurve& curve) {
     return exponent == 0 ? curve : ClosedCurve(scaled(curve, exponent));
   };
-  const ClosedCurve scaled1 = at_scale(first), scaled2 = at_scale(second);
+  const ClosedCurve scaled1 = rescaled(first), scaled2 = rescaled(second);
   const CommonArea along1 = AlongAnother(scaled1, scaled2, exponent).chord_areas();
   const CommonArea along2 = AlongAnother(scaled2, scaled1, exponent).chord_areas();
   return {polygons + along1.area + along2.area, found.rounding(most) + along1.error + along2.error};
