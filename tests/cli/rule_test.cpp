@@ -145,7 +145,7 @@ TEST_F(OverlayRule, OfTheInteriorMethodTakesNoOptionsOfTheIntegrals) {
 TEST_F(OverlayRule, IsNamedWhenACurveIsNotSimple) {
   for (const std::vector<std::string>& command : {std::vector<std::string>{"interior", "eight", "box"},
                                                   {"eight", "box", "out"},
-                                                  {"-light", "eight", "box", "out"}}) {
+                                                  {"-light", "eight", "box", "out", "-DENS", "2", "3"}}) {
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find("--rule"), std::string::npos) << outcome.err;
