@@ -184,6 +184,7 @@ void merge_stores(const Arguments& arguments) {
   all.insert(all.end(), sources.begin(), sources.end());
   detail::require_different_stores(all);
   std::vector<detail::Store> others;
+  others.reserve(sources.size());
   for (const std::string& source : sources) others.push_back(detail::Store::open(source));
   const bool is_new = !std::filesystem::exists(target);
   std::optional<detail::Store> store(detail::Store::create(target));

@@ -11,13 +11,13 @@
 namespace lober::detail::c {
 namespace {
 
-thread_local std::string message;
+thread_local std::string last_message;
 
 int failed(int status, const char* text) noexcept {
   try {
-    message = text;
+    last_message = text;
   } catch (...) {
-    message.clear();  // no memory for it
+    last_message.clear();  // no memory for it
   }
   return status;
 }
@@ -89,7 +89,7 @@ OpenCurve open_curve(const double* points, std::size_t count, const char* name) 
 }  // namespace lober::detail::c
 
 const char* lober_message(void) {
-  return lober::detail::c::message.c_str();
+  return lober::detail::c::last_message.c_str();
 }
 
 int lober_interface_version(void) {

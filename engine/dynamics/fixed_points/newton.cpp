@@ -116,6 +116,7 @@ std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guess
   std::iota(open.begin(), open.end(), std::size_t{0});
   while (!open.empty()) {
     std::vector<Point> points;
+    points.reserve(open.size());
     for (const std::size_t k : open) points.push_back(iterations[k].next());
     std::vector<Matrix2> derivatives(points.size());
     map.iterate_with_derivatives(points, options.period, derivatives);

@@ -38,7 +38,8 @@ double work_of_image(const PlanarMap& map, const Rectangle& box, const FixedPoin
   constexpr std::size_t side = 8;
   std::vector<Point> points;
   for (std::size_t k = 0; k < side * side; ++k) {
-    const double x = (static_cast<double>(k % side) + 0.5) / side, y = (static_cast<double>(k / side) + 0.5) / side;
+    const std::size_t column = k % side, row = k / side;
+    const double x = (static_cast<double>(column) + 0.5) / side, y = (static_cast<double>(row) + 0.5) / side;
     points.push_back({box.min_x + x * box.width(), box.min_y + y * box.height()});
   }
   const std::uint64_t before = map.work();

@@ -15,6 +15,7 @@
 
 namespace lober {
 using detail::cross, detail::length;
+namespace elementary = detail::elementary;
 namespace {
 
 constexpr double least_departure = 1e-18;  // of f at the ends of the orbit, relative to the reach of the local manifold

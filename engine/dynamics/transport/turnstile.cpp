@@ -22,7 +22,7 @@ Measured area_of_both(const std::vector<Point>& first, const std::vector<Point>&
 
 }  // namespace
 
-Turnstile::Turnstile(Barrier barrier) : barrier_(std::move(barrier)) {
+Turnstile::Turnstile(Barrier barrier) : barrier_(barrier) {
   if (barrier_.period == 0 || barrier_.images_before() < 1) {
     throw DataError("transport: the lobes between the bip and its pre-image are not all there");
   }
