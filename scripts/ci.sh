@@ -88,7 +88,7 @@ make_test() {
 export -f make_test
 export log
 
-step "make test" 22 bash -c make_test
+step "make test" 18 bash -c make_test
 if [ -z "$limits_only" ]; then
   # The tests count one by one.
   counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$log" | tail -n 1)
@@ -107,7 +107,7 @@ step "commands and code of README and documents" 6 scripts/check-readme.sh
 instrumented=(lober lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
 [ -z "$all" ] || instrumented=()
 if step "clang with ASan and UBSan, warnings as errors" 15 scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
-  step "tests under ASan and UBSan" 5 scripts/ci-sanitized.sh build-asan
+  step "tests under ASan and UBSan" 9 scripts/ci-sanitized.sh build-asan
 fi
 if [ -n "$limits_only" ]; then
   echo "$watching_minutes what watches sources, together"
