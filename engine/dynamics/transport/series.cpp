@@ -13,21 +13,23 @@ namespace {
 
 constexpr Measured unknown_area{std::numeric_limits<double>::quiet_NaN(), 0};
 
-std::vector<Turnstile> turnstiles_of(std::vector<Barrier> barriers) {
+std::vector<Turnstile> turnstiles_of(const std::vector<Barrier>& barriers) {
   std::vector<Turnstile> turnstiles;
-  for (Barrier& barrier : barriers) turnstiles.emplace_back(std::move(barrier));
+  turnstiles.reserve(barriers.size());
+  for (const Barrier& barrier : barriers) turnstiles.emplace_back(barrier);
   return turnstiles;
 }
 
 }  // namespace
 
-TransportSeries::TransportSeries(std::vector<Barrier> barriers) : partition_(barriers), total_(partition_.size()) {
+TransportSeries::TransportSeries(const std::vector<Barrier>& barriers)
+    : partition_(barriers), total_(partition_.size()) {
   for (std::size_t i = 0; i < partition_.size(); ++i) total_(i, i) = partition_.regions()[i].area;
-  extend(std::move(barriers));
+  extend(barriers);
 }
 
-void TransportSeries::extend(std::vector<Barrier> barriers) {
-  turnstiles_ = turnstiles_of(std::move(barriers));
+void TransportSeries::extend(const std::vector<Barrier>& barriers) {
+  turnstiles_ = turnstiles_of(barriers);
   enclosed_.clear();
   drift_.clear();
   for (const Turnstile& turnstile : turnstiles_) {

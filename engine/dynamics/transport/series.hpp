@@ -13,10 +13,10 @@ namespace lober::detail {
 class TransportSeries {
  public:
   /// The tangles must outlive it, or the next call of `extend`. Throws as Turnstile, Partition.
-  explicit TransportSeries(std::vector<Barrier> barriers);
+  explicit TransportSeries(const std::vector<Barrier>& barriers);
 
   /// The same boundaries of tangles that were grown farther.
-  void extend(std::vector<Barrier> barriers);
+  void extend(const std::vector<Barrier>& barriers);
 
   [[nodiscard]] const Partition& partition() const { return partition_; }
   [[nodiscard]] const std::vector<Turnstile>& turnstiles() const { return turnstiles_; }
