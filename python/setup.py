@@ -19,7 +19,7 @@ here = Path(__file__).resolve().parent
 # In a source distribution the C++ code lies beside this file, in the repository it is the folder above.
 source = ((here / "source") if (here / "source").is_dir() else here.parent).resolve()
 SOURCES = ["CMakeLists.txt", "cmake", "engine", "kernels", "python/CMakeLists.txt", "python/bindings"]
-# Of a build of its own. Without batches there is no program and no test, nor the libraries that only those need.
+# This module's own build: without batches there is no program and no test, nor the libraries that only those need.
 OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DLOBER_BUILD_BATCH=OFF", "-DLOBER_INSTALL=OFF", "-DLOBER_UNITY=ON"]
 
 

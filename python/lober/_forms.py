@@ -99,7 +99,7 @@ def form_of(
     period = renamed(length, "the period")
     if period.free_symbols - set(ours):
         raise UsageError(f"system {name}: the period is a number or an expression of params")
-    # Where a sign or a step jumps there is no derivative; everywhere else this is one.
+    # At the jump of a sign or a step there is no derivative; at all other places this is one.
     slopes = [sympy.diff(entry, coordinate) for entry in speed for coordinate in (X, Y)]
     jacobian = [_with_steps(slope.replace(sympy.DiracDelta, lambda *_: sympy.S.Zero)) for slope in slopes]
     speed = [_with_steps(entry) for entry in speed]

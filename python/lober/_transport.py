@@ -73,8 +73,7 @@ def manifold_tangle(
 ) -> SystemTangle:
     """Grows both manifolds of a connection and finds their tangle: `lober tangle --system`.
 
-    `connection` defaults to that of the system, whose bip is a hint; DataError where there is no pip near the bip of another
-    one. `tolerance` is the distance that polygon and manifold may have; errors of
+    `connection` defaults to that of the system, whose bip is not insisted on; of another one it is: DataError where no pip lies near. `tolerance` is the distance that polygon and manifold may have; errors of
     areas are far smaller. Images of the bip from f^-before to f^after are wanted; `max_work` bounds the evaluations of the
     vector field. Raises DataError where there is no tangle within the limits, UsageError, Cancelled.
     """

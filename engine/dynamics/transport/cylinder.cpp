@@ -38,12 +38,6 @@ std::size_t copies_in_reach(const Barrier& barrier) {
   return static_cast<std::size_t>(std::floor(std::max(u.to, s.to) - std::min(u.from, s.from)));
 }
 
-double lowest(const std::vector<Point>& points, Point lattice) {
-  double low = along_and_above(lattice, points.front()).y;
-  for (const Point point : points) low = std::min(low, along_and_above(lattice, point).y);
-  return low;
-}
-
 std::vector<Point> moved(const std::vector<Point>& points, Point lattice, int times) {
   std::vector<Point> result;
   result.reserve(points.size());
@@ -75,6 +69,15 @@ Measured product_on_cylinder(const std::vector<Point>& first, const std::vector<
                   });
 }
 
+// What lies below a boundary that runs round, wherever `over` says, along the lattice: with copies so far on either
+// side that no other one, and no end, reaches there. `arcs` is its outline.
+std::vector<Point> region_below(const Barrier& barrier, const std::vector<Point>& arcs, Reach over, double bottom) {
+  const Reach copy = reach_of(arcs, barrier.lattice);
+  const int first = static_cast<int>(std::floor(over.from - copy.to)) - 1;
+  const int last = static_cast<int>(std::ceil(over.to - copy.from)) + 1;
+  return region_below(barrier, first, last, bottom);
+}
+
 // int w d, w the winding number of a closed polygon and d the function of what lies inside B(q).
 Measured product_with_inside(const std::vector<Point>& polygon, const Barrier& barrier, double curve_error) {
   if (polygon.size() < 3) return {};
@@ -82,13 +85,10 @@ Measured product_with_inside(const std::vector<Point>& polygon, const Barrier& b
   if (turns_of(barrier) == 0) {
     return sign_of(barrier) * product_on_cylinder(polygon, outline_of(barrier, 0), curve_error, lattice);
   }
-  // Copies so far on either side that no other one, and no end, reaches the polygon.
   const std::vector<Point> arcs = outline_of(barrier, 0);
-  const Reach inside = reach_of(polygon, lattice), copy = reach_of(arcs, lattice);
-  const int first = static_cast<int>(std::floor(inside.from - copy.to)) - 1;
-  const int last = static_cast<int>(std::ceil(inside.to - copy.from)) + 1;
   const double low = std::min(lowest(polygon, lattice), lowest(arcs, lattice));
-  return product_of_windings(polygon, region_below(barrier, first, last, low - length(lattice)), curve_error);
+  const std::vector<Point> below = region_below(barrier, arcs, reach_of(polygon, lattice), low - length(lattice));
+  return product_of_windings(polygon, below, curve_error);
 }
 
 // U from pip `first` to pip `last` and back along S, with the corners where the smooth curves cross.
@@ -118,6 +118,12 @@ Change change_after(const Barrier& barrier, int n) {
 }
 
 }  // namespace
+
+double lowest(const std::vector<Point>& points, Point lattice) {
+  double low = along_and_above(lattice, points.front()).y;
+  for (const Point point : points) low = std::min(low, along_and_above(lattice, point).y);
+  return low;
+}
 
 std::vector<Point> region_below(const Barrier& barrier, int first, int last, double bottom) {
   const Point lattice = barrier.lattice;
@@ -182,13 +188,11 @@ InsideOfBarrier::InsideOfBarrier(const Barrier& barrier)
       const Point at = along_and_above(lattice_, point);
       box_ = union_of(box_, Box::of(at, at));
     }
-    const Reach reach = reach_of(polygon_, lattice_);
     if (runs_round_) {
       bottom_ = box_.min_y() - length(lattice_);
-      const int first = static_cast<int>(std::floor(-reach.to)) - 1,
-                last = static_cast<int>(std::ceil(1 - reach.from)) + 1;
-      polygon_ = region_below(barrier, first, last, bottom_ - length(lattice_));
+      polygon_ = region_below(barrier, polygon_, {0, 1}, bottom_ - length(lattice_));
     } else {
+      const Reach reach = reach_of(polygon_, lattice_);
       from_ = reach.from;
       copies_ = 1 + static_cast<int>(std::floor(reach.to - reach.from));
     }

@@ -19,6 +19,9 @@
 
 namespace lober::detail {
 
+/// The least height of points above the line along a lattice through the origin.
+[[nodiscard]] double lowest(const std::vector<Point>& points, Point lattice);
+
 /// What lies below copies `first` to `last` of a boundary that runs round, as a closed polygon that runs
 /// counter-clockwise, with its bottom at the height `bottom`. O(its vertices).
 [[nodiscard]] std::vector<Point> region_below(const Barrier& barrier, int first, int last, double bottom);

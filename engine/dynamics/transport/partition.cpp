@@ -45,18 +45,11 @@ class Nesting {
   [[nodiscard]] Insides insides(std::size_t c, std::size_t d) const {
     const Barrier &one = barriers_[c], &other = barriers_[d];
     if (turns_of(one) == 0) return {areas_[c].value, areas_[d].value, area_inside(outlines_[c], other, 0).value};
-    const double bottom = lowest_of(outlines_[c], outlines_[d], one.lattice) - length(one.lattice);
+    const double low = std::min(lowest(outlines_[c], one.lattice), lowest(outlines_[d], one.lattice));
+    const double bottom = low - length(one.lattice);
     const double below = -bottom * length(one.lattice);
     return {areas_[c].value + below, areas_[d].value + below, area_below_both(one, other, bottom)};
   }
-  [[nodiscard]] static double lowest_of(const std::vector<Point>& one, const std::vector<Point>& other, Point lattice) {
-    double low = std::numeric_limits<double>::infinity();
-    for (const std::vector<Point>* const points : {&one, &other}) {
-      for (const Point point : *points) low = std::min(low, along_and_above(lattice, point).y);
-    }
-    return low;
-  }
-
   [[nodiscard]] bool contains(std::size_t outer, std::size_t inner) const {
     constexpr double negligible = 1e-6;
     const int turns_outer = turns_of(barriers_[outer]), turns_inner = turns_of(barriers_[inner]);

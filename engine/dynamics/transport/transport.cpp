@@ -100,7 +100,7 @@ class TransportBuilder {
   [[nodiscard]] static int images_before(int n) { return std::max(1 + (n - 1) / 2, n / 2); }
   [[nodiscard]] static int images_after(int n) { return n - n / 2; }
 
-  // Whether all tangles are there as far as n takes. Sets boundaries and barriers to what is there.
+  // Whether all tangles are there as far as n takes.
   bool grow_to(int n) {
     std::string limit;
     for (const std::unique_ptr<TangleGrowth>& growth : growths_) {

@@ -27,42 +27,9 @@ class Running {
 
 }  // namespace
 
-ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uint32_t> segments) {
-  const std::size_t size = curve.segments(), blocks = (size + segments_a_block - 1) / segments_a_block;
-  std::vector<ChordArea> before(blocks + 1);
-  std::vector<std::uint64_t> fallbacks(blocks);
-  for_each_block(size, segments_a_block, [&](std::size_t begin, std::size_t end) {
-    Running sum;
-    for (std::size_t k = begin; k < end; ++k) {
-      const SmoothSegment segment = curve.segment(static_cast<std::int64_t>(k));
-      sum.add(segment);
-      fallbacks[begin / segments_a_block] += segment.kind != SmoothSegment::Kind::smooth && !(segment.chord == Point{});
-    }
-    before[begin / segments_a_block + 1] = sum.value();
-  });
-  ChordAreaSums sums;
-  for (std::size_t k = 0; k < blocks; ++k) {
-    before[k + 1].area += before[k].area;
-    before[k + 1].error += before[k].error;
-    sums.fallbacks += fallbacks[k];
-  }
-  sums.total = before[blocks];
-  sums.before.resize(segments.size());
-  for_each_block(blocks, 1, [&](std::size_t block, std::size_t) {
-    const auto from = std::lower_bound(segments.begin(), segments.end(), block * segments_a_block);
-    Running sum(before[block]);
-    std::size_t next = block * segments_a_block;
-    for (auto at = from; at != segments.end() && *at < (block + 1) * segments_a_block; ++at) {
-      for (; next < *at; ++next) sum.add(curve.segment(static_cast<std::int64_t>(next)));
-      sums.before[static_cast<std::size_t>(at - segments.begin())] = sum.value();
-    }
-  });
-  return sums;
-}
-
 ChordAreaTable::ChordAreaTable(const SmoothCurve& curve) {
   const std::size_t size = curve.segments(), blocks = (size + segments_a_block - 1) / segments_a_block;
-  before_.resize(size / segments_an_entry + 1);
+  before_.resize(size / segments_an_entry + 1);  // a position may be the end of an open curve
   std::vector<ChordArea> totals(blocks + 1);
   std::vector<std::uint64_t> fallbacks(blocks);
   for_each_block(size, segments_a_block, [&](std::size_t begin, std::size_t end) {
@@ -80,13 +47,13 @@ ChordAreaTable::ChordAreaTable(const SmoothCurve& curve) {
     totals[block + 1].error += totals[block].error;
     fallbacks_ += fallbacks[block];
   }
-  if (size % segments_an_entry == 0) before_[size / segments_an_entry] = {};
-  for (std::size_t entry = 0; entry < before_.size(); ++entry) {
-    const ChordArea& block = totals[std::min(entry * segments_an_entry / segments_a_block, blocks)];
+  total_ = totals[blocks];
+  for (std::size_t entry = 0; entry * segments_an_entry < size; ++entry) {
+    const ChordArea& block = totals[entry * segments_an_entry / segments_a_block];
     before_[entry].area += block.area;
     before_[entry].error += block.error;
   }
-  if (size % segments_an_entry == 0) before_[size / segments_an_entry] = totals[blocks];
+  if (size % segments_an_entry == 0) before_[size / segments_an_entry] = total_;
 }
 
 Buffer<ChordArea> ChordAreaTable::before(const SmoothCurve& curve, std::span<const std::uint32_t> segments) const {

@@ -16,26 +16,21 @@ struct ChordArea {
   double error = 0;
 };
 
-struct ChordAreaSums {
-  ChordArea total;
-  Buffer<ChordArea> before;     ///< of all segments before segments[k]
-  std::uint64_t fallbacks = 0;  ///< segments of positive length that stay straight
-};
-
-/// `segments` ascend. O(n + segments asked for), parallel.
-[[nodiscard]] ChordAreaSums sum_chord_areas(const SmoothCurve& curve, std::span<const std::uint32_t> segments);
-
-/// The same sums of one curve for many lists of segments, also of translates of the curve: kept at every 16th segment.
+/// Running sums along one curve, for any number of lists of segments, also of translates of the curve: kept at every
+/// 16th segment.
 class ChordAreaTable {
  public:
   /// O(n), parallel.
   explicit ChordAreaTable(const SmoothCurve& curve);
+  [[nodiscard]] const ChordArea& total() const { return total_; }
+  /// Segments of positive length that stay straight.
   [[nodiscard]] std::uint64_t fallbacks() const { return fallbacks_; }
-  /// Of all segments before segments[k]; they ascend. O(segments asked for).
+  /// Of all segments before segments[k]; they ascend. O(segments asked for), parallel.
   [[nodiscard]] Buffer<ChordArea> before(const SmoothCurve& curve, std::span<const std::uint32_t> segments) const;
 
  private:
   Buffer<ChordArea> before_;
+  ChordArea total_;
   std::uint64_t fallbacks_ = 0;
 };
 

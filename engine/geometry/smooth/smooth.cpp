@@ -118,10 +118,11 @@ class Builder {
       segments1[k] = graph_.contacts[k].segment1;
       segments2[k] = graph_.contacts[graph_.contacts2[k]].segment2;
     }
-    ChordAreaSums sums1 = sum_chord_areas(c1_, segments1), sums2 = sum_chord_areas(c2_, segments2);
-    fallback_segments_ = sums1.fallbacks + sums2.fallbacks;
-    ArcEnds ends{std::move(sums1.before), Buffer<ChordArea>(count), sums1.total, sums2.total, 0};
-    for (std::size_t k = 0; k < count; ++k) ends.on2[graph_.contacts2[k]] = sums2.before[k];
+    const ChordAreaTable sums1(c1_), sums2(c2_);
+    fallback_segments_ = sums1.fallbacks() + sums2.fallbacks();
+    ArcEnds ends{sums1.before(c1_, segments1), Buffer<ChordArea>(count), sums1.total(), sums2.total(), 0};
+    const Buffer<ChordArea> before2 = sums2.before(c2_, segments2);
+    for (std::size_t k = 0; k < count; ++k) ends.on2[graph_.contacts2[k]] = before2[k];
 
     std::vector<double> uncertainty(graph_.size());
     for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {

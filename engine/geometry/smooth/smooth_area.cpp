@@ -16,12 +16,12 @@ SmoothArea smooth_area(const ClosedCurve& curve) {
   std::vector<Point> points;
   if (exponent != 0) points = scaled(curve, exponent);
   const CurveView scaled = exponent != 0 ? CurveView{points, true} : CurveView(curve);
-  const ChordAreaSums sums = sum_chord_areas(SmoothCurve(scaled), {});
+  const ChordAreaTable sums((SmoothCurve(scaled)));
   SmoothArea result;
   const double scale = std::ldexp(0.5, -2 * exponent), polygon = signed_area(scaled);
-  result.area = scaled_area(2 * polygon + sums.total.area.hi + sums.total.area.lo, -1 - 2 * exponent);
-  result.error = scale * sums.total.error + std::fabs(result.area) * 0x1p-50;
-  result.fallback_segments = sums.fallbacks;
+  result.area = scaled_area(2 * polygon + sums.total().area.hi + sums.total().area.lo, -1 - 2 * exponent);
+  result.error = scale * sums.total().error + std::fabs(result.area) * 0x1p-50;
+  result.fallback_segments = sums.fallbacks();
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -23,10 +24,14 @@ namespace {
 // One closed curve along another one.
 class AlongAnother {
  public:
-  AlongAnother(const ClosedCurve& along, const ClosedCurve& other, int exponent)
-      : along_(along), other_(other), smooth_(CurveView(along)), smooth_other_(CurveView(other)), index_(other) {
-    common_ = common_points(IndexedCurve(along), index_);
-    scale_ = std::ldexp(1, -2 * exponent);
+  AlongAnother(const IndexedCurve& along, const IndexedCurve& other, int exponent)
+      : along_(along.view().points),
+        other_(other.view()),
+        smooth_(along.view()),
+        smooth_other_(other.view()),
+        index_(other),
+        common_(common_points(along, other)),
+        scale_(std::ldexp(1, -2 * exponent)) {
     find_windings();
   }
 
@@ -82,7 +87,7 @@ class AlongAnother {
           numbers_[k] = numbers_[k - 1];
           continue;
         }
-        const Point at = along_.points()[k];
+        const Point at = along_[k];
         const Winding found = winding(index_, at);
         numbers_[k] = found.on ? std::round(interior_function(index_, at).j / std::numbers::pi) / 2 : found.number;
         again = found.on;
@@ -98,7 +103,8 @@ class AlongAnother {
     CommonArea parts;
     for (Points point = first; point != last; ++point) {
       if (point->vertex1 || point->vertex2) return false;
-      const Point across = chord_of(other_, point->second.segment);
+      const Segment of_other = other_.segment(point->second.segment);
+      const Point across{of_other.b.x - of_other.a.x, of_other.b.y - of_other.a.y};
       parts.area += number * between(segment, begin, point->first.t);
       parts.error += hidden_at(segment, *point);
       begin = point->first.t;
@@ -109,10 +115,6 @@ class AlongAnother {
     sum.area += parts.area + number * between(segment, begin, 1);
     sum.error += parts.error;
     return true;
-  }
-  [[nodiscard]] static Point chord_of(const ClosedCurve& curve, std::size_t k) {
-    const Point a = curve.points()[k], b = curve.points()[k + 1 == curve.size() ? 0 : k + 1];
-    return {b.x - a.x, b.y - a.y};
   }
 
   // Twice the area between a part of an arc and its segment, positive to the right of it.
@@ -142,12 +144,13 @@ class AlongAnother {
     return distance * std::min(distance / std::max(sine, 1e-300), longest);
   }
 
-  ClosedCurve along_, other_;
+  std::span<const Point> along_;
+  CurveView other_;
   SmoothCurve smooth_, smooth_other_;
-  IndexedCurve index_;
+  const IndexedCurve& index_;        // of the other curve
   std::vector<CommonPoint> common_;  // in order along this one
-  std::vector<double> numbers_;      // by vertex
-  double scale_ = 1;
+  double scale_;
+  std::vector<double> numbers_;  // by vertex
 };
 
 // Cut to the box that both share: what lies elsewhere brings nothing, however coarse or far away it is. With a margin,
@@ -174,7 +177,8 @@ CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
   const auto rescaled = [&](const ClosedCurve& curve) {
     return exponent == 0 ? curve : ClosedCurve(scaled(curve, exponent));
   };
-  const ClosedCurve own = rescaled(first), others = rescaled(second);
+  const ClosedCurve scaled1 = rescaled(first), scaled2 = rescaled(second);
+  const IndexedCurve own(scaled1), others(scaled2);
   const CommonArea along1 = AlongAnother(own, others, exponent).chord_areas();
   const CommonArea along2 = AlongAnother(others, own, exponent).chord_areas();
   return {polygons + along1.area + along2.area, found.rounding(most) + along1.error + along2.error};
