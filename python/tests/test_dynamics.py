@@ -202,7 +202,7 @@ def test_escape():
     [
         lambda: lober.grow("ovp", tolerance=1e-12, length=1e6),
         lambda: lober.section("ovp", orbits=10_000, iterates=10_000),
-        lambda: lober.transport("ovp", iterates=40, tolerance=1e-7),
+        lambda: lober.transport(lober.system("henon", k=10), iterates=16),
         lambda: lober.escape("capsize", crossings=9, tolerance=1e-9, budget=1e9),
     ],
     ids=["grow", "section", "transport", "escape"],
@@ -214,7 +214,7 @@ def test_interrupts_end_work_within_half_a_second(call):
         sent.append(time.monotonic())
         os.kill(os.getpid(), signal.SIGINT)
 
-    timer = threading.Timer(0.7, interrupt)
+    timer = threading.Timer(0.4, interrupt)
     timer.start()
     try:
         with pytest.raises(KeyboardInterrupt):
