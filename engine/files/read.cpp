@@ -9,6 +9,7 @@
 #include "engine/files/closing.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "engine/files/foreign.hpp"
+#include "engine/files/geographic.hpp"
 #include "engine/files/plausible.hpp"
 #include "engine/files/read_memory.hpp"
 #include "engine/files/sniff.hpp"
@@ -143,6 +144,9 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
     const std::size_t given = result.curve.points.size();
     drop_closing_vertex(result.curve.points);
     if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
+  }
+  if (const std::string geographic = geographic_remark(file.header, result.curve.points); !geographic.empty()) {
+    result.remark = geographic + (result.remark.empty() ? "" : "; " + result.remark);
   }
   validate(result.curve, spec);
   return result;

@@ -88,6 +88,7 @@ class Assembler {
     const bool first_line = file_.format == Format::text && file_.zones.empty() && !header_line_seen_;
     if (first_line && !has_number(text)) {
       header_line_seen_ = true;
+      file_.header = text;
       return;
     }
     Point ignored;
@@ -98,6 +99,7 @@ class Assembler {
 
   void add_variables(std::string_view text, const SourceLocation& location) {
     variables_ += count_variables(text, location);
+    file_.header += text;
     if (variables_ > 2) location.fail("expected two variables, found " + std::to_string(variables_));
   }
 

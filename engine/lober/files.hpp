@@ -33,6 +33,7 @@ struct CurveFile {
   Format format = Format::text;
   std::string sha256;  ///< of the whole file, lower-case hexadecimal
   std::vector<Zone> zones;
+  std::string header;  ///< names of columns, as the first line of a text file or the variables of a Tecplot file
 };
 
 struct ReadOptions {
@@ -56,7 +57,8 @@ struct NamedCurve {
   std::string sha256;  ///< of the whole file
   std::size_t zone = 0;
   std::size_t zones = 1;  ///< how many the file has
-  std::string remark;     ///< on how a curve was closed (closing_remark); empty nearly always
+  /// On how a curve was closed, or that it consists of longitudes and latitudes; empty nearly always.
+  std::string remark;
 };
 
 /// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the

@@ -1,0 +1,60 @@
+// Curves of longitudes and latitudes, which are read as points of the plane: what is said of them.
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "curve_testing.hpp"
+#include "lober/files.hpp"
+
+namespace lober {
+namespace {
+
+class Geographic : public test::FolderTest {
+ protected:
+  // A circle of 20 degrees about a longitude, which are counted from -180 to 180, and a latitude.
+  [[nodiscard]] std::string circle(const std::string& header, double longitude, bool latitude_first = false) const {
+    std::string text = header + "\n";
+    for (int k = 0; k < 72; ++k) {
+      const double angle = k * std::numbers::pi / 36, x = longitude + 20 * std::cos(angle), y = 20 * std::sin(angle);
+      const double east = x > 180 ? x - 360 : x;
+      text += std::to_string(latitude_first ? y : east) + "," + std::to_string(latitude_first ? east : y) + "\n";
+    }
+    return put("curve.csv", text);
+  }
+};
+
+TEST_F(Geographic, HeadersNameTheColumns) {
+  const std::string remark = read_curve(circle("Lon [deg E],Lat [deg N]", 30), true).remark;
+  EXPECT_NE(remark.find("columns named lon and lat, which are taken as x and y in that order"), std::string::npos);
+  EXPECT_NE(remark.find("areas are those of the plane"), std::string::npos) << remark;
+  EXPECT_EQ(remark.find("date line"), std::string::npos) << remark;
+  const std::string swapped = read_curve(circle("latitude;longitude", 30, true), true).remark;
+  EXPECT_NE(swapped.find("columns named latitude and longitude"), std::string::npos) << swapped;
+  const std::string tecplot = read_curve(circle("VARIABLES = \"lon\" \"lat\"", 30), true).remark;
+  EXPECT_NE(tecplot.find("columns named lon and lat"), std::string::npos) << tecplot;
+}
+
+TEST_F(Geographic, JumpsAreTheDateLine) {
+  for (const bool latitude_first : {false, true}) {
+    const std::string header = latitude_first ? "lat,lon" : "lon,lat";
+    const std::string remark = read_curve(circle(header, 175, latitude_first), true).remark;
+    EXPECT_NE(remark.find("segment 15 runs back across the whole map"), std::string::npos) << remark;
+  }
+  const std::string unnamed = read_curve(circle("a,b", 175), true).remark;
+  EXPECT_NE(unnamed.find("looks like longitudes and latitudes"), std::string::npos) << unnamed;
+}
+
+TEST_F(Geographic, OtherCurvesAreLeftAlone) {
+  EXPECT_EQ(read_curve(circle("a,b", 30), true).remark, "");
+  EXPECT_EQ(read_curve(circle("x,y", 30), true).remark, "");
+  EXPECT_EQ(read_curve(circle("lon,depth", 30), true).remark, "");
+  // A square whose sides are that long.
+  const std::string square = put("square", "-100 -80\n100 -80\n100 80\n-100 80\n-100 -80\n");
+  EXPECT_EQ(read_curve(square, true).remark, "");
+  // No degrees at all.
+  EXPECT_EQ(read_curve(put("metres.csv", "lon,lat\n0,0\n1e5,0\n1e5,1e5\n0,1e5\n"), true).remark, "");
+}
+
+}  // namespace
+}  // namespace lober
