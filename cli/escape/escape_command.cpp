@@ -20,8 +20,6 @@
 namespace lober::cli {
 namespace {
 
-constexpr double default_budget = 30;  // a quarter of a minute on two cores
-
 struct EscapeRequest {
   std::string system;
   std::optional<double> energy;
@@ -59,11 +57,10 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
       .value("N");
   add_parameter_option(parser, request.parameters);
   parser
-      .add(
-          "--saddle", request.saddles,
-          "A saddle of the potential, by its number among those of the system, from 1, or by four coordinates near it; "
-          "the option may be repeated (default: all saddles of the system).")
-      .value("K|X,Y,PX,PY");
+      .add("--saddle", request.saddles,
+           "A saddle of the potential: its number among those of the system, from 1, or a position near it, or four "
+           "coordinates; the option may be repeated (default: all saddles of the system).")
+      .value("K|X,Y[,PX,PY]");
   parser
       .add("--section", request.section,
            "The section, x=VALUE or y=VALUE, where x and y are the coordinates of position (default: the section of "
@@ -93,12 +90,13 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
           "to need more.")
       .range(std::size_t{100}, std::size_t{1} << 30)
       .value("N");
-  request.options.budget = default_budget;
   parser
-      .add(
-          "--budget", request.options.budget,
-          "The processor time of all threads together, in seconds (default: 30). The table ends before images that are "
-          "expected to end later; those that do not end as expected are broken off.")
+      .add("--budget", request.options.budget,
+           "The wall-clock time that the table may take, in seconds (default: a limit on the work instead, which gives "
+           "the "
+           "same table on every machine). The table ends before images that are expected to end later; those that do "
+           "not "
+           "end as expected are broken off.")
       .positive()
       .value("SECONDS");
   const Option count = parser
@@ -178,10 +176,12 @@ FlowState saddle_of(const std::string& text, const System& system) {
     begin = end + 1;
   }
   if (count == 4) return state;
+  if (count == 2) return state_at_rest(*system.flow, {state[0], state[1]});
   const double index = state[0];
   if (count != 1 || !(index >= 1 && index <= static_cast<double>(system.saddles.size())) ||
       index != std::floor(index)) {
-    throw UsageError("--saddle: \"" + text + "\" is neither four coordinates nor the number of a saddle from 1 to " +
+    throw UsageError("--saddle: \"" + text +
+                     "\" is neither a position X,Y, nor four coordinates, nor the number of a saddle from 1 to " +
                      std::to_string(system.saddles.size()));
   }
   return system.saddles[static_cast<std::size_t>(index) - 1];

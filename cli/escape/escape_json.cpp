@@ -87,6 +87,11 @@ Json stop_json(const EscapeReport& report) {
       stop["reason"] = "points";
       stop["points_ahead"] = result.points_ahead;
       break;
+    case EscapeStop::work:
+      stop["reason"] = "work";
+      stop["work_spent"] = result.work_spent;
+      stop["work_ahead"] = result.work_ahead;
+      break;
     case EscapeStop::budget:
       stop["reason"] = "budget";
       stop["seconds_spent"] = result.seconds_spent;
@@ -137,6 +142,7 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
                 {"tolerance", report.options.tolerance},
                 {"strip", report.options.strip},
                 {"max_points", report.options.max_points},
+                {"max_work", report.options.max_work},
                 {"budget", report.options.budget}}},
               {"section",
                {{"coordinate", section.coordinate},

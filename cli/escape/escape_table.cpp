@@ -106,17 +106,20 @@ std::string stop_text(const EscapeReport& report) {
     case EscapeStop::points:
       return fmt::format("{}: the next image needs {:.1g} points (--max-points {})", how_far, result.points_ahead,
                          report.options.max_points);
+    case EscapeStop::work:
+      return fmt::format(
+          "{}: the next images need about {:.2g} times the work so far, which is more than is done unasked (--budget "
+          "SECONDS allows more)",
+          how_far, result.work_ahead / result.work_spent);
     case EscapeStop::budget:
       if (result.seconds_ahead == 0) {
         return fmt::format(
-            "{}: the next images were broken off after {:.3g} s of processor time in all; --budget {:.15g}, a larger "
-            "one "
+            "{}: the next images were broken off after {:.3g} s in all; --budget {:.15g}, a larger one "
             "allows more",
             how_far, result.seconds_spent, report.options.budget);
       }
-      return fmt::format(
-          "{}: the next images need about {:.2g} s of processor time after the {:.2g} s so far (--budget {:.15g})",
-          how_far, result.seconds_ahead, result.seconds_spent, report.options.budget);
+      return fmt::format("{}: the next images need about {:.2g} s after the {:.2g} s so far (--budget {:.15g})",
+                         how_far, result.seconds_ahead, result.seconds_spent, report.options.budget);
     case EscapeStop::lost:
       return how_far + ": trajectories next to a bottleneck cannot be followed further";
     case EscapeStop::cancelled:

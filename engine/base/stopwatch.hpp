@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <ctime>
 
 namespace lober::detail {
 
@@ -14,15 +13,6 @@ class Stopwatch {
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// Processor time of the whole program, all threads: it does not depend on what else the machine does.
-class ProcessorWatch {
- public:
-  [[nodiscard]] double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
-
- private:
-  std::clock_t start_ = std::clock();
 };
 
 }  // namespace lober::detail

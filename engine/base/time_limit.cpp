@@ -5,7 +5,7 @@
 
 namespace lober::detail {
 
-ProcessorTimeLimit::ProcessorTimeLimit(const ProcessorWatch& watch, double seconds) {
+TimeLimit::TimeLimit(const Stopwatch& watch, double seconds) {
   if (!std::isfinite(seconds)) return;
   thread_ = std::thread([this, &watch, seconds] {
     std::unique_lock lock(mutex_);
@@ -19,7 +19,7 @@ ProcessorTimeLimit::ProcessorTimeLimit(const ProcessorWatch& watch, double secon
   });
 }
 
-ProcessorTimeLimit::~ProcessorTimeLimit() {
+TimeLimit::~TimeLimit() {
   if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);

@@ -1,4 +1,4 @@
-// A limit on processor time that ends work where it is, not only between its steps.
+// A limit of time that ends work where it is, not only between its steps.
 #pragma once
 
 #include <atomic>
@@ -12,12 +12,12 @@ namespace lober::detail {
 
 /// Raises a flag for a CancellationScope once the watch shows more than `seconds`; looks fifty times a second. An
 /// infinite limit costs nothing. The watch must outlive it.
-class ProcessorTimeLimit {
+class TimeLimit {
  public:
-  ProcessorTimeLimit(const ProcessorWatch& watch, double seconds);
-  ~ProcessorTimeLimit();
-  ProcessorTimeLimit(const ProcessorTimeLimit&) = delete;
-  ProcessorTimeLimit& operator=(const ProcessorTimeLimit&) = delete;
+  TimeLimit(const Stopwatch& watch, double seconds);
+  ~TimeLimit();
+  TimeLimit(const TimeLimit&) = delete;
+  TimeLimit& operator=(const TimeLimit&) = delete;
 
   [[nodiscard]] const std::atomic<bool>& flag() const { return passed_; }
   [[nodiscard]] bool passed() const { return passed_; }

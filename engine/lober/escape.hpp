@@ -41,6 +41,7 @@ struct EscapeProgress {
 enum class EscapeStop : std::uint8_t {
   done,      ///< all n asked for
   points,    ///< the next images need more than EscapeOptions::max_points
+  work,      ///< they take more than EscapeOptions::max_work
   budget,    ///< they are expected to end after EscapeOptions::budget seconds, or did not end by then
   lost,      ///< trajectories could not be followed
   cancelled  ///< by `progress` or a CancellationScope, after some rows were known
@@ -53,10 +54,14 @@ struct EscapeOptions {
   IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
   /// Of one curve. The table ends before an image that is expected to need more, or turns out to.
   std::size_t max_points = 2'000'000;
-  /// Seconds of processor time, of all threads together. The table ends before images that are expected to end later;
-  /// images that were expected to end in time are broken off a tenth later. Orbits and first curves have five seconds
-  /// at least.
-  double budget = std::numeric_limits<double>::infinity();
+  /// Work that all curves may take, in crossings of the section by trajectories that are followed; two points where cut
+  /// curves cross count as one of these. The table ends before images that are expected to need more, and where curves
+  /// turn out to. Some 20 s of one core. Not with `budget`.
+  double max_work = 1e7;
+  /// Seconds by the clock instead: results then depend on the machine; 0: max_work. The table ends before images that
+  /// are expected to end later; images that were expected to end in time are broken off a twentieth later. Orbits and
+  /// first curves have five seconds at least.
+  double budget = 0;
   /// False cancels. Called by one thread at a time.
   std::function<bool(const EscapeProgress&)> progress;
   /// Called for each n = 1, 2, ... once its rows are known: those of `table` with that number of crossings. Called from
@@ -95,15 +100,16 @@ struct EscapeFraction {
 
 struct Escape {
   double energy = 0;
-  Section section;                      ///< its direction is the one that n counts
-  std::vector<Bottleneck> bottlenecks;  ///< by their saddle's coordinate across the section, ascending
-  std::vector<EscapeFraction> table;    ///< by entry, exit, m; 1 <= n <= options.crossings
-  int crossings = 0;                    ///< n up to which the table goes
-  EscapeStop stop = EscapeStop::done;   ///< why it does not go further
-  double points_ahead = 0;              ///< where it stopped: points that the next image was expected to need
-  double seconds_spent = 0;             ///< and the processor time of all so far
-  double seconds_ahead = 0;             ///< and of all the next images, as expected; 0: they were broken off
-  double largest_split_difference = 0;  ///< |fraction - other|
+  Section section;                        ///< its direction is the one that n counts
+  std::vector<Bottleneck> bottlenecks;    ///< by their saddle's coordinate across the section, ascending
+  std::vector<EscapeFraction> table;      ///< by entry, exit, m; 1 <= n <= options.crossings
+  int crossings = 0;                      ///< n up to which the table goes
+  EscapeStop stop = EscapeStop::done;     ///< why it does not go further
+  double points_ahead = 0;                ///< where it stopped: points that the next image was expected to need
+  double work_spent = 0, work_ahead = 0;  ///< and the work of all so far, and of all the next images, as expected
+  double seconds_spent = 0;               ///< and the seconds by the clock of all so far
+  double seconds_ahead = 0;               ///< and of all the next images, as expected; 0: they were broken off
+  double largest_split_difference = 0;    ///< |fraction - other|
   /// Areas of the tubes' curves by their points and by action; fractions by two splits; fractions that symmetries of
   /// the well make equal.
   Agreement agreement;
@@ -115,12 +121,12 @@ struct Escape {
                                                             std::span<const FlowState> saddles,
                                                             const EscapeOptions& options = {});
 
-/// The table, n by n, as far as it is affordable (options.max_points, options.budget) and trajectories can be
+/// The table, n by n, as far as it is affordable (options.max_points, max_work or budget) and trajectories can be
 /// followed. `saddles` holds a point near each saddle of rank 1 that bounds the well. Throws UsageError for a section
 /// that is not across a coordinate of position, has no direction or is bounded; DataError when an orbit or tube cannot
 /// be found within the budget, a tube crosses the section in both directions, or one runs to infinity where it should
 /// enter the well; Cancelled before any row is known. The
-/// same bits for any number of threads, as long as the budget does not end it. Images multiply by about the same factor
+/// same bits for any number of threads, as long as no budget ends it. Images multiply by about the same factor
 /// each time, and with them time and memory.
 [[nodiscard]] LOBER_API Escape escape(const Flow& flow, const Section& section, double energy,
                                       std::span<const FlowState> saddles, const EscapeOptions& options = {});

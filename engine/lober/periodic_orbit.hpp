@@ -26,6 +26,11 @@ struct SaddlePoint {
   FlowState centre_sin{};
 };
 
+/// The state at a position (in the coordinates q of the two conjugate pairs) whose velocity there is zero: momenta by
+/// Newton's method, at once where H is quadratic in them. Throws UsageError for other flows than `saddle_point` takes;
+/// DataError when there are no such momenta.
+[[nodiscard]] LOBER_API FlowState state_at_rest(const Flow& flow, Point position);
+
 /// The equilibrium near `guess`, by Newton's method. Throws UsageError unless the flow is autonomous, of four
 /// dimensions and Hamiltonian; DataError when there is no equilibrium near the guess or it is no saddle of rank 1.
 [[nodiscard]] LOBER_API SaddlePoint saddle_point(const Flow& flow, const FlowState& guess);

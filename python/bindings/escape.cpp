@@ -25,6 +25,8 @@ const char* name_of(EscapeStop stop) {
       return "done";
     case EscapeStop::points:
       return "points";
+    case EscapeStop::work:
+      return "work";
     case EscapeStop::budget:
       return "budget";
     case EscapeStop::lost:
@@ -54,7 +56,7 @@ py::dict dict_of(Bottleneck& bottleneck) {
 }
 
 py::dict escape_of(const System& system, double energy, int crossings, double tolerance, std::size_t max_points,
-                   double budget, int threads, const py::object& progress) {
+                   const std::optional<double>& budget, int threads, const py::object& progress) {
   if (!system.flow) throw UsageError("escape needs a flow, and system " + system.info.name + " is a map");
   if (!system.section) throw UsageError("system " + system.info.name + " has no section of its own");
   if (system.saddles.empty()) throw UsageError("system " + system.info.name + " names no saddles");
@@ -63,7 +65,10 @@ py::dict escape_of(const System& system, double energy, int crossings, double to
   options.crossings = crossings;
   options.tolerance = tolerance;
   options.max_points = max_points;
-  options.budget = budget;
+  if (budget) {
+    if (!(*budget > 0)) throw UsageError("escape: the budget has to be a number of seconds above 0");
+    options.budget = *budget;
+  }
   if (callback.given()) {
     options.progress = [&](const EscapeProgress& now) { return callback(now.fraction, now.what); };
   }

@@ -120,15 +120,14 @@ TEST_F(EscapeProgram, TakesASystemOfTheUser) {
   EXPECT_NEAR(left, right, 1e-6);
 }
 
-// x = 0 passes through the bottleneck of (0, 1), so that it meets the branch that leaves the well first. Three
-// bottlenecks are open, of which one is named.
-TEST_F(EscapeProgram, SaysWhereATubeRunsToInfinity) {
+// x = 0 passes through the bottleneck of (0, 1). Three bottlenecks are open, of which one is named.
+TEST_F(EscapeProgram, NamesTheSaddlesThatBoundTheWell) {
   for (const char* crossings : {"1", "4"}) {
     const Outcome outcome = run({"escape", LOBER_EXAMPLES "/henon_heiles.so", "--saddle", "0,1,0,0", "--energy", "0.18",
                                  "--crossings", crossings});
     EXPECT_EQ(outcome.status, 1) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    for (const char* words : {"tube of the bottleneck (0, 1) runs to infinity", "is above that of 3 saddles",
+    for (const char* words : {"the periodic orbit of the bottleneck (0, 1)", "is above that of 3 saddles",
                               "(0.866025", "(-0.866025", "--section"}) {
       EXPECT_NE(outcome.err.find(words), std::string::npos) << words << ": " << outcome.err;
     }
@@ -184,6 +183,30 @@ TEST_F(EscapeProgram, SaysWhereTheSectionDoesNotServe) {
   EXPECT_NE(sums.err.find("what has entered"), std::string::npos) << sums.err;
 }
 
+// A section through the bottleneck meets its orbit, and what runs beside that crosses it again and again.
+TEST_F(EscapeProgram, SaysThatASectionCutsAPeriodicOrbit) {
+  for (const char* crossings : {"0", "2"}) {
+    const Outcome outcome = run({"escape", "capsize", "--section", "y=0.5", "--crossings", crossings});
+    EXPECT_EQ(outcome.status, 1) << outcome.out;
+    EXPECT_NE(outcome.err.find("cuts the periodic orbit of the bottleneck (-1, 0.5)"), std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("--section"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(EscapeProgram, TakesPositionsOfSaddles) {
+  const auto table = [&](const char* left, const char* right) {
+    const Outcome outcome =
+        run({"escape", "capsize", "--crossings", "2", "--tolerance", "1e-4", "--saddle", left, "--saddle", right});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_EQ(table("-1.02,0.5", "0.99,0.48"), table("1", "2"));
+  const Outcome three = run({"escape", "capsize", "--saddle", "1,2,3"});
+  EXPECT_EQ(three.status, 2);
+  EXPECT_NE(three.err.find("neither a position X,Y"), std::string::npos) << three.err;
+}
+
 // Measuring cut curves takes far longer than following them, which no forecast from earlier images shows.
 TEST_F(EscapeProgram, TheBudgetEndsWorkThatTakesLongerThanExpected) {
   const Outcome outcome = run({"escape", "capsize", "--energy", "0.5", "--budget", "2", "--json", "-"});
@@ -232,7 +255,7 @@ TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {
   fails({"capsize", "--energy", "0.26", "--param", "energy=0.26"}, 2, "twice");
   fails({"capsize", "--param", "R"}, 2, "--param");
   fails({"capsize", "--saddle", "3"}, 2, "--saddle");
-  fails({"capsize", "--saddle", "1,2"}, 2, "--saddle");
+  fails({"capsize", "--saddle", "1,2,3"}, 2, "--saddle");
   fails({"capsize", "--saddle", "0.01,0.01,0,0"}, 1, "rank 1");
   fails({"capsize", "--section", "z=0"}, 2, "--section");
   fails({"capsize", "--direction", "both"}, 2, "direction");

@@ -31,11 +31,13 @@ inline constexpr double cut_coarseness = 10;
 // Trajectories that are followed for each point of a curve: those that show where points are needed, and the points.
 inline constexpr double evaluations_a_point = 2;
 
-// What is under way: the number of the images, and when all is expected to be done, by a watch.
+// What is under way: the number of the images, when all is expected to be done, by a watch, and the crossings that all
+// curves may take.
 struct EscapeWork {
   int images;
   double end;
   Stopwatch watch;
+  double crossings_left = std::numeric_limits<double>::infinity();
 };
 
 // Tells what is being done, from whatever thread, one at a time.
@@ -72,6 +74,7 @@ class Bottlenecks {
               const EscapeOptions& options)
       : flow_(flow), section_(cut_by), options_(options), report_(options) {
     find_orbits(guesses, energy);
+    require_off_section();
     find_tubes();
   }
 
@@ -91,6 +94,11 @@ class Bottlenecks {
   // end of the well, which cuts the next one; cut ones only if asked for.
   void carry(int images, bool cut_too, const EscapeWork& work) {
     report_.begin(work);
+    // One may need more than the others do: half of what is left for each pair of them.
+    const double for_one = 2 * work.crossings_left / static_cast<double>(carried_.size());
+    const double affordable = std::max(for_one / (evaluations_a_point * (images + 1)), 2.0);
+    out_of_work_ = affordable < static_cast<double>(options_.max_points);
+    tracing_.max_points = out_of_work_ ? static_cast<std::size_t>(affordable) : options_.max_points;
     if (ends_.empty()) find_ends();
     for_each_tube([&](std::size_t k) {
       if (static_cast<int>(carried_[k].curves->size()) <= images) carry_one(k, cut_too);
@@ -145,6 +153,8 @@ class Bottlenecks {
   // Whether the caller's progress has cancelled.
   [[nodiscard]] bool refused() const { return report_.refused(); }
 
+  // Whether what limits the points of curves is the work that they take.
+  [[nodiscard]] bool out_of_work() const { return out_of_work_; }
   // Whether a tube could not be carried on because that takes too many points.
   [[nodiscard]] bool out_of_points() const {
     return std::any_of(carried_.begin(), carried_.end(), [](const Carried& tube) { return tube.out_of_points; });
@@ -187,17 +197,20 @@ class Bottlenecks {
     flow_.integrate(states, 0, time, options_.integration);
     if (std::any_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); })) return;
     const std::string which = k % 2 == 0 ? "unstable" : "stable";
-    const std::vector<SaddlePoint> open = open_saddles();
-    std::string names;
-    for (const SaddlePoint& saddle : open) names += (names.empty() ? "" : ", ") + name_of_saddle(saddle);
     throw DataError("the " + which + " tube of the bottleneck " + name_of_saddle(bottleneck.orbit.saddle) +
                     " runs to infinity: its image " + std::to_string(tube.curves->size() - 1) + " has the area " +
                     format_rounded(last.area) + " instead of " + format_rounded(bottleneck.area) + ", and all of " +
-                    std::to_string(samples) + " trajectories are lost. The energy " +
-                    format_number(bottleneck.orbit.energy) + " is above that of " + std::to_string(open.size()) +
-                    (open.size() == 1 ? " saddle, " : " saddles, ") + names + "; give " +
-                    std::string(quantity::saddles) + ", and " + std::string(quantity::section) +
-                    " that none of their orbits meets");
+                    std::to_string(samples) + " trajectories are lost. " + way_on());
+  }
+
+  // What to do where the section or the saddles do not serve.
+  [[nodiscard]] std::string way_on() const {
+    const std::vector<SaddlePoint> open = open_saddles();
+    std::string names;
+    for (const SaddlePoint& saddle : open) names += (names.empty() ? "" : ", ") + name_of_saddle(saddle);
+    return "The energy " + format_number(list[0].orbit.energy) + " is above that of " + std::to_string(open.size()) +
+           (open.size() == 1 ? " saddle, " : " saddles, ") + names + "; give " + std::string(quantity::saddles) +
+           ", and " + std::string(quantity::section) + " that none of their orbits meets";
   }
 
   // Those of rank 1 below the energy, of Newton's method from a grid about the named ones: a help for a message.
@@ -342,6 +355,27 @@ class Bottlenecks {
     });
   }
 
+  // Trajectories beside an orbit that crosses the section cross it too, turn after turn: their crossings do not count
+  // what enters the well.
+  void require_off_section() const {
+    constexpr std::size_t samples = 128;
+    const auto across = static_cast<std::size_t>(section_.coordinate);
+    const auto counts = [&](const FlowState& state) {
+      return section_.bound_side == 0 ||
+             section_.bound_side * (state[static_cast<std::size_t>(section_.bound_coordinate)] - section_.bound) > 0;
+    };
+    for (const Bottleneck& bottleneck : list) {
+      const std::vector<FlowState> states = states_along(flow_, bottleneck.orbit, samples, options_.integration);
+      for (std::size_t k = 0; k < states.size(); ++k) {
+        const FlowState &here = states[k], &next = states[(k + 1) % states.size()];
+        if ((here[across] < section_.value) == (next[across] < section_.value) || !counts(here)) continue;
+        throw DataError("the section cuts the periodic orbit of the bottleneck " +
+                        name_of_saddle(bottleneck.orbit.saddle) +
+                        ", and trajectories beside that orbit cross it turn after turn. " + way_on());
+      }
+    }
+  }
+
   void find_tubes() {
     report_("local manifolds");
     tubes_.resize(2 * list.size());
@@ -406,6 +440,7 @@ class Bottlenecks {
   std::vector<TubeCurve> entries_, exits_;  // E and X of all
   std::vector<BottleneckTubes> ends_;
   TubeCurveOptions tracing_;
+  bool out_of_work_ = false;
   double least_area_ = std::numeric_limits<double>::infinity();
 };
 

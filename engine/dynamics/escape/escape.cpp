@@ -1,13 +1,16 @@
 #include "lober/escape.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <tuple>
 
 #include "engine/base/growth_forecast.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/quantities.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/time_limit.hpp"
@@ -20,16 +23,23 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// Work that was expected to end within the budget and does not is broken off at this many of it.
-constexpr double beyond_budget = 1.1;
+// Work that was expected to end within the budget and does not is broken off at this many of it: a tenth beyond, with what still runs then.
+constexpr double beyond_budget = 1.05;
 // Orbits and first curves may take these seconds whatever the budget: there is nothing to say before.
 constexpr double first_seconds = 5;
+// Points where cut curves cross themselves or each other that are dealt with in the time of one crossing of the section
+// by a trajectory: 1.3 to 6 were measured (capsize at energies from 0.26 to 0.5, pcr3bp).
+constexpr double nodes_a_crossing = 2;
+
+// The seconds after which work is broken off.
+double last_second(const EscapeOptions& options) {
+  return options.budget > 0 ? beyond_budget * options.budget : std::numeric_limits<double>::infinity();
+}
 
 // What comes before the first row. Throws DataError when it takes too long.
-void within_first_limit(const ProcessorWatch& watch, const EscapeOptions& options,
-                        const std::function<void()>& function) {
-  const double seconds = std::max(beyond_budget * options.budget, first_seconds);
-  const ProcessorTimeLimit limit(watch, seconds);
+void within_first_limit(const Stopwatch& watch, const EscapeOptions& options, const std::function<void()>& function) {
+  const double seconds = std::max(last_second(options), first_seconds);
+  const TimeLimit limit(watch, seconds);
   bool refused = false;
   try {
     const CancellationScope limited(limit.flag());
@@ -40,9 +50,8 @@ void within_first_limit(const ProcessorWatch& watch, const EscapeOptions& option
   }
   if (refused || is_cancelled()) throw Cancelled();
   throw DataError("escape: the periodic orbits and the first curves of their tubes were not found within " +
-                  format_rounded(seconds) +
-                  " s of processor time; a larger tolerance of curves needs fewer points, a larger budget allows more "
-                  "time");
+                  format_rounded(seconds) + " s; a larger tolerance of curves needs fewer points, a larger " +
+                  std::string(quantity::seconds) + " allows more");
 }
 
 class EscapeBuilder {
@@ -57,17 +66,16 @@ class EscapeBuilder {
     Section either = result_.section;
     either.direction = 0;
     std::optional<Bottlenecks> tubes;
-    within_first_limit(processor_, options_, [&] {
+    within_first_limit(watch_, options_, [&] {
       tubes.emplace(flow_, either, result_.energy, guesses, options_);
       const Stopwatch watch;
-      const ProcessorWatch processor;
       tubes->cut_first();
-      cost_.add(watch.seconds());
-      carrying_ = processor.seconds();
+      carrying_ = watch.seconds();
+      cost_.add(carrying_);
       crossings_ = tubes->crossings_so_far();
     });
     Bottlenecks& bottlenecks = *tubes;
-    const ProcessorTimeLimit limit(processor_, beyond_budget * options_.budget);
+    const TimeLimit limit(watch_, last_second(options_));
     try {
       const CancellationScope limited(limit.flag());
       for (int n = 1; n <= options_.crossings && result_.stop == EscapeStop::done; ++n) go_on(bottlenecks, n);
@@ -98,7 +106,7 @@ class EscapeBuilder {
     // A second split of the last rows is more than was asked for.
     const bool complete = by_budget && result_.crossings == options_.crossings;
     result_.stop = complete ? EscapeStop::done : by_budget ? EscapeStop::budget : EscapeStop::cancelled;
-    result_.seconds_spent = processor_.seconds();
+    result_.seconds_spent = watch_.seconds();
     result_.seconds_ahead = 0;
   }
 
@@ -107,16 +115,17 @@ class EscapeBuilder {
     result_.stop = reason_not_to(bottlenecks, n);
     if (result_.stop != EscapeStop::done) return;
     const Stopwatch watch;
-    const ProcessorWatch processor;
     bottlenecks.carry(n, true, work(n));
-    cost_.add(watch.seconds());
+    const double carried = watch.seconds();
+    cost_.add(carried);
     const double before = std::exchange(crossings_, bottlenecks.crossings_so_far());
     newest_crossings_ = crossings_ - before;
-    carrying_ += processor.seconds();
-    const ProcessorWatch measuring;
+    carrying_ += carried;
+    const Stopwatch measuring;
     with_curves(bottlenecks, [&] {
       lay_out_rows(n);
-      measure();
+      newest_measured_ = measure();
+      measured_ += newest_measured_;
       result_.crossings = n;
       compare();
       measuring_ = measuring.seconds();
@@ -124,29 +133,41 @@ class EscapeBuilder {
     });
     const bool known = std::all_of(result_.table.begin(), result_.table.end(),
                                    [](const EscapeFraction& row) { return row.is_known(); });
-    if (!known) result_.stop = bottlenecks.out_of_points() ? EscapeStop::points : EscapeStop::lost;
+    if (known) return;
+    result_.stop = !bottlenecks.out_of_points() ? EscapeStop::lost
+                   : bottlenecks.out_of_work()  ? EscapeStop::work
+                                                : EscapeStop::points;
   }
 
   // `done` when the images of this number may be made: what following trajectories has taken by crossing, and measuring
   // by the size of the curves, is what the next ones are expected to take.
   EscapeStop reason_not_to(Bottlenecks& bottlenecks, int images) {
     const Bottlenecks::Ahead ahead = bottlenecks.look_ahead(images, images <= options_.crossings);
-    const double so_far = processor_.seconds();
-    double seconds = ahead.crossings * carrying_ / std::max(crossings_, 1.0);
-    if (newest_crossings_ > 0) seconds += measuring_ * std::max(1.0, ahead.crossings / newest_crossings_);
+    const double so_far = watch_.seconds();
+    double seconds = ahead.crossings * carrying_ / std::max(crossings_, 1.0), work = ahead.crossings;
+    if (newest_crossings_ > 0) {
+      const double growth = std::max(1.0, ahead.crossings / newest_crossings_);
+      seconds += measuring_ * growth;
+      work += newest_measured_ * growth;
+    }
     if (images <= options_.crossings) {
+      result_.work_spent = crossings_ + measured_;
+      result_.work_ahead = work;
       result_.points_ahead = ahead.points;
       result_.seconds_ahead = seconds;
       result_.seconds_spent = so_far;
     }
     if (ahead.points > static_cast<double>(options_.max_points)) return EscapeStop::points;
-    return so_far + seconds > options_.budget ? EscapeStop::budget : EscapeStop::done;
+    if (options_.budget > 0) return so_far + seconds > options_.budget ? EscapeStop::budget : EscapeStop::done;
+    return crossings_ + measured_ + work > options_.max_work ? EscapeStop::work : EscapeStop::done;
   }
 
   // What is reported while images of this number are made.
   [[nodiscard]] EscapeWork work(int images) const {
     const int left = std::max(1, options_.crossings + 1 - images);
-    return {images, watch_.seconds() + cost_.sum(left), watch_};
+    const double left_to_do = options_.max_work - crossings_ - measured_;
+    return {images, watch_.seconds() + cost_.sum(left), watch_,
+            options_.budget > 0 ? std::numeric_limits<double>::infinity() : left_to_do};
   }
 
   // The curves belong to the result while `function` runs.
@@ -183,9 +204,11 @@ class EscapeBuilder {
     });
   }
 
-  // What the curves determine of the rows and has not been reported yet.
-  void measure() {
-    for_each_block(result_.table.size(), 1, [&](std::size_t k, std::size_t) { measure(result_.table[k]); });
+  // What the curves determine of the rows and has not been reported yet. Returns the work.
+  double measure() {
+    std::atomic<std::uint64_t> nodes = 0;
+    for_each_block(result_.table.size(), 1, [&](std::size_t k, std::size_t) { measure(result_.table[k], nodes); });
+    return static_cast<double>(nodes) / nodes_a_crossing;
   }
 
   struct Split {
@@ -211,12 +234,13 @@ class EscapeBuilder {
   }
 
   // The fraction by one split, and its error bar.
-  [[nodiscard]] CommonArea fraction(const EscapeFraction& row, int forward) const {
+  [[nodiscard]] CommonArea fraction(const EscapeFraction& row, int forward, std::atomic<std::uint64_t>& nodes) const {
     const Bottleneck &from = result_.bottlenecks[row.entry], &to = result_.bottlenecks[row.exit];
     const TubeCurve& a = from.entry[static_cast<std::size_t>(forward)];
     const TubeCurve& b = to.exit[static_cast<std::size_t>(row.iterates - forward)];
     if (a.cut || b.cut) {
-      const CommonArea common = common_area_by_winding(a.view(), b.view());
+      const CommonWindingArea common = common_area_by_winding(a.view(), b.view());
+      nodes += common.nodes;
       return {common.area / from.area, (common.error + a.cut_off + b.cut_off) / from.area};
     }
     const CommonArea common = common_area(a.view(), b.view());
@@ -226,13 +250,13 @@ class EscapeBuilder {
                        share * (std::fabs(a.area / from.area - 1) + std::fabs(b.area / to.area - 1))};
   }
 
-  void measure(EscapeFraction& row) const {
+  void measure(EscapeFraction& row, std::atomic<std::uint64_t>& nodes) const {
     if (row.is_known() && row.other == row.other) return;
     std::vector<Split> splits = splits_of(row);
     if (row.is_known()) {
       std::erase_if(splits, [&](const Split& split) { return split.forward == row.forward; });
     } else if (!splits.empty()) {
-      const CommonArea best = fraction(row, splits[0].forward);
+      const CommonArea best = fraction(row, splits[0].forward, nodes);
       row.fraction = best.area;
       row.error = best.error;
       row.forward = splits[0].forward;
@@ -241,7 +265,7 @@ class EscapeBuilder {
       splits.erase(splits.begin());
     }
     if (splits.empty() || (splits[0].cut > 0 && !row.cut)) return;
-    const CommonArea other = fraction(row, splits[0].forward);
+    const CommonArea other = fraction(row, splits[0].forward, nodes);
     row.other = other.area;
     row.other_error = other.error;
     row.other_forward = splits[0].forward;
@@ -304,11 +328,10 @@ class EscapeBuilder {
   const EscapeOptions& options_;
   Escape result_;
   Stopwatch watch_;
-  ProcessorWatch processor_;
   GrowthForecast cost_;  // seconds by the clock for each number of images
-  // Processor time that following trajectories has taken, and for how many crossings; of the newest images, their
-  // crossings and what measuring them took.
-  double carrying_ = 0, crossings_ = 0, newest_crossings_ = 0, measuring_ = 0;
+  // Seconds that following trajectories has taken, and for how many crossings; of the newest images, their crossings
+  // and what measuring them took, in seconds and as work; and the work of measuring all.
+  double carrying_ = 0, crossings_ = 0, newest_crossings_ = 0, measuring_ = 0, newest_measured_ = 0, measured_ = 0;
   std::optional<std::vector<EscapeSymmetry>> symmetries_;
 };
 
@@ -342,7 +365,7 @@ std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, do
   known.bound_coordinate = section.bound_coordinate;
   known.bound = section.bound;
   known.bound_side = section.bound_side;
-  const ProcessorWatch watch;
+  const Stopwatch watch;
   std::vector<Bottleneck> list;
   within_first_limit(watch, options, [&] {
     Bottlenecks bottlenecks(flow, known, energy, saddles, options);

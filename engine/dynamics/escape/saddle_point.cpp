@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <string>
 #include <vector>
 
+#include "engine/base/text.hpp"
 #include "engine/dynamics/maps/linear_algebra.hpp"
 #include "lober/error.hpp"
 #include "lober/periodic_orbit.hpp"
@@ -50,6 +52,11 @@ FlowState equilibrium(const Flow& flow, const FlowState& guess) {
   return best;
 }
 
+void require_two_degrees_of_freedom(const Flow& flow) {
+  if (flow.dimension() == 4 && flow.period() == 0 && flow.conjugate_pairs().size() == 2) return;
+  throw UsageError("saddles with bottlenecks need an autonomous Hamiltonian flow of two degrees of freedom");
+}
+
 // One of the parts of a vector: std::real or std::imag.
 template <typename Part>
 FlowState part_of(const std::vector<std::complex<double>>& vector, const Part& part) {
@@ -60,10 +67,35 @@ FlowState part_of(const std::vector<std::complex<double>>& vector, const Part& p
 
 }  // namespace
 
-SaddlePoint saddle_point(const Flow& flow, const FlowState& guess) {
-  if (flow.dimension() != 4 || flow.period() != 0 || flow.conjugate_pairs().size() != 2) {
-    throw UsageError("saddles with bottlenecks need an autonomous Hamiltonian flow of two degrees of freedom");
+FlowState state_at_rest(const Flow& flow, Point position) {
+  require_two_degrees_of_freedom(flow);
+  std::array<std::size_t, 2> q{}, p{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    q[k] = static_cast<std::size_t>(flow.conjugate_pairs()[k].q);
+    p[k] = static_cast<std::size_t>(flow.conjugate_pairs()[k].p);
   }
+  FlowState x{};
+  x[q[0]] = position.x;
+  x[q[1]] = position.y;
+  for (int round = 0; round < 20; ++round) {
+    const FlowState speed = flow.velocity(x, 0);
+    const double size = std::hypot(speed[q[0]], speed[q[1]]);
+    if (!std::isfinite(size)) break;
+    if (size <= 1e-12 * (1 + norm(x))) return x;
+    const FlowMatrix derivative = flow.jacobian(x, 0);
+    Matrix by_momenta(2, 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t j = 0; j < 2; ++j) by_momenta(i, j) = derivative[q[i]][p[j]];
+    }
+    const std::vector<double> step = least_squares(by_momenta, {speed[q[0]], speed[q[1]]});
+    for (std::size_t k = 0; k < 2; ++k) x[p[k]] -= step[k];
+  }
+  throw DataError("no momenta give the position (" + format_number(position.x) + ", " + format_number(position.y) +
+                  ") the velocity 0");
+}
+
+SaddlePoint saddle_point(const Flow& flow, const FlowState& guess) {
+  require_two_degrees_of_freedom(flow);
   SaddlePoint saddle;
   saddle.at = equilibrium(flow, guess);
   saddle.energy = flow.hamiltonian(saddle.at, 0);

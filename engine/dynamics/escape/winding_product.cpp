@@ -10,9 +10,10 @@
 namespace lober::detail {
 namespace {
 
-double product_of_polygons(const ClosedCurve& first, const ClosedCurve& second) {
+double product_of_polygons(const ClosedCurve& first, const ClosedCurve& second, std::uint64_t& nodes) {
   double sum = 0;
   const Regions both = regions(first, second);
+  nodes += both.counts().nodes;
   for (const WindingArea& entry : both.table()) sum += entry.w1 * entry.w2 * entry.area;
   return std::fabs(sum);
 }
@@ -25,14 +26,15 @@ ClosedCurve every_nth(const ClosedCurve& curve, std::size_t n) {
 
 }  // namespace
 
-CommonArea common_area_by_winding(const ClosedCurve& first, const ClosedCurve& second) {
-  const double fine = product_of_polygons(first, second);
-  const double coarse = product_of_polygons(every_nth(first, 2), every_nth(second, 2));
-  const double coarser = product_of_polygons(every_nth(first, 4), every_nth(second, 4));
+CommonWindingArea common_area_by_winding(const ClosedCurve& first, const ClosedCurve& second) {
+  std::uint64_t nodes = 0;
+  const double fine = product_of_polygons(first, second, nodes);
+  const double coarse = product_of_polygons(every_nth(first, 2), every_nth(second, 2), nodes);
+  const double coarser = product_of_polygons(every_nth(first, 4), every_nth(second, 4), nodes);
   // Richardson extrapolation; as error the whole difference, because curves that coarse do not quite obey h^2, and not
   // less than half of the one before: where windings are missing from all, the last one may be small by chance.
   const double error = std::max(std::fabs(fine - coarse), 0.5 * std::fabs(coarse - coarser));
-  return {std::fabs(fine + (fine - coarse) / 3), error};
+  return {std::fabs(fine + (fine - coarse) / 3), error, nodes};
 }
 
 }  // namespace lober::detail

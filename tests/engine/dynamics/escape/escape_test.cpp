@@ -195,6 +195,10 @@ TEST(Escape, EndsBeforeTheNextImageIsTooMuch) {
     EXPECT_NEAR(row.fraction, known[static_cast<std::size_t>(row.iterates)], 1e-8);
   }
   options.max_points = 1'000'000;
+  options.max_work = 1000;
+  const Escape worked = escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options);
+  EXPECT_EQ(worked.stop, EscapeStop::work);
+  EXPECT_GT(worked.work_spent + worked.work_ahead, 1000);
   options.budget = 1e-9;
   const Escape none = escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options);
   EXPECT_EQ(none.stop, EscapeStop::budget);
