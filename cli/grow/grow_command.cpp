@@ -54,8 +54,8 @@ void add_options(OptionParser& parser, GrowRequest& request) {
       .one_of({"+", "-", "plus", "minus"})
       .value("+|-");
   add_tolerance_option(parser, growth.tolerance,
-                       "The maximum distance between the manifold and its polygon, in units of the coordinates.")
-      .required();
+                       "The maximum distance between the manifold and its polygon, in units of the coordinates "
+                       "(default: 1e-5).");
   parser
       .add("--iterates", growth.iterates,
            "The number of images of the local manifold after which growing ends (default: no limit, and --length has "

@@ -73,8 +73,8 @@ void add_options(OptionParser& parser, ImageRequest& request) {
            "pre-images (default: 1). Range: -1000 to 1000.")
       .value("FIRST:LAST");
   add_tolerance_option(parser, request.options.tolerance,
-                       "The maximum distance between an image and its polygon, in units of the coordinates.")
-      .required();
+                       "The maximum distance between an image and its polygon, in units of the coordinates "
+                       "(default: 1e-5).");
   parser
       .add("--box", request.box,
            "Two corners of the box in which the tolerance holds, X0 < X1 and Y0 < Y1; outside it images are followed "

@@ -56,8 +56,8 @@ void add_options(OptionParser& parser, LevelsRequest& request) {
   parser.add("--time", request.time, "The time at which a forced flow is looked at (default: 0).").value("T");
   parser
       .add("--box", request.box,
-           "Two corners of the box that is looked at, X0 < X1 and Y0 < Y1 (default: the system's window for a planar "
-           "flow, a box about the saddles else).")
+           "Two corners of the box that is looked at, X0 < X1 and Y0 < Y1 (default: the system's window and saddles "
+           "for a planar flow, a square about the origin with the saddles else).")
       .comma_separated()
       .count(4)
       .value("X0,Y0,X1,Y1");
@@ -131,15 +131,25 @@ Rectangle box_of(const LevelsRequest& request, const LevelsReport& report) {
   if (!request.box.empty()) {
     return Rectangle::of({request.box[0], request.box[1]}, {request.box[2], request.box[3]});
   }
-  if (report.system.flow->dimension() == 2) return report.system.window;
-  // Twice as wide and high as the box of the saddles and the origin, and not too flat.
-  Rectangle box;
-  box.add({0, 0});
-  for (const Equilibrium& saddle : report.saddles) box.add(saddle.at);
-  const double reach = std::max({box.width(), box.height(), 1.0});
-  const Point middle{0.5 * (box.min_x + box.max_x), 0.5 * (box.min_y + box.max_y)};
-  return Rectangle::of({middle.x - 0.75 * reach, middle.y - 0.75 * reach},
-                       {middle.x + 0.75 * reach, middle.y + 0.75 * reach});
+  if (report.system.flow->dimension() == 2) {
+    // With all saddles, which the window may leave out, and some room about them.
+    Rectangle box = report.system.picture;
+    const double room_x = 0.1 * box.width(), room_y = 0.1 * box.height();
+    for (const Equilibrium& saddle : report.saddles) {
+      Rectangle with_it = box;
+      with_it.add(saddle.at);
+      if (with_it == box) continue;
+      box.add({saddle.at.x - room_x, saddle.at.y - room_y});
+      box.add({saddle.at.x + room_x, saddle.at.y + room_y});
+    }
+    return box;
+  }
+  // The well about the origin that the saddles bound.
+  double reach = 0.5;
+  for (const Equilibrium& saddle : report.saddles) {
+    reach = std::max({reach, std::fabs(saddle.at.x), std::fabs(saddle.at.y)});
+  }
+  return Rectangle::of({-1.5 * reach, -1.5 * reach}, {1.5 * reach, 1.5 * reach});
 }
 
 // Values that divide the nodes of the grid evenly.

@@ -2,7 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "lober/error.hpp"
 #include "lober/orbits.hpp"
@@ -74,6 +76,13 @@ void add_system_options(OptionParser& parser, SystemRequest& request, bool posit
 
 std::vector<std::string> files_of_system(const std::string& name) {
   return is_library_path(name) ? std::vector{name} : std::vector<std::string>{};
+}
+
+bool is_system(const std::string& argument) {
+  if (argument.ends_with(".so")) return true;
+  const std::vector<SystemInfo> built_in = list_systems();
+  return std::any_of(built_in.begin(), built_in.end(), [&](const SystemInfo& info) { return info.name == argument; }) &&
+         !std::filesystem::exists(argument);
 }
 
 ParameterValues parameter_values(const std::vector<std::string>& texts) {

@@ -34,6 +34,9 @@ void add_integration_option(OptionParser& parser, IntegrationOptions& integratio
 /// These three, --from, --to, --u-direction, --s-direction and --bip.
 void add_system_options(OptionParser& parser, SystemRequest& request, bool positional);
 
+/// Whether an argument that could name a file names a system: a built-in one, no file being called that, or a
+/// library (.so).
+[[nodiscard]] bool is_system(const std::string& argument);
 /// The files that the name of a system stands for, which no output may replace: a shared library, or none.
 [[nodiscard]] std::vector<std::string> files_of_system(const std::string& name);
 

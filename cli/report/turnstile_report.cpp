@@ -27,6 +27,7 @@ std::vector<TurnstileLobe> turnstile_lobes(const ManifoldTangle& manifolds) {
     lobe.error = manifolds.tangle.lobes[lobe.number].smooth_error;
     lobe.action =
         manifolds.areas_by_action.empty() ? std::numeric_limits<double>::quiet_NaN() : manifolds.areas_by_action[k];
+    lobe.action_error = manifolds.areas_by_action.empty() ? lobe.action : manifolds.action_errors[k];
     lobe.difference = std::fabs(lobe.area - lobe.action);
     lobes.push_back(lobe);
   }
@@ -50,11 +51,13 @@ std::string turnstile_text(const ManifoldTangle& manifolds) {
                                  counted(manifolds.period(), "lobe", "lobes"), first.x, first.y, bip.x, bip.y);
   const bool with_action = !manifolds.areas_by_action.empty();
   text += fmt::format("\n{:>6}  {:<7}{:>21} {:>9}", "lobe", "label", "area by geometry", "+-");
-  text += with_action ? fmt::format("{:>22} {:>11}\n", "area by action", "difference") : "\n";
+  text += with_action ? fmt::format("{:>22} {:>9} {:>11}\n", "area by action", "+-", "difference") : "\n";
   for (const TurnstileLobe& lobe : turnstile_lobes(manifolds)) {
     text += fmt::format("{:>6}  {:<7}{:>21.15g} {:>9.1e}", lobe.number,
                         lober::text(manifolds.tangle.images.labels[lobe.number]), lobe.area, lobe.error);
-    text += with_action ? fmt::format("{:>22.15g} {:>11.1e}\n", lobe.action, lobe.difference) : "\n";
+    text += with_action
+                ? fmt::format("{:>22.15g} {:>9.1e} {:>11.1e}\n", lobe.action, lobe.action_error, lobe.difference)
+                : "\n";
   }
   if (!with_action) text += "        (no area by action: the map does not preserve area, or its action is not known)\n";
   return text;
@@ -73,6 +76,7 @@ Json turnstile_json(const ManifoldTangle& manifolds) {
                      {"area", lobe.area},
                      {"error", lobe.error},
                      {"action", lobe.action},
+                     {"action_error", lobe.action_error},
                      {"difference", lobe.difference}});
   }
   for (const ConnectingOrbit& orbit : manifolds.orbits) {

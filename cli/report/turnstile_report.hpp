@@ -13,10 +13,11 @@ namespace lober::cli {
 /// A lobe of the turnstile.
 struct TurnstileLobe {
   std::size_t number = 0;
-  double area = 0;        ///< signed, by geometry
-  double error = 0;       ///< estimate for it
-  double action = 0;      ///< signed, by action; NaN without one
-  double difference = 0;  ///< | area - action |
+  double area = 0;          ///< signed, by geometry
+  double error = 0;         ///< estimate for it
+  double action = 0;        ///< signed, by action; NaN without one
+  double action_error = 0;  ///< estimate for it
+  double difference = 0;    ///< | area - action |
 };
 [[nodiscard]] std::vector<TurnstileLobe> turnstile_lobes(const ManifoldTangle& manifolds);
 

@@ -57,8 +57,8 @@ void add_options(OptionParser& parser, SectionRequest& request) {
   parser
       .add(
           "--box", request.box,
-          "Two corners of the box in which orbits start and which is drawn, X0 < X1 and Y0 < Y1 (default: the system's "
-          "window).")
+          "Two corners of the box in which orbits start and which is drawn, X0 < X1 and Y0 < Y1 (default: all that the "
+          "system is about, as a rule its window).")
       .comma_separated()
       .count(4)
       .value("X0,Y0,X1,Y1");
@@ -165,7 +165,11 @@ std::string section_table(const SectionResult& result) {
     }
     text += fmt::format("stay       {} orbits\n", result.exit_times->staying());
   }
-  if (result.lost > 0) text += fmt::format("lost       {} orbits, which cannot be followed to the end\n", result.lost);
+  if (result.lost > 0 && result.system.section) {
+    text += fmt::format("left       {} orbits, which do not come back to the section\n", result.lost);
+  } else if (result.lost > 0) {
+    text += fmt::format("lost       {} orbits, which cannot be followed to the end\n", result.lost);
+  }
   return text;
 }
 
@@ -207,7 +211,7 @@ void run(const SectionRequest& request) {
   SectionResult result;
   result.system = system_of({request.system, request.parameters, request.integration, {}, {}, {}, {}, {}},
                             parameter_values(request.parameters));
-  result.box = result.system.window;
+  result.box = result.system.picture;
   if (!request.box.empty())
     result.box = Rectangle::of({request.box[0], request.box[1]}, {request.box[2], request.box[3]});
   result.options.iterates = request.iterates;

@@ -18,11 +18,12 @@ namespace {
 
 constexpr std::array<const char*, 6> density_colours{"#b5c8dc", "#93b0d0", "#6b93bf", "#3f6fa5", "#224b7d", "#0d2749"};
 
-// One level of counts is twice the one before, up to the last.
+// One level of counts is twice the one before, up to the last, which is the darkest.
 std::size_t level_of(std::uint32_t count, std::uint32_t largest) {
-  const int levels = static_cast<int>(std::bit_width(largest));
-  const int level = static_cast<int>(std::bit_width(count)) - 1;
-  return static_cast<std::size_t>(level) * density_colours.size() / static_cast<std::size_t>(levels);
+  const auto levels = static_cast<std::size_t>(std::bit_width(largest));
+  const auto level = static_cast<std::size_t>(std::bit_width(count)) - 1;
+  const std::size_t colours = density_colours.size();
+  return levels <= colours ? level + colours - levels : level * colours / levels;
 }
 
 // The cells of a Density, or of ExitTimes, for which `has(column, row)`.

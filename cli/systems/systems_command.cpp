@@ -24,7 +24,7 @@ std::vector<std::string> commands_for(const System& system) {
   std::vector<std::string> commands;
   if (system.map) commands.insert(commands.end(), {"grow", "image", "fixed-points", "section"});
   if (system.map && system.connection) {
-    commands.emplace_back("tangle --system");
+    commands.emplace_back("tangle");
     commands.emplace_back("transport");
   }
   if (system.flow && system.section && !system.saddles.empty()) commands.emplace_back("escape");
@@ -134,6 +134,7 @@ Json details_json(const System& system, std::span<const FixedPoint> points) {
   json["flow"] = system.flow != nullptr;
   json["map"] = system.map != nullptr;
   json["window"] = {system.window.min_x, system.window.min_y, system.window.max_x, system.window.max_y};
+  json["picture"] = {system.picture.min_x, system.picture.min_y, system.picture.max_x, system.picture.max_y};
   json["lattice"] = point_json(system.lattice);
   json["second_lattice"] = point_json(system.second_lattice);
   Json connections = Json::array();

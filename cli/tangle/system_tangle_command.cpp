@@ -1,5 +1,5 @@
-// `lober tangle --system NAME`: grows the manifolds from the equations, and shows them as it shows manifolds from
-// files, with the areas of the turnstile by action beside those by geometry.
+// `lober tangle SYSTEM`, or `--system NAME`: grows the manifolds from the equations, and shows them as it shows
+// manifolds from files, with the areas of the turnstile by action beside those by geometry.
 
 #include "cli/tangle/system_tangle_command.hpp"
 

@@ -10,6 +10,7 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
+#include "cli/program/system_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/tangle/system_tangle_command.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
@@ -60,8 +61,8 @@ std::optional<TangleRequest> parse_tangle(const std::vector<std::string>& argume
   std::string bip;
   OptionParser parser(
       "Finds the tangle of an unstable manifold U and a stable manifold S, open curves ordered outward from their "
-      "fixed points: primary intersection points (pips), lobes, boundary and turnstile. With --system NAME the "
-      "manifolds are grown from equations (lober tangle --system NAME --help).",
+      "fixed points: primary intersection points (pips), lobes, boundary and turnstile. With the name of a system in "
+      "their place the manifolds are grown from its equations (lober tangle SYSTEM --help).",
       "lober tangle");
   parser
       .add("U", request.curves[0],
@@ -157,6 +158,12 @@ void run(const TangleRequest& request) {
 
 void run_tangle(const std::vector<std::string>& arguments) {
   if (names_system(arguments)) return run_system_tangle(arguments);
+  // A system by itself, as the other commands take it.
+  if (!arguments.empty() && is_system(arguments[0])) {
+    std::vector<std::string> with_option{"--system"};
+    with_option.insert(with_option.end(), arguments.begin(), arguments.end());
+    return run_system_tangle(with_option);
+  }
   const std::optional<TangleRequest> request = parse_tangle(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();

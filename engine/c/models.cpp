@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <limits>
+#include <string>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/c/call.hpp"
@@ -27,6 +28,15 @@ std::function<bool(const GrowthProgress&)> growth_progress() {
 
 std::vector<double> doubles_of(const Buffer<double>& values) {
   return {values.begin(), values.end()};
+}
+
+// Throws where a limit, or orbits that are lost, ended the curve early.
+void require_done(GrowthStop stop, const char* what, std::size_t points) {
+  if (stop != GrowthStop::points && stop != GrowthStop::failed) return;
+  throw WithResult{LOBER_INCOMPLETE,
+                   std::string(what) + " ends early, with " + std::to_string(points) + " points, " +
+                       (stop == GrowthStop::points ? "since max_points allows no more; give a larger max_points"
+                                                   : "since no point has an image near by")};
 }
 
 Work fixed_points_work(const lober_model* model, Options& given) {
@@ -96,7 +106,7 @@ Work grow_work(const lober_model* model, Options& given) {
   LocalManifoldOptions local_options;
   local_options.period = static_cast<int>(given.integer("period", 1, 1));
   GrowthOptions options;
-  options.tolerance = given.number("tolerance", 1e-5);
+  options.tolerance = given.number("tolerance", options.tolerance);
   options.iterates = static_cast<int>(given.integer("iterates", options.iterates));
   options.length = given.number("length", options.length);
   options.max_points = given.count("max_points", options.max_points);
@@ -116,7 +126,9 @@ Work grow_work(const lober_model* model, Options& given) {
     result.add("defect", local.defect_across);
     result.add("length", grown.length);
     result.add("stop", std::string(name(grown.stop)));
+    const std::size_t count = grown.points.size();
     result.add_points("points", std::move(grown.points));
+    require_done(grown.stop, "the manifold", count);
   };
 }
 
@@ -125,7 +137,7 @@ Work image_work(const lober_model* model, const double* curve, std::size_t n, Op
   const CurveView view{points_of(curve, n, "curve"), given.flag("closed", true)};
   const int iterates = static_cast<int>(given.integer("iterates", 1, -1'000'000));
   ImageOptions options;
-  options.tolerance = given.number("tolerance", 1e-5);
+  options.tolerance = given.number("tolerance", options.tolerance);
   options.max_length = given.number("max_length", options.max_length);
   options.max_points = given.count("max_points", options.max_points);
   options.progress = growth_progress();
@@ -135,7 +147,9 @@ Work image_work(const lober_model* model, const double* curve, std::size_t n, Op
     if (image.stop == GrowthStop::cancelled) throw Cancelled();
     result.add("parameters", doubles_of(image.parameters));
     result.add("stop", std::string(name(image.stop)));
+    const std::size_t count = image.points.size();
     result.add_points("points", std::move(image.points));
+    require_done(image.stop, "the image", count);
   };
 }
 

@@ -68,8 +68,8 @@ struct GrowthProgress {
 
 /// At least one of `iterates` and `length` has to be set.
 struct GrowthOptions {
-  double tolerance = 0;  ///< e: how far the curve may lie from its polygon; has to be given
-  int iterates = -1;     ///< ends at F^iterates of the end of the local manifold
+  double tolerance = 1e-5;  ///< e: how far the curve may lie from its polygon, as for tangles of systems
+  int iterates = -1;        ///< ends at F^iterates of the end of the local manifold
   double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length, not
                                                             ///< counting what is outside the box
   double max_length = 0;  ///< no segment longer; 0: a fiftieth of the extent of the local manifold
@@ -111,7 +111,7 @@ struct GrownManifold {
 using CurveFunction = std::function<void(std::span<const double> parameters, std::span<Point> points)>;
 
 struct ImageOptions {
-  double tolerance = 0;
+  double tolerance = 1e-5;
   double max_length = std::numeric_limits<double>::infinity();
   std::size_t max_points = 100'000'000;
   Rectangle box = {};  ///< default: the plane

@@ -76,6 +76,8 @@ struct System {
   SystemInfo info;
   /// Where the fixed points of interest are: what a scan looks at when the user says nothing.
   Rectangle window;
+  /// What a picture of orbits shows, and where those begin: the window, unless the system says otherwise.
+  Rectangle picture;
   /// Shift of the plane after which the map repeats itself, (0, 0) when there is none: (2 pi, 0) for a lifted angle.
   Point lattice;
   /// A second one in another direction, where both coordinates are angles; (0, 0) otherwise.

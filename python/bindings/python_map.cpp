@@ -104,7 +104,7 @@ SystemHandle make_own_system(const std::string& name, const std::string& summary
   system->info.name = name;
   system->info.summary = summary;
   for (const auto& [parameter, value] : values) system->info.parameters.push_back({parameter, value, ""});
-  system->window = rectangle_from(window);
+  system->window = system->picture = rectangle_from(window);
   system->lattice = point_from(lattice);
   if (!connection.is_none()) system->connection = connection_from(connection.cast<py::tuple>());
   system->map = std::make_shared<PythonMap>(std::move(map));

@@ -156,6 +156,7 @@ void bind_systems(py::module_& module) {
   py::class_<System, SystemHandle>(module, "System")
       .def_property_readonly("info", [](const System& system) { return info_of(system.info); })
       .def_property_readonly("window", [](const System& system) { return corners_of(system.window); })
+      .def_property_readonly("picture", [](const System& system) { return corners_of(system.picture); })
       .def_property_readonly("lattice", [](const System& system) { return pair_of(system.lattice); })
       .def_property_readonly("connection",
                              [](const System& system) -> py::object {

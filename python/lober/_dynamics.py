@@ -133,7 +133,7 @@ def grow(
     system: Any,
     side: str = "unstable",
     *,
-    tolerance: float,
+    tolerance: float = 1e-5,
     iterates: int | None = None,
     length: float = math.inf,
     at: Pair | None = None,
@@ -204,7 +204,7 @@ def images(
     first: int,
     last: int,
     *,
-    tolerance: float,
+    tolerance: float = 1e-5,
     closed: bool = True,
     max_length: float = math.inf,
     max_points: int = 100_000_000,
@@ -236,7 +236,7 @@ def images(
     return [Image(**entry) for entry in found]
 
 
-def image(system: Any, curve: Any, iterates: int = 1, *, tolerance: float, **options: Any) -> Image:
+def image(system: Any, curve: Any, iterates: int = 1, *, tolerance: float = 1e-5, **options: Any) -> Image:
     """The image of a curve under `iterates` steps. Options as `images`. Raises DataError where points run out."""
     found = images(system, curve, iterates, iterates, tolerance=tolerance, **options)
     return found[0]
@@ -255,14 +255,14 @@ def section(
 ) -> NDArray[np.float64]:
     """Orbits of the planar map, an array of orbits x (iterates + 1) x 2; NaN from where an orbit is lost.
 
-    Orbits start at the points `starts`, or at `orbits` points spread evenly over the box (default: the system's window).
+    Orbits start at the points `starts`, or at `orbits` points spread evenly over the box (default: `System.picture`).
     Points of a map that repeats itself after a shift are shifted into one cell from the left side of the box on, unless
     `lifted`. Raises UsageError, Cancelled.
     """
     made = system_of(system)
     if iterates < 0 or orbits < 0:
         raise UsageError("iterates and orbits have to be 0 or more")
-    where = made.window if box is None else box
+    where = made.picture if box is None else box
     points = _lober.spread(where, orbits) if starts is None else points_of(starts, "starts")
     with watching(progress, "section") as callback:
         return _lober.orbits(made._of, points, iterates, not lifted, where[:2], threads, callback)

@@ -197,6 +197,8 @@ class System:
     @property
     def window(self) -> _Box: ...
     @property
+    def picture(self) -> _Box: ...
+    @property
     def lattice(self) -> _Pair: ...
     @property
     def connection(self) -> tuple[Any, ...] | None: ...
@@ -313,7 +315,7 @@ def escape(
     crossings: int,
     tolerance: float,
     max_points: int,
-    budget: float,
+    budget: float | None,
     threads: int,
     progress: _Progress,
 ) -> dict[str, Any]: ...

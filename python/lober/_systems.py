@@ -111,6 +111,11 @@ class System:
         return self._of.window
 
     @property
+    def picture(self) -> tuple[float, float, float, float]:
+        """What a picture of orbits shows: x0, y0, x1, y1; the window, unless the system says otherwise."""
+        return self._of.picture
+
+    @property
     def lattice(self) -> Pair:
         """The shift after which the map repeats itself; (0, 0) for none."""
         return self._of.lattice

@@ -29,6 +29,26 @@ class Measured:
         return f"{self.value} +- {self.error}"
 
 
+@dataclass(frozen=True)
+class TurnstileAreas(Measured):
+    """Signed areas of the lobes of a turnstile, in the order of `Tangle.turnstile`, with the labels of those lobes.
+
+    Which lobe comes first depends on the bip; `areas["L12(1)"]` is that of what leaves region 1, the sum where a map has
+    several such lobes.
+    """
+
+    labels: tuple[str, ...]
+
+    def __getitem__(self, label: str) -> Measured:
+        of_it = [k for k, here in enumerate(self.labels[: len(self.value)]) if here == label]
+        if not of_it:
+            raise KeyError(f"{label}: the lobes are {', '.join(self.labels)}")
+        return Measured(float(self.value[of_it].sum()), float(self.error[of_it].sum()))
+
+    def __str__(self) -> str:
+        return ", ".join(f"{n}: {v} +- {e}" for n, v, e in zip(self.labels, self.value, self.error))
+
+
 class SystemTangle(Tangle):
     """The tangle of a system's manifolds, which were grown as far as it needs them."""
 
@@ -47,8 +67,11 @@ class SystemTangle(Tangle):
         self.bip: int = more["bip"]
         #: That the manifolds were grown to in the end.
         self.tolerance: float = more["tolerance"]
+        labels = self.lobes.label
         #: Signed areas of the lobes of the turnstile by action; no entries where the map has none.
-        self.area_by_action = Measured(more["areas_by_action"], more["action_errors"])
+        self.area_by_action = TurnstileAreas(
+            more["areas_by_action"], more["action_errors"], tuple(labels[k] for k in self.turnstile)
+        )
         self.saddles: tuple[Pair, Pair] = more["saddles"]
         self.multipliers: tuple[float, float] = more["multipliers"]
         #: How far the points of both manifolds lie beside them, an estimate; errors of areas contain it.
@@ -240,7 +263,7 @@ class Escape:
 
     `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings`, `iterates`,
     `fraction`, `error`, and `other`, `other_error`, the same from another split; NaN where it is not known. `stop` says
-    why it goes to `crossings` only: done, points, budget or lost.
+    why it goes to `crossings` only: done, points, work, budget or lost.
     """
 
     energy: float
@@ -258,14 +281,15 @@ def escape(
     energy: float | None = None,
     tolerance: float = 1e-6,
     max_points: int = 2_000_000,
-    budget: float = 30.0,
+    budget: float | None = None,
     threads: int = 0,
     progress: Progress = None,
 ) -> Escape:
     """Escape from a potential well: the fraction of what enters by one bottleneck that leaves by another, and when.
 
-    `energy` defaults to the system's parameter of that name; `budget` is in seconds of processor time. Raises UsageError
-    for a system without section or saddles, DataError, Cancelled.
+    `energy` defaults to the system's parameter of that name; `budget` is in seconds by the clock, in
+    place of a limit on work that gives the same table on every machine. Raises UsageError for a system without section
+    or saddles, DataError, Cancelled.
     """
     made = system_of(system)
     if energy is None:

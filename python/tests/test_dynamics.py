@@ -124,6 +124,11 @@ def test_tangle_of_a_system():
     t = lober.manifold_tangle("duffing", tolerance=1e-4, progress=lambda fraction, text: steps.append(text))
     assert any(steps) and t.bip in range(len(t.pips)) and t.period
     assert len(t.turnstile) == t.period == len(t.area_by_action.value)
+    assert set(t.area_by_action.labels) == {"L12(1)", "L21(1)"}
+    assert t.area_by_action["L12(1)"].value == t.area_by_action.value[t.area_by_action.labels.index("L12(1)")] < 0
+    assert "L21(1): 0.3" in str(t.area_by_action)
+    with pytest.raises(KeyError, match="the lobes are"):
+        t.area_by_action["L12(2)"]
     areas = t.lobes.area[list(t.turnstile)]
     bars = t.lobes.error.discretisation[list(t.turnstile)] + t.area_by_action.error
     assert (np.abs(areas - t.area_by_action.value) <= bars + t.lobes.error.rounding[list(t.turnstile)]).all()

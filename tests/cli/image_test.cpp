@@ -147,7 +147,6 @@ TEST_F(ImageProgram, RefusesWhatMakesNoSense) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
   refused({"henon", "--tolerance", "1e-3"}, 2, "the curve is missing");
-  refused({"henon", "square.dat"}, 2, "--tolerance is missing");
   refused({"nosuch", "square.dat", "--tolerance", "1e-3"}, 2, "nosuch");
   refused({"henon", "nowhere", "--tolerance", "1e-3"}, 1, "nowhere: ");
   refused({"henon", "square.dat", "--circle", "0,0,1", "--tolerance", "1e-3"}, 2, "cannot be given together");

@@ -57,7 +57,7 @@ TEST_F(SectionProgram, DrawsTheDensity) {
   EXPECT_NE(outcome.out.find("folded     by shifts of (6.28318"), std::string::npos) << outcome.out;
   EXPECT_NE(read("section.svg").find("1 point a cell"), std::string::npos);
   const Outcome leaving = run({"section", "capsize", "--orbits", "30", "--iterates", "100"});
-  EXPECT_NE(leaving.out.find("lost "), std::string::npos) << leaving.out;
+  EXPECT_NE(leaving.out.find("left "), std::string::npos) << leaving.out;
 }
 
 TEST_F(SectionProgram, HasTheSameBytesForAnyNumberOfThreads) {
@@ -83,7 +83,7 @@ TEST_F(SectionProgram, CountsStartsThatTheEnergyDoesNotReachApart) {
   const Outcome table = run({"section", "capsize", "--param", "energy=0.22", "--start", "0.46,0.74"});
   ASSERT_EQ(table.status, 0) << table.err;
   EXPECT_NE(table.out.find("no orbit   1 of the starts"), std::string::npos) << table.out;
-  EXPECT_EQ(table.out.find("lost "), std::string::npos) << table.out;
+  EXPECT_EQ(table.out.find("left "), std::string::npos) << table.out;
 }
 
 // Both coordinates of the ABC flow's section are angles; half of the starts lie where the flow falls.

@@ -266,6 +266,24 @@ TEST_F(TangleProgram, KeepsToThePipOnTheAxisOfTheStandardMap) {
   }
 }
 
+// A saddle that is not the system's own is joined to itself, whatever period its own tangle is over.
+TEST_F(TangleProgram, JoinsOtherSaddlesToThemselves) {
+  const Outcome outcome = run({"tangle", "--system", "standard", "--param", "K=5", "--from=3.14159,0"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("DISAGREEMENT"), std::string::npos) << outcome.out;
+}
+
+TEST_F(TangleProgram, TakesTheNameOfASystemByItself) {
+  const Outcome with_option = run({"tangle", "--system", "duffing"});
+  ASSERT_EQ(with_option.status, 0) << with_option.err;
+  const Outcome alone = run({"tangle", "duffing"});
+  EXPECT_EQ(alone.out, with_option.out) << alone.err;
+  EXPECT_NE(run({"tangle", "duffing", "--help"}).out.find("--before"), std::string::npos);
+  // A file of that name is a file.
+  write("duffing", "1 2\n3 4\n");
+  EXPECT_NE(run({"tangle", "duffing"}).err.find("zone"), std::string::npos);
+}
+
 // f is x -> a reflection through the saddle: f^2 keeps the branches.
 TEST_F(TangleProgram, SaysThatSaddlesWithReflectionCountSecondIterates) {
   const Outcome grown = run({"grow", "standard", "--param", "K=5", "--from", "3.14159265,0", "--unstable",

@@ -2,8 +2,10 @@
 // geometry against the area by action, every T(n) by lobes against that by boundaries.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "lober/systems.hpp"
 #include "lober/transport.hpp"
 #include "tests/environment.hpp"
+#include "tests/stress/coverage.hpp"
 
 namespace lober {
 namespace {
@@ -35,6 +38,7 @@ TEST(TransportCoverage, OfLobesAndFluxes) {
   std::mt19937_64 random(seed);
   std::size_t compared = 0, outside = 0, refused = 0;
   double worst = 0;
+  std::map<std::string, std::vector<double>> looseness;  // bars in units of the difference, by what is compared
   for (const SystemFamily& family : system_families) {
     for (std::uint64_t k = 0; k < count; ++k) {
       ParameterValues values;
@@ -54,6 +58,8 @@ TEST(TransportCoverage, OfLobesAndFluxes) {
         for (const Comparison& one : found.agreement.comparisons) {
           ++compared;
           if (one.bar > 0) worst = std::max(worst, one.difference() / one.bar);
+          if (one.difference() > 0)
+            looseness[one.first_by + " and " + one.second_by].push_back(one.bar / one.difference());
           if (one.agrees()) continue;
           ++outside;
           std::cout << text << ": " << one.what << " " << one.first << " by " << one.first_by << ", " << one.second
@@ -68,6 +74,11 @@ TEST(TransportCoverage, OfLobesAndFluxes) {
   std::cout << "bars of transport (seed " << seed << "): " << outside << " of " << compared
             << " comparisons outside, the largest difference is " << worst << " bars; " << refused << " of "
             << count * system_families.size() << " systems refused\n";
+  for (auto& [ways, ratios] : looseness) {
+    std::sort(ratios.begin(), ratios.end());
+    std::cout << "bars of " << ways << ", in differences: median " << stress::quantile(ratios, 0.5) << ", 90 % below "
+              << stress::quantile(ratios, 0.9) << ", " << ratios.size() << " of them\n";
+  }
   EXPECT_GE(compared, 8 * count);
   EXPECT_LE(1000 * outside, compared);
 }

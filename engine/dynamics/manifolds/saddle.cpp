@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/base/quantities.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/fixed_points/classify.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
@@ -15,9 +16,17 @@
 namespace lober::detail {
 namespace {
 
+// What is farther from a guess, in units of its size, is another point than the one that was meant.
+constexpr double nearby = 0.5;
+
 std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
-  const NewtonEnd end = newton(map, guess, {.period = steps}, 0.5 * size_at(guess));
-  return end.converged ? std::optional(end.at) : std::nullopt;
+  const NewtonEnd end = newton(map, guess, {.period = steps}, nearby * size_at(guess));
+  return end.converged && distance(end.at, guess) <= nearby * size_at(guess) ? std::optional(end.at) : std::nullopt;
+}
+
+// The way on.
+std::string others_by_search() {
+  return std::string(quantity::search) + " shows those that there are";
 }
 
 // The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. Of
@@ -25,7 +34,9 @@ std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point 
 Point refined_saddle(const PlanarMap& map, int steps, Point guess) {
   const std::optional<Point> own = refined_fixed_point(map, steps, guess);
   const std::optional<Point> forward = steps > 0 ? own : refined_fixed_point(map, -steps, guess);
-  if (!own && !forward) throw DataError("no fixed point of the map was found near " + format_point(guess));
+  if (!own && !forward) {
+    throw DataError("no fixed point of the map was found near " + format_point(guess) + "; " + others_by_search());
+  }
   if (!own) return *forward;
   const bool same = forward && distance(*forward, *own) <= 1e-8 * (1 + length(*own));
   return same ? *forward : *own;
@@ -47,14 +58,15 @@ Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
   FixedPoint saddle;
   saddle.at = refined_saddle(map, steps, guess);
   if (!is_finite(map.iterate_with_derivative(saddle.at, steps, saddle.derivative))) {
-    throw DataError("the map cannot be evaluated at its fixed point " + format_point(saddle.at));
+    throw DataError("the map cannot be evaluated at its fixed point " + format_point(saddle.at) + "; " +
+                    others_by_search());
   }
   classify(saddle);
   if (saddle.kind != FixedPointKind::saddle && saddle.kind != FixedPointKind::inverse_saddle &&
       saddle.kind != FixedPointKind::reversing_saddle) {
     throw DataError("the fixed point " + format_point(saddle.at) + ", found near " + format_point(guess) +
                     ", is not a saddle, but of the kind " + kind_text(saddle) +
-                    "; only saddles have the manifolds that are wanted here");
+                    "; only saddles have the manifolds that are wanted here, and " + others_by_search());
   }
   return {saddle.at, saddle.eigenvalues[0].real(), saddle.directions[0]};
 }
@@ -63,6 +75,7 @@ void require_derivative_fits(const PlanarMap& map, int steps, Point at) {
   Matrix2 a;
   if (!is_finite(map.iterate_with_derivative(at, steps, a))) return;
   const double size = std::max({1.0, std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
+  if (size > 1e8) return;  // points so near to each other that their images are too are one point in doubles
   const double h = 1e-5 * (1 + std::hypot(at.x, at.y)) / size;
   constexpr double fits = 1e-2;  // curvature and the error of integration are far below
   for (const bool along_x : {true, false}) {

@@ -21,6 +21,9 @@ SystemEntry double_gyre_entry() {
             system.window = window(0, 0, 2, 1);
             // The left gyre: its other sides are walls.
             system.connection = Connection{{1, 1}, {0, -1}, {1, 0}, {0, 1}, {}, {{0, 0}, {0, 1}}};
+            if (values[0] < 0) {  // the gyres turn the other way
+              system.connection = Connection{{1, 0}, {0, 1}, {1, 1}, {0, -1}, {}, {{0, 1}, {0, 0}}};
+            }
             if (at_half_periods(values[3])) system.symmetries.push_back(reversor({-1, 0, 0, -1}, {2, 1}));
             if (at_quarter_periods(values[3])) system.symmetries.push_back(reversor({1, 0, 0, -1}, {0, 1}));
             system.flow = std::make_shared<FlowOf<DoubleGyre>>(DoubleGyre{values[0], values[1], values[2]});

@@ -93,6 +93,7 @@ System detail::make_system(const SystemEntry& entry, const ParameterValues& valu
   std::vector<double> numbers;
   for (const Parameter& parameter : info.parameters) numbers.push_back(parameter.value);
   System system = entry.make(numbers, options);
+  if (system.picture.empty()) system.picture = system.window;
   system.info = std::move(info);
   return system;
 }

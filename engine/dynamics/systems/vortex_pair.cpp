@@ -20,6 +20,7 @@ SystemEntry entry(const char* name, const char* summary) {
   return {info, [](std::span<const double> values, const IntegrationOptions& options) {
             System system;
             system.window = window(-2.2, -0.1, 2.2, 0.1);
+            system.picture = window(-2.5, -2.5, 2.5, 2.5);  // the fluid that travels with the pair
             // The upper boundary of the fluid that travels with the pair.
             system.connection = Connection{{1.5, 0}, {0, 1}, {-1.5, 0}, {0, 1}, Point{0, 2.05}};
             // The lower one. Both are closed by the axis y = 0, which no fluid crosses.

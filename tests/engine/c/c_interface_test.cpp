@@ -169,6 +169,20 @@ TEST(CInterface, LimitsOfDensifyHaveAStatus) {
   EXPECT_EQ(array_of(done, "diagnostics").rows, 0U);
 }
 
+TEST(CInterface, LimitsOfManifoldsAndImagesHaveAStatus) {
+  const Model standard = model("standard", "K=1.1");
+  const Result grown = made_with(LOBER_INCOMPLETE, "give a larger max_points", [&](lober_result** to) {
+    return lober_grow(standard.get(), "iterates=14 max_points=100", to);
+  });
+  EXPECT_LE(array_of(grown, "points").rows, 100U);
+  EXPECT_GE(array_of(grown, "points").rows, 2U);
+  const std::vector<double> box{0.1, 0.1, 3, 0.1, 3, 3, 0.1, 3};
+  const Result image = made_with(LOBER_INCOMPLETE, "give a larger max_points", [&](lober_result** to) {
+    return lober_image(standard.get(), box.data(), 4, "iterates=9 max_points=100", to);
+  });
+  EXPECT_LE(array_of(image, "points").rows, 100U);
+}
+
 TEST(CInterface, ZonesAreNamedAsInTheHeader) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "lober_c_zones.dat";
   const std::vector<Point> first{{0, 0}, {1, 0}, {0, 1}}, second{{5, 5}, {6, 5}, {5, 6}};

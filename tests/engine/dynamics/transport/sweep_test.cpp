@@ -115,11 +115,12 @@ TEST(Sweep, FollowsOnePip) {
   }
 }
 
-// The periodic orbit moves on with the energy, away from where the system guesses it: alone, -1.52 finds a centre.
+// The periodic orbit moves on with the energy, away from where it is guessed: alone, -1.52 finds a centre.
 TEST(Sweep, FollowsTheSaddle) {
-  const Family family = [](double energy) -> FamilyMember {
+  const Connection guess = *make_system("pcr3bp").connection;
+  const Family family = [&](double energy) -> FamilyMember {
     const System system = make_system("pcr3bp", {{"energy", energy}});
-    return {system.map, *system.connection, system.lattice};
+    return {system.map, guess, system.lattice};
   };
   EXPECT_THROW((void)grow_tangle(*family(-1.52).map, family(-1.52).connection), DataError);
   const std::array values{-1.53, -1.528, -1.526, -1.524, -1.522, -1.52};
