@@ -127,8 +127,8 @@ TEST_F(EscapeProgram, NamesTheSaddlesThatBoundTheWell) {
                                  "--crossings", crossings});
     EXPECT_EQ(outcome.status, 1) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    for (const char* words : {"the periodic orbit of the bottleneck (0, 1)", "is above that of 3 saddles",
-                              "(0.866025", "(-0.866025", "--section"}) {
+    for (const char* words : {"the periodic orbit of the bottleneck (0, 1)", "is above that of 3 saddles", "(0.866025",
+                              "(-0.866025", "--section"}) {
       EXPECT_NE(outcome.err.find(words), std::string::npos) << words << ": " << outcome.err;
     }
   }

@@ -23,7 +23,8 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// Work that was expected to end within the budget and does not is broken off at this many of it: a tenth beyond, with what still runs then.
+// Work that was expected to end within the budget and does not is broken off at this many of it: with what still runs
+// then, less than a tenth beyond.
 constexpr double beyond_budget = 1.05;
 // Orbits and first curves may take these seconds whatever the budget: there is nothing to say before.
 constexpr double first_seconds = 5;

@@ -81,7 +81,8 @@ TEST(SaddleGuesses, ReachTheEarthAndTheMoon) {
   EXPECT_TRUE(make_system("pcr3bp", {{"mu", 0.5}}).connection);
   const System too_far = make_system("pcr3bp", {{"energy", -1.7}});
   EXPECT_FALSE(too_far.connection);
-  EXPECT_NE(too_far.no_connection.find("is lost near mu = 0.00095, energy = -1.6"), std::string::npos) << too_far.no_connection;
+  EXPECT_NE(too_far.no_connection.find("is lost near mu = 0.00095, energy = -1.6"), std::string::npos)
+      << too_far.no_connection;
 }
 
 }  // namespace
