@@ -9,13 +9,14 @@ namespace lober::cli {
 namespace {
 
 namespace quantity = detail::quantity;
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> options_of_quantities{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> options_of_quantities{{
     {quantity::points, "--max-points"},
     {quantity::seconds, "--budget"},
     {quantity::tolerance, "--tolerance"},
     {quantity::saddle, "--from"},
     {quantity::saddles, "--saddle"},
     {quantity::section, "--section"},
+    {quantity::store, "--store"},
     {quantity::search, "lober fixed-points"},
     {quantity::passes, "--densify; -DENS of published forms"},
 }};

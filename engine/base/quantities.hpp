@@ -13,6 +13,7 @@ inline constexpr std::string_view tolerance = "smaller tolerance";
 inline constexpr std::string_view saddle = "another saddle";
 inline constexpr std::string_view saddles = "each saddle that bounds the well";
 inline constexpr std::string_view section = "a section within the well";
+inline constexpr std::string_view store = "another store";
 inline constexpr std::string_view search = "a search for fixed points";
 inline constexpr std::string_view passes = "fewer or smaller passes";
 

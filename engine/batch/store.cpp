@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <unordered_set>
 
+#include "engine/base/quantities.hpp"
 #include "engine/batch/checksum.hpp"
 #include "engine/batch/store_schema.hpp"
 
@@ -49,7 +50,7 @@ void Store::check_format(bool create) {
   if (found != store_format && !fresh) {
     throw DataError(path_ + ": is a store of format " + std::to_string(found) + ", as " +
                     (found < store_format ? "older" : "newer") + " versions of lober have it; this one has format " +
-                    std::to_string(store_format) + ": run the manifest with another --store");
+                    std::to_string(store_format) + ": run the manifest with " + std::string(quantity::store));
   }
   // An empty store need not survive a power cut; all that is in it is synchronised with the first results. Pages are
   // large because each that is written is a system call or two; the log comes into the file after 4 MiB, as by default.
@@ -74,7 +75,8 @@ void Store::require_whole() {
   }
   if (!damaged_) return;
   throw DataError(path_ + ": is damaged, its tables do not hold together; lober batch merge NEW " + path_ +
-                  " takes over into NEW what can be read, then run with --store NEW");
+                  " takes over into NEW what can be read; then run the manifest with " + std::string(quantity::store) +
+                  ", NEW");
 }
 
 void Store::begin_run(const Provenance& who, int threads, const Manifest& manifest, const std::string& shard,
@@ -159,7 +161,7 @@ std::optional<Plan> Store::plan() const {
   if (file_->has_several_names()) {
     throw DataError(path_ + ": cannot be read by this name, one of several (hard links); give the one that wrote it");
   }
-  throw DataError(path_ + ": its plan is damaged; lober batch run MANIFEST --store " + path_ + " writes it again");
+  throw DataError(path_ + ": its plan is damaged; lober batch run, with its manifest and this store, writes it again");
 }
 
 InputDigests Store::digests() const {

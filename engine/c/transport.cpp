@@ -79,8 +79,8 @@ lober_result::Doubles rows_of(const std::vector<TransportStep>& steps, std::size
 }
 
 Work transport_work(const lober_model* model, Options& given) {
-  const PlanarMap& map = map_of(model);
-  const Connection& connection = connection_of(model);
+  (void)map_of(model);
+  const System& system = model->system;
   TransportOptions options;
   options.iterates = static_cast<int>(given.integer("iterates", options.iterates, 1));
   options.tolerance = given.number("tolerance", options.tolerance);
@@ -88,11 +88,9 @@ Work transport_work(const lober_model* model, Options& given) {
   options.bip_near = given.point("bip_near");
   options.particles = given.count("particles", options.particles);
   options.seed = given.count("seed", options.seed);
-  options.lattice = model->system.lattice;
-  if (model->system.further_needed) options.further = model->system.further;
   options.progress = text_progress();
-  return [=, &map, &connection](lober_result& result) {
-    const Transport found = transport(map, connection, options);
+  return [=, &system](lober_result& result) {
+    const Transport found = transport(system, options);
     const std::size_t regions = found.regions.size();
     lober_result::Doubles areas;
     for (const Region& region : found.regions) areas.insert(areas.end(), {region.area.value, region.area.error});

@@ -127,6 +127,11 @@ struct Transport {
 [[nodiscard]] LOBER_API Transport transport(const PlanarMap& map, const Connection& connection,
                                             const TransportOptions& options = {});
 
+/// The same of a system: with its own connection and lattice, and with its further boundaries where those are needed to
+/// bound region 1 (options.further, unless it is empty, in their place). Throws UsageError for a system that names no
+/// connection, DataError with the reason for one that has none for its parameters.
+[[nodiscard]] LOBER_API Transport transport(const System& system, const TransportOptions& options = {});
+
 /// The same from two curves alone, as far as they reach: their tangle, whose period must be known. Without a map there
 /// are no particles and no integration error.
 struct TransportOfCurves {

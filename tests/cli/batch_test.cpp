@@ -226,7 +226,9 @@ TEST_F(Batch, StatusSaysAFailureOnce) {
   (void)report({"job.toml"}, 1);
   const std::string status = run({"batch", "status", "job.results"}).out;
   EXPECT_NE(status.find("1 done, 3 failed, 0 to do"), std::string::npos) << status;
-  EXPECT_NE(status.find("3 jobs failed, first parameters.k=-2: no tangle at these parameters: "), std::string::npos)
+  EXPECT_NE(
+      status.find("3 jobs failed, first parameters.k=-2: system henon has no tangle of its own at these parameters: "),
+      std::string::npos)
       << status;
   EXPECT_EQ(std::count(status.begin(), status.end(), '\n'), 4) << status;
   EXPECT_NE(status.find("lober batch export job.results --format jsonl lists every job that failed"), std::string::npos)

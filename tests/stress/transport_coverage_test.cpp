@@ -51,10 +51,8 @@ TEST(TransportCoverage, OfLobesAndFluxes) {
       TransportOptions options;
       options.iterates = 3;
       options.max_work = 3e7;
-      options.lattice = system.lattice;
-      if (system.further_needed) options.further = system.further;
       try {
-        const Transport found = transport(*system.map, *system.connection, options);
+        const Transport found = transport(system, options);
         for (const Comparison& one : found.agreement.comparisons) {
           ++compared;
           if (one.bar > 0) worst = std::max(worst, one.difference() / one.bar);

@@ -23,11 +23,7 @@ Result run_transport(JobCurves curves, const Options& options) {
     curves.allowance().check();
     return true;
   };
-  if (!system.connection)
-    throw DataError("no tangle at these parameters: " + system.no_connection + "; give other parameters");
-  how.lattice = system.lattice;
-  if (system.further_needed) how.further = system.further;
-  const Transport found = transport(*system.map, *system.connection, how);
+  const Transport found = transport(system, how);
   const ManifoldTangle& manifolds = found.manifolds();
   const TransportBoundary& first = found.boundaries.front();
   if (const auto apart = found.agreement.disagreements(); !apart.empty()) {

@@ -20,6 +20,9 @@ namespace {
 constexpr int max_refinements_if_coarse = 4, max_refinements = 4;
 // Evaluations of the vector field in a step of the map: trajectories that return take some hundreds or thousands.
 constexpr double hardly_returns = 2e4;
+// By which one iterate stretches at a saddle where polygons find no turnstile any more: of the Duffing oscillator at
+// omega = 0.5 (2.7e5), but not at 0.6 (3.5e4).
+constexpr double far_stretched = 1e5;
 // Tolerances end at this number of roundings of the largest coordinate.
 constexpr double finest_roundings = 32;
 
@@ -99,7 +102,9 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
         continue;
       }
     }
-    if (++refined > max_refinements || tolerance_ / 10 < finest_) throw DataError(trouble + by_action());
+    if (++refined > max_refinements || tolerance_ / 10 < finest_) {
+      throw DataError(trouble + by_action() + (stretching() > far_stretched ? of_stretching() : ""));
+    }
     tolerance = tolerance_ / 10;
   }
 }
@@ -136,6 +141,16 @@ std::string TangleGrowth::of_saddles() const {
   const std::string of_u = "; U is that of the saddle " + format_point(u_.local.saddle);
   if (u_.local.saddle == s_.local.saddle) return of_u + ", and S too";
   return of_u + ", S that of " + format_point(s_.local.saddle);
+}
+
+double TangleGrowth::stretching() const {
+  return std::max(std::fabs(u_.local.multiplier), std::fabs(s_.local.multiplier));
+}
+
+std::string TangleGrowth::of_stretching() const {
+  return "; one iterate stretches by " + format_rounded(stretching()) +
+         " at the saddle, and lobes so long and thin are not resolved in double precision, however long one waits: "
+         "other parameters may do";
 }
 
 // Steps of the map taken so far, by both and by those that were given up for a finer tolerance.
@@ -184,9 +199,16 @@ bool TangleGrowth::grow(Side& side, double end) {
                                          : format_rounded(growth.points_needed()) + " points or more, ");
     limit_ += of_points ? "the " + std::string(quantity::points) + " allows " + std::to_string(options_.max_points) +
                               " for both"
-              : options_.budget > 0
-                  ? "which would take longer than the " + std::string(quantity::seconds)
+              : options_.budget > 0 ? "which would take longer than the " + std::string(quantity::seconds)
+              : stretching() > far_stretched
+                  ? "which is more work than is done unasked" + of_stretching()
                   : "which is more work than is done unasked; a " + std::string(quantity::seconds) + " allows more";
+    // More work is no help where there is nothing to find.
+    if (!result_ && found_.pips.empty()) {
+      limit_ +=
+          "; U and S have not crossed by then, and do not cross at all where no orbit leads from the one saddle to "
+          "the other";
+    }
     // On a cylinder and after other tangles the map has done more than growing.
     const double an_image =
         static_cast<double>(map_.work() - work_before_) / std::max(static_cast<double>(images()), 1.0);

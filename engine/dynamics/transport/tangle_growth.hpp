@@ -89,6 +89,8 @@ class TangleGrowth {
   bool find_turnstile(std::string& trouble);
   void require_bip_as_asked() const;
   [[nodiscard]] std::string of_saddles() const;
+  [[nodiscard]] double stretching() const;
+  [[nodiscard]] std::string of_stretching() const;
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
   [[nodiscard]] std::size_t nearest(Point point) const;

@@ -261,4 +261,19 @@ Transport transport(const PlanarMap& map, const Connection& connection, const Tr
   return TransportBuilder(map, options).build(connection);
 }
 
+Transport transport(const System& system, const TransportOptions& options) {
+  const std::string& name = system.info.name;
+  if (!system.map) throw UsageError("system " + name + " has no planar map");
+  if (!system.connection && system.no_connection.empty()) {
+    throw UsageError("system " + name + " does not name the saddles of a tangle");
+  }
+  if (!system.connection) {
+    throw DataError("system " + name + " has no tangle of its own at these parameters: " + system.no_connection);
+  }
+  TransportOptions with_system = options;
+  with_system.lattice = system.lattice;
+  if (system.further_needed && options.further.empty()) with_system.further = system.further;
+  return transport(*system.map, *system.connection, with_system);
+}
+
 }  // namespace lober

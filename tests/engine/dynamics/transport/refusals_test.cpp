@@ -1,6 +1,8 @@
 // Transport of maps for which its formulas do not hold, and bips that are not there.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "lober/error.hpp"
@@ -68,6 +70,64 @@ TEST(Transport, SaysThatNoPipIsNearThePlace) {
   options.bip_near = Point{-1, 9};
   const std::string text = refusal([&] { (void)transport(GeneralHenon(3, 1, 1), connection, options); });
   EXPECT_NE(text.find("and pips about it are"), std::string::npos) << text;
+}
+
+// (q, p) -> (q + L sin p', p'), p' = p - K sin q. In the limit of small K and L the saddles (pi, 0) and (0, pi) have
+// the energies L - K and K - L of H = K cos q + L cos p.
+class KickedHarper : public PlanarMap {
+ public:
+  KickedHarper(double k, double l) : k_(k), l_(l) {}
+  void iterate(std::span<Point> points, int iterates) const override {
+    for (Point& z : points) {
+      for (int n = 0; n < iterates; ++n) {
+        z.y -= k_ * std::sin(z.x);
+        z.x += l_ * std::sin(z.y);
+      }
+      for (int n = 0; n > iterates; --n) {
+        z.x -= l_ * std::sin(z.y);
+        z.y += k_ * std::sin(z.x);
+      }
+    }
+  }
+  Point iterate_with_derivative(Point z, int iterates, Matrix2& derivative) const override {
+    derivative = {};
+    for (int n = 0; n != iterates; n += iterates < 0 ? -1 : 1) {
+      const Point before = z;
+      iterate({&z, 1}, iterates > 0 ? 1 : -1);
+      const Point from = iterates > 0 ? before : z, to = iterates > 0 ? z : before;
+      const double a = k_ * std::cos(from.x), b = l_ * std::cos(to.y);
+      const Matrix2 step = iterates > 0 ? Matrix2{1 - a * b, b, -a, 1} : Matrix2{1, -b, a, 1 - a * b};
+      derivative = test::StandardMap::product(step, derivative);
+    }
+    return z;
+  }
+
+ private:
+  double k_, l_;
+};
+
+// No orbit leads from the one saddle to the other, and more work finds none.
+TEST(Transport, SaysThatManifoldsHaveNotCrossed) {
+  const double half = std::numbers::pi;
+  const Connection connection{{half, 0}, {-1, 1}, {0, half}, {1, -1}, std::nullopt};
+  ManifoldTangleOptions options;
+  options.max_work = 1e5;
+  const std::string text = refusal([&] { (void)grow_tangle(KickedHarper(1.6, 0.8), connection, options); });
+  EXPECT_NE(text.find("have not crossed"), std::string::npos) << text;
+  // With as much of both there is one.
+  EXPECT_GE(grow_tangle(KickedHarper(0.8, 0.8), connection, options)->tangle.pips.size(), 2U);
+}
+
+// Seconds are no help there, and are not suggested: they were, and ended without a turnstile too.
+TEST(Transport, SaysThatOneIterateStretchesTooFar) {
+  const System system = make_system("duffing", {{"omega", 0.3}});
+  TransportOptions options;
+  for (const double budget : {0.0, 20.0}) {
+    options.budget = budget;
+    const std::string text = refusal([&] { (void)transport(system, options); });
+    EXPECT_NE(text.find("one iterate stretches by 1.1e+09"), std::string::npos) << text;
+    EXPECT_EQ(text.find("allows more"), std::string::npos) << text;
+  }
 }
 
 TEST(Transport, TakesABudgetOfSeconds) {
