@@ -90,7 +90,7 @@ TEST_F(Interrupt, EndsCommandsOnSystemsSoon) {
   ends_soon({"grow", "standard", "--unstable", "--tolerance", "1e-10", "--iterates", "100", "--max-points", "100000000",
              "-o", "s.npy"});
   EXPECT_TRUE(exists("s.npy")) << "what was grown is kept";
-  ends_soon({"tangle", "--system", "duffing", "--after", "4", "--tolerance", "1e-9"}, 0.4);
+  ends_soon({"tangle", "--system", "duffing", "--after", "4", "--tolerance", "1e-9", "--budget", "60"}, 0.4);
   ends_soon({"transport", "double-gyre", "--tolerance", "1e-9"}, 0.4);
   ends_soon({"transport", "duffing", "--sweep", "eps=0.1:0.5:0.0001"});
   ends_soon({"escape", "capsize", "--tolerance", "1e-9", "--crossings", "8"});

@@ -275,7 +275,7 @@ bool TangleGrowth::grow_between(int before, int after) {
     limit_ = std::string("the polygon of ") + (side == &u_ ? "U" : "S") + " to the tolerance " +
              format_number(tolerance_) + " crosses itself near " + format_point(*crosses) +
              ": arcs lie closer to each other there than it shows; a " + std::string(quantity::tolerance) +
-             " goes farther";
+             " may go farther";
     return false;
   }
   look();
