@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
 #include <cmath>
 #include <vector>
 
+#include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
 
 namespace lober::detail {
@@ -33,9 +35,26 @@ std::size_t word_among(const std::array<std::string_view, n>& names, const std::
   return static_cast<std::size_t>(found - words.begin());
 }
 
-bool may_be_degrees(Point point, bool latitude_first) {
-  const double longitude = latitude_first ? point.y : point.x, latitude = latitude_first ? point.x : point.y;
-  return std::fabs(longitude) <= 360 && std::fabs(latitude) <= 90;
+struct Ranges {
+  bool degrees = false;   ///< all points may be longitudes and latitudes
+  bool half_way = false;  ///< some longitude is beyond 90 degrees, as one of both ends of a jump by 180 has to be
+};
+
+// Every curve that is read passes here: one pass, without a branch, parallel.
+Ranges ranges_of(std::span<const Point> points, bool latitude_first) {
+  std::atomic<bool> beyond = false, half_way = false;
+  for_each_block(points.size(), std::size_t{1} << 16, [&](std::size_t first, std::size_t last) {
+    bool no_degrees = false, far = false;
+    for (const Point& point : points.subspan(first, last - first)) {
+      const double longitude = std::fabs(latitude_first ? point.y : point.x);
+      const double latitude = std::fabs(latitude_first ? point.x : point.y);
+      no_degrees |= !(longitude <= 360) | !(latitude <= 90);
+      far |= longitude > 90;
+    }
+    if (no_degrees) beyond = true;
+    if (far) half_way = true;
+  });
+  return {!beyond, half_way};
 }
 
 struct Jumps {
@@ -61,16 +80,15 @@ Jumps jumps_in(std::span<const Point> points, bool latitude_first) {
 std::string geographic_remark(std::string_view header, std::span<const Point> points) {
   constexpr std::array<std::string_view, 4> longitudes{"lon", "long", "lng", "longitude"};
   constexpr std::array<std::string_view, 2> latitudes{"lat", "latitude"};
-  constexpr std::size_t sample = 1000, enough = 16;
+  constexpr std::size_t enough = 16;
   constexpr double much_shorter = 30;  // degrees
   const std::vector<std::string> words = words_of(header);
   const std::size_t longitude = word_among(longitudes, words), latitude = word_among(latitudes, words);
   const bool named = longitude < words.size() && latitude < words.size(),
              latitude_first = named && latitude < longitude;
-  const std::span<const Point> beginning = points.first(std::min(points.size(), sample));
-  const auto fits = [&](Point point) { return may_be_degrees(point, latitude_first); };
-  if (!named && (points.size() < enough || !std::all_of(beginning.begin(), beginning.end(), fits))) return {};
-  if (!std::all_of(points.begin(), points.end(), fits)) return {};
+  if (!named && points.size() < enough) return {};
+  const Ranges ranges = ranges_of(points, latitude_first);
+  if (!ranges.degrees || (!named && !ranges.half_way)) return {};
   const Jumps jumps = jumps_in(points, latitude_first);
   const bool crosses = jumps.count > 0 && jumps.largest_other < much_shorter;
   if (!named && !crosses) return {};
