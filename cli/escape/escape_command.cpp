@@ -93,10 +93,8 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   parser
       .add("--budget", request.options.budget,
            "The wall-clock time that the table may take, in seconds (default: a limit on the work instead, which gives "
-           "the "
-           "same table on every machine). The table ends before images that are expected to end later; those that do "
-           "not "
-           "end as expected are broken off.")
+           "the same table on every machine). The table ends before images that are expected to end later; those that "
+           "do not end as expected are broken off.")
       .positive()
       .value("SECONDS");
   const Option count = parser

@@ -260,6 +260,8 @@ TEST_F(EscapeProgram, RefusesWhatMakesNoSense) {
   fails({"capsize", "--section", "z=0"}, 2, "--section");
   fails({"capsize", "--direction", "both"}, 2, "direction");
   fails({"pcr3bp"}, 2, "give --section");
+  // Through a mass: what collides does not arrive, and no number of points makes the curve closed.
+  fails({"pcr3bp", "--energy", "-1.518", "--section", "x=1", "--crossings", "1"}, 1, "does not reach the section");
   fails({"capsize", "--crossings", "0", "--monte-carlo", "5"}, 2, "--monte-carlo");
   fails({"capsize", "--svg", "nowhere/file"}, 1, "nowhere/file");
 }

@@ -40,6 +40,14 @@ struct EscapeWork {
   double crossings_left = std::numeric_limits<double>::infinity();
 };
 
+// The middles of `count` equal parts of [0, 1].
+template <std::size_t count>
+std::array<double, count> middles() {
+  std::array<double, count> u{};
+  for (std::size_t k = 0; k < count; ++k) u[k] = (static_cast<double>(k) + 0.5) / count;
+  return u;
+}
+
 // Tells what is being done, from whatever thread, one at a time.
 class Reporter {
  public:
@@ -80,10 +88,17 @@ class Bottlenecks {
 
   std::vector<Bottleneck> list;
 
-  // E and X.
+  // E and X. A curve is closed only if every trajectory gets to the section: a few show before points are put in
+  // vain next to those that do not, as beside a collision.
   void cut_first() {
+    constexpr std::size_t samples = 512;
     for_each_tube([&](std::size_t k) {
       Carried& tube = carried_[k];
+      std::array<FlowState, samples> states;
+      tubes_[k]->crossings(tube.branch, section_, 1, middles<samples>(), states);
+      if (!std::all_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); })) {
+        throw DataError("a tube does not reach the section as a closed curve");
+      }
       tube.curves->push_back(tubes_[k]->curve(tube.branch, section_, 1, nullptr, tracing_));
       if (!tube.curves->back().complete) throw DataError("a tube does not reach the section as a closed curve");
     });
@@ -97,8 +112,8 @@ class Bottlenecks {
     // One may need more than the others do: half of what is left for each pair of them.
     const double for_one = 2 * work.crossings_left / static_cast<double>(carried_.size());
     const double affordable = std::max(for_one / (evaluations_a_point * (images + 1)), 2.0);
-    out_of_work_ = affordable < static_cast<double>(options_.max_points);
-    tracing_.max_points = out_of_work_ ? static_cast<std::size_t>(affordable) : options_.max_points;
+    const bool fewer = affordable < static_cast<double>(options_.max_points);
+    tracing_.max_points = fewer ? static_cast<std::size_t>(affordable) : options_.max_points;
     if (ends_.empty()) find_ends();
     for_each_tube([&](std::size_t k) {
       if (static_cast<int>(carried_[k].curves->size()) <= images) carry_one(k, cut_too);
@@ -154,7 +169,7 @@ class Bottlenecks {
   [[nodiscard]] bool refused() const { return report_.refused(); }
 
   // Whether what limits the points of curves is the work that they take.
-  [[nodiscard]] bool out_of_work() const { return out_of_work_; }
+  [[nodiscard]] bool out_of_work() const { return tracing_.max_points < options_.max_points; }
   // Whether a tube could not be carried on because that takes too many points.
   [[nodiscard]] bool out_of_points() const {
     return std::any_of(carried_.begin(), carried_.end(), [](const Carried& tube) { return tube.out_of_points; });
@@ -189,10 +204,8 @@ class Bottlenecks {
     const TubeCurve& last = tube.curves->back();
     if (tube.curves->size() < 2 || !last.complete || last.area < 2 * bottleneck.area) return;
     constexpr std::size_t samples = 64;
-    std::array<double, samples> u{};
     std::array<FlowState, samples> states;
-    for (std::size_t j = 0; j < samples; ++j) u[j] = (static_cast<double>(j) + 0.5) / samples;
-    tubes_[k]->begin(tube.branch, u, states);
+    tubes_[k]->begin(tube.branch, middles<samples>(), states);
     const double time = (k % 2 == 0 ? 1 : -1) * options_.integration.max_time;
     flow_.integrate(states, 0, time, options_.integration);
     if (std::any_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); })) return;
@@ -440,7 +453,6 @@ class Bottlenecks {
   std::vector<TubeCurve> entries_, exits_;  // E and X of all
   std::vector<BottleneckTubes> ends_;
   TubeCurveOptions tracing_;
-  bool out_of_work_ = false;
   double least_area_ = std::numeric_limits<double>::infinity();
 };
 
