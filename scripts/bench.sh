@@ -30,7 +30,7 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   cat "$tables"
   echo '## Run time against error'
   echo
-  echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, at so many points a curve.'
+  echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, for each number of points a curve.'
   echo
   build/bin/bench_accuracy --svg docs/accuracy.svg
   echo '## Integrators'

@@ -79,7 +79,7 @@ lober_result::Doubles rows_of(const std::vector<TransportStep>& steps, std::size
 }
 
 Work transport_work(const lober_model* model, Options& given) {
-  (void)map_of(model);
+  (void)map_of(model);  // throws for a null pointer, before the work
   const System& system = model->system;
   TransportOptions options;
   options.iterates = static_cast<int>(given.integer("iterates", options.iterates, 1));

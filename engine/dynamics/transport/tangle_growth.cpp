@@ -203,7 +203,7 @@ bool TangleGrowth::grow(Side& side, double end) {
               : stretching() > far_stretched
                   ? "which is more work than is done unasked" + of_stretching()
                   : "which is more work than is done unasked; a " + std::string(quantity::seconds) + " allows more";
-    // More work is no help where there is nothing to find.
+    // More work does not help where the manifolds do not cross at all.
     if (!result_ && found_.pips.empty()) {
       limit_ +=
           "; U and S have not crossed by then, and do not cross at all where no orbit leads from the one saddle to "

@@ -38,9 +38,8 @@ Transport transport_of(const System& system, int iterates, double tolerance, boo
   TransportOptions options;
   options.iterates = iterates;
   options.tolerance = tolerance;
-  options.lattice = system.lattice;
-  if (all || system.further_needed) options.further = system.further;
-  return transport(*system.map, *system.connection, options);
+  if (all) options.further = system.further;
+  return transport(system, options);
 }
 
 void check_transport(const Transport& found, std::span<const TransportRow> rows, double error) {
