@@ -8,12 +8,12 @@ build=$1
 if [ -n "${LOBER_CI_ALL:-}" ]; then
   export LOBER_RANDOM_PAIRS=500 LOBER_RANDOM_REGIONS=500 LOBER_RANDOM_TANGLES=2000 LOBER_STABILITY_PAIRS=20
   export LOBER_DISCRETISATION_PAIRS=20
-  long='*Transport*:*Escape*:*Large*:*Discretisation*:*Grow*:*TangleOfMap*'
+  long='*Transport*:*Escape*:*Large*:*Discretisation*:*Grow*:*TangleOfMap*:*SaddleGuesses*'
 else
   export LOBER_RANDOM_PAIRS=200 LOBER_RANDOM_REGIONS=200 LOBER_RANDOM_TANGLES=200 LOBER_STABILITY_PAIRS=5
   export LOBER_DISCRETISATION_PAIRS=5
   long='*OracleAgreement*:*Transport*:*Escape*:*Tube*:*ThinTangle*:*ActionAtRest*:*Systems*:*FixedPoints*:*Large*'
-  long+=':*Discretisation*:*Grow*:*TangleOfMap*:*BulkMemory*'
+  long+=':*Discretisation*:*Grow*:*TangleOfMap*:*BulkMemory*:*SaddleGuesses*'
 fi
 export LOBER_KILLS=2 LOBER_SCENE_POINTS=20000
 export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
@@ -21,9 +21,14 @@ export TSAN_OPTIONS="suppressions=$PWD/scripts/tsan.supp halt_on_error=1"
 cores=${LOBER_CI_CORES:-$(nproc)}
 status=0
 
-# run PROGRAM FILTER: the whole output of what fails, one line of what does not.
+logs=()
+# When the time of this step is over, the tests that it stands at.
+trap 'tail -q -n 1 "${logs[@]}"; exit 124' TERM
+
+# run PROGRAM FILTER: the end of the output of what fails; one line of what does not, and its tests of ten seconds and
+# more, which are to be made shorter or not to be chosen.
 run() {
-  local program=$build/bin/$1 filter=$2 shard pids=() logs=()
+  local program=$build/bin/$1 filter=$2 shard pids=()
   if [ ! -x "$program" ]; then
     echo "no $program" >&2
     status=1
@@ -31,16 +36,16 @@ run() {
   fi
   for ((shard = 0; shard < cores; ++shard)); do
     logs[shard]=$(mktemp)
-    GTEST_TOTAL_SHARDS=$cores GTEST_SHARD_INDEX=$shard "$program" --gtest_brief=1 --gtest_filter="$filter" \
-        >"${logs[shard]}" 2>&1 &
+    GTEST_TOTAL_SHARDS=$cores GTEST_SHARD_INDEX=$shard "$program" --gtest_filter="$filter" >"${logs[shard]}" 2>&1 &
     pids[shard]=$!
   done
   for ((shard = 0; shard < cores; ++shard)); do
     if wait "${pids[shard]}"; then
-      echo "$1: $(tail -n 1 "${logs[shard]}")"
+      echo "$1: $(grep '^\[  PASSED' "${logs[shard]}")"
+      grep -E '^\[       OK .*\([0-9]{5,} ms\)' "${logs[shard]}"
     else
       status=1
-      tail -n 200 "${logs[shard]}"
+      grep -vE '^\[( RUN  |  +OK|-----)' "${logs[shard]}" | tail -n 200
     fi
     rm -f "${logs[shard]}"
   done
