@@ -133,6 +133,10 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
   Json bottlenecks = Json::array();
   for (std::size_t k = 0; k < names.size(); ++k)
     bottlenecks.push_back(bottleneck_json(result.bottlenecks[k], names[k]));
+  Json also_open = Json::array();
+  for (const SaddlePoint& saddle : result.also_open) {
+    also_open.push_back({{"at", state_json(saddle.at)}, {"energy", saddle.energy}});
+  }
   Json object{{"command", "escape"},
               {"program", program_json()},
               {"system", {{"name", report.system.name}, {"parameters", parameters}}},
@@ -154,6 +158,7 @@ void write_escape_json(const std::string& path, const EscapeReport& report,
                                                          {"value", section.bound},
                                                          {"side", section.bound_side}}}}},
               {"bottlenecks", bottlenecks},
+              {"also_open", also_open},
               {"crossings", result.crossings},
               {"stop", stop_json(report)},
               {"table", table_json(report, names)},

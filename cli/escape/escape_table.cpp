@@ -32,6 +32,10 @@ std::string orbits_text(const Escape& result, const std::vector<std::string>& na
       text += fmt::format("  turns at         ({:.15g}, {:.15g})\n", turning[0], turning[1]);
     }
   }
+  for (const SaddlePoint& saddle : result.also_open) {
+    text += fmt::format("also open         saddle ({:.12g}, {:.12g}), energy {:.12g}: what leaves there is not known\n",
+                        saddle.at[0], saddle.at[1], saddle.energy);
+  }
   return text;
 }
 
@@ -74,13 +78,20 @@ std::string escape_summary(const EscapeReport& report) {
   std::string text;
   if (result.stop != EscapeStop::done) text += "\n" + stop_text(report) + "\n";
   for (std::size_t entry = 0; entry < names.size(); ++entry) {
-    text += fmt::format("\nentrance {}: still inside after crossing", names[entry]);
-    for (const Survival& step : survival(result, entry)) {
+    const std::vector<Survival> steps = survival(result, entry);
+    if (steps.empty()) continue;
+    text += fmt::format("\nentrance {}: {} after crossing", names[entry],
+                        result.also_open.empty() ? "still inside" : "not left by these bottlenecks");
+    for (const Survival& step : steps) {
       text += fmt::format("  {}: {} %", step.crossings, percent(step.remains, step.error));
     }
   }
-  text += fmt::format("\nlargest difference between two splits of one fraction: {:.0e} %\n",
-                      100 * result.largest_split_difference);
+  const bool split = std::any_of(result.table.begin(), result.table.end(),
+                                 [](const EscapeFraction& row) { return row.other == row.other; });
+  if (split) {
+    text += fmt::format("\nlargest difference between two splits of one fraction: {:.0e} %\n",
+                        100 * result.largest_split_difference);
+  }
   if (!report.check) return text;
   if (report.lists_counts)
     text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "counted, %");
@@ -90,8 +101,10 @@ std::string escape_summary(const EscapeReport& report) {
     text += fmt::format("{:>4}  {:<10} {:<10} {:>28}\n", row.crossings, names[row.entry], names[row.exit],
                         percent(counted.fraction, counted.standard_error));
   }
-  text += fmt::format("{} trajectories from each entrance, {} lost: largest deviation {:.2f} standard errors\n",
-                      report.check->trajectories, report.check->lost, report.check->largest_deviation);
+  text +=
+      fmt::format("{} trajectories from each entrance, {} {}: largest deviation {:.2f} standard errors\n",
+                  report.check->trajectories, report.check->lost,
+                  result.also_open.empty() ? "lost" : "lost or left by other ways", report.check->largest_deviation);
   return text;
 }
 

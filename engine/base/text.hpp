@@ -15,11 +15,11 @@ namespace lober::detail {
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
-/// Two significant digits, for estimates.
-[[nodiscard]] inline std::string format_rounded(double value) {
+/// A few significant digits, for estimates.
+[[nodiscard]] inline std::string format_rounded(double value, int digits = 2) {
   std::array<char, 32> buffer;
   return {buffer.data(),
-          std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 2).ptr};
+          std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr};
 }
 
 /// "(x, y)".

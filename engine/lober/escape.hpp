@@ -100,8 +100,11 @@ struct EscapeFraction {
 
 struct Escape {
   double energy = 0;
-  Section section;                        ///< its direction is the one that n counts
-  std::vector<Bottleneck> bottlenecks;    ///< by their saddle's coordinate across the section, ascending
+  Section section;                      ///< its direction is the one that n counts
+  std::vector<Bottleneck> bottlenecks;  ///< by their saddle's coordinate across the section, ascending
+  /// Saddles of rank 1 below the energy that are no bottleneck here, of a search from a grid about the bottlenecks:
+  /// what leaves the well by these counts as not left.
+  std::vector<SaddlePoint> also_open;
   std::vector<EscapeFraction> table;      ///< by entry, exit, m; 1 <= n <= options.crossings
   int crossings = 0;                      ///< n up to which the table goes
   EscapeStop stop = EscapeStop::done;     ///< why it does not go further
@@ -140,8 +143,8 @@ LOBER_API void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement&
 struct Survival {
   int crossings = 0;
   std::vector<double> left;  ///< by exit
-  double remains = 1;        ///< 1 - sum of left
-  double error = 0;          ///< sum of the error bars
+  double remains = 1;  ///< 1 - sum of left; where Escape::also_open lists saddles, part of it may have left by them
+  double error = 0;    ///< sum of the error bars
 };
 /// n = 1, 2, ... as far as all fractions are known.
 [[nodiscard]] LOBER_API std::vector<Survival> survival(const Escape& result, std::size_t entry);

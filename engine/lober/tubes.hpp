@@ -9,6 +9,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,8 +62,8 @@ class Tube {
   /// one. NaN for those that do not get there.
   LOBER_API void crossings(Branch branch, const Section& section, int k, std::span<const double> u,
                            std::span<FlowState> states) const;
-  /// The branch whose trajectories reach the section, the sooner one if both do. Throws DataError when neither does.
-  [[nodiscard]] LOBER_API Branch branch_towards(const Section& section) const;
+  /// The branch whose trajectories reach the section, the sooner one if both do; none when neither does.
+  [[nodiscard]] LOBER_API std::optional<Branch> branch_towards(const Section& section) const;
   /// Crossing number k = 1, 2, ... as a closed curve. `before`: crossing number k - 1, complete, which shows where this
   /// one needs points; none for the first one. Throws Cancelled.
   [[nodiscard]] LOBER_API TubeCurve curve(Branch branch, const Section& section, int k, const TubeCurve* before,

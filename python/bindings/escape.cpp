@@ -88,6 +88,9 @@ py::dict escape_of(const System& system, double energy, int crossings, double to
   result["crossings"] = found.crossings;
   result["stop"] = name_of(found.stop);
   result["bottlenecks"] = bottlenecks;
+  py::list also_open;
+  for (const SaddlePoint& saddle : found.also_open) also_open.append(saddle.at);
+  result["also_open"] = also_open;
   result["comparisons"] = comparisons_of(found.agreement);
   return result;
 }

@@ -263,7 +263,8 @@ class Escape:
 
     `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings`, `iterates`,
     `fraction`, `error`, and `other`, `other_error`, the same from another split; NaN where it is not known. `stop` says
-    why it goes to `crossings` only: done, points, work, budget or lost.
+    why it goes to `crossings` only: done, points, work, budget or lost. `also_open` holds saddles below the energy that
+    are none of the system's, as states: what leaves by these is not in the table.
     """
 
     energy: float
@@ -271,6 +272,7 @@ class Escape:
     crossings: int
     stop: str
     bottlenecks: list[Bottleneck]
+    also_open: list[list[float]]
     agreement: Agreement
 
 

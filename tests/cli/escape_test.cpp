@@ -183,6 +183,43 @@ TEST_F(EscapeProgram, SaysWhereTheSectionDoesNotServe) {
   EXPECT_NE(sums.err.find("what has entered"), std::string::npos) << sums.err;
 }
 
+// One of two open bottlenecks is named: what leaves by the other is not said to be inside. The orbit of (1, 0.5) is the
+// mirror image of that of (-1, 0.5).
+TEST_F(EscapeProgram, DoesNotCallInsideWhatMayHaveLeftElsewhere) {
+  const std::vector<std::string> arguments{"escape", "capsize",  "--energy", "0.25307",     "--crossings",
+                                           "3",      "--saddle", "1",        "--tolerance", "1e-4"};
+  const Outcome outcome = run(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("also open         saddle (1, 0.5), energy 0.25"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("still inside"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("not left by these bottlenecks"), std::string::npos) << outcome.out;
+  std::vector<std::string> with_json = arguments;
+  with_json.insert(with_json.end(), {"--json", "-"});
+  EXPECT_EQ(Json::parse(run(with_json).out)["also_open"][0]["at"], (Json{1, 0.5, 0, 0}));
+  const Outcome both = run({"escape", "capsize", "--crossings", "1", "--tolerance", "1e-4"});
+  EXPECT_NE(both.out.find("still inside"), std::string::npos) << both.out;
+  EXPECT_EQ(both.out.find("also open"), std::string::npos) << both.out;
+}
+
+// Each names the tube and what can be given instead.
+TEST_F(EscapeProgram, SaysWhatToGiveWhereASectionLiesOutsideOfTheWell) {
+  for (const char* section : {"y=0.45", "y=0.6", "y=5"}) {
+    const Outcome outcome = run({"escape", "capsize", "--section", section, "--tolerance", "1e-4"});
+    EXPECT_EQ(outcome.status, 1) << section;
+    EXPECT_EQ(outcome.out, "") << section;
+    EXPECT_NE(outcome.err.find("is above that of 2 saddles, (-1, 0.5), (1, 0.5)"), std::string::npos) << outcome.err;
+  }
+  const Outcome closed = run({"escape", "pcr3bp", "--crossings", "0", "--energy", "-1.5195"});
+  EXPECT_EQ(closed.status, 2);
+  for (const char* words :
+       {"the saddle (1.06883, 0)", "energies from about -1.51921836 on", "open are (0.93237, 0)", "(--saddle)"}) {
+    EXPECT_NE(closed.err.find(words), std::string::npos) << words << ": " << closed.err;
+  }
+  const Outcome elsewhere = run({"escape", "pcr3bp", "--crossings", "0", "--energy", "-1.51921"});
+  EXPECT_NE(elsewhere.err.find("neither branch of the unstable tube of the bottleneck (0.93237, 0)"), std::string::npos)
+      << elsewhere.err;
+}
+
 // A section through the bottleneck meets its orbit, and what runs beside that crosses it again and again.
 TEST_F(EscapeProgram, SaysThatASectionCutsAPeriodicOrbit) {
   for (const char* crossings : {"0", "2"}) {

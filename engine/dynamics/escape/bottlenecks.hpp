@@ -88,6 +88,16 @@ class Bottlenecks {
 
   std::vector<Bottleneck> list;
 
+  // Saddles below the energy that are none of these, by the coordinate across the section.
+  [[nodiscard]] std::vector<SaddlePoint> also_open() const {
+    std::vector<SaddlePoint> others = open_saddles();
+    others.erase(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(list.size()));
+    const auto axis = static_cast<std::size_t>(section_.coordinate);
+    std::stable_sort(others.begin(), others.end(),
+                     [&](const auto& x, const auto& y) { return x.at[axis] < y.at[axis]; });
+    return others;
+  }
+
   // E and X. A curve is closed only if every trajectory gets to the section: a few show before points are put in
   // vain next to those that do not, as beside a collision.
   void cut_first() {
@@ -97,10 +107,12 @@ class Bottlenecks {
       std::array<FlowState, samples> states;
       tubes_[k]->crossings(tube.branch, section_, 1, middles<samples>(), states);
       if (!std::all_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); })) {
-        throw DataError("a tube does not reach the section as a closed curve");
+        throw DataError(name_of_tube(k) + " does not reach the section as a closed curve. " + way_on());
       }
       tube.curves->push_back(tubes_[k]->curve(tube.branch, section_, 1, nullptr, tracing_));
-      if (!tube.curves->back().complete) throw DataError("a tube does not reach the section as a closed curve");
+      if (!tube.curves->back().complete) {
+        throw DataError(name_of_tube(k) + " does not reach the section as a closed curve. " + way_on());
+      }
     });
     measure_defects();
   }
@@ -165,6 +177,10 @@ class Bottlenecks {
     return sum;
   }
 
+  [[noreturn]] void throw_outside() const {
+    throw DataError("no trajectory comes back to the section, which lies outside of the well. " + way_on());
+  }
+
   // Whether the caller's progress has cancelled.
   [[nodiscard]] bool refused() const { return report_.refused(); }
 
@@ -209,11 +225,15 @@ class Bottlenecks {
     const double time = (k % 2 == 0 ? 1 : -1) * options_.integration.max_time;
     flow_.integrate(states, 0, time, options_.integration);
     if (std::any_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); })) return;
-    const std::string which = k % 2 == 0 ? "unstable" : "stable";
-    throw DataError("the " + which + " tube of the bottleneck " + name_of_saddle(bottleneck.orbit.saddle) +
-                    " runs to infinity: its image " + std::to_string(tube.curves->size() - 1) + " has the area " +
-                    format_rounded(last.area) + " instead of " + format_rounded(bottleneck.area) + ", and all of " +
-                    std::to_string(samples) + " trajectories are lost. " + way_on());
+    throw DataError(name_of_tube(k) + " runs to infinity: its image " + std::to_string(tube.curves->size() - 1) +
+                    " has the area " + format_rounded(last.area) + " instead of " + format_rounded(bottleneck.area) +
+                    ", and all of " + std::to_string(samples) + " trajectories are lost. " + way_on());
+  }
+
+  // Of tube k: "the unstable tube of the bottleneck (1, 0.5)".
+  [[nodiscard]] std::string name_of_tube(std::size_t k) const {
+    return std::string(k % 2 == 0 ? "the unstable" : "the stable") + " tube of the bottleneck " +
+           name_of_saddle(list[k / 2].orbit.saddle);
   }
 
   // What to do where the section or the saddles do not serve.
@@ -288,9 +308,13 @@ class Bottlenecks {
   // Its images are cut from the next one on.
   void begin_cutting(std::size_t k) {
     Carried& tube = carried_[k];
-    tube.cutting = std::make_unique<CutImages>(flow_, section_, ends_, k / 2, k % 2 == 0, tube.curves->back(),
-                                               static_cast<int>(tube.curves->size()) - 1, options_.integration,
-                                               cut_image_options());
+    try {
+      tube.cutting = std::make_unique<CutImages>(flow_, section_, ends_, k / 2, k % 2 == 0, tube.curves->back(),
+                                                 static_cast<int>(tube.curves->size()) - 1, options_.integration,
+                                                 cut_image_options());
+    } catch (const DataError& error) {
+      throw DataError(std::string(error.what()) + ". " + way_on());
+    }
   }
 
   [[nodiscard]] bool meets_an_end(const TubeCurve& curve, bool entry) const {
@@ -309,7 +333,9 @@ class Bottlenecks {
   }
 
   static std::string name_of_saddle(const SaddlePoint& saddle) {
-    return "(" + format_number(saddle.at[0]) + ", " + format_number(saddle.at[1]) + ")";
+    const double scale = std::hypot(saddle.at[0], saddle.at[1]);
+    const auto text = [&](double x) { return format_rounded(std::fabs(x) < 1e-12 * scale ? 0 : x, 6); };
+    return "(" + text(saddle.at[0]) + ", " + text(saddle.at[1]) + ")";
   }
 
   // All bottlenecks are open, or there is nothing to escape by.
@@ -317,10 +343,15 @@ class Bottlenecks {
     const auto highest = std::max_element(saddles.begin(), saddles.end(),
                                           [](const auto& x, const auto& y) { return x.energy < y.energy; });
     if (energy > highest->energy && std::isfinite(energy)) return;
+    std::string below;
+    for (const SaddlePoint& saddle : saddles) {
+      if (energy > saddle.energy) below += (below.empty() ? "" : ", ") + name_of_saddle(saddle);
+    }
     throw UsageError("the energy " + format_number(energy) + " is not above that of the saddle " +
                      name_of_saddle(*highest) + ", " + format_number(highest->energy) +
-                     ", so that the bottleneck there is closed; energies from about " +
-                     format_number(least_energy(*highest)) + " on can be used");
+                     ", so that the bottleneck there is closed; energies from about " + text_of_least(*highest) +
+                     " on can be used" +
+                     (below.empty() ? "" : "; open are " + below + ": give " + std::string(quantity::saddles)));
   }
 
   // Orbits shrink with the square root of the energy above the saddle, which is a difference of rounded numbers.
@@ -328,6 +359,7 @@ class Bottlenecks {
     constexpr double least_excess = 1e-7;
     return saddle.energy + least_excess * (1 + std::fabs(saddle.energy));
   }
+  static std::string text_of_least(const SaddlePoint& saddle) { return format_rounded(least_energy(saddle), 9); }
   // What fails near a saddle's energy fails because of that.
   template <typename Function>
   static void near_saddle(const SaddlePoint& saddle, double energy, const Function& function) {
@@ -339,7 +371,7 @@ class Bottlenecks {
                       " above that of the saddle " + name_of_saddle(saddle) + ", " + format_number(saddle.energy) +
                       ": " + error.what() +
                       (energy < least ? "; orbits so near to the saddle are lost in rounding: energies from about " +
-                                            format_number(least) + " on can be used"
+                                            text_of_least(saddle) + " on can be used"
                                       : ""));
     }
   }
@@ -400,7 +432,12 @@ class Bottlenecks {
           tubes_[k].emplace(flow_, bottleneck.orbit, k % 2 == 0 ? ManifoldSide::unstable : ManifoldSide::stable,
                             options_.integration);
         });
-        (k % 2 == 0 ? bottleneck.entry_branch : bottleneck.exit_branch) = tubes_[k]->branch_towards(section_);
+        const std::optional<Branch> towards = tubes_[k]->branch_towards(section_);
+        if (!towards) {
+          throw DataError("neither branch of " + name_of_tube(k) + " reaches the section as a closed curve. " +
+                          way_on());
+        }
+        (k % 2 == 0 ? bottleneck.entry_branch : bottleneck.exit_branch) = *towards;
       } catch (const DataError&) {
         failures[k] = std::current_exception();
       }

@@ -67,7 +67,7 @@ class CutImages::Cutting {
         result.image.diagnostics.begin(), result.image.diagnostics.end(),
         [](const GrowthDiagnostic& diagnostic) { return diagnostic.cause == GrowthDiagnosticCause::failed; });
     out_of_points_ = result.image.stop == GrowthStop::points;
-    if (failed || out_of_points_) return std::nullopt;
+    if (failed || out_of_points_ || result.image.points.size() < 3) return std::nullopt;
     sample(result);
     return result;
   }
@@ -135,8 +135,9 @@ class CutImages::Cutting {
     };
     const std::array<double, 2> ends{0, 1};
     exit.regularising_curve = std::move(images_of(curve, ends, tracing_, [](const CurveImage&) { return false; })[0]);
-    if (!exit.regularising_curve.diagnostics.empty())
-      throw DataError("the regularising curve of a tube could not be followed to the section");
+    if (!exit.regularising_curve.diagnostics.empty() || exit.regularising_curve.points.size() < 3) {
+      throw DataError("what is about to leave by a bottleneck could not be followed back to the section");
+    }
     exit.index = std::make_unique<IndexedCurve>(CurveView(exit.regularising_curve));
     for (const Point& p : exit.regularising_curve.points) {
       exit.middle.x += p.x / static_cast<double>(exit.regularising_curve.points.size());

@@ -69,6 +69,7 @@ class EscapeBuilder {
     std::optional<Bottlenecks> tubes;
     within_first_limit(watch_, options_, [&] {
       tubes.emplace(flow_, either, result_.energy, guesses, options_);
+      result_.also_open = tubes->also_open();
       const Stopwatch watch;
       tubes->cut_first();
       carrying_ = watch.seconds();
@@ -123,6 +124,8 @@ class EscapeBuilder {
     newest_crossings_ = crossings_ - before;
     carrying_ += carried;
     const Stopwatch measuring;
+    bool nothing = false;  // comes back
+    const auto is_known = [](const EscapeFraction& row) { return row.is_known(); };
     with_curves(bottlenecks, [&] {
       lay_out_rows(n);
       newest_measured_ = measure();
@@ -130,10 +133,12 @@ class EscapeBuilder {
       result_.crossings = n;
       compare();
       measuring_ = measuring.seconds();
-      if (options_.rows_known) options_.rows_known(result_, n);
+      nothing =
+          n == 1 && !bottlenecks.out_of_points() && std::none_of(result_.table.begin(), result_.table.end(), is_known);
+      if (options_.rows_known && !nothing) options_.rows_known(result_, n);
     });
-    const bool known = std::all_of(result_.table.begin(), result_.table.end(),
-                                   [](const EscapeFraction& row) { return row.is_known(); });
+    if (nothing) bottlenecks.throw_outside();
+    const bool known = std::all_of(result_.table.begin(), result_.table.end(), is_known);
     if (known) return;
     result_.stop = !bottlenecks.out_of_points() ? EscapeStop::lost
                    : bottlenecks.out_of_work()  ? EscapeStop::work

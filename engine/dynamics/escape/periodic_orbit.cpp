@@ -143,7 +143,7 @@ class Continuation {
   Corrected run(int& steps) {
     Corrected found{};
     double r = 0;
-    for (double next = 1.0 / 16; r < 1;) {
+    for (double next = first_step(); r < 1;) {
       const double energy = next == 1 ? saddle_.energy + excess_ : saddle_.energy + next * next * excess_;
       const double size = next * size_;
       const std::optional<Corrected> orbit =
@@ -167,6 +167,12 @@ class Continuation {
   }
 
  private:
+  // Far from the orbit wanted, but not so near to the saddle that rounding of the energy shows.
+  [[nodiscard]] double first_step() const {
+    constexpr double least_excess = 1e-7;
+    return std::clamp(std::sqrt(least_excess * (1 + std::fabs(saddle_.energy)) / excess_), 1.0 / 16, 1.0);
+  }
+
   struct Known {
     double r;
     Point at;

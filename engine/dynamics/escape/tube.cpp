@@ -72,10 +72,10 @@ void Tube::crossings(Branch branch, const Section& section, int k, std::span<con
   flow_.to_section(states, {}, section, side() == ManifoldSide::unstable ? k : -k, options_);
 }
 
-Branch Tube::branch_towards(const Section& section) const {
+std::optional<Branch> Tube::branch_towards(const Section& section) const {
   const auto u = scout_parameters();
   double soonest = std::numeric_limits<double>::infinity();
-  Branch best = Branch::plus;
+  std::optional<Branch> best;
   for (const Branch branch : {Branch::plus, Branch::minus}) {
     std::array<FlowState, scouts> states;
     std::array<double, scouts> times{};
@@ -88,7 +88,6 @@ Branch Tube::branch_towards(const Section& section) const {
       best = branch;
     }
   }
-  if (!std::isfinite(soonest)) throw DataError("neither branch of the tube reaches the section as a closed curve");
   return best;
 }
 

@@ -71,6 +71,20 @@ TEST(PeriodicOrbit, ShrinksToTheLinearOne) {
   EXPECT_NEAR(orbit.multiplier, std::exp(saddle.rate * period), 1e-2);
 }
 
+// The smallest orbits that can be asked for, whose energies above the saddle have lost half of their digits.
+TEST(PeriodicOrbit, BeginsNextToTheSaddle) {
+  for (const char* const name : {"capsize", "pcr3bp"}) {
+    const System system = make_system(name);
+    for (const FlowState& guess : system.saddles) {
+      const SaddlePoint saddle = saddle_point(*system.flow, guess);
+      const double excess = 1e-7 * (1 + std::fabs(saddle.energy));
+      const PeriodicOrbit orbit = periodic_orbit(*system.flow, saddle, saddle.energy + excess, finest);
+      // d(action)/d(energy) is the period.
+      EXPECT_NEAR(orbit.action / (orbit.period * excess), 1, 1e-5) << name;
+    }
+  }
+}
+
 TEST(PeriodicOrbit, LyapunovOrbitsAreSymmetric) {
   const System system = make_system("pcr3bp");
   for (const FlowState& saddle : system.saddles) {
