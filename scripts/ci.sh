@@ -108,7 +108,7 @@ instrumented=(lober lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
 sanitized_minutes=9
 if [ -n "$all" ]; then
   instrumented=()
-  sanitized_minutes=45  # of all tests, not a chosen part
+  sanitized_minutes=30  # of all tests, not a chosen part
 fi
 if step "clang with ASan and UBSan, warnings as errors" 15 scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
   step "tests under ASan and UBSan" "$sanitized_minutes" scripts/ci-sanitized.sh build-asan

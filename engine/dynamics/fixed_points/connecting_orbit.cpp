@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -79,6 +80,56 @@ std::optional<long double> half_action(const PlanarMap& map, const LocalManifold
   return sum;
 }
 
+// Newton's method for the point that both have, until it gains no more.
+ConnectingOrbit closest(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
+                        ManifoldPosition u, ManifoldPosition s) {
+  u = normalised(unstable, u);
+  s = normalised(stable, s);
+  ConnectingOrbit best;
+  best.residual = std::numeric_limits<double>::infinity();
+  int without_gain = 0;
+  constexpr int max_rounds = 40;
+  for (int round = 0; round < max_rounds && without_gain < 3; ++round) {
+    const MovingPoint on_u = point_on(map, unstable, u), on_s = point_on(map, stable, s);
+    const Point apart{on_s.at.x - on_u.at.x, on_s.at.y - on_u.at.y};
+    const double residual = std::hypot(apart.x, apart.y);
+    if (!std::isfinite(residual)) break;
+    if (residual < best.residual) {
+      best = {on_u.at, u, s, residual, {}, 0};
+      without_gain = 0;
+    } else {
+      ++without_gain;
+    }
+    const double sine = on_u.velocity.x * on_s.velocity.y - on_u.velocity.y * on_s.velocity.x;
+    if (sine == 0) break;
+    u.parameter += (apart.x * on_s.velocity.y - apart.y * on_s.velocity.x) / sine;
+    s.parameter += (apart.x * on_u.velocity.y - apart.y * on_u.velocity.x) / sine;
+    u = normalised(unstable, u);
+    s = normalised(stable, s);
+  }
+  return best;
+}
+
+// What rounding and the errors of integration leave is far below the distance from the saddle.
+bool is_met(const ConnectingOrbit& orbit, const LocalManifold& unstable) {
+  return orbit.residual <= 1e-6 * distance(orbit.at, unstable.saddle);
+}
+
+// What the residual changes the action by: the next point of the orbit is off by that times what an iterate stretches
+// by, and the action is stationary.
+double action_of_residual(const ConnectingOrbit& orbit, const LocalManifold& unstable, const LocalManifold& stable) {
+  const double off = orbit.residual * std::max(std::fabs(unstable.multiplier), std::fabs(stable.multiplier));
+  return off * off;
+}
+
+// Next to the one saddle the other manifold has come a long way, and its errors with it: more than the distance from
+// the saddle, where one iterate stretches far. The point of the same orbit half-way, `images` on, is seen by
+// both.
+int images_half_way(const LocalManifold& unstable, const LocalManifold& stable, ManifoldPosition u,
+                    ManifoldPosition s) {
+  return unstable.image().steps == -stable.image().steps ? std::max((s.images - u.images + 1) / 2, 0) : 0;
+}
+
 }  // namespace
 
 MovingPoint point_on(const PlanarMap& map, const LocalManifold& local, ManifoldPosition position) {
@@ -118,40 +169,40 @@ ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unst
                                  ManifoldPosition u, ManifoldPosition s) {
   u = normalised(unstable, u);
   s = normalised(stable, s);
-  ConnectingOrbit best;
-  best.residual = std::numeric_limits<double>::infinity();
-  int without_gain = 0;
-  constexpr int max_rounds = 40;
-  for (int round = 0; round < max_rounds && without_gain < 3; ++round) {
-    const MovingPoint on_u = point_on(map, unstable, u), on_s = point_on(map, stable, s);
-    const Point apart{on_s.at.x - on_u.at.x, on_s.at.y - on_u.at.y};
-    const double residual = std::hypot(apart.x, apart.y);
-    if (!std::isfinite(residual)) break;
-    if (residual < best.residual) {
-      best = {on_u.at, u, s, residual, {}, 0};
-      without_gain = 0;
-    } else {
-      ++without_gain;
+  ConnectingOrbit best = closest(map, unstable, stable, u, s);
+  int on = 0;  // images from the point that is asked for to the one that is met
+  constexpr double sharp = 1e-14;
+  if (!is_met(best, unstable) || action_of_residual(best, unstable, stable) > sharp) {
+    on = images_half_way(unstable, stable, u, s);
+    std::optional<ConnectingOrbit> half_way;
+    if (on > 0) half_way = closest(map, unstable, stable, {u.images + on, u.parameter}, {s.images - on, s.parameter});
+    const bool better =
+        half_way && is_met(*half_way, unstable) && (!is_met(best, unstable) || half_way->residual < best.residual);
+    if (better) {
+      best = *half_way;
+    } else if (on = 0; !is_met(best, unstable)) {
+      throw DataError("no orbit between the saddles was found near " + format_point(best.at) +
+                      ": the manifolds touch there, do not cross, or are not resolved");
     }
-    const double sine = on_u.velocity.x * on_s.velocity.y - on_u.velocity.y * on_s.velocity.x;
-    if (sine == 0) break;
-    u.parameter += (apart.x * on_s.velocity.y - apart.y * on_s.velocity.x) / sine;
-    s.parameter += (apart.x * on_u.velocity.y - apart.y * on_u.velocity.x) / sine;
-    u = normalised(unstable, u);
-    s = normalised(stable, s);
   }
-  const double distance = std::hypot(best.at.x - unstable.saddle.x, best.at.y - unstable.saddle.y);
-  if (!(best.residual <= 1e-6 * distance)) {
-    throw DataError("no orbit between the saddles was found near " + format_point(best.at) +
-                    ": the manifolds do not cross there, or touch");
-  }
-  const std::vector<Point> before = towards_saddle(map, unstable, best.u);
+  std::vector<Point> before = towards_saddle(map, unstable, best.u);
   std::vector<Point> after = towards_saddle(map, stable, best.s);
   after[0] = before[0];  // one point, so that the action is stationary in it
-  const auto back = half_action(map, unstable, before, best.action_error);
-  const auto on = half_action(map, stable, after, best.action_error);
-  if (back && on) best.action = *back + *on;
-  best.action_error += static_cast<double>(best.residual) * best.residual;
+  if (on > 0) {
+    const auto images = static_cast<std::size_t>(on) * static_cast<std::size_t>(unstable.image().steps);
+    if (images + 1 >= before.size()) throw DataError("the orbit between the saddles begins in the saddle itself");
+    const auto begin = before.begin(), at = begin + static_cast<std::ptrdiff_t>(images);
+    after.insert(after.begin(), std::reverse_iterator(at + 1), std::reverse_iterator(begin + 1));
+    before.erase(begin, at);
+    best.at = before[0];
+    best.u.images -= on;
+    best.s.images += on;
+    for (; best.u.images < 0; ++best.u.images) best.u.parameter /= unstable.image().factor;
+  }
+  const auto to_here = half_action(map, unstable, before, best.action_error);
+  const auto from_here = half_action(map, stable, after, best.action_error);
+  if (to_here && from_here) best.action = *to_here + *from_here;
+  best.action_error += action_of_residual(best, unstable, stable);
   return best;
 }
 

@@ -249,7 +249,10 @@ Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifo
     best = solver.solved(solver.linear(reach));
     if (best && !(best->defect_across <= 1e-9 * scale)) best.reset();
   }
-  if (!best) throw DataError("no invariant curve was found through the saddle " + format_point(saddle.at));
+  if (!best) {
+    throw DataError("no invariant curve was found through the saddle " + format_point(saddle.at) +
+                    unresolved(std::fabs(saddle.multiplier)));
+  }
   best->noise_across = 4 * best->defect_across;
   best->noise = 4 * best->defect;
   for (double factor = 4; factor > 1.1;) {

@@ -29,13 +29,21 @@ std::string others_by_search() {
   return std::string(quantity::search) + " shows those that there are";
 }
 
+// By which one iterate stretches at most.
+double stretching_at(const PlanarMap& map, int steps, Point at) {
+  Matrix2 a;
+  if (!is_finite(map.iterate_with_derivative(at, steps, a))) return 0;
+  return std::max({std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
+}
+
 // The manifolds of one saddle have to agree to the bit on where it is, so the stable side asks the map itself too. Of
 // the map and its inverse one may see it from where the other does not.
 Point refined_saddle(const PlanarMap& map, int steps, Point guess) {
   const std::optional<Point> own = refined_fixed_point(map, steps, guess);
   const std::optional<Point> forward = steps > 0 ? own : refined_fixed_point(map, -steps, guess);
   if (!own && !forward) {
-    throw DataError("no fixed point of the map was found near " + format_point(guess) + "; " + others_by_search());
+    throw DataError("no fixed point of the map was found near " + format_point(guess) +
+                    unresolved(stretching_at(map, steps, guess)) + "; " + others_by_search());
   }
   if (!own) return *forward;
   const bool same = forward && distance(*forward, *own) <= 1e-8 * (1 + length(*own));
@@ -53,6 +61,13 @@ std::string kind_text(const FixedPoint& point) {
 }
 
 }  // namespace
+
+std::string unresolved(double stretching) {
+  constexpr double far = 1e8;
+  if (!(stretching > far)) return "";
+  return "; one iterate stretches by " + format_rounded(stretching) +
+         " there, which is not resolved in double precision: other parameters may do";
+}
 
 Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
   FixedPoint saddle;

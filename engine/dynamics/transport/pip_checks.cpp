@@ -60,7 +60,7 @@ bool TangleGrowth::lobes_are_thin() const {
 
 // Why the pips of the turnstile are not those of the manifolds; empty if they are. Leaves their orbits.
 std::string TangleGrowth::trouble_with_pips() {
-  const std::string polygons = " (polygons to the tolerance " + format_number(tolerance_) + ")";
+  const std::string polygons = " (polygons to the tolerance " + tolerance_text() + ")";
   if (period_ % 2 == 1)
     return std::to_string(period_) +
            " pips a period, an odd number: a map takes pips to pips of the same direction, and those alternate" +

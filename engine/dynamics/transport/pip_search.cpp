@@ -94,7 +94,7 @@ bool TangleGrowth::find_turnstile(std::string& trouble) {
     period_ = static_cast<std::uint32_t>(bip_ - *before);
   } else {
     trouble = "the pip " + format_point(found_.pips[bip_].at) +
-              " has no pre-image among the pips of polygons to the tolerance " + format_number(tolerance_);
+              " has no pre-image among the pips of polygons to the tolerance " + tolerance_text();
   }
   return before.has_value();
 }

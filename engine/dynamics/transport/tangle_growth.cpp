@@ -143,6 +143,11 @@ std::string TangleGrowth::of_saddles() const {
   return of_u + ", S that of " + format_point(s_.local.saddle);
 }
 
+std::string TangleGrowth::tolerance_text() const {
+  const std::string text = format_rounded(tolerance_, 3);
+  return tolerance_ < options_.tolerance ? text + ", refined from " + format_rounded(options_.tolerance, 3) : text;
+}
+
 double TangleGrowth::stretching() const {
   return std::max(std::fabs(u_.local.multiplier), std::fabs(s_.local.multiplier));
 }
@@ -272,8 +277,8 @@ bool TangleGrowth::grow_between(int before, int after) {
     const std::optional<Point> crosses = refine_until_simple(*side);
     // Overlaps of images of lobes that polygons do not keep apart may be wrong by as much as the lobes.
     if (!crosses || before <= 1) continue;
-    limit_ = std::string("the polygon of ") + (side == &u_ ? "U" : "S") + " to the tolerance " +
-             format_number(tolerance_) + " crosses itself near " + format_point(*crosses) +
+    limit_ = std::string("the polygon of ") + (side == &u_ ? "U" : "S") + " to the tolerance " + tolerance_text() +
+             " crosses itself near " + format_point(*crosses) +
              ": arcs lie closer to each other there than it shows; a " + std::string(quantity::tolerance) +
              " may go farther";
     return false;
@@ -285,7 +290,7 @@ bool TangleGrowth::grow_between(int before, int after) {
     const std::optional<std::size_t> pip = image_of_bip(k, close);
     const auto expected = static_cast<std::ptrdiff_t>(bip_) + static_cast<std::ptrdiff_t>(period_) * k;
     if (pip && static_cast<std::ptrdiff_t>(*pip) == expected) continue;
-    limit_ = "polygons to the tolerance " + format_number(tolerance_) + " do not show the pip f^" + std::to_string(k) +
+    limit_ = "polygons to the tolerance " + tolerance_text() + " do not show the pip f^" + std::to_string(k) +
              "(q) where it has to be";
     return false;
   }

@@ -91,6 +91,8 @@ class TangleGrowth {
   [[nodiscard]] std::string of_saddles() const;
   [[nodiscard]] double stretching() const;
   [[nodiscard]] std::string of_stretching() const;
+  // Of the polygons that are looked at, and the one asked for.
+  [[nodiscard]] std::string tolerance_text() const;
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
   [[nodiscard]] std::size_t nearest(Point point) const;

@@ -81,8 +81,29 @@ TEST(SaddleGuesses, ReachTheEarthAndTheMoon) {
   EXPECT_TRUE(make_system("pcr3bp", {{"mu", 0.5}}).connection);
   const System too_far = make_system("pcr3bp", {{"energy", -1.7}});
   EXPECT_FALSE(too_far.connection);
-  EXPECT_NE(too_far.no_connection.find("is lost near mu = 0.00095, energy = -1.6"), std::string::npos)
+  EXPECT_NE(too_far.no_connection.find("is lost near mu = 0.0009537, energy = -1.573"), std::string::npos)
       << too_far.no_connection;
+}
+
+// The saddles of the vortex pair run away from each other in strains below 0, and lie unevenly in other phases.
+TEST(SaddleGuesses, ReachStrainsOfEitherSign) {
+  const auto saddles = [](double strain, double phase) {
+    const System system = make_system("ovp", {{"eps", strain}, {"phase", phase}});
+    EXPECT_TRUE(system.connection) << strain;
+    const Point u = detail::saddle_near(*system.map, 1, system.connection->from).at;
+    const Point s = detail::saddle_near(*system.map, -1, system.connection->to).at;
+    for (const double x : {u.x, s.x}) EXPECT_TRUE(x > system.window.min_x && x < system.window.max_x) << strain;
+    return std::pair{u.x, s.x};
+  };
+  EXPECT_NEAR(saddles(-0.3, 0).first, 3.42962, 1e-5);
+  EXPECT_NEAR(saddles(-1, 0).second, -28.0667, 1e-4);
+  EXPECT_NEAR(saddles(1, 0).first, 0.73914, 1e-5);
+  EXPECT_NEAR(saddles(0.3, 0.25).first, 1.53818, 1e-5);
+  EXPECT_NEAR(saddles(0.3, 0.25).second, -1.24160, 1e-5);
+  const System lost = make_system("ovp", {{"eps", 2}});
+  EXPECT_FALSE(lost.connection);
+  EXPECT_NE(lost.no_connection.find("is lost near eps = 1.465"), std::string::npos) << lost.no_connection;
+  EXPECT_NE(make_system("pcr3bp", {{"mu", 0}}).no_connection.find("of two bodies"), std::string::npos);
 }
 
 }  // namespace

@@ -229,6 +229,19 @@ TEST(Transport, GyreBoundedByWalls) {
   EXPECT_NEAR(found.steps[0].by_boundaries(0, 1).value, found.steps[0].total(0, 1).value, 1e-5);
 }
 
+// With A < 0 the gyres are their own mirror images. The pip found there first is so near to the saddle, after an
+// iterate that stretches by 2e4, that S has errors as large as that distance.
+TEST(Transport, GyresThatTurnTheOtherWay) {
+  for (const double amplitude : {0.1, -0.1, -0.09, -0.11}) {
+    SCOPED_TRACE(amplitude);
+    const Transport found = transport_of(make_system("double-gyre", {{"A", amplitude}}), 1, 1e-4);
+    expect_agreement(found);
+    if (std::fabs(amplitude) == 0.1) {
+      EXPECT_NEAR(found.boundaries[0].lobe_area12_by_action, 0.1290189717084, 1e-11);
+    }
+  }
+}
+
 // The lower vortex mirrors the upper one; nothing goes from one to the other.
 TEST(Transport, SeveralRegions) {
   const Transport found = transport_of(make_system("ovp"), 3, 1e-4, true);
