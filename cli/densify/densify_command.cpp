@@ -203,7 +203,10 @@ void run(const DensifyRequest& request) {
     progress.phase("reading", 0, 0.3);
     const detail::Stopwatch read_watch;
     report.inputs.push_back(read_curve(request.curves[0], !request.open));
-    if (request.curves.size() == 2) report.inputs.push_back(read_curve(request.curves[1], !request.open_against));
+    if (request.curves.size() == 2) {
+      report.inputs.push_back(read_curve(request.curves[1], !request.open_against));
+      require_same_columns(report.inputs[0], report.inputs[1]);
+    }
     report.timing.read = read_watch.seconds();
     const detail::Stopwatch densify_watch;
     compute(request, report, progress);

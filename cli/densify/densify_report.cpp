@@ -56,6 +56,9 @@ void write_diagnostics(detail::OutputFile& file, const DensifyReport& report) {
 
 std::string densify_summary(const DensifyReport& report) {
   std::string text = fmt::format("{:<20} {:>12} points\n", "given", report.inputs[0].curve.points.size());
+  for (const NamedCurve& input : report.inputs) {
+    if (!input.remark.empty()) text += input.file + " " + input.remark + "\n";
+  }
   for (const DensifyReport::Step& step : report.done) {
     text += fmt::format("{:<20} {:>12} points  {} {}\n", step.name, step.points, step.rounds,
                         step.rounds == 1 ? "round" : "rounds");

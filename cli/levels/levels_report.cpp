@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/report/json_file.hpp"
 #include "lober/files.hpp"
@@ -31,9 +32,13 @@ std::string levels_table(const LevelsReport& report, const LevelGrid& grid) {
   text += fmt::format("grid       {} x {} cells on [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]\n", grid.columns(),
                       grid.rows(), grid.window().min_x, grid.window().max_x, grid.window().min_y, grid.window().max_y);
   text += fmt::format("\n{:>22} {:>7} {:>7} {:>8}  {}\n", report.quantity(), "curves", "closed", "points", "saddle");
+  double largest = 0;
+  for (const Level& level : report.levels) largest = std::max(largest, std::fabs(level.value));
   for (const Level& level : report.levels) {
-    text += fmt::format("{:>22.16g} {:>7} {:>7} {:>8}", level.value, level.curves.size(), closed_of(level),
-                        point_count(level));
+    // A level of 0 is off by rounding of the others.
+    const double value = std::fabs(level.value) < 1e-15 * largest ? 0 : level.value;
+    text +=
+        fmt::format("{:>22.16g} {:>7} {:>7} {:>8}", value, level.curves.size(), closed_of(level), point_count(level));
     if (level.saddle) text += fmt::format("  ({:.10g}, {:.10g})", level.saddle->x, level.saddle->y);
     text += "\n";
   }

@@ -111,6 +111,7 @@ std::array<NamedCurve, 2> read_inputs(const OverlayRequest& request, Progress& p
     inputs[k] = read_curve(request.curves[k], true);
     progress.advance(0.5 * static_cast<double>(k + 1));
   }
+  require_same_columns(inputs[0], inputs[1]);
   return inputs;
 }
 
@@ -167,8 +168,10 @@ OverlayReport compute(const OverlayRequest& request, Progress& progress) {
   try {
     report.result = overlay(c1, c2, options);
   } catch (const NotSimpleError& error) {
-    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what() +
-                    " (--rule takes such curves)");
+    const auto curve = static_cast<std::size_t>(error.curve - 1);
+    const std::string& remark = report.inputs[curve].remark;
+    throw DataError(request.curves[curve] + ": " + error.what() + " (--rule takes such curves)" +
+                    (remark.empty() ? "" : "; the curve " + remark));
   }
   const OverlayTiming& engine = report.result.timing;
   timing.check = engine.check;

@@ -7,6 +7,7 @@
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/progress.hpp"
+#include "cli/program/system_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
 #include "engine/base/stopwatch.hpp"
@@ -71,7 +72,8 @@ void run(const SystemTangleRequest& request) {
 
 bool names_system(const std::vector<std::string>& arguments) {
   return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
-    return argument == "--system" || argument.starts_with("--system=");
+    return argument == "--system" || argument.starts_with("--system=") || argument == "--param" ||
+           argument.starts_with("--param=") || is_system(argument);
   });
 }
 
@@ -81,7 +83,7 @@ void run_system_tangle(const std::vector<std::string>& arguments) {
       "Finds the tangle of a system's manifolds, which are grown from its equations: pips, lobes, boundary and "
       "turnstile, with areas by geometry and by action.",
       "lober tangle");
-  add_system_options(parser, request.system, false);
+  add_system_options(parser, request.system, true);
   add_tolerance_option(parser, request.options.tolerance, manifold_tolerance_help);
   parser
       .add("--before", request.options.before,

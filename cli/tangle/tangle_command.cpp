@@ -4,7 +4,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 
 #include "cli/program/command_line.hpp"
@@ -15,6 +17,7 @@
 #include "cli/tangle/system_tangle_command.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/files/curve_spec.hpp"
 #include "lober/threads.hpp"
 
 namespace lober::cli {
@@ -96,11 +99,27 @@ std::optional<TangleRequest> parse_tangle(const std::vector<std::string>& argume
   return request;
 }
 
+// U alone is a file of two manifolds; a system would have been taken for one.
+void require_file_or_system(const std::string& name) {
+  const std::vector<SystemInfo> systems = list_systems();
+  if (!std::filesystem::exists(detail::file_of_curve(name))) {
+    std::string names;
+    for (const SystemInfo& info : systems) names += (names.empty() ? "" : ", ") + info.name;
+    throw UsageError(name + " is neither a file nor a system; the systems are " + names);
+  }
+  if (std::any_of(systems.begin(), systems.end(), [&](const SystemInfo& info) { return info.name == name; })) {
+    log_warning("the file " + name + " is read; --system " + name + " is the system of that name");
+  }
+}
+
 void read_inputs(const TangleRequest& request, Progress& progress, TangleReport& report) {
   progress.phase("reading", 0, 0.3);
   std::array<std::string, 2> specs = request.curves;
   const bool one_file = specs[1].empty();
-  if (one_file) specs = {specs[0] + "#0", specs[0] + "#1"};
+  if (one_file) {
+    require_file_or_system(specs[0]);
+    specs = {specs[0] + "#0", specs[0] + "#1"};
+  }
   for (std::size_t k = 0; k < 2; ++k) {
     report.inputs[k] = read_manifold(specs[k], request.reverse[k]);
     if (one_file && report.inputs[k].zones != 2) {
@@ -158,12 +177,6 @@ void run(const TangleRequest& request) {
 
 void run_tangle(const std::vector<std::string>& arguments) {
   if (names_system(arguments)) return run_system_tangle(arguments);
-  // A system by itself, as the other commands take it.
-  if (!arguments.empty() && is_system(arguments[0])) {
-    std::vector<std::string> with_option{"--system"};
-    with_option.insert(with_option.end(), arguments.begin(), arguments.end());
-    return run_system_tangle(with_option);
-  }
   const std::optional<TangleRequest> request = parse_tangle(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();

@@ -61,15 +61,19 @@ std::string matrix_text(std::span<const TransportStep> steps) {
         if (i != j) text += entry(i, j);
       }
     }
-    return text + "\n";
+    return text;
   };
   std::string text = fmt::format("\n{:>4}", "n") + pairs([](std::size_t i, std::size_t j) {
                        return fmt::format(" {:>18}", fmt::format("T{}{}(n)", i + 1, j + 1));
                      });
+  text += fmt::format(" {:>12}\n", "+- at most");
   for (const TransportStep& step : steps) {
+    Measured largest{0, 0};
     text += fmt::format("{:>4}", step.n) + pairs([&](std::size_t i, std::size_t j) {
+              if (step.total(i, j).error > largest.error) largest = step.total(i, j);
               return fmt::format(" {:>18}", format_value(step.total(i, j).value));
             });
+    text += fmt::format(" {:>12}\n", format_error(largest));
   }
   return text;
 }

@@ -77,18 +77,22 @@ Jumps jumps_in(std::span<const Point> points, bool latitude_first) {
 
 }  // namespace
 
-std::string geographic_remark(std::string_view header, std::span<const Point> points) {
+Columns columns_of(std::string_view header, std::span<const Point> points) {
   constexpr std::array<std::string_view, 4> longitudes{"lon", "long", "lng", "longitude"};
   constexpr std::array<std::string_view, 2> latitudes{"lat", "latitude"};
   constexpr std::size_t enough = 16;
   constexpr double much_shorter = 30;  // degrees
   const std::vector<std::string> words = words_of(header);
   const std::size_t longitude = word_among(longitudes, words), latitude = word_among(latitudes, words);
+  if (words.size() >= 2 && words[0] == "y" && words[1] == "x") {
+    return {"has columns named y and x, which are taken as x and y in that order", {}};
+  }
   const bool named = longitude < words.size() && latitude < words.size(),
              latitude_first = named && latitude < longitude;
+  const std::optional<bool> order = named ? std::optional(latitude_first) : std::nullopt;
   if (!named && points.size() < enough) return {};
   const Ranges ranges = ranges_of(points, latitude_first);
-  if (!ranges.degrees || (!named && !ranges.half_way)) return {};
+  if (!ranges.degrees || (!named && !ranges.half_way)) return {"", order};
   const Jumps jumps = jumps_in(points, latitude_first);
   const bool crosses = jumps.count > 0 && jumps.largest_other < much_shorter;
   if (!named && !crosses) return {};
@@ -98,9 +102,9 @@ std::string geographic_remark(std::string_view header, std::span<const Point> po
   text += "; areas are those of the plane, in square degrees";
   if (crosses) {
     text += ", and its segment " + std::to_string(jumps.first) +
-            " runs back across the whole map where the curve crosses the date line";
+            " runs back across the whole map where the curve crosses the date line: add 360 to longitudes below 0";
   }
-  return text;
+  return {text, order};
 }
 
 }  // namespace lober::detail

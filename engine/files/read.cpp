@@ -145,11 +145,18 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
     drop_closing_vertex(result.curve.points);
     if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
   }
-  if (const std::string geographic = geographic_remark(file.header, result.curve.points); !geographic.empty()) {
-    result.remark = geographic + (result.remark.empty() ? "" : "; " + result.remark);
-  }
+  const Columns columns = columns_of(file.header, result.curve.points);
+  if (!columns.remark.empty()) result.remark = columns.remark + (result.remark.empty() ? "" : "; " + result.remark);
+  result.latitude_first = columns.latitude_first;
   validate(result.curve, spec);
   return result;
+}
+
+void require_same_columns(const NamedCurve& first, const NamedCurve& second) {
+  if (!first.latitude_first || !second.latitude_first || *first.latitude_first == *second.latitude_first) return;
+  const bool swapped = *first.latitude_first;
+  throw DataError("the columns of " + (swapped ? first : second).file + " are latitude and longitude, those of " +
+                  (swapped ? second : first).file + " longitude and latitude; exchange those of one of them");
 }
 
 }  // namespace lober

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,11 +60,15 @@ struct NamedCurve {
   std::size_t zones = 1;  ///< how many the file has
   /// On how a curve was closed, or that it consists of longitudes and latitudes; empty nearly always.
   std::string remark;
+  std::optional<bool> latitude_first{};  ///< of columns that the file names as latitude and longitude
 };
 
 /// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the
 /// file has several zones and none is chosen, or the chosen one is not there.
 [[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
+
+/// Throws DataError when the one curve has columns of latitude and longitude and the other of longitude and latitude.
+LOBER_API void require_same_columns(const NamedCurve& first, const NamedCurve& second);
 
 /// The number of points of a file: exact for NPY and raw float64; for text an estimate from the length of its first
 /// lines. 0 if the file cannot be read. At most 64 KiB are read.

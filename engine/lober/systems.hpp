@@ -64,6 +64,8 @@ struct Connection {
   /// Corners of the path from `to` back to `from` that the map keeps, walls or an axis, and that closes the boundary;
   /// without any it is straight.
   std::vector<Point> closure{};
+  /// What is known to stand in the way of growing these manifolds, for messages; empty where nothing is.
+  std::string caution{};
 
   [[nodiscard]] Point saddle(ManifoldSide side) const { return side == ManifoldSide::unstable ? from : to; }
   [[nodiscard]] Point direction(ManifoldSide side) const {

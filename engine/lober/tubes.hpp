@@ -34,7 +34,8 @@ struct TubeCurve {
   /// Error bar of `area`: of the discretisation, the integration (a few trajectories once more, less accurately) and
   /// the local manifold.
   double area_error = 0;
-  double displacement_area = 0;  ///< the part of it by integration and local manifold
+  /// The part of it by integration and local manifold; of a cut curve that of segments that no refinement shortens.
+  double displacement_area = 0;
   /// Borrows the points.
   [[nodiscard]] ClosedCurve view() const& { return ClosedCurve::borrow(image.points); }
   [[nodiscard]] ClosedCurve view() const&& = delete;

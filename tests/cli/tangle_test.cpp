@@ -279,9 +279,14 @@ TEST_F(TangleProgram, TakesTheNameOfASystemByItself) {
   const Outcome alone = run({"tangle", "duffing"});
   EXPECT_EQ(alone.out, with_option.out) << alone.err;
   EXPECT_NE(run({"tangle", "duffing", "--help"}).out.find("--before"), std::string::npos);
+  const Outcome behind = run({"tangle", "--svg", "a.svg", "--param", "eps=0.1", "duffing"});
+  EXPECT_EQ(behind.out, with_option.out) << behind.err;
+  expect_failure({"tangle", "duffin"}, 2, "duffin is neither a file nor a system; the systems are abc, capsize");
   // A file of that name is a file.
   write("duffing", "1 2\n3 4\n");
-  EXPECT_NE(run({"tangle", "duffing"}).err.find("zone"), std::string::npos);
+  const Outcome file = run({"tangle", "duffing"});
+  EXPECT_NE(file.err.find("zone"), std::string::npos) << file.err;
+  EXPECT_NE(file.err.find("the file duffing is read; --system duffing is the system"), std::string::npos) << file.err;
 }
 
 // f is x -> a reflection through the saddle: f^2 keeps the branches.

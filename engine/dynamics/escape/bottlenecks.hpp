@@ -329,6 +329,7 @@ class Bottlenecks {
     cut.tracing = tracing_;
     cut.tracing.tolerance *= cut_coarseness;
     cut.strip = options_.strip * least_area_;
+    cut.area = least_area_;
     return cut;
   }
 

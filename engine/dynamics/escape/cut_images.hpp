@@ -23,6 +23,7 @@ namespace lober::detail {
 struct CutImageOptions {
   TubeCurveOptions tracing;
   double strip = 0;  ///< area between X and X_I
+  double area = 0;   ///< of the smallest E
 };
 
 /// Goes on where the whole images of E (`entry`) or X of bottleneck `bottleneck` end; `last` is the last of them,

@@ -247,7 +247,8 @@ class EscapeBuilder {
     if (a.cut || b.cut) {
       const CommonWindingArea common = common_area_by_winding(a.view(), b.view());
       nodes += common.nodes;
-      return {common.area / from.area, (common.error + a.cut_off + b.cut_off) / from.area};
+      return {common.area / from.area,
+              (common.error + a.cut_off + b.cut_off + a.displacement_area + b.displacement_area) / from.area};
     }
     const CommonArea common = common_area(a.view(), b.view());
     const double share = common.area / from.area;

@@ -62,10 +62,10 @@ std::string kind_text(const FixedPoint& point) {
 
 }  // namespace
 
-std::string unresolved(double stretching) {
+std::string unresolved(double factor) {
   constexpr double far = 1e8;
-  if (!(stretching > far)) return "";
-  return "; one iterate stretches by " + format_rounded(stretching) +
+  if (!(factor > far)) return "";
+  return "; one iterate stretches by " + format_rounded(factor) +
          " there, which is not resolved in double precision: other parameters may do";
 }
 

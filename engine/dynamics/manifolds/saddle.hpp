@@ -18,7 +18,7 @@ struct Saddle {
 [[nodiscard]] Saddle saddle_near(const PlanarMap& map, int steps, Point guess);
 
 /// "; one iterate stretches by 2.7e+21 there, ...", where that explains why nothing is found; else nothing.
-[[nodiscard]] std::string unresolved(double stretching);
+[[nodiscard]] std::string unresolved(double factor);
 
 /// Compares the derivative that a system gives with differences of the map along both axes: everything that is made of
 /// it is wrong where it is. Throws DataError.

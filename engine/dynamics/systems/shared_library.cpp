@@ -364,7 +364,10 @@ SystemEntry load_system(const std::string& path) {
   // Without a slash dlopen would search the system's folders.
   const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) throw DataError("cannot load the system: " + std::string(dlerror()));
+  if (handle == nullptr) {
+    throw DataError("cannot load the system: " + std::string(dlerror()) +
+                    "; a name with a slash or with the ending .so is that of a shared library");
+  }
   note_input(file);
   const Library library(handle, [](void* opened) { dlclose(opened); });
   using Describe = const lober_system* (*)();

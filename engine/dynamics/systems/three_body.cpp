@@ -37,6 +37,22 @@ FollowedSaddle followed(const MapOf& map_of, const Parameters& wanted) {
                        longest_move);
 }
 
+// The energy from which on orbits pass L2, which lies at about this distance from the smaller body.
+double energy_of_l2(double mu, double distance) {
+  const auto attraction = [](double mass, double r) { return mass / (r * r); };
+  double r = distance;
+  for (int round = 0; round < 30; ++round) {
+    const double x = 1 - mu + r;
+    const double force = x - attraction(1 - mu, 1 + r) - attraction(mu, r);
+    const double slope = 1 + 2 * attraction(1 - mu, 1 + r) / (1 + r) + 2 * attraction(mu, r) / r;
+    const double step = force / slope;
+    r = std::max(r - step, 0.5 * r);
+    if (std::fabs(step) < 1e-15) break;
+  }
+  const double x = 1 - mu + r;
+  return -0.5 * x * x - (1 - mu) / (1 + r) - mu / r;
+}
+
 }  // namespace
 
 SystemEntry three_body_entry() {
@@ -87,6 +103,11 @@ SystemEntry three_body_entry() {
                     "on the way there from its own parameters the saddle of its tangle is lost near mu = " +
                     format_rounded(last[0], 4) + ", energy = " + format_rounded(last[1], 4);
               }
+            }
+            if (const double open = energy_of_l2(values[0], hill); system.connection && values[1] > open) {
+              system.connection->caution =
+                  "at energies above " + format_rounded(open, 5) + " the bottleneck at (" + format_rounded(two, 3) +
+                  ", 0) is open, and orbits that enter it tear the return map: energies below do";
             }
             return system;
           }};

@@ -43,7 +43,8 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
     : map_(map),
       options_(options),
       bip_near_(options.bip_near ? options.bip_near : connection.bip),
-      closure_(connection.closure) {
+      closure_(connection.closure),
+      caution_(connection.caution) {
   if (known) {
     u_.local = known->local_u;
     s_.local = known->local_s;
@@ -203,13 +204,16 @@ bool TangleGrowth::grow(Side& side, double end) {
              (growth.points_needed() < 1 ? "more points than it seemed to, "
                                          : format_rounded(growth.points_needed()) + " points or more, ");
     limit_ += of_points ? "the " + std::string(quantity::points) + " allows " + std::to_string(options_.max_points) +
-                              " for both"
-              : options_.budget > 0 ? "which would take longer than the " + std::string(quantity::seconds)
-              : stretching() > far_stretched
-                  ? "which is more work than is done unasked" + of_stretching()
+                              " for each"
+              : options_.budget > 0          ? "which would take longer than the " + std::string(quantity::seconds)
+              : stretching() > far_stretched ? "which is more work than is done unasked" + of_stretching()
+              : !caution_.empty()
+                  ? "which is more work than is done unasked"
                   : "which is more work than is done unasked; a " + std::string(quantity::seconds) + " allows more";
     // More work does not help where the manifolds do not cross at all.
-    if (!result_ && found_.pips.empty()) {
+    if (!caution_.empty()) {
+      limit_ += "; " + caution_;
+    } else if (!result_ && found_.pips.empty()) {
       limit_ +=
           "; U and S have not crossed by then, and do not cross at all where no orbit leads from the one saddle to "
           "the other";

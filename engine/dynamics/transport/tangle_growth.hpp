@@ -115,6 +115,7 @@ class TangleGrowth {
   std::optional<Point> bip_near_, near_;
   std::optional<Time> known_bip_;
   std::vector<Point> closure_;  // of the connection
+  std::string caution_;         // likewise
   Side u_, s_;
   Box box_;  // of the scene
   int enlargements_ = 0;

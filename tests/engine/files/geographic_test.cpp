@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "curve_testing.hpp"
+#include "lober/error.hpp"
 #include "lober/files.hpp"
 
 namespace lober {
@@ -40,9 +41,21 @@ TEST_F(Geographic, JumpsAreTheDateLine) {
     const std::string header = latitude_first ? "lat,lon" : "lon,lat";
     const std::string remark = read_curve(circle(header, 175, latitude_first), true).remark;
     EXPECT_NE(remark.find("segment 15 runs back across the whole map"), std::string::npos) << remark;
+    EXPECT_NE(remark.find("add 360 to longitudes below 0"), std::string::npos) << remark;
   }
   const std::string unnamed = read_curve(circle("a,b", 175), true).remark;
   EXPECT_NE(unnamed.find("looks like longitudes and latitudes"), std::string::npos) << unnamed;
+}
+
+TEST_F(Geographic, CurvesOfAPairHaveTheSameColumns) {
+  const NamedCurve lon_lat = read_curve(circle("lon,lat", 30), true), lat_lon = read_curve(circle("lat,lon", 30), true),
+                   plain = read_curve(circle("a,b", 30), true);
+  EXPECT_NO_THROW(require_same_columns(lon_lat, lon_lat));
+  EXPECT_NO_THROW(require_same_columns(lon_lat, plain));
+  EXPECT_THROW(require_same_columns(lon_lat, lat_lon), DataError);
+  EXPECT_THROW(require_same_columns(lat_lon, lon_lat), DataError);
+  const std::string exchanged = read_curve(circle("y,x", 30), true).remark;
+  EXPECT_NE(exchanged.find("named y and x, which are taken as x and y in that order"), std::string::npos) << exchanged;
 }
 
 TEST_F(Geographic, OtherCurvesAreLeftAlone) {

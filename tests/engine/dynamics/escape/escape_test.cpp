@@ -165,6 +165,19 @@ TEST(Escape, GoesOnWhereImagesAreCut) {
   }
 }
 
+// Twice cut curves have jumps where they wind about an orbit; energies at which half of the table is made of them.
+TEST(Escape, BarsCoverWhatJumpsMiss) {
+  for (const double at : {0.32, 0.35, 0.4, 0.5}) {
+    EscapeOptions options;
+    options.crossings = 2;
+    options.tolerance = at == 0.35 ? 1e-5 : 1e-4;
+    const Escape result = escape(*ship().flow, *ship().section, at, ship().saddles, options);
+    EXPECT_EQ(result.crossings, 2) << at;
+    EXPECT_TRUE(result.agreement.agrees()) << at;
+    EXPECT_GT(result.agreement.comparisons.size(), 20U);
+  }
+}
+
 TEST(Escape, FindsTheTangency) {
   // F_6 is born at energy 0.252962.
   for (const bool above : {false, true}) {
