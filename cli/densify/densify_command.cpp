@@ -205,7 +205,7 @@ void run(const DensifyRequest& request) {
     report.inputs.push_back(read_curve(request.curves[0], !request.open));
     if (request.curves.size() == 2) {
       report.inputs.push_back(read_curve(request.curves[1], !request.open_against));
-      require_same_columns(report.inputs[0], report.inputs[1]);
+      require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
     }
     report.timing.read = read_watch.seconds();
     const detail::Stopwatch densify_watch;

@@ -69,7 +69,7 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   parser
       .add("--direction", request.direction,
            "The sign of the velocity of the crossings that count: +, - or, with --crossings 0, both (default: that of "
-           "the system's section, or + with --section).")
+           "the system's section, or + with --section; with --crossings 0 both, unless the section has a bound).")
       .one_of({"+", "-", "both"})
       .value("SIGN");
   parser
@@ -229,7 +229,11 @@ Section section_of(const EscapeRequest& request, const System& system) {
                      " counts only a part of the crossings, and the table of escape needs all of them; give --section, "
                      "or --crossings 0 for the orbits and tubes alone");
   }
-  if (!request.direction.empty()) section.direction = request.direction == "+" ? 1 : request.direction == "-" ? -1 : 0;
+  if (!request.direction.empty()) {
+    section.direction = request.direction == "+" ? 1 : request.direction == "-" ? -1 : 0;
+  } else if (request.options.crossings == 0 && section.bound_side == 0) {
+    section.direction = 0;  // as the table has it, which takes tubes where they cross first
+  }
   if (!request.bound.empty()) {
     const auto [name, value] = assignment(request.bound, "--bound", "<>", separator);
     section.bound_coordinate = position_coordinate(flow, name, "--bound");

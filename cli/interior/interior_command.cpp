@@ -88,7 +88,7 @@ std::array<NamedCurve, 2> read_inputs(const InteriorRequest& request, Progress& 
     inputs[k] = read_curve(request.curves[k], true);
     progress.advance(0.5 * static_cast<double>(k + 1));
   }
-  require_same_columns(inputs[0], inputs[1]);
+  require_same_columns(inputs[0].curve, inputs[1].curve);
   progress.of(static_cast<double>(inputs[0].curve.points.size() + inputs[1].curve.points.size()), "points");
   return inputs;
 }

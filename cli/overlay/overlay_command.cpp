@@ -111,7 +111,7 @@ std::array<NamedCurve, 2> read_inputs(const OverlayRequest& request, Progress& p
     inputs[k] = read_curve(request.curves[k], true);
     progress.advance(0.5 * static_cast<double>(k + 1));
   }
-  require_same_columns(inputs[0], inputs[1]);
+  require_same_columns(inputs[0].curve, inputs[1].curve);
   return inputs;
 }
 

@@ -218,6 +218,7 @@ void run_published_form(const std::vector<std::string>& arguments) {
   progress.phase("reading", 0, 0.3);
   const std::array<NamedCurve, 2> inputs{read_curve(request.curves[0], true, {.hash = false}),
                                          read_curve(request.curves[1], true, {.hash = false})};
+  require_same_columns(inputs[0].curve, inputs[1].curve);
   progress.of(static_cast<double>(inputs[0].curve.points.size() + inputs[1].curve.points.size()), "points");
   progress.phase(request.light ? "interior" : "overlay", 0.3, 0.8);
   const auto advance = [&](double fraction) { return progress.advance(fraction); };

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
 #include "cli/program/point_arguments.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
@@ -248,7 +249,11 @@ void run(const SectionRequest& request) {
     }
     if (!request.json.empty()) write_section_json(request, result, [&] { return watch.seconds(); });
   }
-  if (!takes_standard_output(outputs)) print(section_table(result));
+  if (!takes_standard_output(outputs)) {
+    print(section_table(result));
+  } else if (result.lost > 0) {
+    log_warning(fmt::format("{} orbits end before the last iterate", result.lost));
+  }
 }
 
 }  // namespace

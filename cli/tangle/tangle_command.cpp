@@ -128,6 +128,7 @@ void read_inputs(const TangleRequest& request, Progress& progress, TangleReport&
     }
     progress.advance(0.5 * static_cast<double>(k + 1));
   }
+  require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
   report.reversed = request.reverse;
 }
 

@@ -24,7 +24,9 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
     return loaded;
   }
   Zone& zone = file.zones[number];
+  const std::optional<bool> order = latitude_first(file, number);
   Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.location()};
+  curve.latitude_first = order;
   if (wanted.closed) drop_closing_vertex(curve.points);
   loaded.curve = std::make_shared<const Curve>(std::move(curve));
   return loaded;

@@ -118,6 +118,7 @@ class JobQueue::Run final : public JobRunner {
     const Stopwatch watch;
     if (!result.failed()) {
       try {
+        if (ids.size() == 2) require_same_columns(curves[0]->curve(), curves[1]->curve());
         result = group.operation->run({std::span(curves).first(ids.size()), allowance, group.outputs}, group.options);
       } catch (const Cancelled&) {
         throw;

@@ -179,6 +179,14 @@ std::string foreign_format(std::span<const std::byte> all) {
     return sentence("unformatted Fortran records", "write it with access='stream', or as formatted text");
   }
   if (is_utf16(bytes)) return sentence("text in UTF-16", "save it as UTF-8");
+  // Of all that is looked at first, so that large files cost nothing.
+  const std::string_view start = bytes.substr(0, std::size_t{1} << 16);
+  const bool plain = std::all_of(start.begin(), start.end(), [](char letter) {
+    return (letter >= ' ' && letter <= '~') || letter == '\t' || letter == '\r';
+  });
+  if (plain && start.find('\r') != std::string_view::npos) {
+    return sentence("text whose lines end in carriage returns alone", "save it with lines that end in line feeds");
+  }
   return {};
 }
 

@@ -147,16 +147,20 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   }
   const Columns columns = columns_of(file.header, result.curve.points);
   if (!columns.remark.empty()) result.remark = columns.remark + (result.remark.empty() ? "" : "; " + result.remark);
-  result.latitude_first = columns.latitude_first;
+  result.curve.latitude_first = columns.latitude_first;
   validate(result.curve, spec);
   return result;
 }
 
-void require_same_columns(const NamedCurve& first, const NamedCurve& second) {
+std::optional<bool> latitude_first(const CurveFile& file, std::size_t zone) {
+  return columns_of(file.header, file.zones.at(zone).points).latitude_first;
+}
+
+void require_same_columns(const Curve& first, const Curve& second) {
   if (!first.latitude_first || !second.latitude_first || *first.latitude_first == *second.latitude_first) return;
   const bool swapped = *first.latitude_first;
-  throw DataError("the columns of " + (swapped ? first : second).file + " are latitude and longitude, those of " +
-                  (swapped ? second : first).file + " longitude and latitude; exchange those of one of them");
+  throw DataError("the columns of " + (swapped ? first : second).name + " are latitude and longitude, those of " +
+                  (swapped ? second : first).name + " longitude and latitude; exchange those of one of them");
 }
 
 }  // namespace lober

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -126,6 +127,7 @@ struct Curve {
   std::vector<Point> points;
   bool closed = true;
   std::string name;
+  std::optional<bool> latitude_first{};  ///< of columns that a file names as latitude and longitude
 
   operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)

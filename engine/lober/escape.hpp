@@ -60,7 +60,7 @@ struct EscapeOptions {
   double max_work = 1e7;
   /// Seconds by the clock instead: results then depend on the machine; 0: max_work. The table ends before images that
   /// are expected to end later; images that were expected to end in time are broken off a twentieth later. Orbits and
-  /// first curves have five seconds at least.
+  /// first curves have five seconds at least, and a minute without a budget.
   double budget = 0;
   /// False cancels. Called by one thread at a time.
   std::function<bool(const EscapeProgress&)> progress;

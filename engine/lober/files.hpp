@@ -60,15 +60,16 @@ struct NamedCurve {
   std::size_t zones = 1;  ///< how many the file has
   /// On how a curve was closed, or that it consists of longitudes and latitudes; empty nearly always.
   std::string remark;
-  std::optional<bool> latitude_first{};  ///< of columns that the file names as latitude and longitude
 };
 
 /// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the
 /// file has several zones and none is chosen, or the chosen one is not there.
 [[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
 
+/// Whether a file names its columns as latitude and longitude, in that order; nothing where it names neither.
+[[nodiscard]] LOBER_API std::optional<bool> latitude_first(const CurveFile& file, std::size_t zone);
 /// Throws DataError when the one curve has columns of latitude and longitude and the other of longitude and latitude.
-LOBER_API void require_same_columns(const NamedCurve& first, const NamedCurve& second);
+LOBER_API void require_same_columns(const Curve& first, const Curve& second);
 
 /// The number of points of a file: exact for NPY and raw float64; for text an estimate from the length of its first
 /// lines. 0 if the file cannot be read. At most 64 KiB are read.

@@ -220,6 +220,15 @@ TEST_F(EscapeProgram, SaysWhatToGiveWhereASectionLiesOutsideOfTheWell) {
       << elsewhere.err;
 }
 
+TEST_F(EscapeProgram, NamesTheLimitOnPointsWhereThatIsTheCause) {
+  const Outcome outcome = run({"escape", "capsize", "--energy", "0.26", "--max-points", "100"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("takes more points than the limit on points (--max-points) allows"), std::string::npos)
+      << outcome.err;
+  // Where one of two directions comes late, the tubes are those of the table.
+  EXPECT_EQ(run({"escape", "capsize", "--energy", "0.45", "--crossings", "0", "--tolerance", "1e-4"}).status, 0);
+}
+
 // A section through the bottleneck meets its orbit, and what runs beside that crosses it again and again.
 TEST_F(EscapeProgram, SaysThatASectionCutsAPeriodicOrbit) {
   for (const char* crossings : {"0", "2"}) {

@@ -273,6 +273,18 @@ TEST_F(TangleProgram, JoinsOtherSaddlesToThemselves) {
   EXPECT_EQ(outcome.out.find("DISAGREEMENT"), std::string::npos) << outcome.out;
 }
 
+// S of a lobe of the turnstile runs a million away; as long as it was followed coarsely there, the area was wrong by
+// 160 and its bar infinite.
+TEST_F(TangleProgram, FollowsLobesThatReachFar) {
+  const Outcome outcome = run({"tangle", "henon", "--param", "k=1000"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("-42164.68656"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find(" inf"), std::string::npos) << outcome.out;
+  const Outcome stretched = run({"transport", "double-gyre", "--param", "A=0.3"});
+  EXPECT_EQ(stretched.status, 1);
+  EXPECT_NE(stretched.err.find("one iterate stretches by"), std::string::npos) << stretched.err;
+}
+
 TEST_F(TangleProgram, TakesTheNameOfASystemByItself) {
   const Outcome with_option = run({"tangle", "--system", "duffing"});
   ASSERT_EQ(with_option.status, 0) << with_option.err;

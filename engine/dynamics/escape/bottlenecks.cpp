@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/growth_forecast.hpp"
+#include "engine/base/quantities.hpp"
 
 namespace lober::detail {
 
@@ -26,6 +27,10 @@ void Bottlenecks::cut_first() {
       throw DataError(name_of_tube(k) + " does not reach the section as a closed curve. " + way_on());
     }
     tube.curves->push_back(tubes_[k]->curve(tube.branch, section_, 1, nullptr, tracing_));
+    if (tube.curves->back().image.stop == GrowthStop::points) {
+      throw DataError(name_of_tube(k) + " takes more points than the " + std::string(quantity::points) + " allows, " +
+                      std::to_string(tracing_.max_points));
+    }
     if (!tube.curves->back().complete) {
       throw DataError(name_of_tube(k) + " does not reach the section as a closed curve. " + way_on());
     }

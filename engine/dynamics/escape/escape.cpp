@@ -26,8 +26,9 @@ namespace {
 // Work that was expected to end within the budget and does not is broken off at this many of it: with what still runs
 // then, less than a tenth beyond.
 constexpr double beyond_budget = 1.05;
-// Orbits and first curves may take these seconds whatever the budget: there is nothing to say before.
-constexpr double first_seconds = 5;
+// Orbits and first curves may take these seconds whatever the budget, as there is nothing to say before; and no more
+// without one, where trajectories next to a collision take a thousand times as long as others.
+constexpr double first_seconds = 5, first_seconds_without_budget = 60;
 // Points where cut curves cross themselves or each other that are dealt with in the time of one crossing of the section
 // by a trajectory: 1.3 to 6 were measured (capsize at energies from 0.26 to 0.5, pcr3bp).
 constexpr double nodes_a_crossing = 2;
@@ -39,7 +40,8 @@ double last_second(const EscapeOptions& options) {
 
 // What comes before the first row. Throws DataError when it takes too long.
 void within_first_limit(const Stopwatch& watch, const EscapeOptions& options, const std::function<void()>& function) {
-  const double seconds = std::max(last_second(options), first_seconds);
+  const double seconds =
+      options.budget > 0 ? std::max(last_second(options), first_seconds) : first_seconds_without_budget;
   const TimeLimit limit(watch, seconds);
   bool refused = false;
   try {

@@ -21,7 +21,7 @@ struct FollowedSaddle {
 /// `map_at(part)` points to the map there.
 template <typename MapAt>
 FollowedSaddle follow_saddle(const MapAt& map_at, double x, double longest_step, double longest_move) {
-  constexpr double on_axis = 1e-9;
+  constexpr double on_axis = 1e-6;
   FollowedSaddle result;
   double slope = 0, step = longest_step;
   while (result.reached < 1 && step > longest_step / 8) {

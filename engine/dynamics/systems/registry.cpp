@@ -91,7 +91,11 @@ System detail::make_system(const SystemEntry& entry, const ParameterValues& valu
   if (!(options.tolerance > 0 && options.tolerance < 1))
     throw UsageError("the tolerance of integration must be in (0, 1)");
   std::vector<double> numbers;
-  for (const Parameter& parameter : info.parameters) numbers.push_back(parameter.value);
+  for (const Parameter& parameter : info.parameters) {
+    // Whole periods change nothing but rounding.
+    const bool far = parameter.name == "phase" && std::fabs(parameter.value) >= 1;
+    numbers.push_back(far ? parameter.value - std::floor(parameter.value) : parameter.value);
+  }
   System system = entry.make(numbers, options);
   if (system.picture.empty()) system.picture = system.window;
   system.info = std::move(info);

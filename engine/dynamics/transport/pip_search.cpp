@@ -57,7 +57,8 @@ bool TangleGrowth::box_is_too_small() {
       tangle = union_of(tangle, Box::of(points[k], points[k]));
   };
   add(u_, found_.pips[bip_].u.segment);
-  add(s_, found_.pips[bip_].s.segment);
+  // As far as the lobes of the turnstile reach, once these are known.
+  add(s_, found_.pips[bip_ - period_].s.segment);
   if (enlargements_ == max_enlargements || within(tangle, box_)) return false;
   ++enlargements_;
   box_ = square_about(middle_of(box_), times / 2 * box_.extent());

@@ -8,6 +8,7 @@
 
 #include "engine/base/quantities.hpp"
 #include "engine/base/text.hpp"
+#include "engine/dynamics/manifolds/saddle.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/point_errors.hpp"
 #include "engine/dynamics/transport/tangle_box.hpp"
@@ -64,6 +65,10 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
   finest_ = finest_roundings * std::numeric_limits<double>::epsilon() * largest;
   work_before_ = map.work();
   begun_ = watch_.seconds();
+  // A sign that is none but that of rounding.
+  if (const std::string why = unresolved(stretching()); !why.empty()) {
+    throw DataError("the manifolds of the saddle " + format_point(u_.local.saddle) + " cannot be grown" + why);
+  }
   if ((u_.local.multiplier < 0) != (s_.local.multiplier < 0)) {
     throw DataError("the map reverses orientation: its multipliers are " + format_number(u_.local.multiplier) +
                     " at the saddle of U and " + format_number(s_.local.multiplier) +
@@ -96,7 +101,10 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
           near_ = orbits_.back().at;
           finish();
           rest();
-          if (last || agreement_of(*result_).agrees()) return;
+          if (last || agreement_of(*result_).agrees()) {
+            require_known_lobes();
+            return;
+          }
         }
         ++refined_if_coarse;
         tolerance = tolerance_ / 10;
@@ -107,6 +115,16 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
       throw DataError(trouble + by_action() + (stretching() > far_stretched ? of_stretching() : ""));
     }
     tolerance = tolerance_ / 10;
+  }
+}
+
+// A polygon that is followed coarsely somewhere has no area.
+void TangleGrowth::require_known_lobes() const {
+  for (std::size_t k = bip_ - period_; k < bip_; ++k) {
+    if (std::isfinite(result_->tangle.lobes[k].smooth_error)) continue;
+    throw DataError("the lobe behind " + format_point(result_->tangle.pips[k].at) +
+                    " reaches too far for its area to be known: farther than " + format_rounded(box_.extent()) +
+                    by_action());
   }
 }
 

@@ -88,6 +88,7 @@ class TangleGrowth {
   bool box_is_too_small();
   bool find_turnstile(std::string& trouble);
   void require_bip_as_asked() const;
+  void require_known_lobes() const;
   [[nodiscard]] std::string of_saddles() const;
   [[nodiscard]] double stretching() const;
   [[nodiscard]] std::string of_stretching() const;

@@ -48,8 +48,9 @@ TEST_F(Geographic, JumpsAreTheDateLine) {
 }
 
 TEST_F(Geographic, CurvesOfAPairHaveTheSameColumns) {
-  const NamedCurve lon_lat = read_curve(circle("lon,lat", 30), true), lat_lon = read_curve(circle("lat,lon", 30), true),
-                   plain = read_curve(circle("a,b", 30), true);
+  const Curve lon_lat = read_curve(circle("lon,lat", 30), true).curve,
+              lat_lon = read_curve(circle("lat,lon", 30), true).curve,
+              plain = read_curve(circle("a,b", 30), true).curve;
   EXPECT_NO_THROW(require_same_columns(lon_lat, lon_lat));
   EXPECT_NO_THROW(require_same_columns(lon_lat, plain));
   EXPECT_THROW(require_same_columns(lon_lat, lat_lon), DataError);
