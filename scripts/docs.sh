@@ -59,7 +59,7 @@ docs/paper/fig-17a.svg       cheap   section capsize --param energy=0.22 --orbit
 docs/paper/fig-17b.svg       cheap   section capsize --param energy=0.25 --orbits 60 --iterates 500 --svg
 docs/paper/fig-17c.svg       cheap   section capsize --param energy=0.28 --orbits 60 --iterates 500 --svg
 docs/paper/exit-times.svg    cheap   section capsize --exit-times --iterates 6 --svg
-docs/paper/fig-18.svg        costly  escape capsize --energy 0.28 --crossings 0 --tubes
+docs/paper/fig-18.svg        costly  escape capsize --energy 0.28 --crossings 0 --direction + --tubes
 docs/paper/fig-19a.svg       costly  escape capsize --energy 0.25307 --crossings 1 --svg
 docs/paper/fig-19b.svg       costly  escape capsize --energy 0.25307 --crossings 4 --svg
 docs/paper/table-5.txt       costly  escape capsize --energy 0.25307 --crossings 4
