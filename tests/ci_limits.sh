@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Fails when the steps of .ci/run, without those that only `make ci` takes, may take more than 75 minutes in all, or when the list of their limits has come apart.
+# Fails when the steps of .ci/run, with its own limits and not those of `make ci`, may take more than 75 minutes in
+# all, or when the list of their limits has come apart.
 # usage: ci_limits.sh SOURCE_FOLDER
 set -euo pipefail
 env -u LOBER_CI_ALL "$1/.ci/run" --limits | awk '

@@ -24,9 +24,8 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
     return loaded;
   }
   Zone& zone = file.zones[number];
-  const std::optional<bool> order = latitude_first(file, number);
   Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.location()};
-  curve.latitude_first = order;
+  curve.latitude_first = latitude_first(file);
   if (wanted.closed) drop_closing_vertex(curve.points);
   loaded.curve = std::make_shared<const Curve>(std::move(curve));
   return loaded;

@@ -75,36 +75,51 @@ Jumps jumps_in(std::span<const Point> points, bool latitude_first) {
   return jumps;
 }
 
-}  // namespace
+// Longitude and latitude among the words of a header, as these name them, in their order.
+struct NamedColumns {
+  std::string first, second;
+  bool latitude_first;
+};
 
-Columns columns_of(std::string_view header, std::span<const Point> points) {
+std::optional<NamedColumns> named_columns(const std::vector<std::string>& words) {
   constexpr std::array<std::string_view, 4> longitudes{"lon", "long", "lng", "longitude"};
   constexpr std::array<std::string_view, 2> latitudes{"lat", "latitude"};
+  const std::size_t longitude = word_among(longitudes, words), latitude = word_among(latitudes, words);
+  if (longitude == words.size() || latitude == words.size()) return std::nullopt;
+  return NamedColumns{words[std::min(longitude, latitude)], words[std::max(longitude, latitude)], latitude < longitude};
+}
+
+}  // namespace
+
+std::optional<bool> latitude_first(std::string_view header) {
+  const std::optional<NamedColumns> named = named_columns(words_of(header));
+  return named ? std::optional(named->latitude_first) : std::nullopt;
+}
+
+std::string columns_remark(std::string_view header, std::span<const Point> points) {
   constexpr std::size_t enough = 16;
   constexpr double much_shorter = 30;  // degrees
   const std::vector<std::string> words = words_of(header);
-  const std::size_t longitude = word_among(longitudes, words), latitude = word_among(latitudes, words);
   if (words.size() >= 2 && words[0] == "y" && words[1] == "x") {
-    return {"has columns named y and x, which are taken as x and y in that order", {}};
+    return "has columns named y and x, which are taken as x and y in that order";
   }
-  const bool named = longitude < words.size() && latitude < words.size(),
-             latitude_first = named && latitude < longitude;
-  const std::optional<bool> order = named ? std::optional(latitude_first) : std::nullopt;
+  const std::optional<NamedColumns> named = named_columns(words);
   if (!named && points.size() < enough) return {};
-  const Ranges ranges = ranges_of(points, latitude_first);
-  if (!ranges.degrees || (!named && !ranges.half_way)) return {"", order};
-  const Jumps jumps = jumps_in(points, latitude_first);
+  const bool swapped = named && named->latitude_first;
+  const Ranges ranges = ranges_of(points, swapped);
+  if (!ranges.degrees || (!named && !ranges.half_way)) return {};
+  const Jumps jumps = jumps_in(points, swapped);
   const bool crosses = jumps.count > 0 && jumps.largest_other < much_shorter;
   if (!named && !crosses) return {};
-  std::string text = named ? "has columns named " + words[std::min(longitude, latitude)] + " and " +
-                                 words[std::max(longitude, latitude)] + ", which are taken as x and y in that order"
+  std::string text = named ? "has columns named " + named->first + " and " + named->second +
+                                 ", which are taken as x and y in that order"
                            : "looks like longitudes and latitudes, which are taken as x and y";
   text += "; areas are those of the plane, in square degrees";
   if (crosses) {
     text += ", and its segment " + std::to_string(jumps.first) +
             " runs back across the whole map where the curve crosses the date line: add 360 to longitudes below 0";
   }
-  return {text, order};
+  return text;
 }
 
 }  // namespace lober::detail

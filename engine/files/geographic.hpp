@@ -10,15 +10,13 @@
 
 namespace lober::detail {
 
-struct Columns {
-  std::string remark;                  ///< what there is to say about them; empty nearly always
-  std::optional<bool> latitude_first;  ///< as the header names them
-};
+/// Whether a header names latitude and longitude, in that order; nothing where it does not name both.
+[[nodiscard]] std::optional<bool> latitude_first(std::string_view header);
 
-/// Of a curve of longitudes and latitudes in degrees, as the header of its file names them or as jumps by more than
-/// half a turn show it where all other segments are short, the remark says in which order the columns are taken, that
-/// areas are those of the plane, and where it crosses the date line; of columns named y and x, that these are taken as
-/// x and y. O(N), parallel.
-[[nodiscard]] Columns columns_of(std::string_view header, std::span<const Point> points);
+/// What there is to say about the columns of a curve; empty nearly always. Of longitudes and latitudes in degrees, as
+/// the header of its file names them or as jumps by more than half a turn show it where all other segments are short:
+/// in which order they are taken, that areas are those of the plane, and where the curve crosses the date line; of
+/// columns named y and x, that these are taken as x and y. O(N), parallel.
+[[nodiscard]] std::string columns_remark(std::string_view header, std::span<const Point> points);
 
 }  // namespace lober::detail

@@ -145,15 +145,16 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
     drop_closing_vertex(result.curve.points);
     if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
   }
-  const Columns columns = columns_of(file.header, result.curve.points);
-  if (!columns.remark.empty()) result.remark = columns.remark + (result.remark.empty() ? "" : "; " + result.remark);
-  result.curve.latitude_first = columns.latitude_first;
+  if (const std::string columns = columns_remark(file.header, result.curve.points); !columns.empty()) {
+    result.remark = columns + (result.remark.empty() ? "" : "; " + result.remark);
+  }
+  result.curve.latitude_first = latitude_first(file);
   validate(result.curve, spec);
   return result;
 }
 
-std::optional<bool> latitude_first(const CurveFile& file, std::size_t zone) {
-  return columns_of(file.header, file.zones.at(zone).points).latitude_first;
+std::optional<bool> latitude_first(const CurveFile& file) {
+  return detail::latitude_first(file.header);
 }
 
 void require_same_columns(const Curve& first, const Curve& second) {

@@ -67,7 +67,7 @@ struct NamedCurve {
 [[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
 
 /// Whether a file names its columns as latitude and longitude, in that order; nothing where it names neither.
-[[nodiscard]] LOBER_API std::optional<bool> latitude_first(const CurveFile& file, std::size_t zone);
+[[nodiscard]] LOBER_API std::optional<bool> latitude_first(const CurveFile& file);
 /// Throws DataError when the one curve has columns of latitude and longitude and the other of longitude and latitude.
 LOBER_API void require_same_columns(const Curve& first, const Curve& second);
 

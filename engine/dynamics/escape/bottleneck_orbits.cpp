@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "engine/base/quantities.hpp"
+#include "engine/dynamics/escape/least_excess.hpp"
 
 namespace lober::detail {
 
@@ -88,8 +89,7 @@ void Bottlenecks::require_energy_above(std::span<const SaddlePoint> saddles, dou
 }
 
 double Bottlenecks::least_energy(const SaddlePoint& saddle) {
-  constexpr double least_excess = 1e-7;
-  return saddle.energy + least_excess * (1 + std::fabs(saddle.energy));
+  return saddle.energy + least_excess(saddle);
 }
 
 void Bottlenecks::find_orbits(std::span<const FlowState> guesses, double energy) {

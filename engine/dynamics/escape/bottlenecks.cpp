@@ -23,17 +23,16 @@ void Bottlenecks::cut_first() {
     Carried& tube = carried_[k];
     std::array<FlowState, samples> states;
     tubes_[k]->crossings(tube.branch, section_, 1, middles<samples>(), states);
-    if (!std::all_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); })) {
-      throw DataError(name_of_tube(k) + " does not reach the section as a closed curve. " + way_on());
-    }
+    const auto require_closed = [&](bool closed) {
+      if (!closed) throw DataError(name_of_tube(k) + " does not reach the section as a closed curve. " + way_on());
+    };
+    require_closed(std::all_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); }));
     tube.curves->push_back(tubes_[k]->curve(tube.branch, section_, 1, nullptr, tracing_));
     if (tube.curves->back().image.stop == GrowthStop::points) {
       throw DataError(name_of_tube(k) + " takes more points than the " + std::string(quantity::points) + " allows, " +
                       std::to_string(tracing_.max_points));
     }
-    if (!tube.curves->back().complete) {
-      throw DataError(name_of_tube(k) + " does not reach the section as a closed curve. " + way_on());
-    }
+    require_closed(tube.curves->back().complete);
   });
   measure_defects();
 }

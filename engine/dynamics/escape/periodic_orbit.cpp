@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/text.hpp"
+#include "engine/dynamics/escape/least_excess.hpp"
 #include "engine/dynamics/escape/state_index.hpp"
 #include "lober/error.hpp"
 
@@ -169,8 +170,7 @@ class Continuation {
  private:
   // Far from the orbit wanted, but not so near to the saddle that rounding of the energy shows.
   [[nodiscard]] double first_step() const {
-    constexpr double least_excess = 1e-7;
-    return std::clamp(std::sqrt(least_excess * (1 + std::fabs(saddle_.energy)) / excess_), 1.0 / 16, 1.0);
+    return std::clamp(std::sqrt(detail::least_excess(saddle_) / excess_), 1.0 / 16, 1.0);
   }
 
   struct Known {

@@ -1,0 +1,15 @@
+// How near to a saddle periodic orbits are found (private to escape/).
+#pragma once
+
+#include <cmath>
+
+#include "lober/periodic_orbit.hpp"
+
+namespace lober::detail {
+
+/// Of an energy above that of the saddle: what is less is lost in rounding of the energy.
+[[nodiscard]] inline double least_excess(const SaddlePoint& saddle) {
+  return 1e-7 * (1 + std::fabs(saddle.energy));
+}
+
+}  // namespace lober::detail
