@@ -14,9 +14,9 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/report/report.hpp"
-#include "engine/batch/export.hpp"
+#include "engine/batch/export/export.hpp"
 #include "engine/batch/forecast.hpp"
-#include "engine/batch/output_folder.hpp"
+#include "engine/batch/plan_outputs.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/threads.hpp"
 
@@ -102,7 +102,7 @@ void check_manifest(const Arguments& arguments) {
   if (!parser.parse(arguments)) return;
   const std::size_t budget = memory_given.given() ? memory : detail::machine_memory() / 2;
   const detail::Plan plan = detail::make_plan(detail::read_manifest(path));
-  detail::OutputFolder(output_root, path, plan, default_store(path)).accept_all(plan);
+  accept_outputs(detail::output_folder_of(output_root, path, plan, default_store(path)), path, plan);
   const detail::Estimate sum = estimate(plan, path);
   std::string text = fmt::format("{} on {} of {}\n", counted(sum.jobs, "job", "jobs"),
                                  counted(sum.curves, "curve", "curves"), counted(sum.files, "file", "files"));

@@ -20,6 +20,7 @@
 #include "cli/program/interrupt.hpp"
 #include "cli/program/log.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/batch/plan_outputs.hpp"
 #include "lober/threads.hpp"
 
 namespace lober::cli {
@@ -42,7 +43,8 @@ void run_coordinator(const BatchRequest& request, SharedWork& work, int ranks) {
   try {
     manifest = detail::read_manifest(request.manifest);
     work.plan = detail::make_plan(manifest);
-    detail::OutputFolder(request.output_root, request.manifest, work.plan, request.store).accept_all(work.plan);
+    accept_outputs(detail::output_folder_of(request.output_root, request.manifest, work.plan, request.store),
+                   request.manifest, work.plan);
     plan = work.plan.encoded();
   } catch (...) {
     broadcast(plan);  // nothing: the others leave

@@ -8,7 +8,8 @@
 
 #include "cli/mpi/messages.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/batch/result.hpp"
+#include "engine/batch/operations/result.hpp"
+#include "engine/batch/plan_outputs.hpp"
 #include "engine/batch/work_queue.hpp"
 #include "lober/error.hpp"
 
@@ -37,7 +38,7 @@ class Coordinator {
         queue_(work.plan, work.manifest_path, session.pending(), static_cast<std::size_t>(ranks)),
         at_work_(static_cast<std::size_t>(ranks), true),
         workers_(ranks - 1),
-        outputs_(work.output_root, work.manifest_path, work.plan, work.store),
+        outputs_(detail::output_folder_of(work.output_root, work.manifest_path, work.plan, work.store)),
         runner_(work.plan, work.manifest_path, session.pending(), work.queue, &outputs_) {}
 
   BatchReport run(const std::function<bool(const QueueProgress&)>& progress) {
@@ -181,7 +182,8 @@ class Coordinator {
 
 // All that a worker does.
 void work_until_done(const SharedWork& work) {
-  const detail::OutputFolder outputs(work.output_root, work.manifest_path, work.plan, work.store);
+  const detail::OutputFolder outputs =
+      detail::output_folder_of(work.output_root, work.manifest_path, work.plan, work.store);
   detail::PlanRunner runner(work.plan, work.manifest_path, all_jobs(work.plan), work.queue, &outputs);
   QueueReport sum;
   for (;;) {

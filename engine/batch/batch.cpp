@@ -1,4 +1,5 @@
 #include "engine/batch/batch.hpp"
+#include "engine/batch/plan_outputs.hpp"
 
 #include <chrono>
 #include <optional>
@@ -6,7 +7,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/batch/export.hpp"
+#include "engine/batch/export/export.hpp"
 #include "lober/cancellation.hpp"
 
 namespace lober {
@@ -109,8 +110,8 @@ BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& opti
   const Stopwatch watch;
   BatchReport report;
   const Plan plan = make_plan(manifest);
-  const OutputFolder outputs(options.output_root, manifest.path, plan, options.store);
-  outputs.accept_all(plan);
+  const OutputFolder outputs = output_folder_of(options.output_root, manifest.path, plan, options.store);
+  accept_outputs(outputs, manifest.path, plan);
   (void)jobs_of(plan, options.shard);  // refused before there is a store
   std::atomic<bool> broken{false};
   StoreSession session(options.store, plan, manifest, options.shard, options.queue.threads, [&] { broken = true; });

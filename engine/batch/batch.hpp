@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "engine/batch/plan_runner.hpp"
-#include "engine/batch/result_writer.hpp"
-#include "engine/batch/store.hpp"
+#include "engine/batch/store/result_writer.hpp"
+#include "engine/batch/store/store.hpp"
 #include "lober/batch.hpp"
 
 namespace lober::detail {

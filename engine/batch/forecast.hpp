@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/batch/plan.hpp"
+#include "engine/batch/manifest/plan.hpp"
 
 namespace lober::detail {
 

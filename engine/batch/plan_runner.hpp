@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/batch/job_key.hpp"
-#include "engine/batch/jobs.hpp"
-#include "engine/batch/output_folder.hpp"
-#include "engine/batch/plan.hpp"
+#include "engine/batch/manifest/job_key.hpp"
+#include "engine/batch/manifest/plan.hpp"
+#include "engine/batch/operations/output_folder.hpp"
+#include "engine/batch/queue/jobs.hpp"
 
 namespace lober::detail {
 

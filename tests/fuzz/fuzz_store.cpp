@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "engine/batch/batch.hpp"
-#include "engine/batch/export.hpp"
+#include "engine/batch/export/export.hpp"
 #include "fuzz_reader.hpp"
 
 using namespace lober;

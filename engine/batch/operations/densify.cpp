@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/batch/operations/output_folder.hpp"
+#include "engine/batch/operations/output_name.hpp"
 #include "engine/batch/operations/table.hpp"
-#include "engine/batch/output_folder.hpp"
-#include "engine/batch/output_name.hpp"
 
 namespace lober::detail {
 namespace {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/batch/operation.hpp"
+#include "engine/batch/operations/operation.hpp"
 #include "lober/batch.hpp"
 
 namespace lober {

@@ -1,7 +1,7 @@
 // The makers of the operations in the table (private to operations/).
 #pragma once
 
-#include "engine/batch/operation.hpp"
+#include "engine/batch/operations/operation.hpp"
 #include "lober/areas.hpp"
 
 namespace lober::detail {

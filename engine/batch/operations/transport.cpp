@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "engine/base/text.hpp"
+#include "engine/batch/operations/named_system.hpp"
 #include "engine/batch/operations/table.hpp"
-#include "engine/batch/recipe.hpp"
 #include "lober/error.hpp"
 
 namespace lober::detail {

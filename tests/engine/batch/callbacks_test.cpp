@@ -11,8 +11,8 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/batch/batch.hpp"
-#include "engine/batch/export.hpp"
-#include "engine/batch/jobs.hpp"
+#include "engine/batch/export/export.hpp"
+#include "engine/batch/queue/jobs.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 

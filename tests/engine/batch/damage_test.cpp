@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "engine/batch/batch.hpp"
-#include "engine/batch/export.hpp"
+#include "engine/batch/export/export.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/batch/stored_plan.hpp"

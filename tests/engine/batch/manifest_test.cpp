@@ -1,10 +1,10 @@
-#include "engine/batch/manifest.hpp"
+#include "engine/batch/manifest/manifest.hpp"
 
 #include <algorithm>
 #include <random>
 
-#include "engine/batch/curve_set.hpp"
-#include "engine/batch/plan.hpp"
+#include "engine/batch/manifest/curve_set.hpp"
+#include "engine/batch/manifest/plan.hpp"
 #include "engine/batch/work_queue.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"

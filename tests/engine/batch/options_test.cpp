@@ -1,8 +1,8 @@
-#include "engine/batch/options.hpp"
+#include "engine/batch/operations/options.hpp"
 
 #include <gtest/gtest.h>
 
-#include "engine/batch/operation.hpp"
+#include "engine/batch/operations/operation.hpp"
 #include "lober/error.hpp"
 
 namespace lober::detail {

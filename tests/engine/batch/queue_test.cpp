@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "engine/batch/file_unit.hpp"
-#include "engine/batch/jobs.hpp"
+#include "engine/batch/manifest/file_unit.hpp"
+#include "engine/batch/queue/jobs.hpp"
 #include "engine/geometry/views.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"

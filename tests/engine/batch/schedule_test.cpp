@@ -1,4 +1,4 @@
-#include "engine/batch/schedule.hpp"
+#include "engine/batch/queue/schedule.hpp"
 
 #include <gtest/gtest.h>
 

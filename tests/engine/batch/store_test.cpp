@@ -1,11 +1,11 @@
-#include "engine/batch/store.hpp"
+#include "engine/batch/store/store.hpp"
 
 #include <bit>
 #include <cmath>
 #include <limits>
 
-#include "engine/batch/export.hpp"
-#include "engine/batch/result_writer.hpp"
+#include "engine/batch/export/export.hpp"
+#include "engine/batch/store/result_writer.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/batch/stored_plan.hpp"
 

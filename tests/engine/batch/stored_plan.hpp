@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/batch/store.hpp"
+#include "engine/batch/store/store.hpp"
 
 namespace lober::detail {
 

@@ -2,7 +2,7 @@
 #include <map>
 
 #include "engine/batch/batch.hpp"
-#include "engine/batch/export.hpp"
+#include "engine/batch/export/export.hpp"
 #include "engine/batch/plan_runner.hpp"
 #include "engine/geometry/views.hpp"
 #include "lober/files.hpp"

@@ -2,7 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/batch/batch.hpp"
-#include "engine/batch/export.hpp"
+#include "engine/batch/export/export.hpp"
 #include "lober/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/batch/stored_plan.hpp"

@@ -1,0 +1,156 @@
+#include "engine/batch/export/export.hpp"
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "engine/batch/export/export_formats.hpp"
+#include "engine/batch/manifest/swept_options.hpp"
+
+namespace lober {
+using namespace detail;
+namespace {
+
+// Goes through the jobs of the plan that are wanted and calls found(result) for each that has one.
+template <typename Wanted, typename Found>
+ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted& wanted, const Found& found) {
+  ExportCounts counts;
+  const InputDigests inputs = store.digests();
+  const std::vector<const std::string*> digests = digests_by_curve(plan, inputs);
+  const JobKeys keys(plan);
+  for (std::uint32_t number = 0; number < plan.jobs.size(); ++number) {
+    const Job& job = plan.jobs[number];
+    if (!wanted(plan.group_of(job))) continue;
+    const std::optional<JobKey> key = keys.find(job, digests);
+    const Store::Known* const known = key ? store.stored().find(*key) : nullptr;
+    if (known == nullptr) {
+      ++counts.missing;
+      continue;
+    }
+    std::optional<Result> result = store.result(*known);
+    if (!result) {
+      ++counts.missing;
+      counts.damaged.push_back(damage_line(store, plan, number));
+      continue;
+    }
+    ++(result->failed() ? counts.failed : counts.done);
+    result->job = number;
+    found(*result);
+  }
+  if (store.damaged()) counts.damaged.push_back(store.path() + ": is damaged, some of its results cannot be reached");
+  return counts;
+}
+
+// "FIRST SECOND parameters.K=0.9": the curves and what a grid varies, or else all options of a job without curves.
+std::string inputs_of(const Plan& plan, const Job& job, const std::vector<SweptOption>& swept) {
+  const JobGroup& group = plan.group_of(job);
+  std::string inputs;
+  for (const CurveId id : job.curves()) inputs += (inputs.empty() ? "" : " ") + plan.name(id);
+  const std::string values = swept_values(swept, group);
+  if (!values.empty()) inputs += (inputs.empty() ? "" : " ") + values;
+  return inputs.empty() ? group.options.to_string() : inputs;
+}
+
+// By what they are: the table of a batch is not to take the place of one of its curves, by whatever name.
+void require_no_curve(const std::string& path, const Store& store, const Plan& plan) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (path == "-" || !fs::exists(path, ignored)) return;
+  // Where the curves were, or are now if the batch was moved.
+  std::set<fs::path> folders{"", fs::path(store.path()).parent_path()};
+  for (const Store::Run& run : store.runs()) folders.insert(run.folder);
+  std::set<std::string_view> done;
+  for (const CurveSource& curve : plan.curves) {
+    if (curve.file.empty() || !done.insert(curve.file).second) continue;
+    for (const fs::path& folder : folders) {
+      if (fs::equivalent(folder / curve.file, path, ignored)) {
+        throw UsageError(path + ": is " + curve.file + ", a curve of this batch; name another file");
+      }
+    }
+  }
+}
+
+Plan plan_of(const Store& store) {
+  std::optional<Plan> plan = store.plan();
+  if (!plan) throw DataError("the store holds no plan yet");
+  return std::move(*plan);
+}
+
+// The operation of a table: the one that is named, or the only one.
+const Operation& operation_for(const Plan& plan, const std::optional<std::string>& name) {
+  const JobGroup* only = nullptr;
+  for (const JobGroup& group : plan.groups) {
+    if (name && group.operation->name != *name) continue;
+    if (only != nullptr && only->operation != group.operation) {
+      throw UsageError("the plan has several operations, choose one of them, or JSON lines");
+    }
+    only = &group;
+  }
+  if (only == nullptr) throw UsageError("the plan has no operation " + name.value_or(""));
+  return *only->operation;
+}
+
+}  // namespace
+
+ExportFormat export_format(const std::string& path) {
+  if (path.ends_with(".csv")) return ExportFormat::csv;
+  if (path.ends_with(".jsonl")) return ExportFormat::json_lines;
+  if (path.ends_with(".npy")) return ExportFormat::npy;
+  throw UsageError(path + ": the name has to end in .csv, .jsonl or .npy");
+}
+
+ExportCounts detail::export_results(const Store& store, const std::string& path, ExportFormat format,
+                                    const std::optional<std::string>& operation) {
+  const Plan plan = plan_of(store);
+  ExportCounts counts;
+  const auto wanted = [&](const JobGroup& group) { return !operation || group.operation->name == *operation; };
+  const EachResult results = [&](const std::function<void(const Result&)>& take) {
+    counts = for_each_result(store, plan, wanted, take);
+  };
+  require_no_curve(path, store, plan);
+  OutputFile file(path);
+  if (format == ExportFormat::json_lines) {
+    write_json_lines(file, plan, results);
+  } else if (format == ExportFormat::csv) {
+    write_csv(file, plan, operation_for(plan, operation), results);
+  } else {
+    write_npy_table(file, plan, operation_for(plan, operation), results);
+  }
+  file.commit();
+  return counts;
+}
+
+StoreSurvey detail::survey(const Store& store) {
+  const Plan plan = plan_of(store);
+  StoreSurvey all;
+  std::map<std::string, std::size_t> known;  // failures, by message
+  std::map<const Operation*, std::vector<SweptOption>> swept;
+  const auto first_of = [&](const Result& result) {
+    const Job& job = plan.jobs[result.job];
+    const Operation* const operation = plan.group_of(job).operation;
+    const auto [at, is_new] = swept.try_emplace(operation);
+    if (is_new) at->second = swept_options(plan, *operation);
+    return inputs_of(plan, job, at->second);
+  };
+  const auto any = [](const JobGroup&) { return true; };
+  all.counts = for_each_result(store, plan, any, [&](const Result& result) {
+    if (!result.failed()) return;
+    const auto [at, is_new] = known.try_emplace(result.error, all.failures.size());
+    if (is_new) all.failures.push_back({result.error, first_of(result)});
+    ++all.failures[at->second].jobs;
+  });
+  return all;
+}
+
+std::string detail::damage_line(const Store& store, const Plan& plan, std::size_t job) {
+  const std::vector<SweptOption> swept = swept_options(plan, *plan.group_of(plan.jobs[job]).operation);
+  return store.path() + ": the result of job " + std::to_string(job) + " (" + inputs_of(plan, plan.jobs[job], swept) +
+         ") is damaged and counts as missing";
+}
+
+ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,
+                            const std::optional<std::string>& operation) {
+  return export_results(Store::open(store), path, format, operation);
+}
+
+}  // namespace lober

@@ -1,0 +1,37 @@
+// Results as tables: the same bytes for the same results, whatever computed them in whatever order.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/batch/store/store.hpp"
+#include "lober/batch.hpp"
+
+namespace lober::detail {
+
+/// Writes the jobs of the store's plan that have a result or have failed, in the order of the plan, numbers in the
+/// shortest form that reads back to the same bits. A damaged result is left out, as one that is not there. CSV and NPY
+/// hold one operation, which has to be named when the plan has several. The file appears when it is complete; "-" is
+/// standard output. Throws DataError, UsageError.
+ExportCounts export_results(const Store& store, const std::string& path, ExportFormat format,
+                            const std::optional<std::string>& operation = {});
+
+/// How far the plan of a store is. Reads and verifies all results.
+struct StoreSurvey {
+  ExportCounts counts;
+  /// Jobs of the plan that failed with the same message.
+  struct Failure {
+    std::string message;
+    std::string first;  ///< of them: "FIRST SECOND parameters.K=0.9", its curves and what a grid varies
+    std::size_t jobs = 0;
+  };
+  std::vector<Failure> failures;  ///< in the order of the plan
+};
+[[nodiscard]] StoreSurvey survey(const Store& store);
+
+/// "STORE: the result of job N (FIRST SECOND) is damaged and counts as missing".
+[[nodiscard]] std::string damage_line(const Store& store, const Plan& plan, std::size_t job);
+
+}  // namespace lober::detail

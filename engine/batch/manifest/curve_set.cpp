@@ -1,0 +1,105 @@
+#include "engine/batch/manifest/curve_set.hpp"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <set>
+
+#include "engine/batch/manifest/file_unit.hpp"
+#include "lober/curve.hpp"
+#include "lober/files.hpp"
+
+namespace lober::detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Paths as the pattern spells them, in natural order; empty when there is no such file.
+std::vector<std::string> matches(const std::string& manifest_path, const std::string& pattern) {
+  std::error_code ignored;
+  if (fs::exists(located(manifest_path, pattern), ignored)) return {pattern};
+  // The folder is no part of the pattern, whatever characters it has.
+  std::string folder = located(manifest_path, ""), escaped;
+  if (fs::path(pattern).is_absolute()) folder.clear();
+  for (const char c : folder) {
+    if (std::string_view("*?[\\").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  glob_t found{};
+  std::vector<std::string> files;
+  if (glob((escaped + pattern).c_str(), GLOB_NOSORT, nullptr, &found) == 0) {
+    for (std::size_t k = 0; k < found.gl_pathc; ++k) {
+      if (fs::is_regular_file(found.gl_pathv[k], ignored)) {
+        files.push_back(std::string(found.gl_pathv[k]).substr(folder.size()));
+      }
+    }
+  }
+  globfree(&found);
+  std::sort(files.begin(), files.end(), natural_less);
+  return files;
+}
+
+std::vector<CurveSource> zones_of(const Manifest& manifest, const LocatedText& pattern, const std::string& file,
+                                  const std::string& choice) {
+  std::size_t number = 0;
+  const char* const end = choice.data() + choice.size();
+  if (const auto [stop, error] = std::from_chars(choice.data(), end, number); stop == end && error == std::errc{}) {
+    return {CurveSource{file, number}};
+  }
+  require_regular(located(manifest.path, file));
+  const CurveFile content = read_curve_file(located(manifest.path, file), {.hash = false});
+  std::vector<CurveSource> sources;
+  for (std::size_t k = 0; k < content.zones.size(); ++k) {
+    if (choice == "*" || content.zones[k].title == choice) sources.push_back(CurveSource{file, k});
+  }
+  if (sources.empty() || (choice != "*" && sources.size() > 1)) {
+    manifest.fail(pattern.line, pattern.key,
+                  file + " has " + (sources.empty() ? "no" : "more than one") + " zone titled \"" + choice + "\"");
+  }
+  return sources;
+}
+
+}  // namespace
+
+bool natural_less(const std::string& a, const std::string& b) {
+  return strverscmp(a.c_str(), b.c_str()) < 0;
+}
+
+std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<LocatedText>& patterns) {
+  std::vector<CurveSource> all;
+  std::set<std::string> known;
+  const auto take = [&](CurveSource source) {
+    if (known.insert(source.name()).second) all.push_back(std::move(source));
+  };
+  for (const LocatedText& pattern : patterns) {
+    if (pattern.text.empty()) {
+      for (const CurveRecipe& recipe : pattern.recipes) take(CurveSource{"", std::nullopt, recipe});
+      continue;
+    }
+    std::string files = pattern.text, choice;
+    std::error_code ignored;
+    if (const std::size_t at = files.rfind('#');
+        at != std::string::npos && at != 0 && !fs::exists(located(manifest.path, files), ignored)) {
+      choice = files.substr(at + 1);
+      files.resize(at);
+    }
+    const std::vector<std::string> found = matches(manifest.path, files);
+    if (found.empty()) manifest.fail(pattern.line, pattern.key, "there is no file " + files);
+    for (const std::string& file : found) {
+      const std::vector<CurveSource> sources =
+          choice.empty() ? std::vector{CurveSource{file}} : zones_of(manifest, pattern, file, choice);
+      for (const CurveSource& source : sources) {
+        if (pattern.recipes.empty()) take(source);
+        for (const CurveRecipe& recipe : pattern.recipes) {
+          take(recipe.iterates == 0 ? source : CurveSource{source.file, source.zone, recipe});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace lober::detail

@@ -1,0 +1,35 @@
+#include "engine/batch/manifest/curve_source.hpp"
+
+#include <filesystem>
+
+#include "engine/batch/manifest/file_unit.hpp"
+
+namespace lober::detail {
+
+CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path) {
+  const CurveSource& any = sources.front();
+  if (any.file.empty()) return manifold_unit(*any.recipe);
+  CurveUnit of_file = file_unit(located(manifest_path, any.file), sources);
+  return any.recipe ? image_unit(*any.recipe, std::move(of_file)) : of_file;
+}
+
+std::vector<std::string> digests_of(const std::vector<CurveSource>& sources, const std::string& manifest_path) {
+  const CurveSource& any = sources.front();
+  if (any.file.empty()) return {recipe_digest(*any.recipe)};
+  const std::string sha256 = file_sha256(located(manifest_path, any.file));
+  std::vector<std::string> digests;
+  for (const CurveSource& source : sources) {
+    const std::string digest = zone_digest(sha256, source);
+    digests.push_back(source.recipe ? recipe_digest(*source.recipe, digest) : digest);
+  }
+  return digests;
+}
+
+std::string located(const std::string& manifest_path, const std::string& file) {
+  const std::filesystem::path path(file);
+  if (path.is_absolute()) return file;
+  const std::string folder = std::filesystem::path(manifest_path).parent_path();
+  return folder.empty() ? file : folder + "/" + file;
+}
+
+}  // namespace lober::detail

@@ -1,0 +1,41 @@
+// Where a curve of a plan comes from.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/batch/manifest/recipe.hpp"
+
+namespace lober::detail {
+
+/// A curve in a file, a manifold of a system, or the image of a curve in a file.
+struct CurveSource {
+  std::string file;                        ///< as the manifest spells its path; empty for a manifold
+  std::optional<std::size_t> zone = {};    ///< of the file; none: the only one
+  std::optional<CurveRecipe> recipe = {};  ///< of a manifold, or of an image
+  bool closed = true;
+
+  /// FILE or FILE#K; empty for a manifold.
+  [[nodiscard]] std::string location() const { return zone ? file + "#" + std::to_string(*zone) : file; }
+  /// In messages and tables: the location, or how the curve is made.
+  [[nodiscard]] std::string name() const { return recipe ? recipe->name(location()) : location(); }
+  /// What the store calls the curve: open and closed are different inputs.
+  [[nodiscard]] std::string input_name() const { return name() + (closed ? "" : " (open)"); }
+  /// Equal for curves that are read together: from one file, and all made in the same way or not at all.
+  [[nodiscard]] std::string unit() const { return file + '\n' + (recipe ? recipe->name() : ""); }
+};
+
+/// Curves with the same `unit` as a unit of the queue.
+[[nodiscard]] CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path);
+
+/// The digests of the curves as they are now, as the CurveUnit would give them. Throws DataError when the file cannot
+/// be read.
+[[nodiscard]] std::vector<std::string> digests_of(const std::vector<CurveSource>& sources,
+                                                  const std::string& manifest_path);
+
+/// The path of a file that a manifest names.
+[[nodiscard]] std::string located(const std::string& manifest_path, const std::string& file);
+
+}  // namespace lober::detail

@@ -1,0 +1,341 @@
+#include "engine/batch/manifest/manifest.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "engine/base/even_values.hpp"
+#include "engine/base/file_bytes.hpp"
+#include "engine/batch/manifest/recipe_reader.hpp"
+
+namespace lober::detail {
+namespace {
+
+std::size_t line_of(const toml::node& node) {
+  return node.source().begin.line;
+}
+
+class Reader {
+ public:
+  explicit Reader(Manifest& manifest) : manifest_(manifest) {}
+
+  void read(const toml::table& top) {
+    const toml::node* const groups = top.get("group");
+    if (groups == nullptr) {
+      check_keys(top, {});
+      read_group(top, top);
+      return;
+    }
+    if (!groups->is_array_of_tables()) fail(*groups, "group", "has to be written [[group]]");
+    check_keys(top, {"group"});
+    for (const toml::node& group : *groups->as_array()) {
+      check_keys(*group.as_table(), {});
+      read_group(*group.as_table(), top);
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::node& node, const std::string& key, const std::string& message) const {
+    manifest_.fail(line_of(node), key, message);
+  }
+
+  void check_keys(const toml::table& table, const std::set<std::string, std::less<>>& besides) const {
+    static const std::set<std::string, std::less<>> known{"name",   "operation", "curves",  "with",
+                                                          "closed", "pairs",     "options", "grid"};
+    for (const auto& [key, node] : table) {
+      if (known.contains(key.str()) || besides.contains(key.str())) continue;
+      fail(node, std::string(key.str()),
+           "there is no such key; there are name, operation, curves, with, closed, pairs, options, grid and [[group]]");
+    }
+  }
+
+  // The value of a key: of the group, or else of the top.
+  static const toml::node* find(const toml::table& group, const toml::table& top, std::string_view key) {
+    const toml::node* const own = group.get(key);
+    return own != nullptr ? own : top.get(key);
+  }
+
+  std::string text_of(const toml::node& node, const std::string& key) const {
+    if (!node.is_string()) fail(node, key, "has to be a string");
+    return **node.as_string();
+  }
+
+  void read_group(const toml::table& table, const toml::table& top) {
+    ManifestGroup group;
+    const toml::node* const name = find(table, top, "name");
+    group.name = name != nullptr ? text_of(*name, "name") : "";
+    read_operation(group, table, top);
+    group.closed = !group.operation->open;
+    if (const toml::node* const closed = find(table, top, "closed")) {
+      if (!closed->is_boolean()) fail(*closed, "closed", "has to be true or false");
+      group.closed = **closed->as_boolean();
+      if (group.closed && group.operation->open) fail(*closed, "closed", group.operation->name + " takes open curves");
+    }
+    group.curves = patterns(table, top, "curves");
+    group.with = patterns(table, top, "with");
+    read_pairs(group, table, top);
+    read_options(group, table, top);
+    if (group.operation->arity == Arity::none) {
+      for (const char* const key : {"curves", "with", "pairs", "closed"}) {
+        if (const toml::node* const useless = table.get(key))
+          fail(*useless, key, group.operation->name + " has no curves");
+      }
+      group.pairs = PairKind::none;
+    } else if (group.pairs != PairKind::list && group.curves.empty())
+      fail(table, "curves", "is missing");
+    manifest_.groups.push_back(std::move(group));
+  }
+
+  void read_operation(ManifestGroup& group, const toml::table& table, const toml::table& top) const {
+    const toml::node* const node = find(table, top, "operation");
+    if (node == nullptr) fail(table, "operation", "is missing");
+    const std::string name = text_of(*node, "operation");
+    group.operation = find_operation(name);
+    if (group.operation != nullptr) return;
+    std::string known;
+    for (const Operation& any : all_operations()) known += (known.empty() ? "" : ", ") + any.name;
+    fail(*node, "operation", "there is no operation \"" + name + "\" in this version; there are " + known);
+  }
+
+  std::vector<LocatedText> patterns(const toml::table& table, const toml::table& top, const std::string& key) const {
+    const toml::node* const node = find(table, top, key);
+    if (node == nullptr) return {};
+    if (!node->is_array()) return {pattern(*node, key)};
+    if (node->as_array()->empty()) fail(*node, key, "has to be a pattern or a list of patterns");
+    std::vector<LocatedText> all;
+    for (const toml::node& one : *node->as_array()) all.push_back(pattern(one, key));
+    return all;
+  }
+
+  LocatedText pattern(const toml::node& node, const std::string& key) const {
+    if (node.is_string()) return {**node.as_string(), line_of(node), key};
+    if (!node.is_table()) fail(node, key, "has to be a pattern, a curve of a system, or a list of such");
+    return read_recipes(manifest_, *node.as_table(), key);
+  }
+
+  void read_pairs(ManifestGroup& group, const toml::table& table, const toml::table& top) const {
+    const toml::node* const node = find(table, top, "pairs");
+    const bool of_two = group.operation->arity == Arity::two;
+    group.pairs = !of_two ? PairKind::single : group.with.empty() ? PairKind::all : PairKind::product;
+    if (group.operation->arity == Arity::none) return;
+    if (node == nullptr) {
+      if (!of_two && table.contains("with")) fail(*table.get("with"), "with", "goes with pairs = \"product\" only");
+      return;
+    }
+    if (const auto* const text = node->as_string()) {
+      read_pair_word(group, *node, **text);
+    } else if (const auto* const lag = node->as_table()) {
+      const toml::node* const steps = lag->get("lag");
+      if (steps == nullptr || lag->size() != 1 || !steps->is_integer() || **steps->as_integer() < 1) {
+        fail(*node, "pairs", "as a table it has to be { lag = k } with k at least 1");
+      }
+      group.pairs = PairKind::lag;
+      group.lag = static_cast<std::size_t>(**steps->as_integer());
+    } else if (node->is_array()) {
+      group.pairs = PairKind::list;
+      for (const toml::node& one : *node->as_array()) {
+        const toml::array* const two = one.as_array();
+        if (two == nullptr || two->size() != 2) fail(one, "pairs", "each pair has to be two names [\"a\", \"b\"]");
+        group.list.push_back({pattern((*two)[0], "pairs"), pattern((*two)[1], "pairs")});
+      }
+    } else {
+      fail(*node, "pairs", "has to be a string, { lag = k } or a list of pairs");
+    }
+    const bool two = group.pairs != PairKind::single;
+    if (!takes(group.operation->arity, two ? 2 : 1)) {
+      fail(*node, "pairs", group.operation->name + (two ? " takes one curve" : " takes two curves"));
+    }
+    if (group.pairs == PairKind::product && group.with.empty()) {
+      fail(*node, "pairs", "\"product\" needs the second set, with = ...");
+    }
+    if (group.pairs != PairKind::product && table.contains("with")) {
+      fail(*table.get("with"), "with", "goes with pairs = \"product\" only");
+    }
+  }
+
+  void read_pair_word(ManifestGroup& group, const toml::node& node, const std::string& word) const {
+    if (word == "all") {
+      group.pairs = PairKind::all;
+    } else if (word == "consecutive") {
+      group.pairs = PairKind::lag;
+      group.lag = 1;
+    } else if (word == "product") {
+      group.pairs = PairKind::product;
+    } else if (word == "single") {
+      group.pairs = PairKind::single;
+    } else {
+      fail(node, "pairs",
+           "\"" + word +
+               "\" cannot be read as pairs; give all, consecutive, product, single, { lag = k } or a list of pairs");
+    }
+  }
+
+  OptionValue value_of(const toml::node& node, const std::string& key) const {
+    if (node.is_boolean()) return **node.as_boolean();
+    if (node.is_integer()) return std::int64_t{**node.as_integer()};
+    if (node.is_floating_point()) return **node.as_floating_point();
+    if (node.is_string()) return **node.as_string();
+    fail(node, key, "has to be true, false, a number or a string");
+  }
+
+  const toml::table* subtable(const toml::table& table, std::string_view key) const {
+    const toml::node* const node = table.get(key);
+    if (node != nullptr && !node->is_table()) fail(*node, std::string(key), "has to be a table");
+    return node != nullptr ? node->as_table() : nullptr;
+  }
+
+  // Options at the top are for those operations that know them, and some group's has to.
+  void read_options(ManifestGroup& group, const toml::table& table, const toml::table& top) {
+    std::vector<OptionSetting> settings;
+    const auto known = [&](std::string_view key) {
+      const std::vector<OptionSpec>& specs = group.operation->options;
+      return std::any_of(specs.begin(), specs.end(), [&](const OptionSpec& spec) { return spec.is_for(key); });
+    };
+    const auto take = [&](const std::string& key, const toml::node& node, bool only_known) {
+      if (only_known && !known(key) && is_known_to_some(key)) return;
+      settings.push_back({key, value_of(node, key)});
+      (void)checked(group, {settings.back()}, node);
+    };
+    const bool grouped = &table != &top;
+    if (grouped) {
+      if (const toml::table* const options = subtable(top, "options")) {
+        each_entry(*options, "", [&](const std::string& key, const toml::node& node) { take(key, node, true); });
+      }
+    }
+    if (const toml::table* const options = subtable(table, "options")) {
+      each_entry(*options, "", [&](const std::string& key, const toml::node& node) { take(key, node, false); });
+    }
+    std::vector<std::vector<OptionSetting>> rounds{settings};
+    if (const toml::node* const node = find(table, top, "grid")) {
+      if (!node->is_table()) fail(*node, "grid", "has to be a table of lists");
+      each_entry(*node->as_table(), "",
+                 [&](const std::string& key, const toml::node& list) { rounds = combined(group, rounds, key, list); });
+    }
+    for (const std::vector<OptionSetting>& round : rounds) {
+      group.options.push_back(checked(group, round, table));
+      if (group.operation->check) explained(table, [&] { group.operation->check(group.options.back()); });
+    }
+  }
+
+  // Entries of a table, those of tables in it by "table.key".
+  static void each_entry(const toml::table& table, const std::string& prefix,
+                         const std::function<void(const std::string&, const toml::node&)>& take) {
+    for (const auto& [key, node] : table) {
+      const std::string name = prefix + std::string(key.str());
+      if (node.is_table()) {
+        each_entry(*node.as_table(), name + ".", take);
+      } else {
+        take(name, node);
+      }
+    }
+  }
+
+  static bool is_known_to_some(std::string_view key) {
+    const std::span<const Operation> all = all_operations();
+    return std::any_of(all.begin(), all.end(), [&](const Operation& any) {
+      return std::any_of(any.options.begin(), any.options.end(),
+                         [&](const OptionSpec& spec) { return spec.is_for(key); });
+    });
+  }
+
+  // Each round once for each value of the list.
+  std::vector<std::vector<OptionSetting>> combined(const ManifestGroup& group,
+                                                   const std::vector<std::vector<OptionSetting>>& rounds,
+                                                   const std::string& key, const toml::node& list) const {
+    std::vector<OptionSetting> settings;
+    if (list.is_string()) {
+      for (const OptionValue& value : range_of(list, "grid." + key)) {
+        settings.push_back({key, value});
+        (void)checked(group, {settings.back()}, list);
+      }
+    } else {
+      if (!list.is_array() || list.as_array()->empty()) fail(list, "grid." + key, grid_form);
+      for (const toml::node& node : *list.as_array()) {
+        settings.push_back({key, value_of(node, "grid." + key)});
+        (void)checked(group, {settings.back()}, node);
+      }
+    }
+    std::vector<std::vector<OptionSetting>> all;
+    for (const std::vector<OptionSetting>& round : rounds) {
+      for (const OptionSetting& setting : settings) {
+        all.push_back(round);
+        all.back().push_back(setting);
+      }
+    }
+    return all;
+  }
+
+  // The values of "FIRST:LAST:STEP": whole numbers if all three are spelled so.
+  std::vector<OptionValue> range_of(const toml::node& node, const std::string& key) const {
+    std::vector<double> numbers;
+    const std::string text = **node.as_string();
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (numbers.size() < 3 && at <= end) {
+      double number = 0;
+      const auto [stop, error] = std::from_chars(at, end, number);
+      if (error != std::errc{} || !std::isfinite(number) || (stop != end && *stop != ':')) break;
+      numbers.push_back(number);
+      at = stop + 1;
+    }
+    if (numbers.size() != 3 || at != end + 1) fail(node, key, grid_form);
+    const auto values = even_values(numbers[0], numbers[1], numbers[2]);
+    if (!values) fail(node, key, "needs a step that leads from the first value to the last in at most 100000 values");
+    if (values->size() == 1) {
+      fail(node, key, "stands for one value, since its step is longer than the range; the third number is the step");
+    }
+    const bool are_whole = text.find_first_not_of("+-0123456789:") == std::string::npos;
+    std::vector<OptionValue> all;
+    for (const double value : *values) {
+      are_whole ? all.emplace_back(static_cast<std::int64_t>(value)) : all.emplace_back(value);
+    }
+    return all;
+  }
+
+  static constexpr const char* grid_form = "has to be a list of values, or a range \"FIRST:LAST:STEP\"";
+
+  Options checked(const ManifestGroup& group, const std::vector<OptionSetting>& settings,
+                  const toml::node& node) const {
+    Options options;
+    explained(node, [&] { options = {group.operation->options, settings}; });
+    return options;
+  }
+
+  // Says where an option "key: message" stands.
+  void explained(const toml::node& node, const std::function<void()>& function) const {
+    try {
+      function();
+    } catch (const UsageError& error) {
+      const std::string text = error.what();
+      const std::size_t colon = text.find(':');
+      manifest_.fail(line_of(node), "options." + text.substr(0, colon), text.substr(colon + 2));
+    }
+  }
+
+  Manifest& manifest_;
+};
+
+}  // namespace
+
+void Manifest::fail(std::size_t line, const std::string& key, const std::string& message) const {
+  throw UsageError(path + ":" + std::to_string(line) + ": " + key + ": " + message);
+}
+
+Manifest read_manifest(const std::string& path) {
+  Manifest manifest;
+  manifest.path = path;
+  const FileBytes file(path);
+  manifest.text = {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+  toml::table top;
+  try {
+    top = toml::parse(manifest.text);
+  } catch (const toml::parse_error& error) {
+    throw UsageError(path + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+  }
+  Reader(manifest).read(top);
+  return manifest;
+}
+
+}  // namespace lober::detail

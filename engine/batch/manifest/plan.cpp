@@ -1,0 +1,131 @@
+#include "engine/batch/manifest/plan.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/base/input_guard.hpp"
+#include "engine/batch/manifest/curve_set.hpp"
+
+namespace lober::detail {
+namespace {
+
+class Planner {
+ public:
+  explicit Planner(const Manifest& manifest) : manifest_(manifest) {}
+
+  Plan plan() {
+    for (const ManifestGroup& group : manifest_.groups) add(group);
+    return std::move(plan_);
+  }
+
+ private:
+  using Pairs = std::vector<std::pair<CurveId, CurveId>>;
+
+  void add(const ManifestGroup& group) {
+    const Pairs pairs = pairs_of(group);
+    if (pairs.empty()) {
+      const LocatedText& text = group.pairs == PairKind::list ? LocatedText{"", 1, "pairs"} : group.curves.front();
+      manifest_.fail(text.line, text.key, "no pair comes of this");
+    }
+    for (const Options& options : group.options) {
+      const auto number = static_cast<std::uint32_t>(plan_.groups.size());
+      plan_.groups.push_back({group.name, group.operation, options});
+      for (const auto& [first, second] : pairs) plan_.jobs.push_back({number, first, second});
+    }
+  }
+
+  Pairs pairs_of(const ManifestGroup& group) {
+    Pairs pairs;
+    const std::vector<CurveId> curves = numbers_of(group.curves, group.closed);
+    switch (group.pairs) {
+      case PairKind::none:
+        pairs.emplace_back(no_curve, no_curve);
+        break;
+      case PairKind::all:
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+          for (std::size_t k = i + 1; k < curves.size(); ++k) pairs.emplace_back(curves[i], curves[k]);
+        }
+        break;
+      case PairKind::lag:
+        for (std::size_t i = 0; i + group.lag < curves.size(); ++i)
+          pairs.emplace_back(curves[i], curves[i + group.lag]);
+        break;
+      case PairKind::product: {
+        const std::vector<CurveId> others = numbers_of(group.with, group.closed);
+        for (const CurveId curve : curves) {
+          for (const CurveId other : others) {
+            if (curve != other) pairs.emplace_back(curve, other);
+          }
+        }
+        break;
+      }
+      case PairKind::single:
+        for (const CurveId curve : curves) pairs.emplace_back(curve, no_curve);
+        break;
+      case PairKind::list:
+        for (const auto& [first, second] : group.list) {
+          pairs.emplace_back(single(first, group.closed), single(second, group.closed));
+        }
+        break;
+    }
+    return pairs;
+  }
+
+  CurveId single(const LocatedText& name, bool closed) {
+    const std::vector<CurveId> found = numbers_of({name}, closed);
+    if (found.size() != 1) manifest_.fail(name.line, name.key, name.text + " is more than one curve");
+    return found[0];
+  }
+
+  std::vector<CurveId> numbers_of(const std::vector<LocatedText>& patterns, bool closed) {
+    std::vector<CurveId> ids;
+    for (CurveSource& source : resolve(manifest_, patterns)) {
+      source.closed = closed && !source.file.empty();
+      const auto [at, is_new] = curves_.try_emplace(source.input_name(), static_cast<CurveId>(plan_.curves.size()));
+      ids.push_back(at->second);
+      if (!is_new) continue;
+      // From now on no output of the program replaces it, whichever job reads it when, if any does.
+      if (!source.file.empty()) note_input(located(manifest_.path, source.file));
+      plan_.curves.push_back(std::move(source));
+    }
+    return ids;
+  }
+
+  const Manifest& manifest_;
+  Plan plan_;
+  std::map<std::string, CurveId> curves_;  ///< by the names of inputs
+};
+
+}  // namespace
+
+std::string Plan::output_of(const Job& job) const {
+  const JobGroup& group = group_of(job);
+  if (!group.operation->output) return {};
+  return group.operation->output(group.options, name(job.first), name(job.second));
+}
+
+Plan make_plan(const Manifest& manifest) {
+  return Planner(manifest).plan();
+}
+
+std::vector<std::uint32_t> jobs_of(const Plan& plan, Shard shard) {
+  constexpr std::size_t max_shards = 0xffffffff;  // as many as there can be jobs; their product has to fit
+  if (shard.number >= shard.of || shard.of > max_shards) {
+    throw UsageError("shard " + std::to_string(shard.number) + " of " + std::to_string(shard.of) +
+                     " does not exist; count shards from 0, below their number, which is at most " +
+                     std::to_string(max_shards));
+  }
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t begin = 0; begin < plan.jobs.size();) {
+    std::size_t end = begin;
+    while (end < plan.jobs.size() && plan.jobs[end].group == plan.jobs[begin].group) ++end;
+    const std::size_t count = end - begin;
+    const std::size_t from = begin + count * shard.number / shard.of,
+                      to = begin + count * (shard.number + 1) / shard.of;
+    for (std::size_t k = from; k < to; ++k) chosen.push_back(static_cast<std::uint32_t>(k));
+    begin = end;
+  }
+  return chosen;
+}
+
+}  // namespace lober::detail

@@ -1,0 +1,19 @@
+#include "engine/batch/operations/named_system.hpp"
+
+#include "lober/error.hpp"
+
+namespace lober::detail {
+
+System system_of(const std::string& name, const ParameterValues& parameters, double integration_tolerance) {
+  if (name.empty()) throw UsageError("the name of a system is missing");
+  if (name.find('/') != std::string::npos || name.ends_with(".so")) {
+    throw UsageError("systems from shared libraries are not for manifests");
+  }
+  IntegrationOptions options;
+  options.tolerance = integration_tolerance;
+  System system = make_system(name, parameters, options);
+  if (!system.map) throw UsageError(name + " has no planar map");
+  return system;
+}
+
+}  // namespace lober::detail

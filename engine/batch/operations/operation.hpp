@@ -1,0 +1,73 @@
+// What a job does. One table of operations; each is a file in operations/.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/batch/operations/allowance.hpp"
+#include "engine/batch/operations/options.hpp"
+#include "engine/batch/operations/prepared_curve.hpp"
+#include "engine/batch/operations/result.hpp"
+
+namespace lober::detail {
+
+class OutputFolder;
+
+/// How many curves a job of an operation has.
+enum class Arity : std::uint8_t { none, one, two, one_or_two };
+[[nodiscard]] bool takes(Arity arity, std::size_t curves);
+
+/// Those of a job, in order, and what the job may take.
+class JobCurves {
+ public:
+  JobCurves(std::span<const PreparedCurve* const> curves, const Allowance& allowance,
+            const OutputFolder* outputs = nullptr)
+      : curves_(curves), allowance_(allowance), outputs_(outputs) {}
+  [[nodiscard]] std::size_t size() const { return curves_.size(); }
+  [[nodiscard]] const PreparedCurve* operator[](std::size_t k) const { return curves_[k]; }
+  [[nodiscard]] const Allowance& allowance() const { return allowance_; }
+  /// Below which the job writes its file; null: anywhere.
+  [[nodiscard]] const OutputFolder* outputs() const { return outputs_; }
+
+ private:
+  std::span<const PreparedCurve* const> curves_;
+  const Allowance& allowance_;
+  const OutputFolder* outputs_;
+};
+
+/// A program that feeds the queue may bring its own.
+struct Operation {
+  std::string name;
+  std::string summary = {};  ///< one line; of those in the table
+  std::string view = {};     ///< of its results in a store, for SQL; only for those in the table
+  int revision = 1;          ///< goes into the key of results: raise it when the numbers change
+  Arity arity = Arity::two;
+  bool open = false;  ///< curves of a manifest are open unless it says otherwise
+  std::vector<OptionSpec> options = {};
+  std::vector<Column> columns = {};  ///< names that SQL takes in quotes; of those in the table, see store_format
+  std::vector<std::string> lists = {};
+  /// Throws UsageError "key: message" for options that cannot go together; may be empty.
+  std::function<void(const Options&)> check = {};
+  std::function<Requirements(const Options&)> requirements;
+  /// Makes the values and the lists. Called from several threads at the same time. May throw what is a std::exception:
+  /// the job has failed then.
+  std::function<Result(JobCurves curves, const Options& options)> run;
+  /// The name of the file that a job on curves of these names writes, as its options have it; empty for none.
+  std::function<std::string(const Options& options, std::string_view first, std::string_view second)> output = {};
+  /// Microseconds on one core for a number of points, roughly: what comes first is what costs most.
+  std::function<double(std::size_t points)> cost;
+  /// Bytes of what it makes of its first curve, roughly, where its options decide that; may be empty.
+  std::function<double(const Curve& curve, const Options& options)> result_bytes = {};
+  std::size_t memory = 0;  ///< bytes that a job takes besides what is usual for that number of points
+};
+
+/// The operations that a manifest can name.
+[[nodiscard]] std::span<const Operation> all_operations();
+[[nodiscard]] const Operation* find_operation(std::string_view name);  ///< null if there is none
+
+}  // namespace lober::detail

@@ -1,0 +1,82 @@
+// A map from keys of jobs (private to the store).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "engine/batch/operations/result.hpp"
+
+namespace lober::detail {
+
+/// Entries stay in the order in which they came; a slot has the index of one and as much of its key as makes looking at
+/// the entry itself needless nearly always: with millions of keys, each look is a miss of the cache. Keys are digests,
+/// so that any part of one is a hash.
+template <typename Value>
+class KeyMap {
+ public:
+  using Entry = std::pair<JobKey, Value>;
+
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] bool empty() const { return entries_.empty(); }
+  [[nodiscard]] auto begin() const { return entries_.begin(); }
+  [[nodiscard]] auto end() const { return entries_.end(); }
+  [[nodiscard]] auto begin() { return entries_.begin(); }
+  [[nodiscard]] auto end() { return entries_.end(); }
+
+  /// Null if there is none. Valid until the next `try_emplace`.
+  [[nodiscard]] const Value* find(const JobKey& key) const {
+    if (slots_.empty()) return nullptr;
+    const Slot& slot = slots_[slot_of(key)];
+    return slot.index == none ? nullptr : &entries_[slot.index].second;
+  }
+  [[nodiscard]] Value* find(const JobKey& key) { return const_cast<Value*>(std::as_const(*this).find(key)); }
+
+  /// The value of the key, and whether it is new.
+  std::pair<Value&, bool> try_emplace(const JobKey& key, const Value& value) {
+    if (2 * (entries_.size() + 1) > slots_.size()) grow();
+    Slot& slot = slots_[slot_of(key)];
+    const bool is_new = slot.index == none;
+    if (is_new) {
+      slot = {tag_of(key), static_cast<std::uint32_t>(entries_.size())};
+      entries_.emplace_back(key, value);
+    }
+    return {entries_[slot.index].second, is_new};
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffff;
+  struct Slot {
+    std::uint32_t tag = 0, index = none;
+  };
+  static std::uint32_t tag_of(const JobKey& key) {
+    std::uint32_t tag = 0;
+    std::memcpy(&tag, key.data(), sizeof(tag));
+    return tag;
+  }
+  // That of the key, or the free one where it would be.
+  [[nodiscard]] std::size_t slot_of(const JobKey& key) const {
+    std::uint64_t hash = 0;
+    std::memcpy(&hash, key.data() + sizeof(std::uint32_t), sizeof(hash));
+    const std::uint32_t tag = tag_of(key);
+    std::size_t at = hash & (slots_.size() - 1);
+    while (slots_[at].index != none && (slots_[at].tag != tag || entries_[slots_[at].index].first != key)) {
+      at = (at + 1) & (slots_.size() - 1);
+    }
+    return at;
+  }
+  void grow() {
+    slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), {});
+    for (std::size_t index = 0; index < entries_.size(); ++index) {
+      const JobKey& key = entries_[index].first;
+      slots_[slot_of(key)] = {tag_of(key), static_cast<std::uint32_t>(index)};
+    }
+  }
+
+  std::vector<Entry> entries_;
+  std::vector<Slot> slots_;  ///< a power of two
+};
+
+}  // namespace lober::detail

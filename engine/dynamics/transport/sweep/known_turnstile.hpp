@@ -1,0 +1,43 @@
+// The turnstile of one map as far as those of maps nearby begin from it (private to engine/).
+//
+// Local manifolds and the orbits of the pips move smoothly with a parameter. From those of a value nearby Newton's
+// method finds them in a few steps; no manifold is grown.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "engine/dynamics/transport/tangles/tangle_growth.hpp"
+#include "lober/manifold_tangle.hpp"
+
+namespace lober::detail {
+
+struct KnownTurnstile {
+  LocalManifold u, s;
+  std::vector<ConnectingOrbit> orbits;  ///< of the pips of one iterate, from f^-1(q) to q
+  std::size_t points = 0;               ///< of both manifolds as grown; none where it was continued
+
+  /// Pips come and go in pairs; one that was there before is lost, and its orbit without meaning.
+  [[nodiscard]] bool is_lost(std::size_t number) const { return std::isinf(orbits[number].residual); }
+
+  /// W(q) - W(q') as in SweepRow::difference; nothing without an action, or when a pip is lost.
+  [[nodiscard]] std::optional<double> difference() const;
+  /// Of the difference, an estimate.
+  [[nodiscard]] double error() const;
+  /// Of the images of pip `number` that whose tangle takes the least growing.
+  [[nodiscard]] KnownBip bip(std::size_t number) const;
+  /// The number of the pip, 1 for the one after f^-1(q) to the last for q, whose orbit, or an image of it, is pip
+  /// `number` of another turnstile of the same map; nothing if none is.
+  [[nodiscard]] std::optional<std::size_t> same_pip(const KnownTurnstile& other, std::size_t number) const;
+};
+
+[[nodiscard]] KnownTurnstile known_turnstile(const ManifoldTangle& found);
+
+/// That of a map near the one of `from`, with the same pips; of q the image in the middle between the saddles. Nothing
+/// where q is not found, or not behind the others. Throws as local_manifold.
+[[nodiscard]] std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Connection& connection,
+                                                                const KnownTurnstile& from);
+
+}  // namespace lober::detail

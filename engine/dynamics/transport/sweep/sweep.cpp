@@ -1,0 +1,290 @@
+#include "lober/sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/transport/sweep/sweep_zero.hpp"
+#include "engine/dynamics/transport/tangles/area_preservation.hpp"
+#include "engine/dynamics/transport/tangles/barrier.hpp"
+#include "engine/dynamics/transport/turnstile/turnstile.hpp"
+#include "lober/error.hpp"
+
+namespace lober {
+using namespace detail;
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+void fill(SweepRow& row, const ManifoldTangle& found) {
+  const Tangle& tangle = found.tangle;
+  row.from = found.local_u.saddle;
+  row.to = found.local_s.saddle;
+  row.multiplier = found.local_u.multiplier;
+  row.period = found.period();
+  row.areas_by_action = found.areas_by_action;
+  const bool with_action = !row.areas_by_action.empty();
+  if (!with_action) row.lobe_area12_by_action = row.lobe_area21_by_action = row.difference = no_value;
+  for (std::size_t k = 0; k < row.period; ++k) {
+    const std::size_t number = found.image_of_bip(-1) + k;
+    const Lobe& lobe = tangle.lobes[number];
+    row.areas.push_back(lobe.area);
+    row.errors.push_back(lobe.smooth_error);
+    const bool leaves = tangle.images.labels[number].from == 1;
+    Measured& side = leaves ? row.lobe_area12 : row.lobe_area21;
+    side = side + Measured{std::fabs(lobe.area), lobe.smooth_error};
+    if (!with_action) continue;
+    (leaves ? row.lobe_area12_by_action : row.lobe_area21_by_action) += std::fabs(row.areas_by_action[k]);
+    if (k >= row.period / 2) row.difference -= row.areas_by_action[k];
+  }
+}
+
+// By the turnstile of the boundary, where it crosses itself as in the plane or on the cylinder.
+void fill_fluxes(SweepRow& row, const FamilyMember& member, const ManifoldTangle& found) {
+  try {
+    require_areas_preserved(*member.map, found.local_u.saddle);
+    const Turnstile turnstile(barrier_of(found, member.lattice));
+    row.flux12 = turnstile.flux12();
+    row.flux21 = turnstile.flux21();
+  } catch (const DataError& error) {
+    row.flux12 = row.flux21 = {no_value, no_value};
+    row.remark = error.what();
+  }
+}
+
+// The turnstile of one value, with the bip if that is known.
+SweepValue value_at(const Family& family, double value, const ManifoldTangleOptions& options, bool with_fluxes,
+                    const KnownBip* bip = nullptr) {
+  SweepValue result;
+  SweepRow& row = result.row;
+  row.value = value;
+  try {
+    const FamilyMember member = family(value);
+    const std::unique_ptr<ManifoldTangle> found = TangleGrowth(*member.map, member.connection, options, bip).take();
+    fill(row, *found);
+    if (with_fluxes) fill_fluxes(row, member, *found);
+    result.known = known_turnstile(*found);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {
+    row = {};
+    row.value = value;
+    row.failure = error.what();
+  }
+  return result;
+}
+
+// The values of a sweep, with pips that are the same orbits all along it.
+//
+// A tangle by itself takes one of its pips as the bip, and a little farther along the sweep it might take another:
+// W(q) - W(q') would jump. So every eighth value is worked out from nothing; from each of these the turnstile is
+// continued value by value to the next one, where it shows which of that one's pips is the same. Then all rows are
+// made, with local manifolds and a bip that are known. The same bits for any number of threads.
+class SweepOfValues {
+ public:
+  using ValueAt = std::function<SweepValue(double, const KnownBip*)>;
+
+  /// Counts in `done` the values that are.
+  SweepOfValues(const Family& family, std::span<const double> values, bool bip_is_given, std::atomic<std::size_t>& done,
+                ValueAt value_at)
+      : family_(family),
+        values_(values),
+        bip_is_given_(bip_is_given),
+        done_(done),
+        value_at_(std::move(value_at)),
+        known_(values.size()),
+        found_(values.size()),
+        follows_(values.size()),
+        is_own_(values.size()) {}
+
+  std::vector<SweepValue> run() {
+    const std::size_t groups = (values_.size() + together - 1) / together;
+    at_begin_.resize(groups);
+    for_each_block(groups, 1, [&](std::size_t g, std::size_t) {
+      const std::size_t k = g * together;
+      found_[k] = value_at_(values_[k], nullptr);
+      known_[k] = found_[k].known;
+    });
+    for_each_block(groups, 1, [&](std::size_t g, std::size_t) { continue_from(g); });
+    continue_over_gaps();
+    const std::vector<std::size_t> bip = bips();
+    for_each_block(values_.size(), 1, [&](std::size_t k, std::size_t) {
+      make_row(k, bip[k / together]);
+      ++done_;
+    });
+    for (std::size_t k = 1; k < values_.size(); ++k)
+      found_[k].row.follows = follows_[k] != 0 && is_own_[k] == 0 && is_own_[k - 1] == 0;
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr std::size_t together = 8;
+
+  // Turnstiles of the values up to the beginning of the next group, and there. Where one cannot be continued it is
+  // worked out from nothing.
+  void continue_from(std::size_t group) {
+    const std::size_t end = std::min((group + 1) * together, values_.size());
+    std::optional<std::size_t> last;
+    for (std::size_t k = group * together; k < end; ++k) {
+      if (k > group * together) {
+        if (last) known_[k] = continued(k, *last);
+        follows_[k] = known_[k] && known_[k - 1];
+        if (!known_[k]) {
+          found_[k] = value_at_(values_[k], nullptr);
+          known_[k] = found_[k].known;
+        }
+      }
+      if (known_[k]) last = k;
+    }
+    if (end < values_.size() && last) at_begin_[group + 1] = continued(end, *last);
+  }
+
+  // Where a system's own guess finds no saddle any more, one that was followed there may be; from either side.
+  void continue_over_gaps() {
+    const auto fill = [&](std::size_t k, std::size_t from) {
+      if (known_[k] || !known_[from]) return;
+      known_[k] = continued(k, from);
+      if (!known_[k]) return;
+      follows_[std::max(k, from)] = 1;
+      if (k % together == 0 && from < k) at_begin_[k / together] = known_[k];
+    };
+    for (std::size_t k = 1; k < values_.size(); ++k) fill(k, k - 1);
+    for (std::size_t k = values_.size(); k-- > 1;) fill(k - 1, k);
+  }
+
+  // The bip of each group, as the number of a pip in its turnstiles; 0: the one they have. It is that of the group
+  // whose first tangle took the fewest points, or of the first one, if it was asked for.
+  [[nodiscard]] std::vector<std::size_t> bips() {
+    std::vector<std::size_t> same(at_begin_.size());  // as the bip of the first group
+    std::size_t fewest = std::numeric_limits<std::size_t>::max(), chosen = 0;
+    for (std::size_t g = 0; g < same.size(); ++g) {
+      const auto& here = known_[g * together];
+      if (!here) continue;
+      const std::size_t period = here->orbits.size() - 1;
+      const auto& there = at_begin_[g];
+      const bool is_linked =
+          g > 0 && there && same[g - 1] > 0 && same[g - 1] < there->orbits.size() && !there->is_lost(same[g - 1]);
+      const auto number = is_linked ? here->same_pip(*there, same[g - 1]) : std::nullopt;
+      same[g] = number.value_or(period);
+      follows_[g * together] = number.has_value();
+      if (bip_is_given_ || here->points == 0 || here->points >= fewest) continue;
+      fewest = here->points;
+      chosen = (period - same[g]) % period;
+    }
+    for (std::size_t g = 0; g < same.size(); ++g) {
+      if (known_[g * together]) same[g] = (same[g] + chosen) % (known_[g * together]->orbits.size() - 1);
+    }
+    return same;
+  }
+
+  // The turnstile of value k from that of another one, in smaller steps where one is too large.
+  [[nodiscard]] std::optional<KnownTurnstile> continued(std::size_t k, std::size_t from) const {
+    constexpr int halvings = 3;
+    return followed(values_[from], *known_[from], values_[k], halvings);
+  }
+
+  [[nodiscard]] std::optional<KnownTurnstile> followed(double from, const KnownTurnstile& known, double to,
+                                                       int halvings) const {
+    std::optional<KnownTurnstile> there = continued_to(family_, to, known);
+    if (there || halvings == 0) return there;
+    const double middle = 0.5 * (from + to);
+    const std::optional<KnownTurnstile> halfway = followed(from, known, middle, halvings - 1);
+    return halfway ? followed(middle, *halfway, to, halvings - 1) : std::nullopt;
+  }
+
+  void make_row(std::size_t k, std::size_t bip) {
+    SweepValue& value = found_[k];
+    if (value.known && bip == 0) return;
+    const bool has_failed = !value.row.failure.empty();
+    if (known_[k]) {
+      const std::size_t last = known_[k]->orbits.size() - 1;
+      const bool is_last = bip == 0 || bip >= last;
+      const bool is_there = is_last || !known_[k]->is_lost(bip);
+      const KnownBip known = known_[k]->bip(is_last || !is_there ? last : bip);
+      SweepValue made = value_at_(values_[k], &known);
+      is_own_[k] = !made.known || !is_there;
+      if (made.known) value = std::move(made);
+    }
+    if (!value.known && !has_failed) value = value_at_(values_[k], nullptr);
+  }
+
+  const Family& family_;
+  std::span<const double> values_;
+  bool bip_is_given_;
+  std::atomic<std::size_t>& done_;
+  ValueAt value_at_;
+  std::vector<std::optional<KnownTurnstile>> known_;     // as continued
+  std::vector<std::optional<KnownTurnstile>> at_begin_;  // that of the group before continued to the first of a group
+  std::vector<SweepValue> found_;
+  // For each value, whether what is known of it has the pips of the value before; whether its row has pips of its own.
+  std::vector<char> follows_, is_own_;
+};
+
+bool is_zero(const SweepRow& row) {
+  return row.failure.empty() && row.difference == 0;
+}
+// One of the values is a zero itself.
+SweepZero exact_zero(const SweepRow& row) {
+  return {row.value, row.value, row.value, 0, 0, 0, {}};
+}
+
+}  // namespace
+
+std::size_t Sweep::failures() const {
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !row.failure.empty(); }));
+}
+
+Sweep sweep(const Family& family, std::span<const double> values, const SweepOptions& options) {
+  Sweep result;
+  std::atomic<std::size_t> done{0};
+  std::mutex one_at_a_time;
+  bool cancelled = false;
+  SweepOptions inner = options;
+  // A manifold may take long: it asks as well.
+  inner.tangle.progress = [&](const std::string&) {
+    if (!options.progress) return true;
+    const std::lock_guard lock(one_at_a_time);
+    cancelled = cancelled || !options.progress(done);
+    return !cancelled;
+  };
+  const auto value_with = [&](double value, const KnownBip* bip) {
+    return value_at(family, value, inner.tangle, true, bip);
+  };
+  const std::vector<SweepValue> found =
+      SweepOfValues(family, values, options.tangle.bip_near.has_value(), done, value_with).run();
+  for (const SweepValue& value : found) result.rows.push_back(value.row);
+  for (std::size_t k = 0; k + 1 < result.rows.size(); ++k) {
+    const SweepRow &first = result.rows[k], &last = result.rows[k + 1];
+    if (is_zero(first)) result.zeros.push_back(exact_zero(first));
+    if (!first.failure.empty() || !last.failure.empty() || !(first.difference * last.difference < 0)) continue;
+    if (!last.follows) continue;
+    SweepZero zero;
+    zero.low = first.value;
+    zero.high = last.value;
+    // The chord; no more than a value to start from.
+    zero.value = first.value - first.difference * (last.value - first.value) / (last.difference - first.difference);
+    zero.width = std::fabs(last.value - first.value);
+    zero.difference = no_value;
+    result.zeros.push_back(zero);
+  }
+  if (!result.rows.empty() && is_zero(result.rows.back())) result.zeros.push_back(exact_zero(result.rows.back()));
+  if (!options.find_zeros) return result;
+  const auto scratch = [&](double value) { return value_at(family, value, inner.tangle, false); };
+  for_each_block(result.zeros.size(), 1, [&](std::size_t k, std::size_t) {
+    SweepZero& zero = result.zeros[k];
+    if (zero.low == zero.high) return;
+    const auto at = [&](double value) -> const SweepValue& {
+      return *std::find_if(found.begin(), found.end(), [&](const SweepValue& v) { return v.row.value == value; });
+    };
+    zero = refined_zero(family, at(zero.low), at(zero.high), options.zero_tolerance, scratch);
+  });
+  return result;
+}
+
+}  // namespace lober

@@ -1,0 +1,22 @@
+// One value of a sweep, and how others are reached from it (private to engine/).
+#pragma once
+
+#include <optional>
+
+#include "engine/dynamics/transport/sweep/known_turnstile.hpp"
+#include "lober/sweep.hpp"
+
+namespace lober::detail {
+
+/// A row of a sweep, and its turnstile if it has one.
+struct SweepValue {
+  SweepRow row;
+  std::optional<KnownTurnstile> known;
+};
+
+/// The turnstile of a value from that of one nearby; nothing where it is not found, or the family has no such member.
+/// Throws Cancelled.
+[[nodiscard]] std::optional<KnownTurnstile> continued_to(const Family& family, double value,
+                                                         const KnownTurnstile& from);
+
+}  // namespace lober::detail

@@ -1,0 +1,124 @@
+#include "engine/dynamics/transport/tangles/barrier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/text.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "kernels/box.hpp"
+#include "lober/curve.hpp"
+#include "lober/error.hpp"
+#include "lober/smooth.hpp"
+
+namespace lober::detail {
+namespace {
+
+// Length of the segments of a closed polygon that meet a box.
+double length_in(const std::vector<Point>& polygon, const Box& box) {
+  double length = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point a = polygon[k], b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+    if (meet(Box::of(a, b), box)) length += distance(a, b);
+  }
+  return length;
+}
+
+Box intersection(const Box& a, const Box& b) {
+  Box both;
+  for (std::size_t k = 0; k < 4; ++k) both.lane[k] = std::max(a.lane[k], b.lane[k]);
+  return both;
+}
+
+}  // namespace
+
+Barrier barrier_of(const ManifoldTangle& manifolds, Point lattice) {
+  Barrier barrier;
+  barrier.tangle = &manifolds.tangle;
+  barrier.bip = manifolds.bip;
+  barrier.period = manifolds.period();
+  barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
+  barrier.lobes_include_it = true;
+  barrier.lattice = lattice;
+  barrier.fine = box_of(manifolds.fine);
+  barrier.true_size = box_of(manifolds.true_size);
+  return barrier;
+}
+
+Point along_and_above(Point lattice, Point plane) {
+  const double period = length(lattice);
+  return {(lattice.x * plane.x + lattice.y * plane.y) / period, (lattice.x * plane.y - lattice.y * plane.x) / period};
+}
+
+int turns_of(const Barrier& barrier) {
+  if (barrier.lattice == Point{}) return 0;
+  const Point from = barrier.tangle->u().points.front(), to = barrier.tangle->s().points.front();
+  const Point between{to.x - from.x, to.y - from.y};
+  const double period = length(barrier.lattice);
+  const double turns = std::round(along_and_above(barrier.lattice, between).x / period);
+  const Point off{between.x - turns * barrier.lattice.x, between.y - turns * barrier.lattice.y};
+  if (turns == 0 || length(off) > 1e-6 * period) return 0;
+  if (std::fabs(turns) > 1) {
+    throw DataError("transport: the saddles " + format_point(from) + " and " + format_point(to) + " are " +
+                    format_number(std::fabs(turns)) +
+                    " periods apart, so that the boundary crosses itself on the cylinder; take copies of them that are "
+                    "next to each other");
+  }
+  return turns > 0 ? 1 : -1;
+}
+
+int sign_of(const Barrier& barrier) {
+  // Inside is what lies below, which is on the right of what leads along the lattice.
+  if (const int turns = turns_of(barrier); turns != 0) return -turns;
+  return swept_area(*barrier.tangle, barrier.bip).area < 0 ? -1 : 1;
+}
+
+std::vector<Point> outline_of(const Barrier& barrier, int k) {
+  const std::size_t pip = barrier.pip(k);
+  std::vector<Point> points = boundary_arcs(*barrier.tangle, pip);
+  // The corner is where the smooth curves cross, if they do, not where their polygons do.
+  const Point corner = barrier.tangle->nodes[barrier.tangle->pips[pip].node].begin;
+  const auto at = std::find(points.begin() + barrier.tangle->pips[pip].u.segment, points.end(), corner);
+  if (at != points.end()) *at = barrier.tangle->pips[pip].at;
+  if (turns_of(barrier) == 0)
+    points.insert(points.end(), barrier.tangle->closure.begin(), barrier.tangle->closure.end());
+  return points;
+}
+
+bool closure_is_crossed(const Barrier& barrier, int k) {
+  if (turns_of(barrier) != 0) return false;
+  std::vector<Point> path{barrier.tangle->s().points[0]};
+  path.insert(path.end(), barrier.tangle->closure.begin(), barrier.tangle->closure.end());
+  path.push_back(barrier.tangle->u().points[0]);
+  if (path.size() == 2 && path[0] == path[1]) return false;
+  const std::vector<Point> line = boundary_arcs(*barrier.tangle, barrier.pip(k));
+  const Point start = path.back(), end = path.front();
+  const IndexedCurve closing(OpenCurve::borrow(path)), manifolds(OpenCurve::borrow(line));
+  const std::vector<CommonPoint> common = common_points(closing, manifolds);
+  return std::any_of(common.begin(), common.end(), [&](const CommonPoint& point) {
+    return !(point.vertex1 && point.vertex2 && (point.at == start || point.at == end));
+  });
+}
+
+Measured enclosed_area(const Barrier& barrier, int k) {
+  const Tangle& tangle = *barrier.tangle;
+  const SweptArea swept = swept_area(tangle, barrier.pip(k));
+  const std::vector<Point> line = boundary_arcs(tangle, barrier.pip(k));
+  double length = 0;
+  for (std::size_t j = 1; j < line.size(); ++j) length += distance(line[j - 1], line[j]);
+  const double error = swept.error + barrier.curve_error * length;
+  const int turns = turns_of(barrier);
+  if (turns == 0) return {std::fabs(swept.area), error};
+  // Swept against the chord between both saddles, which runs along the lattice.
+  const double below = along_and_above(barrier.lattice, line.front()).y * detail::length(barrier.lattice);
+  return {below - turns * swept.area, error};
+}
+
+Measured product_of_windings(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error) {
+  if (first.empty() || second.empty()) return {};
+  const Box both = intersection(box_of(first), box_of(second));
+  if (!(both.width() >= 0 && both.height() >= 0)) return {};
+  const CommonArea product = winding_product(ClosedCurve::borrow(first), ClosedCurve::borrow(second));
+  return {product.area, product.error + curve_error * (length_in(first, both) + length_in(second, both))};
+}
+
+}  // namespace lober::detail

@@ -1,0 +1,141 @@
+// Two manifolds grown together, no farther than their tangle is asked for (private to engine/).
+//
+// First the turnstile: U and S are grown piece by piece until they cross, one crossing is chosen as the bip q, and S is
+// followed to f^-1(q). Then their splitting (splitting.hpp) tells how fine polygons have to be for their crossings to
+// be those of the manifolds, and both are grown anew if they are coarser. The pips of one iterate are counted in three
+// ways: by polygons, by zeros of the splitting, and by the orbits through them, which have to be different, in
+// order, and the last one the image of the first. From then on only pieces are added.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/stopwatch.hpp"
+#include "engine/dynamics/manifolds/manifold_growth.hpp"
+#include "engine/dynamics/transport/tangles/splitting.hpp"
+#include "engine/dynamics/transport/tangles/tangle_box.hpp"
+#include "kernels/box.hpp"
+#include "lober/manifold_tangle.hpp"
+
+namespace lober::detail {
+
+/// Those of U and S near their saddles; of a homoclinic tangle with one saddle, to the bit. Neighbours: as in
+/// LocalManifoldOptions. Throws as local_manifold.
+[[nodiscard]] std::pair<LocalManifold, LocalManifold> local_manifolds(const PlanarMap& map,
+                                                                      const Connection& connection,
+                                                                      const LocalManifold* neighbour_u = nullptr,
+                                                                      const LocalManifold* neighbour_s = nullptr);
+
+/// A bip as an orbit that is known, with the local manifolds on which it lies.
+struct KnownBip {
+  LocalManifold local_u, local_s;
+  ManifoldPosition u, s;
+};
+
+class TangleGrowth {
+ public:
+  /// Finds the turnstile; without a search, if the bip is known. The map must outlive it. Throws as grow_tangle.
+  TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options,
+               const KnownBip* known = nullptr);
+
+  /// Grows on until the pips f^-before(q) to f^after(q) are there. False when that is not to be had: limit() says why,
+  /// and what was there before still is. Throws Cancelled.
+  bool grow_to(int before, int after);
+  /// Why the last call could not go on; empty if it could.
+  [[nodiscard]] const std::string& limit() const { return limit_; }
+
+  /// The tangle of what there is. Valid until the next call of grow_to.
+  [[nodiscard]] const ManifoldTangle& current() const { return *result_; }
+  [[nodiscard]] std::unique_ptr<ManifoldTangle> take() { return std::move(result_); }
+
+ private:
+  // One manifold, and how far it has been grown.
+  struct Side {
+    LocalManifold local;
+    Branch branch{};
+    GrowthOptions options;
+    std::optional<ManifoldGrowth> growth;
+    std::size_t compressed = 0;  // points
+  };
+  struct Time {
+    double u, s;
+  };
+  // Pips are followed farther than to where they are by this, in images.
+  static constexpr double beyond = 0.02;
+  // Polygons are finer than the splitting by this factor.
+  static constexpr double finer_than_splitting = 30;
+
+  // Where manifolds are followed exactly: the scene, or a strip along the lattice.
+  [[nodiscard]] Box followed() const {
+    return options_.lattice == Point{} ? box_ : strip_along(box_, options_.lattice);
+  }
+
+  void begin(double tolerance);
+  [[nodiscard]] std::uint64_t images() const;
+  [[nodiscard]] double images_left() const;
+  bool grow(Side& side, double end);
+  void find_pips();
+  bool refine(Side& side, std::vector<std::uint32_t> segments, const Box& box);
+  bool refine_flat_pips();
+  std::optional<Point> refine_until_simple(Side& side);
+  void refine_near(Side& side, Point saddle, double apart);
+  [[nodiscard]] static double distance_at(const Side& side, double time);
+  void look();
+  bool find_crossing();
+  bool box_is_too_small();
+  bool find_turnstile(std::string& trouble);
+  void require_bip_as_asked() const;
+  void require_known_lobes() const;
+  [[nodiscard]] std::string of_saddles() const;
+  [[nodiscard]] double stretching() const;
+  [[nodiscard]] std::string of_stretching() const;
+  // Of the polygons that are looked at, and the one asked for.
+  [[nodiscard]] std::string tolerance_text() const;
+  bool towards_a_crossing();
+  [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
+  [[nodiscard]] std::size_t nearest(Point point) const;
+  [[nodiscard]] std::size_t nearest(Time time) const;
+  [[nodiscard]] std::pair<ManifoldPosition, ManifoldPosition> positions_of(std::size_t pip) const;
+  [[nodiscard]] Time time_of_pip(std::size_t pip) const;
+  [[nodiscard]] std::optional<std::size_t> image_of_bip(int steps, double close) const;
+  [[nodiscard]] std::optional<double> tolerance_for_splitting();
+  [[nodiscard]] std::string trouble_with_pips();
+  [[nodiscard]] bool lobes_are_thin() const;
+  [[nodiscard]] std::string by_action() const;
+  [[nodiscard]] bool grow_between(int before, int after);
+  void lend();
+  void finish();
+  void rest();
+  void report();
+
+  const PlanarMap& map_;
+  ManifoldTangleOptions options_;
+  std::optional<Point> bip_near_, near_;
+  std::optional<Time> known_bip_;
+  std::vector<Point> closure_;  // of the connection
+  std::string caution_;         // likewise
+  Side u_, s_;
+  Box box_;  // of the scene
+  int enlargements_ = 0;
+  double tolerance_ = 0, finest_ = 0;
+  std::uint64_t work_before_ = 0;
+  double begun_ = 0;              // when growth did, by watch_, later by what was not growth
+  std::uint64_t work_after_ = 0;  // when it ended for now
+  double ended_ = 0;
+  bool out_of_work_ = false;
+  std::uint64_t images_before_ = 0;  // taken by manifolds that were given up
+  int before_ = 1, after_ = 0;       // that are there
+  Tangle found_;
+  std::size_t bip_ = 0;
+  std::uint32_t period_ = 0;
+  std::optional<Splitting> splitting_;
+  std::vector<ConnectingOrbit> orbits_;
+  std::string limit_;
+  std::unique_ptr<ManifoldTangle> result_;
+  Stopwatch watch_;
+};
+
+}  // namespace lober::detail

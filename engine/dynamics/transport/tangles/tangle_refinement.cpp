@@ -1,0 +1,120 @@
+// More points where the polygons of a growing tangle need them.
+#include "engine/dynamics/transport/tangles/tangle_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/transport/tangles/tangle_box.hpp"
+#include "kernels/elementary.hpp"
+#include "lober/tangle.hpp"
+
+namespace lober::detail {
+// Puts points into segments and their neighbours that lie where distances are true. Whether there are more points now.
+bool TangleGrowth::refine(Side& side, std::vector<std::uint32_t> segments, const Box& box) {
+  constexpr int parts = 4;
+  GrownManifold& grown = side.growth->grown();
+  const std::size_t count = segments.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (segments[k] > 0) segments.push_back(segments[k] - 1);
+    if (segments[k] + 2 < grown.points.size()) segments.push_back(segments[k] + 1);
+  }
+  std::sort(segments.begin(), segments.end());
+  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+  std::erase_if(segments, [&](std::uint32_t k) {
+    const auto after = std::upper_bound(
+        grown.diagnostics.begin(), grown.diagnostics.end(), k,
+        [](std::uint32_t segment, const GrowthDiagnostic& diagnostic) { return segment < diagnostic.first; });
+    const bool with_diagnostic = after != grown.diagnostics.begin() &&
+                                 k < std::prev(after)->first + std::prev(after)->count &&
+                                 std::prev(after)->cause != GrowthDiagnosticCause::left_box;
+    const Box ends = Box::of(grown.points[k], grown.points[k + 1]);
+    return with_diagnostic || !meet(ends, box) || !within(ends, true_size(followed()));
+  });
+  const std::size_t added = side.growth->refine(segments, parts).size();
+  side.compressed += added;  // what is compressed lies outside the box, none of it is new
+  return added > 0;
+}
+
+// Two polygons cross at random where their segments turn by more than the angle between them. Refines them at pips
+// where they do; whether there was anything to refine.
+bool TangleGrowth::refine_flat_pips() {
+  constexpr double trusted = 2;  // angle over turning
+  std::vector<std::uint32_t> on_u, on_s;
+  const auto turning = [](const Buffer<Point>& points, std::size_t k) {
+    double most = 0;
+    for (std::size_t i = std::max<std::size_t>(k, 1); i <= std::min(k + 1, points.size() - 2); ++i) {
+      const Point a = points[i - 1], b = points[i], c = points[i + 1];
+      const Point in{b.x - a.x, b.y - a.y}, out{c.x - b.x, c.y - b.y};
+      most = std::max(most, std::fabs(elementary::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y)));
+    }
+    return most;
+  };
+  const Buffer<Point>&u = u_.growth->grown().points, &s = s_.growth->grown().points;
+  for (const Pip& pip : found_.pips) {
+    const std::size_t i = pip.u.segment, j = pip.s.segment;
+    if (i + 1 >= u.size() || j + 1 >= s.size()) continue;
+    const Point a{u[i + 1].x - u[i].x, u[i + 1].y - u[i].y}, b{s[j + 1].x - s[j].x, s[j + 1].y - s[j].y};
+    // S runs the other way, or the same one: the angle between lines.
+    const double angle = elementary::atan2(std::fabs(a.x * b.y - a.y * b.x), std::fabs(a.x * b.x + a.y * b.y));
+    if (angle > trusted * (turning(u, i) + turning(s, j))) continue;
+    on_u.push_back(static_cast<std::uint32_t>(i));
+    on_s.push_back(static_cast<std::uint32_t>(j));
+  }
+  const bool more_u = refine(u_, std::move(on_u), followed()), more_s = refine(s_, std::move(on_s), followed());
+  return more_u || more_s;
+}
+
+// How far from the saddle a manifold is at a time, as long as that is near.
+double TangleGrowth::distance_at(const Side& side, double time) {
+  return side.local.reach * elementary::power(side.local.image().factor, time);
+}
+
+// Images of q come as near to the saddle of one manifold as the other passes it, nearer than the tolerance: its
+// segments there have to be short enough to pass on the right side.
+void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
+  constexpr int max_rounds = 24;
+  constexpr double around = 4, parts = 2;
+  if (apart > around * finer_than_splitting * tolerance_) return;
+  const double reach = around * apart;
+  const Box box = square_about(saddle, reach);
+  for (int round = 0; round < max_rounds; ++round) {
+    const Buffer<Point>& points = side.growth->grown().points;
+    std::vector<std::uint32_t> segments;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      if (distance(points[k], points[k + 1]) > apart / parts && meet(Box::of(points[k], points[k + 1]), box)) {
+        segments.push_back(static_cast<std::uint32_t>(k));
+      }
+    }
+    if (segments.empty() || !refine(side, std::move(segments), followed())) return;
+  }
+}
+
+// Refines a manifold where its polygon crosses itself, and only there. A place where it still does, near by.
+std::optional<Point> TangleGrowth::refine_until_simple(Side& side) {
+  constexpr int max_rounds = 8;
+  constexpr std::size_t at_once = 20'000;
+  for (int round = 0; round < max_rounds; ++round) {
+    const IndexedCurve index{CurveView(side.growth->grown())};
+    std::vector<std::uint32_t> segments;
+    for (const SegmentPair& pair : self_meetings(index, at_once)) {
+      segments.push_back(pair.first);
+      segments.push_back(pair.second);
+    }
+    // Also far outside, as long as distances are true: what crosses itself there has lobes in common with others that
+    // are not.
+    if (segments.empty()) return std::nullopt;
+    if (!refine(side, std::move(segments), true_size(followed()))) break;
+  }
+  const Buffer<Point>& points = side.growth->grown().points;
+  const IndexedCurve index{CurveView(side.growth->grown())};
+  for (const SegmentPair& pair : self_meetings(index, at_once)) {
+    if (meet(Box::of(points[pair.first], points[pair.first + 1]), followed())) return points[pair.first];
+  }
+  return std::nullopt;
+}
+
+}  // namespace lober::detail

@@ -1,0 +1,274 @@
+#include "engine/dynamics/transport/turnstile/cylinder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/text.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+#include "kernels/box.hpp"
+#include "lober/error.hpp"
+#include "lober/interior.hpp"
+
+namespace lober::detail {
+namespace {
+
+// How far points reach along the lattice, in units of it.
+struct Reach {
+  double from = 0, to = 0;
+};
+
+Reach reach_of(std::span<const Point> points, Point lattice) {
+  const double period = length(lattice);
+  Reach reach{along_and_above(lattice, points.front()).x / period, 0};
+  reach.to = reach.from;
+  for (const Point point : points) {
+    const double at = along_and_above(lattice, point).x / period;
+    reach.from = std::min(reach.from, at);
+    reach.to = std::max(reach.to, at);
+  }
+  return reach;
+}
+
+// Translates to one side that a tangle may meet.
+std::size_t copies_in_reach(const Barrier& barrier) {
+  if (barrier.lattice == Point{}) return 0;
+  const Reach u = reach_of(barrier.tangle->u().points, barrier.lattice);
+  const Reach s = reach_of(barrier.tangle->s().points, barrier.lattice);
+  return static_cast<std::size_t>(std::floor(std::max(u.to, s.to) - std::min(u.from, s.from)));
+}
+
+std::vector<Point> moved(const std::vector<Point>& points, Point lattice, int times) {
+  std::vector<Point> result;
+  result.reserve(points.size());
+  for (const Point point : points) result.push_back({point.x + times * lattice.x, point.y + times * lattice.y});
+  return result;
+}
+
+// The sum of term(k) for k from `first` to `last`, in parallel, always in the same order.
+template <typename Term>
+Measured sum_over(int first, int last, const Term& term) {
+  if (last < first) return {};
+  std::vector<Measured> terms(static_cast<std::size_t>(last - first + 1));
+  for_each_block(terms.size(), 1, [&](std::size_t k, std::size_t) { terms[k] = term(first + static_cast<int>(k)); });
+  Measured sum{};
+  for (const Measured& one : terms) sum = sum + one;
+  return sum;
+}
+
+// int w v over the cylinder, w and v the winding numbers of two closed polygons.
+Measured product_on_cylinder(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error,
+                             Point lattice) {
+  if (first.size() < 3 || second.size() < 3) return {};
+  if (lattice == Point{}) return product_of_windings(first, second, curve_error);
+  const Reach one = reach_of(first, lattice), other = reach_of(second, lattice);
+  return sum_over(static_cast<int>(std::ceil(one.from - other.to)), static_cast<int>(std::floor(one.to - other.from)),
+                  [&](int k) {
+                    return k == 0 ? product_of_windings(first, second, curve_error)
+                                  : product_of_windings(first, moved(second, lattice, k), curve_error);
+                  });
+}
+
+// What lies below a boundary that runs round, wherever `over` says, along the lattice: with copies so far on either
+// side that no other one, and no end, reaches there. `arcs` is its outline.
+std::vector<Point> region_below(const Barrier& barrier, const std::vector<Point>& arcs, Reach over, double bottom) {
+  const Reach copy = reach_of(arcs, barrier.lattice);
+  const int first = static_cast<int>(std::floor(over.from - copy.to)) - 1;
+  const int last = static_cast<int>(std::ceil(over.to - copy.from)) + 1;
+  return region_below(barrier, first, last, bottom);
+}
+
+// int w d, w the winding number of a closed polygon and d the function of what lies inside B(q).
+Measured product_with_inside(const std::vector<Point>& polygon, const Barrier& barrier, double curve_error) {
+  if (polygon.size() < 3) return {};
+  const Point lattice = barrier.lattice;
+  if (turns_of(barrier) == 0) {
+    return sign_of(barrier) * product_on_cylinder(polygon, outline_of(barrier, 0), curve_error, lattice);
+  }
+  const std::vector<Point> arcs = outline_of(barrier, 0);
+  const double low = std::min(lowest(polygon, lattice), lowest(arcs, lattice));
+  const std::vector<Point> below = region_below(barrier, arcs, reach_of(polygon, lattice), low - length(lattice));
+  return product_of_windings(polygon, below, curve_error);
+}
+
+// U from pip `first` to pip `last` and back along S, with the corners where the smooth curves cross.
+std::vector<Point> loop_between(const Tangle& tangle, std::size_t first, std::size_t last) {
+  const Pip &from = tangle.pips[first], &to = tangle.pips[last];
+  std::vector<Point> points{from.at};
+  points.insert(points.end(), tangle.u().points.begin() + from.u.segment + 1,
+                tangle.u().points.begin() + to.u.segment + 1);
+  points.push_back(to.at);
+  points.insert(points.end(), tangle.s().points.begin() + to.s.segment + 1,
+                tangle.s().points.begin() + from.s.segment + 1);
+  return points;
+}
+
+// What the inside of f^n(B(q)) has more than that of B(q): winding numbers of a loop, with a sign.
+struct Change {
+  std::vector<Point> loop;
+  int sign = 1;
+};
+
+Change change_after(const Barrier& barrier, int n) {
+  if (n == 0) return {};
+  const std::size_t here = barrier.pip(0), there = barrier.pip(n);
+  const int sign = sign_of(barrier);
+  if (n > 0) return {loop_between(*barrier.tangle, here, there), sign};
+  return {loop_between(*barrier.tangle, there, here), -sign};
+}
+
+}  // namespace
+
+double lowest(const std::vector<Point>& points, Point lattice) {
+  double low = along_and_above(lattice, points.front()).y;
+  for (const Point point : points) low = std::min(low, along_and_above(lattice, point).y);
+  return low;
+}
+
+std::vector<Point> region_below(const Barrier& barrier, int first, int last, double bottom) {
+  const Point lattice = barrier.lattice;
+  std::vector<Point> copy = outline_of(barrier, 0);
+  if (turns_of(barrier) > 0) std::reverse(copy.begin(), copy.end());
+  copy.pop_back();  // the next copy begins there
+  // From the right to the left, as the inside of a region that is below demands.
+  std::vector<Point> polygon;
+  polygon.reserve(copy.size() * static_cast<std::size_t>(last - first + 1) + 3);
+  for (int k = last; k >= first; --k) {
+    const std::vector<Point> points = moved(copy, lattice, k);
+    polygon.insert(polygon.end(), points.begin(), points.end());
+  }
+  const Point right = polygon.front();
+  const Point left{copy.front().x + (first - 1) * lattice.x, copy.front().y + (first - 1) * lattice.y};
+  polygon.push_back(left);
+  const double period = length(lattice);
+  const Point up{-lattice.y / period, lattice.x / period};
+  for (const Point end : {left, right}) {
+    const double down = along_and_above(lattice, end).y - bottom;
+    polygon.push_back({end.x - down * up.x, end.y - down * up.y});
+  }
+  return polygon;
+}
+
+Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error,
+                        Point lattice) {
+  const Measured product = product_on_cylinder(first, second, curve_error, lattice);
+  return {std::fabs(product.value), product.error};
+}
+
+Measured area_inside(const std::vector<Point>& polygon, const Barrier& barrier, double curve_error) {
+  const Measured product = product_with_inside(polygon, barrier, curve_error);
+  return {std::fabs(product.value), product.error};
+}
+
+Measured inside_both(const Barrier& c, int m, const Barrier& d, int n, Measured at_rest) {
+  const double curve_error = std::max(c.curve_error, d.curve_error);
+  if (c.lattice == Point{}) return area_in_common(outline_of(c, m), outline_of(d, n), curve_error, {});
+  const Change w = change_after(c, m), v = change_after(d, n);
+  return at_rest + w.sign * product_with_inside(w.loop, d, curve_error) +
+         v.sign * product_with_inside(v.loop, c, curve_error) +
+         (w.sign * v.sign) * product_on_cylinder(w.loop, v.loop, curve_error, c.lattice);
+}
+
+double area_below_both(const Barrier& c, const Barrier& d, double bottom) {
+  const Reach one = reach_of(outline_of(c, 0), c.lattice), other = reach_of(outline_of(d, 0), d.lattice);
+  // From this number of copies on one more adds a period: the ends of the polygons do not see each other.
+  const int copies = static_cast<int>(std::ceil(std::max(one.to, other.to) - std::min(one.from, other.from))) + 2;
+  const auto area = [&](int last) {
+    return product_of_windings(region_below(c, 0, last, bottom), region_below(d, 0, last, bottom), 0).value;
+  };
+  return area(copies + 1) - area(copies);
+}
+
+InsideOfBarrier::InsideOfBarrier(const Barrier& barrier)
+    : lattice_(barrier.lattice), runs_round_(turns_of(barrier) != 0), polygon_(outline_of(barrier, 0)) {
+  if (lattice_ == Point{}) {
+    box_ = box_of(polygon_);
+  } else {
+    for (const Point point : polygon_) {
+      const Point at = along_and_above(lattice_, point);
+      box_ = union_of(box_, Box::of(at, at));
+    }
+    if (runs_round_) {
+      bottom_ = box_.min_y() - length(lattice_);
+      polygon_ = region_below(barrier, polygon_, {0, 1}, bottom_ - length(lattice_));
+    } else {
+      const Reach reach = reach_of(polygon_, lattice_);
+      from_ = reach.from;
+      copies_ = 1 + static_cast<int>(std::floor(reach.to - reach.from));
+    }
+  }
+  index_.emplace(CurveView{polygon_});
+}
+
+std::vector<bool> InsideOfBarrier::of(std::span<const Point> points) const {
+  std::vector<bool> inside(points.size());
+  if (lattice_ == Point{}) {
+    for (std::size_t k = 0; k < points.size(); ++k) inside[k] = winding(*index_, points[k]).number != 0;
+    return inside;
+  }
+  const double period = length(lattice_);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Point at = along_and_above(lattice_, points[k]);
+    if (runs_round_ && at.y < bottom_) {
+      inside[k] = true;
+      continue;
+    }
+    const double turns = std::floor(at.x / period - from_);
+    for (int copy = 0; copy < copies_ && !inside[k]; ++copy) {
+      const double back = copy - turns;
+      const Point there{points[k].x + back * lattice_.x, points[k].y + back * lattice_.y};
+      inside[k] = winding(*index_, there).number != 0;
+    }
+  }
+  return inside;
+}
+
+double segments_to_read(const Barrier& barrier) {
+  const auto segments = static_cast<double>(barrier.tangle->u().segments() + barrier.tangle->s().segments());
+  return segments * (1 + 2 * static_cast<double>(copies_in_reach(barrier)));
+}
+
+std::vector<LobeOverlap> overlaps_on_cylinder(const Barrier& barrier) {
+  const Tangle& tangle = *barrier.tangle;
+  std::vector<LobeOverlap> list = overlaps(tangle);
+  const std::size_t copies = copies_in_reach(barrier);
+  std::vector<CopyOverlaps> found(copies);
+  for_each_block(copies, 1, [&](std::size_t k, std::size_t) {
+    const auto times = static_cast<double>(k + 1);
+    found[k] = overlaps_with_copy(tangle, {times * barrier.lattice.x, times * barrier.lattice.y});
+  });
+  const std::size_t first = barrier.pip(-barrier.images_before()), last = barrier.pip(barrier.images_after());
+  for (const CopyOverlaps& copy : found) {
+    for (const std::uint32_t pip : copy.hidden_pips) {
+      if (pip < first || pip > last) continue;
+      throw DataError("transport: on the cylinder the manifolds of neighbouring cells cross before the pip " +
+                      format_point(tangle.pips[pip].at) + ", so that the bip " +
+                      format_point(tangle.pips[barrier.bip].at) + " bounds no region of it");
+    }
+    for (LobeOverlap both : copy.overlaps) {
+      // i with a copy of j, and j with a copy of i that was moved the other way.
+      if (both.i > both.j) std::swap(both.i, both.j);
+      if (both.i == both.j) {
+        both.area *= 2;
+        both.error *= 2;
+        both.perimeter *= 2;
+      }
+      list.push_back(both);
+    }
+  }
+  std::stable_sort(list.begin(), list.end(),
+                   [](const LobeOverlap& x, const LobeOverlap& y) { return x.i != y.i ? x.i < y.i : x.j < y.j; });
+  std::vector<LobeOverlap> sums;
+  for (const LobeOverlap& one : list) {
+    if (sums.empty() || sums.back().i != one.i || sums.back().j != one.j) {
+      sums.push_back(one);
+      continue;
+    }
+    sums.back().area += one.area;
+    sums.back().error += one.error;
+    sums.back().perimeter += one.perimeter;
+  }
+  return sums;
+}
+
+}  // namespace lober::detail
