@@ -31,14 +31,21 @@ std::vector<std::string> point_files(const char* option, const std::vector<std::
   return files;
 }
 
-Buffer<Point> points_of(const char* option, const std::vector<std::string>& texts) {
+Buffer<Point> points_of(const char* option, const std::vector<std::string>& texts, const Curve* beside) {
   Buffer<Point> points;
   for (const std::string& text : texts) {
     if (const std::optional<Point> point = point_of(option, text)) {
       points.push_back(*point);
       continue;
     }
-    for (const Zone& zone : read_curve_file(text, {.hash = false}).zones) {
+    const CurveFile file = read_curve_file(text, {.hash = false});
+    if (beside) {
+      Curve columns;
+      columns.name = text;
+      columns.latitude_first = latitude_first(file);
+      require_same_columns(*beside, columns);
+    }
+    for (const Zone& zone : file.zones) {
       points.insert(points.end(), zone.points.begin(), zone.points.end());
     }
   }

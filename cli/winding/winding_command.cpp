@@ -143,7 +143,7 @@ WindingReport compute(const WindingRequest& request, Progress& progress) {
   progress.phase("reading", 0, 0.2);
   const detail::Stopwatch read_watch;
   report.input = read_curve(request.curve, true);
-  report.points = points_of("--at", request.at);
+  report.points = points_of("--at", request.at, &report.input.curve);
   report.read_seconds = read_watch.seconds();
   const detail::Stopwatch index_watch;
   const IndexedCurve curve(report.input.curve);

@@ -58,9 +58,9 @@ struct ManifoldTangle {
   /// Sign changes of the distance of the manifolds along one iterate, counted without polygons; 0 where the manifolds
   /// are too far apart for that. Else as many as the period.
   std::size_t splitting_zeros = 0;
-  /// How far the points of U and S lie beside the manifolds by rounding and integration, an estimate. Errors of areas
-  /// in `tangle` contain it.
-  double point_error_u = 0, point_error_s = 0;
+  /// How far the points of U and S lie beside the manifolds by rounding and integration, up to each pip: estimates,
+  /// which errors of areas in `tangle` contain.
+  std::vector<double> point_errors_u, point_errors_s;
 
   [[nodiscard]] std::size_t period() const { return tangle.images.period; }
   /// The pip f^n(q).

@@ -44,7 +44,7 @@ py::tuple tangle_of(const System& system, const py::tuple& connection, const py:
   more["action_errors"] = array_of(std::vector<double>(grown->action_errors));
   more["saddles"] = py::make_tuple(pair_of(grown->local_u.saddle), pair_of(grown->local_s.saddle));
   more["multipliers"] = py::make_tuple(grown->local_u.multiplier, grown->local_s.multiplier);
-  more["point_errors"] = py::make_tuple(grown->point_error_u, grown->point_error_s);
+  more["point_errors"] = py::make_tuple(grown->point_errors_u[grown->bip], grown->point_errors_s[grown->bip]);
   more["comparisons"] = comparisons_of(agreement_of(*grown));
   TangleHandle handle{grown->tangle, smooth, grown};
   return py::make_tuple(std::move(handle), more);

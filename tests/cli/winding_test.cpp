@@ -141,6 +141,8 @@ TEST_F(WindingProgram, HasTheSameBytesForAnyNumberOfThreads) {
 TEST_F(WindingProgram, RefusesWhatMakesNoSense) {
   write_curve("square", box(0, 0, 2, 2));
   write("open", "0 0\n1 1\n");
+  write("east.csv", "lon,lat\n0,0\n2,0\n2,1\n");
+  write("north.csv", "lat,lon\n0.5,1\n0.2,1\n");
   const auto refused = [&](std::vector<std::string> arguments, int status, const std::string& words) {
     arguments.insert(arguments.begin(), "winding");
     const Outcome outcome = run(arguments);
@@ -159,6 +161,7 @@ TEST_F(WindingProgram, RefusesWhatMakesNoSense) {
   refused({"square", "--at", "inf,1"}, 2, "not a finite point");
   refused({"square", "--at", "nowhere"}, 1, "nowhere: ");
   refused({"open", "--at", "1,1"}, 1, "open: ");
+  refused({"east.csv", "--at", "north.csv"}, 1, "the columns of north.csv are latitude and longitude");
   refused({"square", "--at", "1,1", "-o", "out.json"}, 2, "out.json");
   refused({"square", "--at", "1,1", "-o", "square.csv", "--json", "square.csv"}, 2, "both write");
   refused({"square", "--at", "square", "--json", "square"}, 2, "overwrite");

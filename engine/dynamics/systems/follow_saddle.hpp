@@ -24,7 +24,7 @@ FollowedSaddle follow_saddle(const MapAt& map_at, double x, double longest_step,
   constexpr double on_axis = 1e-6;
   FollowedSaddle result;
   double slope = 0, step = longest_step;
-  while (result.reached < 1 && step > longest_step / 8) {
+  while (result.reached < 1 && step > longest_step / 200) {
     const double next = result.reached + step > 1 - 1e-9 ? 1 : result.reached + step;
     const double guess = x + slope * (next - result.reached);
     std::optional<FixedPoint> found;

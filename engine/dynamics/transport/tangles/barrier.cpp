@@ -36,8 +36,8 @@ Barrier barrier_of(const ManifoldTangle& manifolds, Point lattice) {
   barrier.tangle = &manifolds.tangle;
   barrier.bip = manifolds.bip;
   barrier.period = manifolds.period();
-  barrier.curve_error = std::max(manifolds.point_error_u, manifolds.point_error_s);
-  barrier.lobes_include_it = true;
+  barrier.errors_u = manifolds.point_errors_u;
+  barrier.errors_s = manifolds.point_errors_s;
   barrier.lattice = lattice;
   barrier.fine = box_of(manifolds.fine);
   barrier.true_size = box_of(manifolds.true_size);
@@ -105,7 +105,7 @@ Measured enclosed_area(const Barrier& barrier, int k) {
   const std::vector<Point> line = boundary_arcs(tangle, barrier.pip(k));
   double length = 0;
   for (std::size_t j = 1; j < line.size(); ++j) length += distance(line[j - 1], line[j]);
-  const double error = swept.error + barrier.curve_error * length;
+  const double error = swept.error + barrier.error_up_to(barrier.pip(k)) * length;
   const int turns = turns_of(barrier);
   if (turns == 0) return {std::fabs(swept.area), error};
   // Swept against the chord between both saddles, which runs along the lattice.

@@ -1,7 +1,9 @@
 // A curve that bounds a region and that the map carries along: the boundary B(q) of a tangle and what closes it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "kernels/box.hpp"
@@ -20,11 +22,20 @@ struct Barrier {
   /// How far the manifolds may lie from the true ones, beside what their polygons leave open: what the integration and
   /// rounding err by. An area is wrong by no more than that times the length of its boundary.
   double curve_error = 0;
-  bool lobes_include_it = false;  ///< whether Lobe::smooth_error does already
-  Point lattice{};                ///< that the plane repeats itself after, see cylinder.hpp; (0, 0) if it does not
+  /// The same up to each pip along U and along S, where the manifolds were grown; Lobe::smooth_error contains it then.
+  std::span<const double> errors_u{}, errors_s{};
+  Point lattice{};  ///< that the plane repeats itself after, see cylinder.hpp; (0, 0) if it does not
   /// Where the manifolds are as fine as asked; beyond, they are followed coarsely. Beyond `true_size` distances are not
   /// true either. Empty boxes: everywhere.
   Box fine{}, true_size{};
+
+  /// How far the boundary up to a pip may lie from the true one, and a lobe.
+  [[nodiscard]] double error_up_to(std::size_t q) const {
+    return errors_u.empty() ? curve_error : std::max(errors_u[q], errors_s[q]);
+  }
+  [[nodiscard]] double error_of_lobe(std::size_t lobe) const {
+    return errors_u.empty() ? curve_error : std::max(errors_u[lobe + 1], errors_s[lobe]);
+  }
 
   /// How many images of q, forward and back, there are among the pips.
   [[nodiscard]] int images_after() const { return static_cast<int>((tangle->pips.size() - 1 - bip) / period); }

@@ -1,6 +1,10 @@
 // What rounding and integration leave of the points of grown manifolds (private to engine/).
 #pragma once
 
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 #include "kernels/box.hpp"
 #include "lober/manifold_tangle.hpp"
 
@@ -9,11 +13,23 @@ namespace lober::detail {
 /// How far points of a grown manifold that lie in the box are beside the manifold: the largest distance across the
 /// curve of a sample of them from the same images computed more finely (PlanarMap::finer), twice, and a few roundings
 /// of coordinates. Errors along the curve do not move it.
-[[nodiscard]] double point_error(const PlanarMap& map, const LocalManifold& local, const GrownManifold& grown,
-                                 const Box& box);
+class PointErrors {
+ public:
+  /// Samples the vertices up to `middle` and those from there to `last`.
+  PointErrors(const PlanarMap& map, const LocalManifold& local, const GrownManifold& grown, std::size_t middle,
+              std::size_t last, const Box& box);
+  /// Of the vertices up to this one: what lies farther out, where orbits are longer and folds sharper, is another
+  /// matter.
+  [[nodiscard]] double up_to(std::size_t vertex) const;
 
-/// Adds what that makes of the areas of lobes and boundary to their errors: point_error times length.
-void add_point_errors(ManifoldTangle& manifolds);
+ private:
+  double rounding_ = 0;
+  std::vector<std::pair<std::size_t, double>> up_to_;  // vertices, and the largest distance up to each
+};
+
+/// Fills in the errors of points up to each pip, and adds what they make of the areas of lobes and boundary to those of
+/// `tangle`: error times length.
+void add_point_errors(const PlanarMap& map, const Box& box, ManifoldTangle& manifolds);
 
 /// Lobes that reach out of where manifolds are as fine as asked (ManifoldTangle::fine) have no area to speak of: adds
 /// an error of the whole area, and an infinite one where not even distances are true (ManifoldTangle::true_size).

@@ -57,6 +57,10 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
   u_.branch = branch_towards(u_.local, connection.u_direction);
   s_.branch = branch_towards(s_.local, connection.s_direction);
   box_ = scene(u_.local, s_.local);
+  if (const double size = box_.extent() / times_scene; options.tolerance > size) {
+    throw UsageError("tolerance: " + format_number(options.tolerance) + " is more than the size of the scene, " +
+                     format_rounded(size, 3));
+  }
   double largest = 0;
   for (const LocalManifold* const local : {&u_.local, &s_.local}) {
     for (const double end : {-local->reach, 0.0, local->reach})
@@ -367,9 +371,7 @@ void TangleGrowth::finish() {
       result->action_errors.push_back(orbits_[k].action_error + orbits_[k + 1].action_error);
     }
   }
-  result->point_error_u = point_error(map_, result->local_u, result->u, followed());
-  result->point_error_s = point_error(map_, result->local_s, result->s, followed());
-  add_point_errors(*result);
+  add_point_errors(map_, followed(), *result);
   result->fine = followed();
   result->true_size = true_size(followed());
   add_errors_far_outside(*result);

@@ -224,7 +224,7 @@ class TransportBuilder {
     const std::vector<Barrier> last = barriers();
     for (std::size_t c = 0; c < growths_.size(); ++c) {
       TransportBoundary& boundary = result_.boundaries[c];
-      boundary.point_error = last[c].curve_error;
+      boundary.point_error = last[c].error_up_to(last[c].bip);
       const ManifoldTangle& manifolds = growths_[c]->current();
       result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
       const std::string remark = overlap_remark(boundary, inside_of(c, result_.regions));

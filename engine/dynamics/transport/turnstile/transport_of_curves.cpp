@@ -48,7 +48,6 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
   barrier.bip = tangle.boundary->bip;
   barrier.period = tangle.images.period;
   barrier.curve_error = point_error_of(tangle);
-  barrier.lobes_include_it = false;
   TransportSeries series({barrier});
   TransportOfCurves result;
   result.regions = series.partition().regions();

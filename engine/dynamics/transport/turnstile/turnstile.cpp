@@ -41,7 +41,7 @@ Turnstile::Turnstile(Barrier barrier) : barrier_(barrier) {
 Measured Turnstile::area(std::size_t lobe) const {
   const Lobe& found = barrier_.tangle->lobes[lobe];
   const double beside =
-      barrier_.lobes_include_it ? 0 : barrier_.curve_error * perimeter(lobe_outline(*barrier_.tangle, lobe));
+      barrier_.errors_u.empty() ? barrier_.curve_error * perimeter(lobe_outline(*barrier_.tangle, lobe)) : 0;
   return {std::fabs(found.area), found.smooth_error + beside};
 }
 
@@ -52,7 +52,8 @@ Measured Turnstile::common(std::size_t i, std::size_t j) const {
       common_.begin(), common_.end(), std::pair(i, j),
       [](const LobeOverlap& x, const auto& y) { return std::pair<std::size_t, std::size_t>(x.i, x.j) < y; });
   if (at == common_.end() || at->i != i || at->j != j) return found;
-  return found + within_reason({at->area, at->error + barrier_.curve_error * at->perimeter}, i, j);
+  const double curve_error = std::max(barrier_.error_of_lobe(i), barrier_.error_of_lobe(j));
+  return found + within_reason({at->area, at->error + curve_error * at->perimeter}, i, j);
 }
 
 // What two lobes have in common far outside, where manifolds are followed coarsely, is not known: at most what the map,
@@ -118,14 +119,16 @@ int split_images(int m, int before, int after) {
 Measured balance(const Turnstile& c, const Turnstile& d, int m) {
   // f^-back is applied to d, which has to have been there before; f^(m - back) to c.
   const int back = split_images(m, d.barrier().images_before() - 1, c.barrier().images_after());
-  const double curve_error = std::max(c.barrier().curve_error, d.barrier().curve_error);
   Measured sum{};
   for (const bool leaves_c : {true, false}) {
     for (const std::size_t i : c.lobes(leaves_c)) {
-      const std::vector<Point> one = lobe_outline(*c.barrier().tangle, c.moved(i, m - back));
+      const std::size_t image = c.moved(i, m - back);
+      const std::vector<Point> one = lobe_outline(*c.barrier().tangle, image);
       for (const bool leaves_d : {true, false}) {
         for (const std::size_t j : d.lobes(leaves_d)) {
-          const std::vector<Point> other = lobe_outline(*d.barrier().tangle, d.moved(j, -back));
+          const std::size_t source = d.moved(j, -back);
+          const std::vector<Point> other = lobe_outline(*d.barrier().tangle, source);
+          const double curve_error = std::max(c.barrier().error_of_lobe(image), d.barrier().error_of_lobe(source));
           const Measured common = area_in_common(one, other, curve_error, c.barrier().lattice);
           sum = leaves_c == leaves_d ? sum + common : sum - common;
         }
@@ -136,11 +139,12 @@ Measured balance(const Turnstile& c, const Turnstile& d, int m) {
 }
 
 Measured first_gain(const Turnstile& c, const Turnstile& d) {
-  const double curve_error = std::max(c.barrier().curve_error, d.barrier().curve_error);
   Measured sum{};
   for (const bool leaving : {true, false}) {
     for (const std::size_t k : c.lobes(leaving)) {
-      const Measured common = area_inside(lobe_outline(*c.barrier().tangle, c.moved(k, 1)), d.barrier(), curve_error);
+      const std::size_t image = c.moved(k, 1);
+      const double curve_error = std::max(c.barrier().error_of_lobe(image), d.barrier().error_up_to(d.barrier().bip));
+      const Measured common = area_inside(lobe_outline(*c.barrier().tangle, image), d.barrier(), curve_error);
       sum = leaving ? sum + common : sum - common;
     }
   }

@@ -55,6 +55,27 @@ INSTANTIATE_TEST_SUITE_P(
                     Thin{"duffing", "eps", 1e-3, 3.5413044e-3, 1e-6}, Thin{"duffing", "eps", 1e-6, 3.5413e-6, 1e-5}),
     [](const auto& each) { return each.param.system + std::to_string(each.index); });
 
+// Orbits that pass the vortices closely are off along the manifold by far more than across it, and those farther out
+// by more than these: bars were up to 14 for lobes of 0.25.
+TEST(ErrorBars, FollowTheArcsOfALobe) {
+  for (const ParameterValues& values : {ParameterValues{{"eps", 0.7}, {"phase", 0.5}}, ParameterValues{{"eps", 1.4}}}) {
+    const auto found = turnstile("ovp", values);
+    ASSERT_EQ(found->areas_by_action.size(), found->period());
+    for (std::size_t k = 0; k < found->period(); ++k) {
+      const Lobe& lobe = found->tangle.lobes[found->image_of_bip(-1) + k];
+      EXPECT_LE(lobe.smooth_error, 3e-8);
+      EXPECT_LE(std::fabs(lobe.area - found->areas_by_action[k]), lobe.smooth_error + found->action_errors[k]);
+    }
+  }
+}
+
+TEST(ThinTangle, IsNotDrawnCoarserThanItsSize) {
+  const System system = make_system("ovp", {});
+  ManifoldTangleOptions options;
+  options.tolerance = 100;
+  EXPECT_THROW((void)grow_tangle(*system.map, *system.connection, options), UsageError);
+}
+
 TEST(ThinTangle, AgreesWithMelnikov) {
   using std::numbers::pi;
   const double eps = 1e-4;
