@@ -1,7 +1,9 @@
 #include "engine/dynamics/transport/tangles/barrier.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -82,6 +84,27 @@ std::vector<Point> outline_of(const Barrier& barrier, int k) {
   if (turns_of(barrier) == 0)
     points.insert(points.end(), barrier.tangle->closure.begin(), barrier.tangle->closure.end());
   return points;
+}
+
+double error_at_corner(const Barrier& barrier, int k) {
+  const Pip& pip = barrier.tangle->pips[barrier.pip(k)];
+  const std::span<const Point> u = barrier.tangle->u().points, s = barrier.tangle->s().points;
+  if (pip.u.segment < 1 || pip.s.segment < 1) return 0;
+  const std::array<Point, 5> around{u[pip.u.segment - 1], u[pip.u.segment], pip.at, s[pip.s.segment],
+                                    s[pip.s.segment - 1]};
+  std::array<double, 3> turns{};
+  double longest = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Point in = around[j + 1] - around[j], out = around[j + 2] - around[j + 1];
+    const double lengths = length(in) * length(out);
+    if (!(lengths > 0)) return 0;
+    turns[j] = cross(in, out) / lengths;
+    if (j > 0) longest = std::max(longest, length(in));
+  }
+  constexpr double seen_as_corner = 8;  // kernels/smooth_segment.hpp
+  if (std::fabs(turns[1]) > seen_as_corner * std::max(std::fabs(turns[0]), std::fabs(turns[2]))) return 0;
+  // A turn by that angle within a segment, of which the arc keeps a sixth of the square beside it.
+  return std::fabs(turns[1] - (turns[0] + turns[2]) / 2) * longest * longest / 6;
 }
 
 bool closure_is_crossed(const Barrier& barrier, int k) {

@@ -162,7 +162,10 @@ Measured area_inside(const std::vector<Point>& polygon, const Barrier& barrier, 
 
 Measured inside_both(const Barrier& c, int m, const Barrier& d, int n, Measured at_rest) {
   const double curve_error = std::max(c.error_up_to(c.pip(m)), d.error_up_to(d.pip(n)));
-  if (c.lattice == Point{}) return area_in_common(outline_of(c, m), outline_of(d, n), curve_error, {});
+  if (c.lattice == Point{}) {
+    const Measured common = area_in_common(outline_of(c, m), outline_of(d, n), curve_error, {});
+    return {common.value, common.error + error_at_corner(c, m) + error_at_corner(d, n)};
+  }
   const Change w = change_after(c, m), v = change_after(d, n);
   return at_rest + w.sign * product_with_inside(w.loop, d, curve_error) +
          v.sign * product_with_inside(v.loop, c, curve_error) +
