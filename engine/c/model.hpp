@@ -2,10 +2,11 @@
 #pragma once
 
 #include "lober/lober.h"
-#include "lober/systems.hpp"
+#include "lober/operations.hpp"
 
 struct lober_model {
-  lober::System system;
+  lober::operations::SystemInput input;
+  [[nodiscard]] const lober::System& system() const { return *input.system; }
 };
 
 namespace lober::detail::c {

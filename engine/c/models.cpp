@@ -41,7 +41,7 @@ void require_done(GrowthStop stop, const char* what, std::size_t points) {
 
 Work fixed_points_work(const lober_model* model, Options& given) {
   const PlanarMap& map = map_of(model);
-  const System& system = model->system;
+  const System& system = model->system();
   FixedPointOptions options;
   options.period = static_cast<int>(given.integer("period", options.period, 1));
   options.grid = static_cast<int>(given.integer("grid", options.grid, 1));
@@ -80,7 +80,7 @@ void iterate(const lober_model& model, const PlanarMap& map, std::span<const Poi
     for_each_block(points.size(), together, [&](std::size_t begin, std::size_t end) {
       const std::span<Point> block = std::span(points).subspan(begin, end - begin);
       const double share = static_cast<double>(block.size()) / static_cast<double>(points.size());
-      const std::int64_t at_once = model.system.flow ? all : std::int64_t{16 * together} / std::ssize(block);
+      const std::int64_t at_once = model.system().flow ? all : std::int64_t{16 * together} / std::ssize(block);
       for (std::int64_t k = 0; k < all; k += at_once) {
         throw_if_cancelled();
         const std::int64_t steps = std::min(at_once, all - k);
@@ -157,13 +157,13 @@ Work image_work(const lober_model* model, const double* curve, std::size_t n, Op
 
 const PlanarMap& map_of(const lober_model* model) {
   if (!model) throw UsageError("no model is given");
-  if (!model->system.map) throw DataError("system " + model->system.info.name + " has no map for these parameters");
-  return *model->system.map;
+  if (!model->system().map) throw DataError("system " + model->system().info.name + " has no map for these parameters");
+  return *model->system().map;
 }
 
 const Connection& connection_of(const lober_model* model) {
   (void)map_of(model);
-  const System& system = model->system;
+  const System& system = model->system();
   if (system.connection) return *system.connection;
   throw DataError("system " + system.info.name + " has no connection of its own" +
                   (system.no_connection.empty() ? "" : ": " + system.no_connection));
@@ -183,7 +183,7 @@ int lober_model_open(const char* name, const char* parameters, const char* optio
     lober::IntegrationOptions integration;
     integration.tolerance = given.number("tolerance", integration.tolerance);
     given.require_all_known();
-    *model = new lober_model{lober::make_system(name, values, integration)};
+    *model = new lober_model{lober::operations::system_input(name, values, integration)};
   });
 }
 

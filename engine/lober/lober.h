@@ -18,13 +18,13 @@
    A result is a list of named arrays, which belong to it: they are valid until lober_result_free. Each operation says
    which it makes. Numbers are arrays of one row and column. A matrix is stored row by row.
 
-   Options are one text of words NAME=VALUE, separated by blanks, or NULL. All operations know threads=N, 0 (one for each
-   core) to 4096. A name that an operation does not know is refused, with those that it does.
+   Options are one text of words NAME=VALUE, separated by blanks, or NULL. All operations know threads=N, 0 (one for
+   each core) to 4096. A name that an operation does not know is refused, with those that it does.
 
-   Functions that return int return LOBER_OK or what went wrong; then lober_message() says it in a sentence, and *result is
-   NULL unless the status says that there is one. No exception leaves this interface, and no signal is handled. All functions may be called from several
-   threads at the same time, with the same results and models too, except that nothing else may use what is being freed.
-   The same bits for any number of threads.
+   Functions that return int return LOBER_OK or what went wrong; then lober_message() says it in a sentence, and *result
+   is NULL unless the status says that there is one. No exception leaves this interface, and no signal is handled. All
+   functions may be called from several threads at the same time, with the same results and models too, except that
+   nothing else may use what is being freed. The same bits for any number of threads.
 
    Within a minor version of lober functions and names of arrays are only added (docs/stability.md). */
 #ifndef LOBER_H
@@ -44,7 +44,7 @@ extern "C" {
 #endif
 
 /* Raised with each addition to this header. */
-#define LOBER_INTERFACE_VERSION 2
+#define LOBER_INTERFACE_VERSION 3
 /* That of the library that is linked. */
 LOBER_C_API int lober_interface_version(void);
 /* "0.2.0". */
@@ -53,9 +53,9 @@ LOBER_C_API const char* lober_version(void);
 /* The numbers of the program's exit status. */
 enum lober_status {
   LOBER_OK = 0,
-  LOBER_DATA_ERROR = 1,     /* a curve, a file or a system that cannot be used */
-  LOBER_USAGE_ERROR = 2,    /* an option or an argument that makes no sense */
-  LOBER_DISAGREEMENT = 3,   /* two routes to a number differ beyond their error bars; there is a result all the same */
+  LOBER_DATA_ERROR = 1,   /* a curve, a file or a system that cannot be used */
+  LOBER_USAGE_ERROR = 2,  /* an option or an argument that makes no sense */
+  LOBER_DISAGREEMENT = 3, /* two routes to a number differ beyond their error bars; there is a result all the same */
   LOBER_OUT_OF_MEMORY = 4,
   LOBER_INTERNAL_ERROR = 5, /* a defect of lober */
   LOBER_INCOMPLETE = 6,     /* a limit, such as max_points, ended the work; there is a result all the same */
@@ -65,13 +65,14 @@ enum lober_status {
 /* Why the last call of this thread that failed did; "" before any has. Valid until the next one fails. */
 LOBER_C_API const char* lober_message(void);
 
-/* Called during long operations of this thread, several times a second, by one thread at a time: with the fraction done,
-   or -1 where it is not known. 0 cancels. NULL: none. It may be called by another thread, and cannot call lober: functions
-   that return a status refuse with LOBER_USAGE_ERROR. */
+/* Called during long operations of this thread, several times a second, by one thread at a time: with the fraction
+   done, or -1 where it is not known. 0 cancels. NULL: none. It may be called by another thread, and cannot call lober:
+   functions that return a status refuse with LOBER_USAGE_ERROR. */
 typedef int (*lober_progress)(double fraction, void* context);
 LOBER_C_API void lober_set_progress(lober_progress function, void* context);
 
-/* ------------------------------------------------------------------------------------------------------------ results */
+/* ------------------------------------------------------------------------------------------------------------ results
+ */
 
 typedef struct lober_result lober_result;
 
@@ -96,24 +97,27 @@ LOBER_C_API double lober_number(const lober_result* result, const char* name);
 /* NULL is allowed. */
 LOBER_C_API void lober_result_free(lober_result* result);
 
-/* Polygons of one piece of a result of lober_overlay ("intersection", "union", "c1_minus_c2", "c2_minus_c1"), or of a lobe of
-   a tangle ("lobes"; "boundary" has the piece 0). Arrays: points (n x 2), begin: the row where each polygon begins; the
-   outer one first, counter-clockwise, then its holes, clockwise. */
+/* Polygons of one piece of a result of lober_overlay ("intersection", "union", "c1_minus_c2", "c2_minus_c1"), or of a
+   lobe of a tangle ("lobes"; "boundary" has the piece 0). Arrays: points (n x 2), begin: the row where each polygon
+   begins; the outer one first, counter-clockwise, then its holes, clockwise. */
 LOBER_C_API int lober_outline(const lober_result* of, const char* kind, size_t piece, lober_result** result);
 
-/* ------------------------------------------------------------------------------------------------------------- curves */
+/* ------------------------------------------------------------------------------------------------------------- curves
+ */
 
-/* Areas, pieces and crossings of two simple closed curves (lober/overlay.hpp). Options: pieces=0|1, check_simple=0|1, outlines=0|1: keep
-   both curves for lober_outline. Arrays: areas.NAME and rounding.NAME of c1, c2, intersection, union, c1_minus_c2, c2_minus_c1, symmetric_difference;
-   pieces.PAIRING: areas; crossings (n x 6): x, y, rho, shared, segment of curve 1, of curve 2; classes. */
+/* Areas, pieces and crossings of two simple closed curves (lober/overlay.hpp). Options: pieces=0|1, check_simple=0|1,
+   outlines=0|1: keep both curves for lober_outline. Arrays: areas.NAME and rounding.NAME of c1, c2, intersection,
+   union, c1_minus_c2, c2_minus_c1, symmetric_difference; pieces.PAIRING: areas; crossings (n x 6): x, y, rho, shared,
+   segment of curve 1, of curve 2; classes. */
 LOBER_C_API int lober_overlay(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                               lober_result** result);
 /* The same areas by way of the interior function (lober/interior.hpp). Options: method=split|ends, passes=N, points=N,
    check_simple=0|1. Arrays: areas.NAME, rounding.NAME, q1, q2, q3, delta. */
 LOBER_C_API int lober_interior(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                                lober_result** result);
-/* Of closed curves that may cross themselves (lober/regions.hpp); n2 = 0: of one. Options: rule=nonzero|evenodd|positive|
-   negative. Arrays: windings (n x 2): w1, w2; winding_areas; areas.NAME, rounding.NAME by the rule; pieces.PAIRING. */
+/* Of closed curves that may cross themselves (lober/regions.hpp); n2 = 0: of one. Options:
+   rule=nonzero|evenodd|positive| negative. Arrays: windings (n x 2): w1, w2; winding_areas; areas.NAME, rounding.NAME
+   by the rule; pieces.PAIRING. */
 LOBER_C_API int lober_regions(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                               lober_result** result);
 /* Winding numbers of a closed curve about points. Arrays: number, on (0 or 1), j: the interior function. */
@@ -121,21 +125,22 @@ LOBER_C_API int lober_winding(const double* curve, size_t n, const double* point
                               lober_result** result);
 /* Signed area of a closed curve, positive counter-clockwise. */
 LOBER_C_API int lober_signed_area(const double* curve, size_t n, double* area);
-/* More points (lober/densify.hpp). Options: closed=0|1 (1), max_length=D, angle=RADIANS, distance_angle=D, min_length=D,
-   interpolation=linear|dritschel|spline, max_points=N. Arrays: points; diagnostics (n x 2): first segment, number of segments
-   that break a criterion; causes: a line for each: min_length, corner, max_points, max_rounds. Where one of the last two ended
-   it, LOBER_INCOMPLETE with a result. */
+/* More points (lober/densify.hpp). Options: closed=0|1 (1), max_length=D, angle=RADIANS, distance_angle=D,
+   min_length=D, interpolation=linear|dritschel|spline, max_points=N. Arrays: points; diagnostics (n x 2): first
+   segment, number of segments that break a criterion; causes: a line for each: min_length, corner, max_points,
+   max_rounds. Where one of the last two ended it, LOBER_INCOMPLETE with a result. */
 LOBER_C_API int lober_densify(const double* curve, size_t n, const char* options, lober_result** result);
 /* Fewer points. Options: closed=0|1 (1), tolerance=D, max_length=D. Arrays: points. */
 LOBER_C_API int lober_simplify(const double* curve, size_t n, const char* options, lober_result** result);
-/* Pips, lobes and overlaps of two manifolds, outward from their saddles (lober/tangle.hpp). Options: bip=N, bip_near=X,Y,
-   period=N, smooth=0|1, check_simple=0|1. Arrays: pips (n x 6): x, y, rho, node, segment of U, of S; lobes (n x 4): area
-   (signed), inside, outside, error; labels (n x 3): from, to, n, zeros without a boundary; overlaps (n x 2): i, j;
-   overlap_areas (n x 2): area, error; period, bip, boundary_area. */
+/* Pips, lobes and overlaps of two manifolds, outward from their saddles (lober/tangle.hpp). Options: bip=N,
+   bip_near=X,Y, period=N, smooth=0|1, check_simple=0|1. Arrays: pips (n x 6): x, y, rho, node, segment of U, of S;
+   lobes (n x 4): area (signed), inside, outside, error; labels (n x 3): from, to, n, zeros without a boundary; overlaps
+   (n x 2): i, j; overlap_areas (n x 2): area, error; period, bip, boundary_area. */
 LOBER_C_API int lober_tangle(const double* u, size_t nu, const double* s, size_t ns, const char* options,
                              lober_result** result);
 
-/* -------------------------------------------------------------------------------------------------------------- files */
+/* -------------------------------------------------------------------------------------------------------------- files
+ */
 
 /* One curve of a file as the program reads it: FILE, or FILE#K for zone K from 0, FILE#TITLE for that of a
    title. Options: closed=0|1 (1). Arrays: points. */
@@ -143,7 +148,8 @@ LOBER_C_API int lober_read(const char* spec, const char* options, lober_result**
 /* By the ending: .npy, .csv, .f64 (raw), else text. */
 LOBER_C_API int lober_write(const char* path, const double* points, size_t n);
 
-/* ------------------------------------------------------------------------------------------------------------ dynamics */
+/* ------------------------------------------------------------------------------------------------------------ dynamics
+ */
 
 /* A map, or a flow with its map: built in, or a shared library (lober/lober_system.h). */
 typedef struct lober_model lober_model;
@@ -152,29 +158,48 @@ LOBER_C_API int lober_model_open(const char* name, const char* parameters, const
 LOBER_C_API void lober_model_free(lober_model* model);
 /* Names, summaries, parameters and defaults of the built-in systems, as lines of text. Arrays: names, summaries. */
 LOBER_C_API int lober_models(lober_result** result);
-/* Replaces each point by its image; NaN where an orbit is lost. Negative: by the inverse. Where it fails, or is cancelled,
-   points stay as they were. */
+/* Replaces each point by its image; NaN where an orbit is lost. Negative: by the inverse. Where it fails, or is
+   cancelled, points stay as they were. */
 LOBER_C_API int lober_iterate(const lober_model* model, double* points, size_t n, int iterates);
 /* Options: box=XMIN,YMIN,XMAX,YMAX, period=N, turns=N, grid=N. Arrays: points (n x 2), derivatives (n x 4, row by row),
    residues, kinds: a line each. */
 LOBER_C_API int lober_fixed_points(const lober_model* model, const char* options, lober_result** result);
-/* A branch of the manifold of a saddle. Options: saddle=X,Y (that of the system), side=unstable|stable, branch=X,Y: a vector
-   roughly along it (that of the system, else the one of larger x), tolerance=D, iterates=N, length=D, max_points=N, period=N.
-   Arrays: points, parameters, generation_begin, saddle, multiplier, defect, length, stop. LOBER_INCOMPLETE with a result
-   where max_points ends it, or no point has an image. */
+/* A branch of the manifold of a saddle. Options: saddle=X,Y (that of the system), side=unstable|stable, branch=X,Y: a
+   vector roughly along it (that of the system, else the one of larger x), tolerance=D, iterates=N, length=D,
+   max_points=N, period=N. Arrays: points, parameters, generation_begin, saddle, multiplier, defect, length, stop.
+   LOBER_INCOMPLETE with a result where max_points ends it, or no point has an image. */
 LOBER_C_API int lober_grow(const lober_model* model, const char* options, lober_result** result);
-/* Image of a curve under the map, with as many points as it needs. Options: closed=0|1 (1), iterates=N (1), tolerance=D,
-   max_length=D, max_points=N. Arrays: points, parameters, stop. LOBER_INCOMPLETE as lober_grow. */
+/* Image of a curve under the map, with as many points as it needs. Options: closed=0|1 (1), iterates=N (1),
+   tolerance=D, max_length=D, max_points=N. Arrays: points, parameters, stop. LOBER_INCOMPLETE as lober_grow. */
 LOBER_C_API int lober_image(const lober_model* model, const double* curve, size_t n, const char* options,
                             lober_result** result);
 /* The tangle of the system's saddles. Options: tolerance=D, before=N, after=N, smooth=0|1, max_points=N, bip_near=X,Y.
-   Arrays: those of lober_tangle, and u, s: points of both; areas_by_action, action_errors; saddles (2 x 2), multipliers. */
+   Arrays: those of lober_tangle, and u, s: points of both; areas_by_action, action_errors; saddles (2 x 2),
+   multipliers. */
 LOBER_C_API int lober_model_tangle(const lober_model* model, const char* options, lober_result** result);
-/* Transport between the regions of the system. Options: iterates=N, tolerance=D, max_points=N, bip_near=X,Y,
-   particles=N, seed=N. Arrays: region_areas (n x 2): area, error; flux12, flux21 (1 x 2): of the first boundary in
-   one iterate; flux and total (steps x 2 regions^2): a_ij(n) and T_ij(n), each followed by its error, row by row; iterates_a_step;
-   remarks: a line each. Where routes disagree, LOBER_DISAGREEMENT with a result, and disagreements: a line each. */
+/* Transport between the regions of the system: lober_call of "transport". Among its arrays: regions.area (n x 2): area,
+   error; turnstile.flux12, turnstile.flux21 (1 x 2): of the first boundary in one iterate; steps.a_ij and steps.T_ij
+   (steps x 2 regions^2): a_ij(n) and T_ij(n), each followed by its error, row by row; iterates_a_step; remarks: a line
+   each. */
 LOBER_C_API int lober_transport(const lober_model* model, const char* options, lober_result** result);
+
+/* ---------------------------------------------------------------------------------------------------------- operations
+ */
+
+/* Points of a curve, or others; or a model. */
+typedef struct lober_input {
+  const double* points;
+  size_t n;
+  const lober_model* model;
+} lober_input;
+/* Runs an operation of the table (lober/operations.hpp) by its name. Options are those of the table, 1 or 0 for true or
+   false, X,Y for points. Each field of the result is an array: NAME of a member, "OBJECT.MEMBER", "LIST.MEMBER" with a
+   row for each element; "LIST.K.MEMBER" where elements hold lists. Numbers with an error bar have two columns. Where
+   routes disagree, LOBER_DISAGREEMENT with a result, and disagreements: a line each. */
+LOBER_C_API int lober_call(const char* operation, const lober_input* inputs, size_t count, const char* options,
+                           lober_result** result);
+/* Arrays: names, summaries, schemas (JSON Schema of the members of each result): a line each. */
+LOBER_C_API int lober_operations(lober_result** result);
 
 #ifdef __cplusplus
 }

@@ -32,7 +32,7 @@ int main(void) {
   check(lober_model_open("standard", "K=1.2", NULL, &map));
   check(lober_transport(map, "iterates=3", &result));
   lober_array flux;
-  check(lober_array_named(result, "flux12", &flux));
+  check(lober_array_named(result, "turnstile.flux12", &flux));
   printf("flux %.9f\n", ((const double*)flux.data)[0]);
   lober_result_free(result);
   lober_model_free(map);

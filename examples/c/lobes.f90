@@ -72,7 +72,7 @@ program lobes
 
   if (lober_model_open('standard' // c_null_char, 'K=1.2' // c_null_char, c_null_char, map) /= 0) stop 1
   if (lober_transport(map, 'iterates=3' // c_null_char, result) /= 0) stop 1
-  if (lober_array_named(result, 'flux12' // c_null_char, array) /= 0) stop 1
+  if (lober_array_named(result, 'turnstile.flux12' // c_null_char, array) /= 0) stop 1
   call c_f_pointer(array%data, flux, [2])
   write (*, '(a, f0.9)') 'flux ', flux(1)
   call lober_result_free(result)

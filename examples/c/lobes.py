@@ -49,6 +49,6 @@ lober.lober_result_free(result)
 
 model = call(lober.lober_model_open, b"standard", b"K=1.2", None)
 result = call(lober.lober_transport, model, b"iterates=3")
-print(f"flux {doubles(result, 'flux12')[0, 0]:.9f}")
+print(f"flux {doubles(result, 'turnstile.flux12')[0, 0]:.9f}")
 lober.lober_result_free(result)
 lober.lober_model_free(model)

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "engine/base/json_text.hpp"
 #include "engine/batch/export/export_formats.hpp"
 #include "engine/batch/manifest/swept_options.hpp"
-#include "engine/batch/operations/text.hpp"
 
 namespace lober::detail {
 namespace {
@@ -28,6 +28,7 @@ std::string json_number(const Column& column, double value) {
 }
 
 std::string json_option(const OptionValue& value) {
+  if (std::holds_alternative<Point>(value)) return "[" + to_string(value) + "]";
   const auto* const real = std::get_if<double>(&value);
   const bool is_text = std::holds_alternative<std::string>(value) || (real != nullptr && !std::isfinite(*real));
   return is_text ? json_string(to_string(value)) : to_string(value);

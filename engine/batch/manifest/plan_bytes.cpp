@@ -4,6 +4,7 @@
 
 #include "engine/batch/manifest/plan.hpp"
 #include "engine/batch/operations/bytes.hpp"
+#include "engine/batch/operations/option_json.hpp"
 
 namespace lober::detail {
 namespace {
@@ -13,7 +14,7 @@ using Json = nlohmann::json;
 Json to_json(const JobGroup& group) {
   Json options = Json::array();  // in their order
   for (const auto& [key, value] : group.options.settings()) {
-    options.push_back({key, std::visit([](const auto& any) { return Json(any); }, value)});
+    options.push_back({key, json_of<Json>(value)});
   }
   return {{"name", group.name}, {"operation", group.operation->name}, {"options", std::move(options)}};
 }
@@ -22,6 +23,7 @@ OptionValue value_of(const Json& value) {
   if (value.is_boolean()) return value.get<bool>();
   if (value.is_number_integer()) return value.get<std::int64_t>();
   if (value.is_number_float()) return value.get<double>();
+  if (value.is_array()) return Point{value.at(0).get<double>(), value.at(1).get<double>()};
   return value.get<std::string>();
 }
 

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <span>
 
+#include "engine/base/json_text.hpp"
 #include "engine/batch/operations/named_system.hpp"
 #include "engine/batch/operations/provenance.hpp"
-#include "engine/batch/operations/text.hpp"
 #include "lober/files.hpp"
 #include "lober/manifolds.hpp"
 

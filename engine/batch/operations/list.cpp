@@ -10,7 +10,7 @@ using namespace detail;
 namespace {
 
 const char* type_of(const OptionValue& value) {
-  constexpr std::array names{"true or false", "whole number", "number", "text"};
+  constexpr std::array names{"true or false", "whole number", "number", "text", "point [x, y]"};
   return names.at(value.index());
 }
 
@@ -19,9 +19,10 @@ std::optional<double> bound(double value) {
 }
 
 OperationOption described(const OptionSpec& spec) {
-  return {spec.key,     type_of(spec.fallback), spec.family() ? "" : to_string(spec.fallback),
-          spec.choices, bound(spec.min),        bound(spec.max),
-          spec.meaning};
+  return {
+      spec.key,     type_of(spec.fallback), spec.family() || spec.optional ? spec.otherwise : to_string(spec.fallback),
+      spec.choices, bound(spec.min),        bound(spec.max),
+      spec.meaning};
 }
 
 OperationInfo described(const Operation& operation) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/batch/operations/bytes.hpp"
+#include "engine/batch/operations/option_json.hpp"
 #include "engine/batch/operations/options.hpp"
 #include "engine/batch/operations/result.hpp"
 
@@ -124,7 +125,7 @@ std::string encoded_settings(const Options& options) {
   for (const auto& [key, value] : options.settings()) {
     const std::size_t dot = key.find('.');
     Json& place = dot == std::string::npos ? made[key] : made[key.substr(0, dot)][key.substr(dot + 1)];
-    place = std::visit([](const auto& any) { return Json(any); }, value);
+    place = json_of<Json>(value);
   }
   return made.dump();
 }

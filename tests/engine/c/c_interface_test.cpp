@@ -289,10 +289,10 @@ TEST(CInterface, SystemsGiveWhatCppGives) {
   EXPECT_EQ(doubles_of(tangle, "areas_by_action"), direct->areas_by_action);
   EXPECT_EQ(array_of(tangle, "u").rows, direct->u.points.size());
   EXPECT_EQ(array_of(tangle, "lobes").rows, direct->tangle.lobes.size());
-  EXPECT_NEAR(doubles_of(moved, "flux12")[0], std::fabs(direct->areas_by_action[0]), 1e-7);
-  const std::size_t regions = array_of(moved, "region_areas").rows;
-  EXPECT_EQ(array_of(moved, "flux").rows, 2U);
-  EXPECT_EQ(array_of(moved, "flux").columns, 2 * regions * regions);
+  EXPECT_NEAR(doubles_of(moved, "turnstile.flux12")[0], std::fabs(direct->areas_by_action[0]), 1e-7);
+  const std::size_t regions = array_of(moved, "regions.area").rows;
+  EXPECT_EQ(array_of(moved, "steps.a_ij").rows, 2U);
+  EXPECT_EQ(array_of(moved, "steps.a_ij").columns, 2 * regions * regions);
   const Result lobe = made([&](lober_result** to) { return lober_outline(tangle.get(), "lobes", 0, to); });
   EXPECT_GT(array_of(lobe, "points").rows, 10U);
 

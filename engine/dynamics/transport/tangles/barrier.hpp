@@ -60,8 +60,9 @@ struct Barrier {
 /// f^k(B(q)) as a closed polygon; as an open one where it runs round a cylinder, from p- to p+. O(its vertices).
 [[nodiscard]] std::vector<Point> outline_of(const Barrier& barrier, int k);
 
-/// What an area that this outline bounds may be wrong by because arcs through its points are fitted across the pip where
-/// it passes from U to S, as if it did not turn there: nothing where it turns so much that the fit shows it as a corner.
+/// What an area that this outline bounds may be wrong by because arcs through its points are fitted across the pip
+/// where it passes from U to S, as if it did not turn there: nothing where it turns so much that the fit shows it as a
+/// corner.
 [[nodiscard]] double error_at_corner(const Barrier& barrier, int k);
 
 /// Whether the path that closes f^k(B(q)) meets the rest of it elsewhere than at the saddles. Then it bounds nothing.

@@ -1,13 +1,15 @@
-#include "engine/batch/operations/options.hpp"
-
+// Options of operations: what was chosen, checked, and one spelling of it that keys and exports use.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <map>
 
-#include <algorithm>
-
-#include "engine/batch/operations/text.hpp"
+#include "engine/base/text.hpp"
 #include "lober/error.hpp"
+#include "lober/operations.hpp"
 
-namespace lober::detail {
+namespace lober::operations {
+using detail::format_number;
 namespace {
 
 [[noreturn]] void refuse(const OptionSpec& spec, const std::string& message) {
@@ -15,7 +17,7 @@ namespace {
 }
 
 const char* type_name(const OptionValue& value) {
-  constexpr const char* names[] = {"true or false", "a whole number", "a number", "a string"};
+  constexpr const char* names[] = {"true or false", "a whole number", "a number", "a string", "a point [x, y]"};
   return names[value.index()];
 }
 
@@ -41,10 +43,22 @@ OptionValue checked(OptionSpec spec, const OptionSetting& setting) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value)) number = *real;
   if (std::holds_alternative<std::int64_t>(value) || std::holds_alternative<double>(value)) {
+    if (spec.above_min && !(number > spec.min)) refuse(spec, "has to be above " + format_number(spec.min));
     if (!(number >= spec.min)) refuse(spec, "has to be at least " + format_number(spec.min));
     if (!(number <= spec.max)) refuse(spec, "has to be at most " + format_number(spec.max));
   }
+  if (const auto* point = std::get_if<Point>(&value);
+      point != nullptr && !(std::isfinite(point->x) && std::isfinite(point->y))) {
+    refuse(spec, "has to be a finite point");
+  }
   return value;
+}
+
+std::optional<double> number_of(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() && !std::isnan(number) ? std::optional(number)
+                                                                                         : std::nullopt;
 }
 
 }  // namespace
@@ -64,9 +78,15 @@ Options::Options(std::span<const OptionSpec> specs, std::span<const OptionSettin
   for (const OptionSpec& spec : specs) {
     if (spec.family()) continue;
     const auto given = chosen.find(spec.key);
+    if (spec.optional && given == chosen.end()) continue;
     settings_.push_back({spec.key, given != chosen.end() ? given->second : spec.fallback});
   }
   for (const auto& [key, value] : of_families) settings_.push_back({key, value});
+}
+
+std::optional<Point> Options::point(std::string_view key) const {
+  const OptionValue* const found = find(key);
+  return found == nullptr ? std::nullopt : std::optional(std::get<Point>(*found));
 }
 
 std::vector<std::pair<std::string, double>> Options::reals_of(std::string_view prefix) const {
@@ -94,7 +114,36 @@ std::string to_string(const OptionValue& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* real = std::get_if<double>(&value)) return format_number(*real);
+  if (const auto* point = std::get_if<Point>(&value)) return format_number(point->x) + "," + format_number(point->y);
   return std::get<std::string>(value);
+}
+
+OptionValue option_value(const OptionSpec& spec, std::string_view key, const std::string& text) {
+  const auto refuse_text = [&](const std::string& wanted) -> OptionValue {
+    throw UsageError(std::string(key) + ": \"" + text + "\" is not " + wanted);
+  };
+  if (std::holds_alternative<bool>(spec.fallback)) {
+    if (text == "true" || text == "1") return true;
+    return text == "false" || text == "0" ? OptionValue(false) : refuse_text("true or false, 1 or 0");
+  }
+  if (std::holds_alternative<std::int64_t>(spec.fallback)) {
+    std::int64_t whole = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), whole);
+    return error == std::errc() && end == text.data() + text.size() ? OptionValue(whole)
+                                                                    : refuse_text("a whole number");
+  }
+  if (std::holds_alternative<double>(spec.fallback)) {
+    const std::optional<double> number = number_of(text);
+    return number ? OptionValue(*number) : refuse_text("a number");
+  }
+  if (std::holds_alternative<Point>(spec.fallback)) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::optional<double> x = number_of(std::string_view(text).substr(0, comma));
+    const std::optional<double> y =
+        comma < text.size() ? number_of(std::string_view(text).substr(comma + 1)) : std::nullopt;
+    return x && y ? OptionValue(Point{*x, *y}) : refuse_text("a point X,Y");
+  }
+  return text;
 }
 
 std::string to_string(std::span<const OptionSetting> settings) {
@@ -106,7 +155,7 @@ std::string to_string(std::span<const OptionSetting> settings) {
 }
 
 std::string Options::to_string() const {
-  return detail::to_string(settings_);
+  return operations::to_string(settings_);
 }
 
-}  // namespace lober::detail
+}  // namespace lober::operations

@@ -1,6 +1,7 @@
-// Small pieces of text (private to engine/batch).
+// Texts and numbers as JSON writes them.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,14 @@ inline std::string json_string(std::string_view text) {
     }
   }
   return quoted + "\"";
+}
+
+/// The digits that give the number back, with a point or an exponent; null for one that is not finite.
+inline std::string json_number(double value) {
+  if (!std::isfinite(value)) return "null";
+  std::string text = format_number(value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
 }
 
 }  // namespace lober::detail

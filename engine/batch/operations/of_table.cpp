@@ -1,0 +1,97 @@
+#include "engine/batch/operations/of_table.hpp"
+
+#include <array>
+
+#include "engine/base/text.hpp"
+#include "engine/batch/operations/named_system.hpp"
+#include "lober/error.hpp"
+
+namespace lober::detail {
+namespace {
+
+operations::SystemInput system_input_of(const Options& options, double integration_tolerance) {
+  operations::SystemInput input;
+  input.system = std::make_shared<const System>(
+      system_of(options.text("system"), options.reals_of("parameters"), integration_tolerance));
+  input.integration.tolerance = integration_tolerance;
+  return input;
+}
+
+// Those of the system are refused before the first job; a member of a grid that has no tangle fails alone.
+void check_system(const Options& options) {
+  try {
+    const System system = system_of(options.text("system"), options.reals_of("parameters"), 1e-12);
+    if (!system.connection && system.no_connection.empty() && options.find("from") == nullptr)
+      throw UsageError(options.text("system") + " names no manifolds of interest");
+  } catch (const UsageError& error) {
+    throw UsageError(std::string("system: ") + error.what());
+  }
+}
+
+Result run(const operations::Operation& entry, const TableJob& job, const JobCurves& curves, const Options& options) {
+  const std::array<operations::Input, 1> inputs{system_input_of(options, options.real("integration_tolerance"))};
+  operations::Context context;
+  context.memory = curves.allowance().most();
+  context.progress = [&](double, const std::string&) {
+    curves.allowance().check();
+    return true;
+  };
+  const operations::Outcome found = entry.run(inputs, options, context);
+  if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
+    throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
+                    apart.front().second_by + " differ by " + format_number(apart.front().difference()) +
+                    ", more than their error bars " + format_number(apart.front().bar));
+  }
+  Result record;
+  for (const auto& [name, path] : job.columns) {
+    record.values.push_back(numbers_at(entry.result, found.value.get(), path).front());
+  }
+  for (const auto& [name, path] : job.lists) {
+    record.lists.push_back(numbers_at(entry.result, found.value.get(), path));
+  }
+  return record;
+}
+
+bool is_count(std::span<const operations::Field> fields, std::string_view path) {
+  const std::size_t dot = path.find('.');
+  for (const operations::Field& field : fields) {
+    if (field.name != path.substr(0, dot)) continue;
+    return dot == std::string_view::npos ? field.kind == operations::FieldKind::whole
+                                         : is_count(field.members, path.substr(dot + 1));
+  }
+  return false;
+}
+
+}  // namespace
+
+Operation operation_of(const operations::Operation& entry, const TableJob& job) {
+  Operation operation;
+  operation.name = entry.name;
+  operation.summary = entry.title;
+  operation.revision = entry.revision;
+  operation.view = job.view;
+  operation.arity = Arity::none;
+  operation.options = {{"system", "", "name of the system"},
+                       {"parameters.*", 0.0, "parameters of the system, by name; those left out take their defaults"},
+                       {"integration_tolerance",
+                        IntegrationOptions{}.tolerance,
+                        "error of a step of the integration of a flow",
+                        {},
+                        1e-16,
+                        1e-2}};
+  operation.options.insert(operation.options.end(), entry.options.begin(), entry.options.end());
+  for (const auto& [name, path] : job.columns) {
+    operation.columns.push_back({name, is_count(entry.result, path) ? Column::Kind::count : Column::Kind::real});
+  }
+  for (const auto& [name, path] : job.lists) operation.lists.push_back(name);
+  operation.check = check_system;
+  operation.requirements = [](const Options&) { return Requirements{}; };
+  operation.run = [&entry, job](const JobCurves& curves, const Options& options) {
+    return run(entry, job, curves, options);
+  };
+  operation.cost = [microseconds = job.microseconds](std::size_t) { return microseconds; };
+  operation.memory = job.memory;
+  return operation;
+}
+
+}  // namespace lober::detail

@@ -1,0 +1,222 @@
+// What the engine can do, described once: each operation with its inputs, its options and what its result consists of.
+//
+// The program, the batch, the C interface and the Python module follow from this table: what they parse, check, print,
+// store and document is a walk over it. C++ programs call the functions of the other headers, which an operation calls.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lober/agreement.hpp"
+#include "lober/export.hpp"
+#include "lober/point.hpp"
+#include "lober/systems.hpp"
+#include "lober/transport.hpp"
+
+namespace lober::operations {
+
+// ---------------------------------------------------------------------------------------------------------- options
+
+using OptionValue = std::variant<bool, std::int64_t, double, std::string, Point>;
+
+/// An option. The type of `fallback` is the type of the option; a whole number is taken for a double too. A key
+/// "parameters.*" stands for any number of options "parameters.NAME" without a fallback.
+struct OptionSpec {
+  std::string key;
+  OptionValue fallback;
+  std::string meaning = {};               ///< a phrase: "number of iterates n"
+  std::vector<std::string> choices = {};  ///< of a string; empty: any
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool above_min = false;  ///< min itself is excluded
+  bool optional = false;   ///< not there unless it is given: `fallback` says its type, `otherwise` what happens then
+  std::string otherwise = {};
+  std::string value = {};  ///< what a help calls it: "N"
+
+  [[nodiscard]] bool family() const { return key.ends_with(".*"); }
+  [[nodiscard]] bool is_for(std::string_view wanted) const {
+    return wanted == key || (family() && wanted.starts_with(std::string_view(key).substr(0, key.size() - 1)));
+  }
+};
+
+struct OptionSetting {
+  std::string key;
+  OptionValue value;
+};
+
+/// All options of an operation, each with its value. Cheap to share, never changed.
+class LOBER_API Options {
+ public:
+  Options() = default;
+  /// Every option at its fallback, but for the settings, of which the last one for a key counts. Throws UsageError
+  /// "key: what is wrong".
+  Options(std::span<const OptionSpec> specs, std::span<const OptionSetting> settings);
+
+  [[nodiscard]] bool flag(std::string_view key) const { return std::get<bool>(at(key)); }
+  [[nodiscard]] std::int64_t whole(std::string_view key) const { return std::get<std::int64_t>(at(key)); }
+  [[nodiscard]] double real(std::string_view key) const { return std::get<double>(at(key)); }
+  [[nodiscard]] const std::string& text(std::string_view key) const { return std::get<std::string>(at(key)); }
+  [[nodiscard]] std::optional<Point> point(std::string_view key) const;
+  /// Null for one that is not there: all of the specs are, but for those without a fallback that were not given.
+  [[nodiscard]] const OptionValue* find(std::string_view key) const;
+  /// Those whose keys begin with "prefix.", which is left out; by name.
+  [[nodiscard]] std::vector<std::pair<std::string, double>> reals_of(std::string_view prefix) const;
+
+  /// In the order of the specs.
+  [[nodiscard]] std::span<const OptionSetting> settings() const { return settings_; }
+  /// "areas_only=false index=auto": the same for the same values, whatever was spelled out.
+  [[nodiscard]] std::string to_string() const;
+
+ private:
+  [[nodiscard]] const OptionValue& at(std::string_view key) const;
+
+  std::vector<OptionSetting> settings_;
+};
+
+/// "key=value key=value".
+[[nodiscard]] LOBER_API std::string to_string(std::span<const OptionSetting> settings);
+/// A value as Options::to_string has it: numbers in the shortest form that reads back to the same bits, points as
+/// "x,y".
+[[nodiscard]] LOBER_API std::string to_string(const OptionValue& value);
+/// The value of an option that is written as text: "true", "1e-5", "0.5,-1". Throws UsageError "key: what is wrong".
+[[nodiscard]] LOBER_API OptionValue option_value(const OptionSpec& spec, std::string_view key, const std::string& text);
+
+// ----------------------------------------------------------------------------------------------------------- inputs
+
+enum class InputKind : std::uint8_t { closed_curve, open_curve, points, system };
+
+struct InputSpec {
+  std::string name;
+  InputKind kind = InputKind::system;
+  std::string meaning;
+};
+
+/// A system with its parameters, and its relatives.
+struct SystemInput {
+  std::shared_ptr<const System> system;
+  IntegrationOptions integration{};  ///< with which it was made
+  /// The same with other values of some parameters; empty where there are no others.
+  std::function<System(const ParameterValues& changed)> with{};
+};
+/// A built-in system or a library by its name.
+[[nodiscard]] LOBER_API SystemInput system_input(const std::string& name, const ParameterValues& values,
+                                                 const IntegrationOptions& integration = {});
+
+/// The points stay those of the caller, for as long as the operation runs.
+using Input = std::variant<SystemInput, std::span<const Point>>;
+
+// ---------------------------------------------------------------------------------------------------------- results
+
+enum class FieldKind : std::uint8_t {
+  number,  ///< double, or Measured: with its error bar
+  whole,   ///< an integer
+  flag,    ///< true or false
+  text,
+  lines,    ///< texts
+  numbers,  ///< doubles
+  wholes,   ///< integers
+  point,    ///< x and y
+  matrix,   ///< numbers, row by row, with or without bars
+  object,   ///< named fields
+  list,     ///< objects with the same fields
+};
+
+struct Matrix {
+  std::size_t rows = 0, columns = 0;
+  std::vector<Measured> entries;
+};
+
+/// Nothing: not known, or not asked for.
+using FieldValue =
+    std::variant<std::monostate, double, Measured, std::int64_t, bool, std::string, std::vector<std::string>,
+                 std::vector<double>, std::vector<std::int64_t>, Point, Matrix>;
+
+/// A part of a result: what it is called and means, and how it is got out of an object of the type it belongs to.
+struct Field {
+  std::string name;
+  FieldKind kind = FieldKind::number;
+  std::string unit = {};  ///< "area": of the coordinates squared; "length", "time", "action", ""
+  std::string meaning = {};
+  std::string bar = {};             ///< what the error bar of a number or a matrix is called; empty: it has none
+  std::vector<Field> members = {};  ///< of an object, or of each element of a list
+
+  std::function<FieldValue(const void* whole)> get{};  ///< empty for objects and lists
+  using Use = std::function<void(const void* part)>;
+  std::function<void(const void* whole, const Use& use)>
+      each{};  ///< of an object once, or not at all where it is not known
+};
+
+/// The numbers at "turnstile.flux12" or "turnstile.flux12_error"; of lists one for each element: "steps.T21". NaN for
+/// what is not known. Throws UsageError for a path that leads nowhere.
+[[nodiscard]] LOBER_API std::vector<double> numbers_at(std::span<const Field> fields, const void* whole,
+                                                       std::string_view path);
+
+/// The members of an object in JSON, without the braces: numbers with the digits that give them back, null for those
+/// that are not finite; members that are not known are left out. Elements of lists of the outermost object have lines
+/// of their own.
+[[nodiscard]] LOBER_API std::string json_members(std::span<const Field> fields, const void* whole);
+/// A schema (JSON Schema 2020-12) of these members.
+[[nodiscard]] LOBER_API std::string json_schema(std::span<const Field> fields);
+
+// ------------------------------------------------------------------------------------------------------- operations
+
+/// What an operation is run with. All of it may be left out.
+struct Context {
+  /// Called several times a second with the fraction done, NaN where it is not known, and a line of what is being done;
+  /// false cancels.
+  std::function<bool(double fraction, const std::string& line)> progress{};
+  /// Called from the calling thread with each element of a list that takes long as soon as it is ready, and with all
+  /// comparisons so far.
+  std::function<void(const Field& list, const void* element, const Agreement& agreement)> on_element{};
+  std::size_t memory = std::numeric_limits<std::size_t>::max();  ///< bytes that the work may hold, roughly
+};
+
+/// A result: an object of a type that the operation knows.
+struct Outcome {
+  std::shared_ptr<const void> value;
+  Agreement agreement;               ///< of all routes that were compared
+  std::vector<std::string> remarks;  ///< what a user should read
+  /// The options with which it was computed: those given, and those that followed from them and the inputs.
+  std::vector<OptionSetting> settings;
+
+  /// For callers that know the type (docs of each operation): Transport of "transport".
+  template <typename T>
+  [[nodiscard]] const T& as() const {
+    return *static_cast<const T*>(value.get());
+  }
+};
+
+/// Each face writes it in its own way.
+struct Example {
+  std::vector<std::string> inputs;  ///< "standard K=1.2", "a.dat"
+  std::vector<OptionSetting> options;
+  std::string meaning;
+};
+
+struct Operation {
+  std::string name;
+  std::string title;    ///< a phrase, of one line
+  std::string summary;  ///< a sentence: "Computes ..."
+  int revision = 1;     ///< goes into the keys of stored results: raised when numbers change within a version
+  std::vector<InputSpec> inputs;
+  std::vector<OptionSpec> options;
+  std::vector<Field> result;
+  std::vector<Example> examples;
+  /// Throws UsageError for inputs that are not those of `inputs`; what the functions that it calls throw.
+  std::function<Outcome(std::span<const Input> inputs, const Options& options, const Context& context)> run;
+};
+
+/// In the order of their names.
+[[nodiscard]] LOBER_API std::span<const Operation> all();
+/// Throws UsageError, naming those that there are.
+[[nodiscard]] LOBER_API const Operation& named(std::string_view name);
+
+}  // namespace lober::operations

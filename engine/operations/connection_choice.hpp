@@ -1,0 +1,33 @@
+// Which saddles and branches a tangle is made of (private to operations/).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/operations/describe.hpp"
+#include "lober/systems.hpp"
+
+namespace lober::detail::table {
+using namespace operations;
+
+struct ConnectionChoice {
+  std::optional<Point> from{}, to{}, u_direction{}, s_direction{}, bip{};
+
+  /// None but, perhaps, the bip.
+  [[nodiscard]] bool is_own() const { return !from && !to && !u_direction && !s_direction; }
+};
+
+/// Its members as options.
+[[nodiscard]] const OptionList<ConnectionChoice>& connection_options();
+
+/// What the system brings, with what is given in its place. Throws UsageError with what is missing.
+[[nodiscard]] Connection chosen_connection(const ConnectionChoice& choice, const System& system);
+
+/// The other boundaries of the system, where they are wanted or the first region is not bounded without them. Other
+/// saddles than the system's have none.
+[[nodiscard]] std::vector<Connection> further_of(const ConnectionChoice& choice, const System& system, bool wanted);
+
+/// The connection that was chosen, as the values of its options.
+void add_settings(std::vector<OptionSetting>& settings, const Connection& connection);
+
+}  // namespace lober::detail::table

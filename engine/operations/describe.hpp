@@ -1,0 +1,226 @@
+// Writes entries of the table (private to operations/): an option is a member of the options of the C++ interface,
+// whose type and default are its own; a field of a result is a member or a function of the C++ result.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "lober/operations.hpp"
+
+namespace lober::detail::table {
+using namespace operations;
+
+// ---------------------------------------------------------------------------------------------------------- results
+
+template <typename T>
+struct is_optional : std::false_type {};
+template <typename T>
+struct is_optional<std::optional<T>> : std::true_type {};
+
+template <typename T>
+constexpr FieldKind kind_of() {
+  if constexpr (is_optional<T>::value) {
+    return kind_of<typename T::value_type>();
+  } else if constexpr (std::same_as<T, bool>) {
+    return FieldKind::flag;
+  } else if constexpr (std::integral<T>) {
+    return FieldKind::whole;
+  } else if constexpr (std::floating_point<T> || std::same_as<T, Measured>) {
+    return FieldKind::number;
+  } else if constexpr (std::same_as<T, std::vector<std::string>>) {
+    return FieldKind::lines;
+  } else if constexpr (std::same_as<T, std::vector<double>>) {
+    return FieldKind::numbers;
+  } else if constexpr (std::same_as<T, std::vector<std::int64_t>>) {
+    return FieldKind::wholes;
+  } else if constexpr (std::same_as<T, Point>) {
+    return FieldKind::point;
+  } else if constexpr (std::same_as<T, RegionMatrix>) {
+    return FieldKind::matrix;
+  } else {
+    static_assert(std::convertible_to<T, std::string>);
+    return FieldKind::text;
+  }
+}
+
+template <typename T>
+FieldValue value_of(const T& value) {
+  if constexpr (is_optional<T>::value) {
+    return value ? value_of(*value) : FieldValue{};
+  } else if constexpr (std::same_as<T, bool>) {
+    return value;
+  } else if constexpr (std::integral<T>) {
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (std::floating_point<T>) {
+    return static_cast<double>(value);
+  } else if constexpr (std::same_as<T, RegionMatrix>) {
+    if (value.size() == 0) return {};
+    Matrix matrix{value.size(), value.size(), {}};
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      for (std::size_t j = 0; j < value.size(); ++j) matrix.entries.push_back(value(i, j));
+    }
+    return matrix;
+  } else if constexpr (kind_of<T>() == FieldKind::text) {
+    return std::string(value);
+  } else {
+    return value;
+  }
+}
+
+template <typename T>
+constexpr bool has_bar = false;
+template <>
+inline constexpr bool has_bar<Measured> = true;
+template <>
+inline constexpr bool has_bar<std::optional<Measured>> = true;
+template <>
+inline constexpr bool has_bar<RegionMatrix> = true;
+
+/// The fields of a T, in order. A getter is a member, or a function of a const T&.
+template <typename T>
+class Schema {
+ public:
+  template <typename Get>
+  Schema& field(std::string name, std::string unit, std::string meaning, Get get, std::string bar = {}) {
+    using Value = std::remove_cvref_t<std::invoke_result_t<const Get&, const T&>>;
+    Field made{std::move(name), kind_of<Value>(), std::move(unit), std::move(meaning)};
+    if (has_bar<Value>) made.bar = bar.empty() ? made.name + "_error" : std::move(bar);
+    made.get = [get = std::move(get)](const void* whole) {
+      return value_of(std::invoke(get, *static_cast<const T*>(whole)));
+    };
+    fields_.push_back(std::move(made));
+    return *this;
+  }
+  /// The getter returns a U, a reference or a pointer to one; null where it is not known.
+  template <typename U, typename Get>
+  Schema& object(std::string name, std::string meaning, const Schema<U>& members, Get get) {
+    Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.fields()};
+    made.each = [get = std::move(get)](const void* whole, const Field::Use& use) {
+      auto&& part = std::invoke(get, *static_cast<const T*>(whole));
+      if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(part)>>) {
+        if (part != nullptr) use(part);
+      } else {
+        const U& object = part;
+        use(&object);
+      }
+    };
+    fields_.push_back(std::move(made));
+    return *this;
+  }
+  /// The getter returns a range of U, or a reference to one.
+  template <typename U, typename Get>
+  Schema& list(std::string name, std::string meaning, const Schema<U>& members, Get get) {
+    Field made{std::move(name), FieldKind::list, {}, std::move(meaning), {}, members.fields()};
+    made.each = [get = std::move(get)](const void* whole, const Field::Use& use) {
+      auto&& elements = std::invoke(get, *static_cast<const T*>(whole));
+      for (const U& element : elements) use(&element);
+    };
+    fields_.push_back(std::move(made));
+    return *this;
+  }
+  /// The fields of a part, as if they were those of the whole. The getter returns a pointer.
+  template <typename U, typename Get>
+  Schema& parts(const Schema<U>& members, Get get) {
+    for (Field field : members.fields()) {
+      const auto part = [get](const void* whole) -> const void* {
+        return std::invoke(get, *static_cast<const T*>(whole));
+      };
+      if (field.get) field.get = [part, inner = field.get](const void* whole) { return inner(part(whole)); };
+      if (field.each) {
+        field.each = [part, inner = field.each](const void* whole, const Field::Use& use) { inner(part(whole), use); };
+      }
+      fields_.push_back(std::move(field));
+    }
+    return *this;
+  }
+  [[nodiscard]] const std::vector<Field>& fields() const { return fields_; }
+
+ private:
+  std::vector<Field> fields_;
+};
+
+// ---------------------------------------------------------------------------------------------------------- options
+
+/// What a table says of an option beside its member.
+struct OptionForm {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool above_min = false;
+  std::string otherwise = {};  ///< of an optional one: what is done without it
+  std::string value = {};
+};
+
+/// The options of a How, and what moves their values into one.
+template <typename How>
+class OptionList {
+ public:
+  template <typename Base, typename Member>
+  requires std::derived_from<How, Base> OptionList& option(std::string key, Member Base::*member, std::string meaning,
+                                                           OptionForm form = {}) {
+    OptionSpec spec;
+    spec.key = std::move(key);
+    spec.meaning = std::move(meaning);
+    spec.min = form.min;
+    spec.max = form.max;
+    spec.above_min = form.above_min;
+    spec.otherwise = std::move(form.otherwise);
+    spec.value = std::move(form.value);
+    if constexpr (is_optional<Member>::value) {
+      spec.optional = true;
+      spec.fallback = typename Member::value_type{};
+    } else if constexpr (std::same_as<Member, bool> || std::floating_point<Member> ||
+                         std::same_as<Member, std::string>) {
+      spec.fallback = How{}.*member;
+    } else {
+      static_assert(std::integral<Member>);
+      spec.fallback = static_cast<std::int64_t>(How{}.*member);
+      if (std::unsigned_integral<Member>) spec.min = std::max(spec.min, 0.0);
+      if constexpr (sizeof(Member) < sizeof(std::int64_t)) {
+        spec.max = std::min(spec.max, static_cast<double>(std::numeric_limits<Member>::max()));
+      }
+    }
+    setters_.push_back([key = spec.key, member](How& how, const Options& options) {
+      const OptionValue* const value = options.find(key);
+      if (value == nullptr) return;
+      if constexpr (is_optional<Member>::value) {
+        how.*member = std::get<typename Member::value_type>(*value);
+      } else if constexpr (std::integral<Member> && !std::same_as<Member, bool>) {
+        how.*member = static_cast<Member>(std::get<std::int64_t>(*value));
+      } else {
+        how.*member = std::get<Member>(*value);
+      }
+    });
+    specs_.push_back(std::move(spec));
+    return *this;
+  }
+  [[nodiscard]] const std::vector<OptionSpec>& specs() const { return specs_; }
+  [[nodiscard]] How how(const Options& options) const {
+    How made{};
+    for (const auto& set : setters_) set(made, options);
+    return made;
+  }
+
+ private:
+  std::vector<OptionSpec> specs_;
+  std::vector<std::function<void(How&, const Options&)>> setters_;
+};
+
+/// The outcome of a value that knows its agreement and its remarks.
+template <typename T>
+Outcome outcome_of(T value, const Options& options) {
+  Outcome outcome;
+  outcome.agreement = value.agreement;
+  if constexpr (requires { value.remarks; }) outcome.remarks = value.remarks;
+  outcome.settings.assign(options.settings().begin(), options.settings().end());
+  outcome.value = std::make_shared<const T>(std::move(value));
+  return outcome;
+}
+
+}  // namespace lober::detail::table

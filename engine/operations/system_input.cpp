@@ -1,0 +1,42 @@
+#include <limits>
+
+#include "engine/operations/system_of.hpp"
+#include "lober/error.hpp"
+
+namespace lober::operations {
+
+SystemInput system_input(const std::string& name, const ParameterValues& values,
+                         const IntegrationOptions& integration) {
+  SystemInput input;
+  input.system = std::make_shared<const System>(make_system(name, values, integration));
+  input.integration = integration;
+  input.with = [name, values, integration](const ParameterValues& changed) {
+    ParameterValues all = values;
+    for (const auto& [parameter, value] : changed) {
+      std::erase_if(all, [&parameter](const auto& one) { return one.first == parameter; });
+      all.emplace_back(parameter, value);
+    }
+    return make_system(name, all, integration);
+  };
+  return input;
+}
+
+}  // namespace lober::operations
+
+namespace lober::detail::table {
+
+const System& system_of(std::span<const Input> inputs) {
+  const auto* const input = inputs.size() == 1 ? std::get_if<SystemInput>(&inputs[0]) : nullptr;
+  if (input == nullptr || !input->system) throw UsageError("the operation takes one system and nothing else");
+  if (!input->system->map)
+    throw UsageError("system " + input->system->info.name + " has no planar map, which this operation needs");
+  return *input->system;
+}
+
+std::function<bool(const std::string&)> lines_to(const Context& context) {
+  if (!context.progress) return {};
+  return
+      [&context](const std::string& line) { return context.progress(std::numeric_limits<double>::quiet_NaN(), line); };
+}
+
+}  // namespace lober::detail::table

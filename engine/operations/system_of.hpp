@@ -1,0 +1,19 @@
+// The system that an operation is about, and how its progress is told (private to operations/).
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "lober/operations.hpp"
+
+namespace lober::detail::table {
+using namespace operations;
+
+/// Throws UsageError unless the inputs are one system that has a planar map.
+[[nodiscard]] const System& system_of(std::span<const Input> inputs);
+
+/// For options whose progress takes a line; empty where nobody listens.
+[[nodiscard]] std::function<bool(const std::string&)> lines_to(const Context& context);
+
+}  // namespace lober::detail::table

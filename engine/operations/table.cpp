@@ -1,0 +1,25 @@
+// All operations. A new one is a file beside this one and a line in the list below.
+#include "engine/operations/table.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "lober/error.hpp"
+
+namespace lober::operations {
+
+std::span<const Operation> all() {
+  static const std::array table{detail::table::transport_operation()};
+  return table;
+}
+
+const Operation& named(std::string_view name) {
+  const std::span<const Operation> table = all();
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Operation& any) { return any.name == name; });
+  if (found != table.end()) return *found;
+  std::string known;
+  for (const Operation& any : table) known += (known.empty() ? "" : ", ") + any.name;
+  throw UsageError("there is no operation \"" + std::string(name) + "\"; there are " + known);
+}
+
+}  // namespace lober::operations

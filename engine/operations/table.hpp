@@ -1,0 +1,11 @@
+// The makers of the operations in the table (private to operations/).
+#pragma once
+
+#include "lober/operations.hpp"
+
+namespace lober::detail::table {
+using namespace operations;
+
+[[nodiscard]] Operation transport_operation();
+
+}  // namespace lober::detail::table

@@ -1,0 +1,275 @@
+// `transport`: what leaves a region of a system, iterate by iterate, from its equations alone. Its value is a
+// Transport.
+#include "lober/transport.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/operations/connection_choice.hpp"
+#include "engine/operations/system_of.hpp"
+#include "engine/operations/table.hpp"
+#include "engine/operations/tangle_fields.hpp"
+
+namespace lober::detail::table {
+using namespace operations;
+namespace {
+
+struct How : TransportOptions {
+  bool all_regions = false;
+};
+
+const OptionList<How>& transport_options() {
+  static const OptionList<How> options = [] {
+    OptionList<How> list;
+    list.option("iterates", &How::iterates, "number of iterates n up to which the table goes",
+                {.min = 1, .max = 1000, .value = "N"})
+        .option("tolerance", &How::tolerance,
+                "maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas are "
+                "far smaller",
+                {.min = 0, .above_min = true, .value = "D"})
+        .option("max_points", &How::max_points, "maximum number of points of each manifold", {.min = 1, .value = "N"})
+        .option(
+            "max_work", &How::max_work,
+            "work that growing the manifolds of one boundary may take, in evaluations of the vector field; not with "
+            "budget",
+            {.min = 0, .above_min = true, .value = "N"})
+        .option(
+            "budget", &How::budget,
+            "wall-clock time that growing the manifolds of one boundary may take in place of max_work, in seconds; 0: "
+            "the limit on work, which gives the same table on every machine",
+            {.min = 0, .value = "SECONDS"})
+        .option(
+            "all_regions", &How::all_regions,
+            "whether to compute the transport between the regions of all boundaries that the system names (ovp: the "
+            "lower vortex too), with the matrices T_ij(n)")
+        .option("particles", &How::particles,
+                "number of particles in each bounded region by which T(n) is counted, as a check",
+                {.min = 0, .max = 1e9, .value = "N"})
+        .option("seed", &How::seed, "seed of the random numbers of the particles", {.value = "S"});
+    return list;
+  }();
+  return options;
+}
+
+// ---------------------------------------------------------------------------------------------------------- result
+
+// Of the first two regions.
+Measured entry(const RegionMatrix& matrix, std::size_t i, std::size_t j) {
+  return matrix(i, j);
+}
+
+Schema<TransportStep> step_schema() {
+  using Step = TransportStep;
+  const auto overlap = [](std::size_t i, std::size_t j) {
+    return [i, j](const Step& s) { return s.overlaps[i][j].value; };
+  };
+  Schema<Step> overlaps;
+  overlaps.field("L12_L12", "area", "of L12(1) and f^(n-1) L12(1)", overlap(0, 0))
+      .field("L12_L21", "area", "of L12(1) and f^(n-1) L21(1)", overlap(0, 1))
+      .field("L21_L12", "area", "of L21(1) and f^(n-1) L12(1)", overlap(1, 0))
+      .field("L21_L21", "area", "of L21(1) and f^(n-1) L21(1)", overlap(1, 1));
+  Schema<Step> made;
+  made.field("n", "", "iterates", &Step::n)
+      .field(
+          "a", "area", "a21(n)", [](const Step& s) { return entry(s.flux, 1, 0); }, "a_error")
+      .field(
+          "T", "area", "T21(n) by lobes", [](const Step& s) { return entry(s.total, 1, 0); }, "discretisation")
+      .field("overlap", "area", "of L12(1) and f^(n-1) L21(1)", overlap(0, 1))
+      .field(
+          "T_by_boundaries", "area", "T21(n) by boundaries", [](const Step& s) { return entry(s.by_boundaries, 1, 0); },
+          "boundary_error")
+      .field("consistency", "area", "|T21(n) by lobes - by boundaries|",
+             [](const Step& s) { return std::fabs(s.total(1, 0).value - s.by_boundaries(1, 0).value); })
+      .field("a12", "area", "a12(n) = T12(n) - T12(n - 1)", [](const Step& s) { return entry(s.flux, 0, 1); })
+      .field("a21", "area", "a21(n) = T21(n) - T21(n - 1)", [](const Step& s) { return entry(s.flux, 1, 0); })
+      .field("T12", "area", "area of what was in R1 and is in R2 after n iterates, by lobes",
+             [](const Step& s) { return entry(s.total, 0, 1); })
+      .field("T21", "area", "area of what was in R2 and is in R1 after n iterates, by lobes",
+             [](const Step& s) { return entry(s.total, 1, 0); })
+      .object("overlaps", "of the lobes of the first turnstile with images of its lobes", overlaps,
+              [](const Step& s) { return &s; })
+      .field(
+          "T_by_particles", "area", "T21(n) counted, with one standard deviation",
+          [](const Step& s) { return s.by_particles.size() == 0 ? std::nullopt : std::optional(s.by_particles(1, 0)); },
+          "particle_error")
+      .field("a_ij", "area", "a_ij(n) of all regions, by lobes", &Step::flux)
+      .field("T_ij", "area", "T_ij(n) of all regions, by lobes", &Step::total)
+      .field("T_ij_by_boundaries", "area", "T_ij(n) of all regions, by boundaries", &Step::by_boundaries)
+      .field("T_ij_by_particles", "area", "T_ij(n) counted, with one standard deviation", &Step::by_particles);
+  return made;
+}
+
+Schema<Region> regions_schema() {
+  Schema<Region> made;
+  made.field("bounded", "", "whether it is", &Region::bounded)
+      .field("area", "area", "not known where it is not bounded", &Region::area, "error");
+  return made;
+}
+
+Schema<Transport> region_schema() {
+  const auto tangle = [](const Transport& t) -> const Tangle& { return t.manifolds().tangle; };
+  Schema<Transport> made;
+  made.field(
+          "area", "area", "of R1", [](const Transport& t) { return t.regions.front().area; }, "error")
+      .field("crosses_itself", "", "whether the polygon of the boundary does",
+             [tangle](const Transport& t) { return tangle(t).boundary->crosses_itself; })
+      .field("bip", "length", "the pip q at which the boundary passes from U to S",
+             [](const Transport& t) { return t.manifolds().orbits.back().at; })
+      .field("orientation", "", "of the boundary along U: clockwise or counter_clockwise",
+             [tangle](const Transport& t) {
+               return tangle(t).boundary->orientation > 0 ? "counter_clockwise" : "clockwise";
+             });
+  return made;
+}
+
+const Schema<TransportBoundary>& boundary_turnstile() {
+  using Boundary = TransportBoundary;
+  static const Schema<Boundary> schema = [] {
+    Schema<Boundary> made;
+    made.parts(turnstile_schema(), [](const Boundary& b) { return b.manifolds.get(); })
+        .field("flux12", "area", "of what leaves the region inside in one step", &Boundary::flux12)
+        .field("flux21", "area", "of what enters it in one step", &Boundary::flux21)
+        .field("lobe_area12", "area", "sum of the lobes that leave, each counted fully", &Boundary::lobe_area12)
+        .field("lobe_area21", "area", "sum of the lobes that enter, each counted fully", &Boundary::lobe_area21)
+        .field("lobe_area12_by_action", "area", "the same by action; not known where the map has none",
+               &Boundary::lobe_area12_by_action)
+        .field("lobe_area21_by_action", "area", "the same by action; not known where the map has none",
+               &Boundary::lobe_area21_by_action);
+    return made;
+  }();
+  return schema;
+}
+
+Schema<TransportBoundary> boundary_schema() {
+  using Boundary = TransportBoundary;
+  Schema<Boundary> made;
+  made.object("saddles", "of its tangle", saddles_schema(), [](const Boundary& b) { return b.manifolds.get(); })
+      .object("turnstile", "lobes and fluxes", boundary_turnstile(), [](const Boundary& b) { return &b; })
+      .field("enclosed", "area",
+             "of what it encloses; where it runs round a cylinder, above the line along the lattice",
+             &Boundary::enclosed)
+      .field("point_error", "length", "how far the manifolds may lie beside the true ones by integration and rounding",
+             &Boundary::point_error);
+  return made;
+}
+
+// The largest over all steps.
+template <typename Of>
+auto worst(Of of) {
+  return [of](const Transport& t) {
+    double largest = 0;
+    for (const TransportStep& step : t.steps) largest = std::max(largest, of(step));
+    return largest;
+  };
+}
+
+Schema<Transport> error_schema() {
+  Schema<Transport> made;
+  made.field("discretisation", "area",
+             "estimate of |T - true T| by lobes, integration and rounding included; worst step",
+             worst([](const TransportStep& s) { return s.total(1, 0).error; }))
+      .field("boundaries", "area", "the same by boundaries",
+             worst([](const TransportStep& s) { return s.by_boundaries(1, 0).error; }))
+      .field("consistency", "area", "|T by lobes - T by boundaries|; worst step",
+             worst([](const TransportStep& s) { return std::fabs(s.total(1, 0).value - s.by_boundaries(1, 0).value); }))
+      .field("area_conservation", "area", "|flux12 - flux21| of the turnstile, by geometry", [](const Transport& t) {
+        return std::fabs(t.boundaries.front().flux12.value - t.boundaries.front().flux21.value);
+      });
+  return made;
+}
+
+Schema<Transport> statistics_schema() {
+  using Counts = std::vector<std::int64_t>;
+  const auto of_both = [](auto count) {
+    return [count](const Transport& t) {
+      return Counts{static_cast<std::int64_t>(count(t.manifolds().u)),
+                    static_cast<std::int64_t>(count(t.manifolds().s))};
+    };
+  };
+  const auto nodes = [](const Transport& t) -> const Crossings& { return t.manifolds().tangle.nodes; };
+  Schema<Transport> made;
+  made.field("points", "", "of U and of S", of_both([](const GrownManifold& m) { return m.points.size(); }))
+      .field("images", "", "steps of the map taken for U and for S",
+             of_both([](const GrownManifold& m) { return m.images; }))
+      .field("pips", "", "number of pips", [](const Transport& t) { return t.manifolds().tangle.pips.size(); })
+      .field("count", "", "number of crossings of U and S",
+             [nodes](const Transport& t) { return nodes(t).crossings(); })
+      .field("contacts", "", "number of points where they touch",
+             [nodes](const Transport& t) { return nodes(t).touches(); })
+      .field("shared_arcs", "", "number of arcs that they share",
+             [nodes](const Transport& t) { return nodes(t).shared_arcs(); })
+      .field("same_curve", "", "whether they are one and the same",
+             [nodes](const Transport& t) { return nodes(t).same_curve(); });
+  return made;
+}
+
+const TransportBoundary& first_boundary(const Transport& t) {
+  return t.boundaries.front();
+}
+
+std::vector<Field> transport_fields() {
+  Schema<Transport> made;
+  made.object("saddles", "of the first tangle", saddles_schema(), &Transport::manifolds)
+      .object("region", "R1, inside the first boundary", region_schema(), [](const Transport& t) { return &t; })
+      .list("regions", "R1, R2, ...", regions_schema(), &Transport::regions)
+      .object("turnstile", "of the first boundary", boundary_turnstile(), first_boundary)
+      .list("boundaries", "a tangle each", boundary_schema(), &Transport::boundaries)
+      .field("iterates_a_step", "", "of the map; 2 where both multipliers of a saddle are negative",
+             &Transport::iterates_a_step)
+      .list("steps", "n = 1, 2, ...", step_schema(), &Transport::steps)
+      .field("remarks", "", "what to know of the result", &Transport::remarks)
+      .object("error", "error bars of T21(n) and what speaks for them", error_schema(),
+              [](const Transport& t) { return &t; })
+      .object("statistics", "of the first tangle", statistics_schema(), [](const Transport& t) { return &t; });
+  return made.fields();
+}
+
+// ------------------------------------------------------------------------------------------------------------- run
+
+Outcome run(std::span<const Input> inputs, const Options& options, const Context& context, const Field& steps) {
+  const System& system = system_of(inputs);
+  How how = transport_options().how(options);
+  const ConnectionChoice choice = connection_options().how(options);
+  const Connection connection = chosen_connection(choice, system);
+  how.lattice = system.lattice;
+  how.further = further_of(choice, system, how.all_regions);
+  if (choice.bip) how.bip_near = choice.bip;
+  constexpr std::size_t bytes_per_point = 240;  // of two manifolds that are grown, and what is made of them
+  how.max_points = std::min(how.max_points, std::max<std::size_t>(context.memory / bytes_per_point, 1000));
+  how.progress = lines_to(context);
+  if (context.on_element) {
+    how.on_step = [&](const TransportStep& step, const Agreement& agreement) {
+      context.on_element(steps, &step, agreement);
+    };
+  }
+  Outcome outcome = outcome_of(transport(*system.map, connection, how), options);
+  add_settings(outcome.settings, connection);
+  return outcome;
+}
+
+}  // namespace
+
+Operation transport_operation() {
+  Operation operation;
+  operation.name = "transport";
+  operation.title = "what a boundary of a system lets pass, iterate by iterate: a(n) and T(n)";
+  operation.summary =
+      "Computes the transport across the boundary that a stable and an unstable manifold of a map make: grows them, "
+      "finds the turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries.";
+  operation.inputs = {{"system", InputKind::system, "the system whose manifolds they are"}};
+  operation.options = connection_options().specs();
+  operation.options.insert(operation.options.end(), transport_options().specs().begin(),
+                           transport_options().specs().end());
+  operation.result = transport_fields();
+  operation.examples = {
+      {{"ovp"}, {}, "what the vortex pair loses in seven periods of the strain"},
+      {{"standard K=1.2"}, {{"iterates", std::int64_t{3}}}, "flux across the strip of the standard map"}};
+  const auto steps = std::find_if(operation.result.begin(), operation.result.end(),
+                                  [](const Field& field) { return field.name == "steps"; });
+  operation.run = [steps = *steps](std::span<const Input> inputs, const Options& options, const Context& context) {
+    return run(inputs, options, context, steps);
+  };
+  return operation;
+}
+
+}  // namespace lober::detail::table

@@ -1,0 +1,259 @@
+// The table of operations: consistent in itself, and the same numbers to the bit on every face that walks over it.
+#include "lober/operations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/batch/operations/operation.hpp"
+#include "lober/error.hpp"
+#include "lober/lober.h"
+#include "lober/transport.hpp"
+
+namespace lober::operations {
+namespace {
+
+using Json = nlohmann::json;
+
+// A run that takes a moment, of each operation.
+struct Case {
+  std::string operation, system;
+  ParameterValues parameters;
+  std::vector<OptionSetting> settings;
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      {"transport", "standard", {{"K", 1.2}}, {{"iterates", std::int64_t{3}}, {"particles", std::int64_t{1000}}}},
+  };
+  return all;
+}
+
+Outcome run(const Case& one) {
+  const Operation& operation = named(one.operation);
+  const std::vector<Input> inputs{system_input(one.system, one.parameters)};
+  return operation.run(inputs, {operation.options, one.settings}, {});
+}
+
+// All paths to numbers, with their bars; those in lists that hold lists are left out.
+void add_paths(std::span<const Field> fields, const std::string& prefix, std::vector<std::string>& paths) {
+  for (const Field& field : fields) {
+    if (!field.members.empty()) {
+      add_paths(field.members, prefix + field.name + ".", paths);
+    } else if (field.kind == FieldKind::number || field.kind == FieldKind::whole) {
+      paths.push_back(prefix + field.name);
+      if (!field.bar.empty()) paths.push_back(prefix + field.bar);
+    }
+  }
+}
+
+// The numbers at a path of JSON.
+void add_numbers(const Json& json, std::string_view path, std::vector<double>& numbers) {
+  if (json.is_array()) {
+    for (const Json& element : json) add_numbers(element, path, numbers);
+    return;
+  }
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  const auto member = json.find(path.substr(0, dot));
+  if (member == json.end()) return;
+  if (dot < path.size()) return add_numbers(*member, path.substr(dot + 1), numbers);
+  numbers.push_back(member->is_null() ? std::numeric_limits<double>::quiet_NaN() : member->get<double>());
+}
+
+void expect_same_bits(const std::vector<double>& first, const std::vector<double>& second, const std::string& what) {
+  ASSERT_EQ(first.size(), second.size()) << what;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    if (std::isnan(first[k]) && std::isnan(second[k])) continue;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(first[k]), std::bit_cast<std::uint64_t>(second[k])) << what;
+  }
+}
+
+TEST(OperationsTable, IsConsistent) {
+  std::set<std::string> names;
+  for (const Operation& operation : all()) {
+    EXPECT_TRUE(names.insert(operation.name).second) << operation.name;
+    EXPECT_FALSE(operation.title.empty() || operation.summary.empty() || operation.examples.empty()) << operation.name;
+    std::set<std::string> keys;
+    for (const OptionSpec& option : operation.options) {
+      EXPECT_TRUE(keys.insert(option.key).second) << option.key;
+      EXPECT_FALSE(option.meaning.empty()) << option.key;
+      EXPECT_EQ(option.optional, !option.otherwise.empty()) << option.key;
+    }
+    const Options defaults(operation.options, {});
+    EXPECT_LE(defaults.settings().size(), operation.options.size());
+    for (const Example& example : operation.examples) {
+      EXPECT_EQ(example.inputs.size(), operation.inputs.size());
+      EXPECT_NO_THROW(Options(operation.options, example.options));
+    }
+    // Names of a schema are read as keys of objects.
+    const Json schema = Json::parse(json_schema(operation.result));
+    EXPECT_EQ(schema["type"], "object");
+    std::vector<std::string> paths;
+    add_paths(operation.result, "", paths);
+    EXPECT_EQ(std::set<std::string>(paths.begin(), paths.end()).size(), paths.size()) << operation.name;
+  }
+}
+
+TEST(OperationsTable, HasACaseOfEachOperation) {
+  std::set<std::string> tested;
+  for (const Case& one : cases()) tested.insert(one.operation);
+  for (const Operation& operation : all()) EXPECT_TRUE(tested.contains(operation.name)) << operation.name;
+}
+
+TEST(OperationsTable, JsonHasTheNumbersOfTheResult) {
+  for (const Case& one : cases()) {
+    SCOPED_TRACE(one.operation);
+    const Operation& operation = named(one.operation);
+    const Outcome found = run(one);
+    const Json json = Json::parse("{" + json_members(operation.result, found.value.get()) + "}");
+    std::vector<std::string> paths;
+    add_paths(operation.result, "", paths);
+    std::size_t compared = 0;
+    for (const std::string& path : paths) {
+      const std::vector<double> numbers = numbers_at(operation.result, found.value.get(), path);
+      std::vector<double> in_json;
+      add_numbers(json, path, in_json);
+      // What is not known is left out in JSON.
+      if (in_json.empty()) continue;
+      expect_same_bits(numbers, in_json, path);
+      compared += numbers.size();
+    }
+    EXPECT_GT(compared, 20U);
+    const Json schema = Json::parse(json_schema(operation.result));
+    for (const auto& [name, value] : json.items()) EXPECT_TRUE(schema["properties"].contains(name)) << name;
+  }
+}
+
+TEST(OperationsTable, CHasTheNumbersOfTheResult) {
+  for (const Case& one : cases()) {
+    SCOPED_TRACE(one.operation);
+    const Operation& operation = named(one.operation);
+    const Outcome found = run(one);
+    std::string parameters;
+    for (const auto& [name, value] : one.parameters) parameters += name + "=" + to_string(OptionValue(value)) + " ";
+    lober_model* model = nullptr;
+    ASSERT_EQ(lober_model_open(one.system.c_str(), parameters.c_str(), nullptr, &model), LOBER_OK);
+    const lober_input input{nullptr, 0, model};
+    lober_result* result = nullptr;
+    ASSERT_EQ(lober_call(one.operation.c_str(), &input, 1, to_string(one.settings).c_str(), &result), LOBER_OK)
+        << lober_message();
+    std::size_t compared = 0;
+    for (std::size_t k = 0; k < lober_array_count(result); ++k) {
+      lober_array array;
+      ASSERT_EQ(lober_array_at(result, k, &array), LOBER_OK);
+      const std::string name = array.name;
+      const auto one_of_list = name.find_first_of("0123456789");
+      if (array.type != LOBER_DOUBLES || array.columns > 2 ||
+          (one_of_list != std::string::npos && name[one_of_list - 1] == '.'))
+        continue;
+      std::vector<double> numbers;
+      try {
+        numbers = numbers_at(operation.result, found.value.get(), name);
+      } catch (const UsageError&) {
+        continue;
+      }
+      std::vector<double> in_c;
+      for (std::size_t row = 0; row < array.rows; ++row) {
+        in_c.push_back(static_cast<const double*>(array.data)[row * array.columns]);
+      }
+      if (!numbers.empty() && std::isnan(numbers[0])) continue;  // points, and what is not known
+      expect_same_bits(numbers, in_c, name);
+      compared += numbers.size();
+    }
+    EXPECT_GT(compared, 20U);
+    lober_result_free(result);
+    lober_model_free(model);
+  }
+}
+
+TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
+  for (const Case& one : cases()) {
+    SCOPED_TRACE(one.operation);
+    const detail::Operation* const job = detail::find_operation(one.operation);
+    ASSERT_NE(job, nullptr);
+    std::vector<OptionSetting> settings = one.settings;
+    settings.push_back({"system", one.system});
+    for (const auto& [name, value] : one.parameters) settings.push_back({"parameters." + name, value});
+    const detail::Allowance allowance;
+    const detail::Result record = job->run(detail::JobCurves({}, allowance), {job->options, settings});
+    const Outcome found = run(one);
+    ASSERT_EQ(record.values.size(), job->columns.size());
+    ASSERT_EQ(record.lists.size(), job->lists.size());
+    const auto& transport = found.as<Transport>();
+    const auto at = [&](const std::string& column) {
+      for (std::size_t k = 0; k < job->columns.size(); ++k) {
+        if (job->columns[k].name == column) return record.values[k];
+      }
+      return std::numeric_limits<double>::quiet_NaN();
+    };
+    expect_same_bits({at("flux12"), at("region")},
+                     {transport.boundaries.front().flux12.value, transport.regions.front().area.value}, "columns");
+    std::vector<double> totals;
+    for (const TransportStep& step : transport.steps) totals.push_back(step.total(1, 0).value);
+    expect_same_bits(record.lists[1], totals, "total21");
+  }
+}
+
+TEST(OperationsTable, OptionsAreReadFromText) {
+  const Operation& operation = named("transport");
+  const auto spec = [&](const char* key) {
+    for (const OptionSpec& one : operation.options) {
+      if (one.is_for(key)) return one;
+    }
+    ADD_FAILURE() << key;
+    return OptionSpec{};
+  };
+  EXPECT_EQ(option_value(spec("from"), "from", "0.5,-1e3"), OptionValue(Point{0.5, -1000}));
+  EXPECT_EQ(option_value(spec("iterates"), "iterates", "12"), OptionValue(std::int64_t{12}));
+  EXPECT_EQ(option_value(spec("all_regions"), "all_regions", "1"), OptionValue(true));
+  EXPECT_THROW((void)option_value(spec("iterates"), "iterates", "1e3"), UsageError);
+  EXPECT_THROW((void)option_value(spec("from"), "from", "0.5"), UsageError);
+  EXPECT_THROW((void)option_value(spec("from"), "from", "0.5,1,2"), UsageError);
+  const auto refused = [&](const OptionSetting& setting) {
+    try {
+      (void)Options(operation.options, {&setting, 1});
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused({"tolerance", 0.0}), "tolerance: has to be above 0");
+  EXPECT_EQ(refused({"iterates", std::int64_t{0}}), "iterates: has to be at least 1");
+  EXPECT_EQ(refused({"from", 3.0}), "from: has to be a point [x, y]");
+  EXPECT_NE(refused({"speed", 3.0}).find("there is no such option; there are from"), std::string::npos);
+}
+
+TEST(OperationsTable, RefusesOtherInputs) {
+  const Operation& operation = named("transport");
+  const Options options(operation.options, {});
+  EXPECT_THROW((void)operation.run({}, options, {}), UsageError);
+  const std::vector<Point> points{{0, 0}, {1, 0}};
+  const std::vector<Input> curves{std::span<const Point>(points)};
+  EXPECT_THROW((void)operation.run(curves, options, {}), UsageError);
+  EXPECT_THROW((void)named("transpose"), UsageError);
+  EXPECT_THROW((void)numbers_at(operation.result, nullptr, "speed"), UsageError);
+}
+
+// Rows come as they are ready, before the end, with what was compared so far.
+TEST(OperationsTable, ElementsComeAsTheyAreReady) {
+  const Operation& operation = named("transport");
+  Context context;
+  std::vector<double> totals;
+  context.on_element = [&](const Field& list, const void* element, const Agreement& agreement) {
+    EXPECT_EQ(list.name, "steps");
+    totals.push_back(numbers_at(list.members, element, "T21").front());
+    EXPECT_TRUE(agreement.agrees());
+  };
+  const std::vector<Input> inputs{system_input("standard", {{"K", 1.2}})};
+  const Outcome found = operation.run(inputs, Options(operation.options, {}), context);
+  expect_same_bits(totals, numbers_at(operation.result, found.value.get(), "steps.T21"), "T21");
+}
+
+}  // namespace
+}  // namespace lober::operations
