@@ -19,10 +19,12 @@
 #include "cli/levels/levels_command.hpp"
 #include "cli/overlay/overlay_command.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/edit_distance.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/program/log.hpp"
 #include "cli/published/published_form.hpp"
 #include "cli/published/published_tangle.hpp"
+#include "cli/schema/schema_command.hpp"
 #include "cli/section/section_command.hpp"
 #include "cli/systems/systems_command.hpp"
 #include "cli/tangle/tangle_command.hpp"
@@ -39,28 +41,83 @@
 namespace lober::cli {
 namespace {
 
-constexpr const char* program_usage = R"(lober: exact crossings, lobes and areas of curves for phase-space transport
+struct Command {
+  std::string_view name;
+  void (*run)(const std::vector<std::string>& arguments);
+  std::string_view usage;
+};
+
+constexpr std::array commands{
+    Command{"overlay", run_overlay,
+            R"(  lober overlay C1 C2 [options]          computes crossings, lobes and areas of two closed curves
+)"},
+    Command{
+        "interior", run_interior,
+        R"(  lober interior C1 C2 [options]         computes their areas by the interior function (Q1, Q2, Q3), an independent
+                                         method
+)"},
+    Command{
+        "winding", run_winding,
+        R"(  lober winding CURVE --at POINTS        computes winding numbers and J of a closed curve about points, or on a --grid
+)"},
+    Command{
+        "densify", run_densify,
+        R"(  lober densify CURVE [AGAINST] -o FILE  inserts points where the curve is coarse or meets another one, or removes them
+)"},
+    Command{
+        "tangle", run_tangle,
+        R"(  lober tangle U S [options]             finds pips, lobes, boundary and turnstile of two manifolds, or of those of
+                                         --system NAME
+)"},
+    Command{
+        "grow", run_grow,
+        R"(  lober grow SYSTEM [options]            grows a stable or unstable manifold of a saddle from the system's equations
+)"},
+    Command{
+        "image", run_image,
+        R"(  lober image SYSTEM CURVE [options]     computes images and pre-images of a curve, a circle, a rectangle or a boundary
+)"},
+    Command{
+        "transport", run_transport,
+        R"(  lober transport SYSTEM [options]       computes lobes, turnstile and fluxes a(n) and T(n) from equations, or with
+                                         --manifolds FILE as far as two given curves reach; sweeps over a parameter
+)"},
+    Command{
+        "batch", run_batch_command,
+        R"(  lober batch run MANIFEST               computes many curves and pairs; also batch check, status, export, merge
+)"},
+    Command{
+        "escape", run_escape,
+        R"(  lober escape SYSTEM --energy E         computes orbits and tubes of a potential well, and the fractions that leave it
+                                         by crossing n
+)"},
+    Command{
+        "fixed-points", run_fixed_points,
+        R"(  lober fixed-points SYSTEM [options]    finds fixed and periodic points, with multipliers, residues and types
+)"},
+    Command{"section", run_section,
+            R"(  lober section SYSTEM [options]         follows orbits and draws their points: a Poincare section
+)"},
+    Command{
+        "levels", run_levels,
+        R"(  lober levels SYSTEM [options]          computes level curves of the energy: streamlines, potential, Hill's region
+)"},
+    Command{
+        "systems", run_systems,
+        R"(  lober systems [SYSTEM]                 lists the built-in systems; shows the parameters and manifolds of one
+)"},
+    Command{
+        "schema", run_schema,
+        R"(  lober schema [OPERATION]               prints what is in the JSON of an operation, with units and meanings
+)"},
+};
+
+constexpr std::string_view usage_before = R"(lober: exact crossings, lobes and areas of curves for phase-space transport
 
 usage:
-  lober overlay C1 C2 [options]          computes crossings, lobes and areas of two closed curves
-  lober interior C1 C2 [options]         computes their areas by the interior function (Q1, Q2, Q3), an independent
-                                         method
-  lober winding CURVE --at POINTS        computes winding numbers and J of a closed curve about points, or on a --grid
-  lober densify CURVE [AGAINST] -o FILE  inserts points where the curve is coarse or meets another one, or removes them
-  lober tangle U S [options]             finds pips, lobes, boundary and turnstile of two manifolds, or of those of
-                                         --system NAME
-  lober grow SYSTEM [options]            grows a stable or unstable manifold of a saddle from the system's equations
-  lober image SYSTEM CURVE [options]     computes images and pre-images of a curve, a circle, a rectangle or a boundary
-  lober transport SYSTEM [options]       computes lobes, turnstile and fluxes a(n) and T(n) from equations, or with
-                                         --manifolds FILE as far as two given curves reach; sweeps over a parameter
-  lober batch run MANIFEST               computes many curves and pairs; also batch check, status, export, merge
-  lober escape SYSTEM --energy E         computes orbits and tubes of a potential well, and the fractions that leave it
-                                         by crossing n
-  lober fixed-points SYSTEM [options]    finds fixed and periodic points, with multipliers, residues and types
-  lober section SYSTEM [options]         follows orbits and draws their points: a Poincare section
-  lober levels SYSTEM [options]          computes level curves of the energy: streamlines, potential, Hill's region
-  lober systems [SYSTEM]                 lists the built-in systems; shows the parameters and manifolds of one
-  lober overlay --help                   lists the options of a command, as lober help overlay
+)";
+constexpr std::string_view usage_after =
+    R"(  lober overlay --help                   lists the options of a command, as lober help overlay
   lober --version                        prints the version
 
   lober <c1> <c2> <rslt> [-DENS p n]          runs overlay with the command line and files of Lober 1.8
@@ -79,9 +136,17 @@ understood; 3 two independent routes to one quantity disagree beyond their error
 130 the command was interrupted
 )";
 
-constexpr std::array<std::string_view, 14> command_names{"overlay",      "interior", "winding",   "densify", "tangle",
-                                                         "grow",         "image",    "transport", "batch",   "escape",
-                                                         "fixed-points", "section",  "levels",    "systems"};
+std::string program_usage() {
+  std::string text(usage_before);
+  for (const Command& command : commands) text += command.usage;
+  return text += usage_after;
+}
+
+const Command* find_command(std::string_view name) {
+  const auto found =
+      std::find_if(commands.begin(), commands.end(), [&](const Command& any) { return any.name == name; });
+  return found == commands.end() ? nullptr : &*found;
+}
 
 // A misspelt name would quietly run the best copies.
 void check_instruction_set() {
@@ -92,32 +157,15 @@ void check_instruction_set() {
                    ", which is not an instruction set; set it to baseline, avx2 or avx512");
 }
 
-// The number of letters that have to be changed, left out, put in or exchanged with their neighbour to make one word of
-// the other.
-std::size_t letters_between(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
-  for (std::size_t k = 0; k <= b.size(); ++k) last[k] = k;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = i;
-    for (std::size_t k = 1; k <= b.size(); ++k) {
-      row[k] = std::min({last[k] + 1, row[k - 1] + 1, last[k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1)});
-      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1]) row[k] = std::min(row[k], before[k - 2] + 1);
-    }
-    before = last;
-    last = row;
-  }
-  return last.back();
-}
-
 // The command that a word is a slip of, or empty. The published forms take any word for a file, and the last one for a
 // file to write.
 std::string command_meant(const std::string& word) {
   std::error_code ignored;
   if (word.empty() || word.front() == '-' || std::filesystem::exists(detail::file_of_curve(word), ignored)) return {};
-  for (const std::string_view command : command_names) {
-    const std::size_t most = command.size() > 4 ? 2 : 1;
-    const bool begun = word.size() > 2 && command.starts_with(word);
-    if (begun || letters_between(word, command) <= most) return std::string(command);
+  for (const Command& command : commands) {
+    const std::size_t most = command.name.size() > 4 ? 2 : 1;
+    const bool begun = word.size() > 2 && command.name.starts_with(word);
+    if (begun || edit_distance(word, command.name) <= most) return std::string(command.name);
   }
   return {};
 }
@@ -128,9 +176,9 @@ void run_program(const std::vector<std::string>& arguments) {
   const detail::InputGuard guard;
   const std::string& first = arguments[0];
   if (first == "--help" || first == "-h" || (first == "help" && arguments.size() == 1)) {
-    print(program_usage);
+    print(program_usage());
   } else if (first == "help" && !std::filesystem::exists(first)) {  // a file could be meant, in a published form
-    if (std::find(command_names.begin(), command_names.end(), arguments[1]) == command_names.end()) {
+    if (find_command(arguments[1]) == nullptr) {
       throw UsageError("there is no command \"" + arguments[1] + "\" (see lober --help)");
     }
     std::vector<std::string> command(arguments.begin() + 1, arguments.end());
@@ -138,34 +186,8 @@ void run_program(const std::vector<std::string>& arguments) {
     run_program(command);
   } else if (first == "--version") {
     print(std::string("lober ") + version() + "\n");
-  } else if (first == "overlay") {
-    run_overlay({arguments.begin() + 1, arguments.end()});
-  } else if (first == "interior") {
-    run_interior({arguments.begin() + 1, arguments.end()});
-  } else if (first == "winding") {
-    run_winding({arguments.begin() + 1, arguments.end()});
-  } else if (first == "densify") {
-    run_densify({arguments.begin() + 1, arguments.end()});
-  } else if (first == "tangle") {
-    run_tangle({arguments.begin() + 1, arguments.end()});
-  } else if (first == "grow") {
-    run_grow({arguments.begin() + 1, arguments.end()});
-  } else if (first == "image") {
-    run_image({arguments.begin() + 1, arguments.end()});
-  } else if (first == "transport") {
-    run_transport({arguments.begin() + 1, arguments.end()});
-  } else if (first == "batch") {
-    run_batch_command({arguments.begin() + 1, arguments.end()});
-  } else if (first == "escape") {
-    run_escape({arguments.begin() + 1, arguments.end()});
-  } else if (first == "fixed-points") {
-    run_fixed_points({arguments.begin() + 1, arguments.end()});
-  } else if (first == "section") {
-    run_section({arguments.begin() + 1, arguments.end()});
-  } else if (first == "levels") {
-    run_levels({arguments.begin() + 1, arguments.end()});
-  } else if (first == "systems") {
-    run_systems({arguments.begin() + 1, arguments.end()});
+  } else if (const Command* const command = find_command(first)) {
+    command->run({arguments.begin() + 1, arguments.end()});
   } else if (const std::string meant = command_meant(first); !meant.empty()) {
     throw UsageError("\"" + first + "\" is neither a command nor a file; did you mean " + meant +
                      "? (see lober --help)");

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "cli/program/table_options.hpp"
 #include "engine/base/quantities.hpp"
 
 namespace lober::cli {
@@ -25,6 +26,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> options_o
 
 std::string with_option_names(std::string_view message) {
   std::string text(message);
+  const std::string quoted = "option \"";
+  for (std::size_t at = text.find(quoted); at != std::string::npos; at = text.find(quoted, at)) {
+    const std::size_t begin = at + quoted.size(), end = text.find('"', begin);
+    if (end == std::string::npos) break;
+    text.replace(at, end + 1 - at, option_name(text.substr(begin, end - begin)));
+  }
   for (const auto& [words, option] : options_of_quantities) {
     const std::size_t at = text.find(words);
     if (at != std::string::npos) text.insert(at + words.size(), " (" + std::string(option) + ")");

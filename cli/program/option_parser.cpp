@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/program/command_line.hpp"
+#include "cli/program/edit_distance.hpp"
 #include "cli/report/text.hpp"
 #include "lober/error.hpp"
 
@@ -20,20 +21,6 @@ std::string quoted(const std::string& text) {
   return "\"" + text + "\"";
 }
 
-// Levenshtein's distance.
-std::size_t edits_between(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, changed}));
-    }
-  }
-  return row.back();
-}
-
 // What the command does not know, and the option that is spelled nearly like it.
 std::string about_unknown(const CLI::App& app, const std::string& argument) {
   const bool number = std::isdigit(static_cast<unsigned char>(argument[argument.size() > 1 ? 1 : 0])) != 0;
@@ -43,7 +30,7 @@ std::string about_unknown(const CLI::App& app, const std::string& argument) {
   std::size_t fewest = std::max<std::size_t>(name.size() / 4, 1);
   for (const CLI::Option* const option : app.get_options()) {
     for (const std::string& known : option->get_lnames()) {
-      const std::size_t edits = edits_between(name, "--" + known);
+      const std::size_t edits = edit_distance(name, "--" + known);
       if (edits >= fewest && !(edits == fewest && nearest.empty())) continue;
       fewest = edits;
       nearest = "--" + known;
@@ -236,6 +223,7 @@ std::optional<double> number_of(const std::string& text) {
 
 // The types of values that commands have.
 template Option OptionParser::add(const char*, int&, const char*);
+template Option OptionParser::add(const char*, std::int64_t&, const char*);
 template Option OptionParser::add(const char*, std::uint32_t&, const char*);
 template Option OptionParser::add(const char*, std::uint64_t&, const char*);
 template Option OptionParser::add(const char*, double&, const char*);
@@ -245,6 +233,7 @@ template Option OptionParser::add(const char*, std::vector<int>&, const char*);
 template Option OptionParser::add(const char*, std::vector<std::string>&, const char*);
 template Option OptionParser::add(const char*, std::pair<int, int>&, const char*);
 template Option Option::range(int, int);
+template Option Option::range(std::int64_t, std::int64_t);
 template Option Option::range(std::uint64_t, std::uint64_t);
 template Option Option::range(double, double);
 

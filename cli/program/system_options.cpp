@@ -3,29 +3,16 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
+#include "engine/operations/connection_choice.hpp"
 #include "lober/error.hpp"
-#include "lober/orbits.hpp"
 
 namespace lober::cli {
 namespace {
 
 Point point_of(const std::vector<double>& numbers) {
   return {numbers[0], numbers[1]};
-}
-
-// Whether a guess means a point or one of its translates.
-bool is_copy(Point guess, Point point, Point period) {
-  const Point there = folded(guess, period, {point.x - 0.5 * period.x, point.y - 0.5 * period.y});
-  return std::hypot(there.x - point.x, there.y - point.y) < 0.1 * std::hypot(period.x, period.y);
-}
-
-// To what the coordinates of saddles, which may have been computed, are rounded.
-bool is_period_apart(const Connection& connection, Point period) {
-  const double x = connection.to.x - connection.from.x - period.x, y = connection.to.y - connection.from.y - period.y;
-  return !(period == Point{}) && std::hypot(x, y) <= 1e-9 * std::hypot(period.x, period.y);
 }
 
 }  // namespace
@@ -104,44 +91,12 @@ System system_of(const SystemRequest& request, const ParameterValues& values) {
 }
 
 Connection connection_of(const SystemRequest& request, const System& system) {
-  const bool saddles_given = !request.from.empty() || !request.to.empty();
-  if (!system.connection) {
-    std::string missing;
-    const auto need = [&](const std::vector<double>& vector, const char* option) {
-      if (vector.empty()) missing += (missing.empty() ? "" : ", ") + std::string(option);
-    };
-    need(request.from, "--from");
-    need(request.u_direction, "--u-direction");
-    need(request.s_direction, "--s-direction");
-    if (!missing.empty() && !system.no_connection.empty()) {
-      throw UsageError("system " + system.info.name + " has no tangle of its own at these parameters: " +
-                       system.no_connection + "; give other parameters, or " + missing);
-    }
-    if (!missing.empty()) {
-      throw UsageError("system " + system.info.name + " does not name the saddles of a tangle; give " + missing);
-    }
-  }
-  Connection connection = system.connection.value_or(Connection{});
-  // A bip that belongs to other saddles is not one of these manifolds.
-  if (saddles_given) {
-    connection.bip.reset();
-    connection.closure.clear();
-  }
-  if (!request.from.empty()) {
-    // The system's own tangle may join a saddle to itself a period of the plane farther, which its directions fit;
-    // other saddles are joined to themselves.
-    const Point from = point_of(request.from), period = system.lattice;
-    const bool own_directions = request.u_direction.empty() && request.s_direction.empty();
-    const bool next_cell =
-        own_directions && is_period_apart(connection, period) && is_copy(from, connection.from, period);
-    connection.from = connection.to = from;
-    if (next_cell) connection.to = {from.x + period.x, from.y + period.y};
-  }
-  if (!request.to.empty()) connection.to = point_of(request.to);
-  if (!request.u_direction.empty()) connection.u_direction = point_of(request.u_direction);
-  if (!request.s_direction.empty()) connection.s_direction = point_of(request.s_direction);
-  if (!request.bip.empty()) connection.bip = point_of(request.bip);
-  return connection;
+  const auto given = [](const std::vector<double>& numbers) {
+    return numbers.empty() ? std::nullopt : std::optional(point_of(numbers));
+  };
+  return detail::table::chosen_connection({given(request.from), given(request.to), given(request.u_direction),
+                                           given(request.s_direction), given(request.bip)},
+                                          system);
 }
 
 std::string system_text(const System& system) {

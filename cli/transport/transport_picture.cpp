@@ -67,7 +67,7 @@ Rectangle turnstile_window(const Tangle& tangle, std::span<const std::size_t> le
 void write_transport_curve(const std::string& path, const TransportReport& report) {
   PlotSeries flux{"a(n), area that crosses in step n", palette::flux, {}, true, true};
   PlotSeries total{"T(n), in all", palette::total, {}, true, true};
-  for (const TransportStep& step : report.result.steps) {
+  for (const TransportStep& step : report.result().steps) {
     flux.points.push_back({static_cast<double>(step.n), step.flux(0, 1).value});
     total.points.push_back({static_cast<double>(step.n), step.total(0, 1).value});
   }
@@ -82,7 +82,7 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   const ManifoldTangle& manifolds = report.manifolds();
   const Tangle& tangle = manifolds.tangle;
   // As the overlaps are computed: nothing is followed for longer than half of the iterates.
-  const int n = static_cast<int>(report.result.steps.size()), before = 1 + (n - 1) / 2,
+  const int n = static_cast<int>(report.result().steps.size()), before = 1 + (n - 1) / 2,
             after = std::max(0, n - 1 - (n - 1) / 2);
   const auto leaving = lobes_between(manifolds, before, 0, true), entering = lobes_between(manifolds, 1, after, false);
   const auto outwards = lobes_between(manifolds, 1, 0, true), inwards = lobes_between(manifolds, 1, 0, false);
@@ -107,12 +107,12 @@ void write_transport_picture(const std::string& path, const TransportReport& rep
   add_legend_entry(svg, view, 0, 0, line_swatch(palette::unstable, 2), "U, unstable manifold");
   add_legend_entry(svg, view, 1, 0, line_swatch(palette::stable, 2), "S, stable manifold");
   add_legend_entry(svg, view, 0, 1, line_swatch(palette::boundary, 6),
-                   "boundary, area " + rounded(report.result.regions.front().area.value));
+                   "boundary, area " + rounded(report.result().regions.front().area.value));
   add_legend_entry(svg, view, 1, 1, "<circle cx=\"13\" r=\"4\" fill=\"#222222\"/>", "pips of the turnstile");
   add_legend_entry(svg, view, 0, 2, filled_swatch(palette::leaving),
-                   "L12(1), area " + rounded(report.result.boundaries.front().flux12.value) + ", and pre-images");
+                   "L12(1), area " + rounded(report.result().boundaries.front().flux12.value) + ", and pre-images");
   add_legend_entry(svg, view, 1, 2, filled_swatch(palette::entering),
-                   "L21(1), area " + rounded(report.result.boundaries.front().flux21.value) + ", and images");
+                   "L21(1), area " + rounded(report.result().boundaries.front().flux21.value) + ", and images");
   add_legend_entry(svg, view, 0, 3, filled_swatch(palette::common), "what they have in common");
   add_legend_entry(svg, view, 1, 3, "", system_text(report.system));
   end_picture(svg);

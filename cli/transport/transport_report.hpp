@@ -12,38 +12,20 @@
 #include "cli/report/report.hpp"
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
-#include "lober/melnikov.hpp"
-#include "lober/transport.hpp"
+#include "lober/operations.hpp"
 
 namespace lober::cli {
 
-/// Lobes of the first boundary to first order in the perturbation, beside their areas.
-struct MelnikovReport {
-  std::string parameter;  ///< the size of the perturbation
-  double eps = 0;         ///< its value
-  Melnikov function;
-  Melnikov::Sides estimate, exact;  ///< exact by action, where the map has one
-};
-
-/// Throws UsageError for a system that is not a flow with a parameter eps.
-[[nodiscard]] const Parameter& perturbation_of(const System& system);
-/// Of a system with such a parameter. Throws as perturbation_of and `melnikov`.
-[[nodiscard]] Melnikov melnikov_of(const SystemRequest& request, const ParameterValues& values, const System& system,
-                                   const Connection& connection);
-
 struct TransportReport {
   System system;
-  IntegrationOptions integration;
-  Connection connection;
-  TransportOptions options;
-  Transport result;
-  std::optional<MelnikovReport> melnikov;  ///< when asked for
+  operations::Outcome outcome;
   struct {
     double transport = 0, write = 0;  ///< seconds
   } timing;
 
-  [[nodiscard]] const ManifoldTangle& manifolds() const { return result.manifolds(); }
-  [[nodiscard]] const Tangle& tangle() const { return result.manifolds().tangle; }
+  [[nodiscard]] const operations::SystemTransport& result() const { return outcome.as<operations::SystemTransport>(); }
+  [[nodiscard]] const ManifoldTangle& manifolds() const { return result().manifolds(); }
+  [[nodiscard]] const Tangle& tangle() const { return result().manifolds().tangle; }
 };
 
 /// The same from two curves of files.
@@ -67,13 +49,9 @@ struct CurvesTransportReport {
                                                       int iterates);
 
 /// What Melnikov's function says, beside the exact areas.
-[[nodiscard]] std::string melnikov_text(const MelnikovReport& report);
-[[nodiscard]] Json melnikov_json(const MelnikovReport& report);
+[[nodiscard]] std::string melnikov_text(const operations::MelnikovComparison& report);
 
 /// Writes the JSON object; `seconds_so_far` is asked when all but the timing is written.
-void write_transport_json(const std::string& path, const TransportReport& report,
-                          const std::function<double()>& seconds_so_far);
-
 void write_transport_json(const std::string& path, const CurvesTransportReport& report,
                           const std::function<double()>& seconds_so_far);
 

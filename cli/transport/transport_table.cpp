@@ -97,12 +97,12 @@ std::string interrupted_transport_table(std::span<const TransportStep> steps, co
 }
 
 std::string transport_table(const TransportReport& report) {
-  const Transport& result = report.result;
+  const operations::SystemTransport& result = report.result();
   std::string text = agreement_text(result.agreement) + system_text(report.system) + "\n";
   for (const TransportBoundary& boundary : result.boundaries) {
     text += saddles_text(*boundary.manifolds) + turnstile_text(*boundary.manifolds) + "\n";
   }
-  if (report.melnikov) text += melnikov_text(*report.melnikov) + "\n";
+  if (result.melnikov) text += melnikov_text(*result.melnikov) + "\n";
   text += regions_text(result.regions) + transport_steps_table(result.steps);
   for (const std::string& remark : result.remarks) text += with_option_names(remark) + "\n";
   return text;

@@ -17,7 +17,9 @@
 
 #include "lober/agreement.hpp"
 #include "lober/export.hpp"
+#include "lober/melnikov.hpp"
 #include "lober/point.hpp"
+#include "lober/sweep.hpp"
 #include "lober/systems.hpp"
 #include "lober/transport.hpp"
 
@@ -38,6 +40,7 @@ struct OptionSpec {
   double max = std::numeric_limits<double>::infinity();
   bool above_min = false;  ///< min itself is excluded
   bool optional = false;   ///< not there unless it is given: `fallback` says its type, `otherwise` what happens then
+  bool required = false;   ///< optional, but there has to be one
   std::string otherwise = {};
   std::string value = {};  ///< what a help calls it: "N"
 
@@ -160,11 +163,37 @@ struct Field {
                                                        std::string_view path);
 
 /// The members of an object in JSON, without the braces: numbers with the digits that give them back, null for those
-/// that are not finite; members that are not known are left out. Elements of lists of the outermost object have lines
-/// of their own.
+/// that are not finite, and for texts that there are not; other members that are not known are left out. Elements of
+/// lists of the outermost object have lines of their own.
 [[nodiscard]] LOBER_API std::string json_members(std::span<const Field> fields, const void* whole);
+/// The same as an object in one line.
+[[nodiscard]] LOBER_API std::string json_object(std::span<const Field> fields, const void* whole);
 /// A schema (JSON Schema 2020-12) of these members.
 [[nodiscard]] LOBER_API std::string json_schema(std::span<const Field> fields);
+
+// ------------------------------------------------------------------------------------------------ values of results
+
+/// Lobes of a turnstile to first order in the parameter that is the size of the system's perturbation, beside their
+/// areas.
+struct MelnikovComparison {
+  std::string parameter;
+  double eps = 0;  ///< its value
+  Melnikov function;
+  Melnikov::Sides estimate, exact;  ///< exact by action, where the map has one
+};
+/// Of "transport".
+struct SystemTransport : Transport {
+  std::optional<MelnikovComparison> melnikov{};  ///< where it was asked for
+};
+/// Of "sweep".
+struct SystemSweep : Sweep {
+  std::string parameter{};
+  std::string no_zero{};  ///< why none was found, where zeros were looked for; else empty
+  /// Of each row, where it was asked for: area of the lobes of one side to first order; NaN where it is not known.
+  std::optional<std::vector<double>> first_order{};
+  Agreement agreement{};  ///< rows that disagree are failures
+  std::vector<std::string> remarks{};
+};
 
 // ------------------------------------------------------------------------------------------------------- operations
 
@@ -187,7 +216,7 @@ struct Outcome {
   /// The options with which it was computed: those given, and those that followed from them and the inputs.
   std::vector<OptionSetting> settings;
 
-  /// For callers that know the type (docs of each operation): Transport of "transport".
+  /// For callers that know the type: SystemTransport of "transport".
   template <typename T>
   [[nodiscard]] const T& as() const {
     return *static_cast<const T*>(value.get());

@@ -25,7 +25,7 @@ bool is_period_apart(const Connection& connection, Point period) {
 void require_complete(const ConnectionChoice& choice, const System& system) {
   std::string missing;
   const auto need = [&](const std::optional<Point>& vector, const char* option) {
-    if (!vector) missing += (missing.empty() ? "" : ", ") + std::string(option);
+    if (!vector) missing += (missing.empty() ? "option \"" : ", option \"") + std::string(option) + "\"";
   };
   need(choice.from, "from");
   need(choice.u_direction, "u_direction");

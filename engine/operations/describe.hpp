@@ -153,7 +153,7 @@ struct OptionForm {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool above_min = false;
-  std::string otherwise = {};  ///< of an optional one: what is done without it
+  std::string otherwise = {};  ///< of an optional one: what is done without it; empty: it is required
   std::string value = {};
 };
 
@@ -174,6 +174,7 @@ class OptionList {
     spec.value = std::move(form.value);
     if constexpr (is_optional<Member>::value) {
       spec.optional = true;
+      spec.required = spec.otherwise.empty();
       spec.fallback = typename Member::value_type{};
     } else if constexpr (std::same_as<Member, bool> || std::floating_point<Member> ||
                          std::same_as<Member, std::string>) {
@@ -217,7 +218,7 @@ template <typename T>
 Outcome outcome_of(T value, const Options& options) {
   Outcome outcome;
   outcome.agreement = value.agreement;
-  if constexpr (requires { value.remarks; }) outcome.remarks = value.remarks;
+  outcome.remarks = value.remarks;
   outcome.settings.assign(options.settings().begin(), options.settings().end());
   outcome.value = std::make_shared<const T>(std::move(value));
   return outcome;

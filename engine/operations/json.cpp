@@ -58,7 +58,9 @@ class Members {
   }
 
   void add_value(const Field& field, const FieldValue& value) {
-    if (const auto* number = std::get_if<double>(&value)) {
+    if (std::holds_alternative<std::monostate>(value)) {
+      if (field.kind == FieldKind::text) add(field.name, "null");
+    } else if (const auto* number = std::get_if<double>(&value)) {
       add(field.name, json_number(*number));
     } else if (const auto* measured = std::get_if<Measured>(&value)) {
       add(field.name, json_number(measured->value));
@@ -88,6 +90,10 @@ class Members {
 };
 
 }  // namespace
+
+std::string json_object(std::span<const Field> fields, const void* whole) {
+  return Members::braced(fields, whole);
+}
 
 std::string json_members(std::span<const Field> fields, const void* whole) {
   Members members(true);

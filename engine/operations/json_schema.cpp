@@ -17,7 +17,7 @@ std::string type_of(FieldKind kind) {
       R"("type":["number","null"])",
       R"("type":"integer")",
       R"("type":"boolean")",
-      R"("type":"string")",
+      R"("type":["string","null"])",
       R"("type":"array","items":{"type":"string"})",
       R"("type":"array","items":{"type":["number","null"]})",
       R"("type":"array","items":{"type":"integer"})",

@@ -78,6 +78,7 @@ Options::Options(std::span<const OptionSpec> specs, std::span<const OptionSettin
   for (const OptionSpec& spec : specs) {
     if (spec.family()) continue;
     const auto given = chosen.find(spec.key);
+    if (spec.required && given == chosen.end()) refuse(spec, "is missing: the " + spec.meaning);
     if (spec.optional && given == chosen.end()) continue;
     settings_.push_back({spec.key, given != chosen.end() ? given->second : spec.fallback});
   }

@@ -25,12 +25,12 @@ SystemInput system_input(const std::string& name, const ParameterValues& values,
 
 namespace lober::detail::table {
 
-const System& system_of(std::span<const Input> inputs) {
+const SystemInput& system_of(std::span<const Input> inputs) {
   const auto* const input = inputs.size() == 1 ? std::get_if<SystemInput>(&inputs[0]) : nullptr;
   if (input == nullptr || !input->system) throw UsageError("the operation takes one system and nothing else");
   if (!input->system->map)
     throw UsageError("system " + input->system->info.name + " has no planar map, which this operation needs");
-  return *input->system;
+  return *input;
 }
 
 std::function<bool(const std::string&)> lines_to(const Context& context) {

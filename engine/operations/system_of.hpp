@@ -1,4 +1,4 @@
-// The system that an operation is about, and how its progress is told (private to operations/).
+// The system that an operation is about, and its progress (private to operations/).
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace lober::detail::table {
 using namespace operations;
 
 /// Throws UsageError unless the inputs are one system that has a planar map.
-[[nodiscard]] const System& system_of(std::span<const Input> inputs);
+[[nodiscard]] const SystemInput& system_of(std::span<const Input> inputs);
 
 /// For options whose progress takes a line; empty where nobody listens.
 [[nodiscard]] std::function<bool(const std::string&)> lines_to(const Context& context);

@@ -9,7 +9,7 @@
 namespace lober::operations {
 
 std::span<const Operation> all() {
-  static const std::array table{detail::table::transport_operation()};
+  static const std::array table{detail::table::sweep_operation(), detail::table::transport_operation()};
   return table;
 }
 

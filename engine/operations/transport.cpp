@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/operations/connection_choice.hpp"
+#include "engine/operations/melnikov.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
 #include "engine/operations/tangle_fields.hpp"
@@ -15,7 +16,8 @@ using namespace operations;
 namespace {
 
 struct How : TransportOptions {
-  bool all_regions = false;
+  std::optional<double> seconds{};
+  bool all_regions = false, melnikov = false;
 };
 
 const OptionList<How>& transport_options() {
@@ -27,17 +29,19 @@ const OptionList<How>& transport_options() {
                 "maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas are "
                 "far smaller",
                 {.min = 0, .above_min = true, .value = "D"})
-        .option("max_points", &How::max_points, "maximum number of points of each manifold", {.min = 1, .value = "N"})
+        .option("max_points", &How::max_points, "maximum number of points of each manifold",
+                {.min = 2, .max = 2147483646, .value = "N"})
         .option(
             "max_work", &How::max_work,
-            "work that growing the manifolds of one boundary may take, in evaluations of the vector field; not with "
-            "budget",
+            "work that growing the manifolds of one boundary may take, in evaluations of the vector field, where no "
+            "time is given",
             {.min = 0, .above_min = true, .value = "N"})
-        .option(
-            "budget", &How::budget,
-            "wall-clock time that growing the manifolds of one boundary may take in place of max_work, in seconds; 0: "
-            "the limit on work, which gives the same table on every machine",
-            {.min = 0, .value = "SECONDS"})
+        .option("budget", &How::seconds,
+                "wall-clock time that growing the manifolds of one boundary may take, in seconds",
+                {.min = 0,
+                 .above_min = true,
+                 .otherwise = "a limit on the work instead, which gives the same table on every machine",
+                 .value = "SECONDS"})
         .option(
             "all_regions", &How::all_regions,
             "whether to compute the transport between the regions of all boundaries that the system names (ovp: the "
@@ -45,6 +49,10 @@ const OptionList<How>& transport_options() {
         .option("particles", &How::particles,
                 "number of particles in each bounded region by which T(n) is counted, as a check",
                 {.min = 0, .max = 1e9, .value = "N"})
+        .option(
+            "melnikov", &How::melnikov,
+            "whether to compute Melnikov's function too, and the areas of lobes to first order in the parameter that "
+            "is the size of the system's perturbation (eps) beside the exact ones")
         .option("seed", &How::seed, "seed of the random numbers of the particles", {.value = "S"});
     return list;
   }();
@@ -208,26 +216,31 @@ const TransportBoundary& first_boundary(const Transport& t) {
 }
 
 std::vector<Field> transport_fields() {
-  Schema<Transport> made;
+  Schema<SystemTransport> made;
   made.object("saddles", "of the first tangle", saddles_schema(), &Transport::manifolds)
-      .object("region", "R1, inside the first boundary", region_schema(), [](const Transport& t) { return &t; })
+      .object("region", "R1, inside the first boundary", region_schema(),
+              [](const SystemTransport& t) -> const Transport* { return &t; })
       .list("regions", "R1, R2, ...", regions_schema(), &Transport::regions)
       .object("turnstile", "of the first boundary", boundary_turnstile(), first_boundary)
       .list("boundaries", "a tangle each", boundary_schema(), &Transport::boundaries)
+      .object("melnikov", "Melnikov's function, where it was asked for", melnikov_schema(),
+              [](const SystemTransport& t) { return t.melnikov ? &*t.melnikov : nullptr; })
       .field("iterates_a_step", "", "of the map; 2 where both multipliers of a saddle are negative",
              &Transport::iterates_a_step)
       .list("steps", "n = 1, 2, ...", step_schema(), &Transport::steps)
       .field("remarks", "", "what to know of the result", &Transport::remarks)
       .object("error", "error bars of T21(n) and what speaks for them", error_schema(),
-              [](const Transport& t) { return &t; })
-      .object("statistics", "of the first tangle", statistics_schema(), [](const Transport& t) { return &t; });
+              [](const SystemTransport& t) -> const Transport* { return &t; })
+      .object("statistics", "of the first tangle", statistics_schema(),
+              [](const SystemTransport& t) -> const Transport* { return &t; });
   return made.fields();
 }
 
 // ------------------------------------------------------------------------------------------------------------- run
 
 Outcome run(std::span<const Input> inputs, const Options& options, const Context& context, const Field& steps) {
-  const System& system = system_of(inputs);
+  const SystemInput& input = system_of(inputs);
+  const System& system = *input.system;
   How how = transport_options().how(options);
   const ConnectionChoice choice = connection_options().how(options);
   const Connection connection = chosen_connection(choice, system);
@@ -242,7 +255,13 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
       context.on_element(steps, &step, agreement);
     };
   }
-  Outcome outcome = outcome_of(transport(*system.map, connection, how), options);
+  if (how.seconds) how.budget = *how.seconds;
+  // First, so that a system without one is refused before the work.
+  std::optional<Melnikov> function;
+  if (how.melnikov) function = melnikov_of(input, {}, system, connection);
+  SystemTransport found{transport(*system.map, connection, how)};
+  if (function) found.melnikov = melnikov_comparison(std::move(*function), system, found.manifolds());
+  Outcome outcome = outcome_of(std::move(found), options);
   add_settings(outcome.settings, connection);
   return outcome;
 }

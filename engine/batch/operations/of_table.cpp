@@ -10,11 +10,10 @@ namespace lober::detail {
 namespace {
 
 operations::SystemInput system_input_of(const Options& options, double integration_tolerance) {
-  operations::SystemInput input;
-  input.system = std::make_shared<const System>(
-      system_of(options.text("system"), options.reals_of("parameters"), integration_tolerance));
-  input.integration.tolerance = integration_tolerance;
-  return input;
+  IntegrationOptions integration;
+  integration.tolerance = integration_tolerance;
+  (void)system_of(options.text("system"), {}, integration_tolerance);  // refuses what is not for manifests
+  return operations::system_input(options.text("system"), options.reals_of("parameters"), integration);
 }
 
 // Those of the system are refused before the first job; a member of a grid that has no tangle fails alone.
@@ -80,11 +79,23 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
                         1e-16,
                         1e-2}};
   operation.options.insert(operation.options.end(), entry.options.begin(), entry.options.end());
+  // Options are read one by one: whether those are there that have to be is looked at when all are known.
+  std::vector<OptionSpec> required;
+  for (OptionSpec& spec : operation.options) {
+    if (!spec.required) continue;
+    required.push_back(spec);
+    spec.required = false;
+  }
   for (const auto& [name, path] : job.columns) {
     operation.columns.push_back({name, is_count(entry.result, path) ? Column::Kind::count : Column::Kind::real});
   }
   for (const auto& [name, path] : job.lists) operation.lists.push_back(name);
-  operation.check = check_system;
+  operation.check = [required](const Options& options) {
+    for (const OptionSpec& spec : required) {
+      if (options.find(spec.key) == nullptr) throw UsageError(spec.key + ": is missing: the " + spec.meaning);
+    }
+    check_system(options);
+  };
   operation.requirements = [](const Options&) { return Requirements{}; };
   operation.run = [&entry, job](const JobCurves& curves, const Options& options) {
     return run(entry, job, curves, options);

@@ -9,6 +9,7 @@ namespace lober::detail {
 [[nodiscard]] Operation overlay_operation();
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation densify_operation();
+[[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation tangle_operation();
 [[nodiscard]] Operation transport_operation();
 

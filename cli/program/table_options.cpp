@@ -1,0 +1,105 @@
+#include "cli/program/table_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lober/error.hpp"
+
+namespace lober::cli {
+namespace {
+
+using operations::OptionSpec;
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+// "The number of iterates n up to which the table goes (default: 7)."
+std::string help_of(const OptionSpec& spec) {
+  const std::string whether = "whether to ";
+  if (spec.meaning.starts_with(whether)) return capitalised(spec.meaning.substr(whether.size())) + ".";
+  const bool is_point = std::holds_alternative<Point>(spec.fallback);
+  const std::size_t aside = std::min(spec.meaning.find(';'), spec.meaning.size());
+  const std::string otherwise = spec.optional ? spec.otherwise : operations::to_string(spec.fallback);
+  std::string text = (is_point ? "A " : "The ") + spec.meaning.substr(0, aside);
+  if (!otherwise.empty()) text += " (default: " + otherwise + ")";
+  return text + spec.meaning.substr(aside) + ".";
+}
+
+void limit(Option option, const OptionSpec& spec) {
+  if (std::holds_alternative<double>(spec.fallback)) {
+    if (spec.above_min && spec.min == 0) option.positive();
+    if (!spec.above_min && spec.min == 0 && std::isinf(spec.max)) option.not_negative();
+    if (std::isfinite(spec.min) && std::isfinite(spec.max)) option.range(spec.min, spec.max);
+  } else if (std::isfinite(spec.min) && std::isfinite(spec.max)) {
+    option.range(static_cast<std::int64_t>(spec.min), static_cast<std::int64_t>(spec.max));
+  }
+}
+
+}  // namespace
+
+std::string option_name(const std::string& key) {
+  std::string name = "--" + key;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+TableOptions::TableOptions(OptionParser& parser, const operations::Operation& operation) {
+  for (const OptionSpec& spec : operation.options) add(parser, spec);
+}
+
+void TableOptions::add(OptionParser& parser, const OptionSpec& spec) {
+  const std::string name = option_name(spec.key), help = help_of(spec);
+  const auto add_as = [&](auto value) {
+    auto& stored = std::get<decltype(value)>(values_.emplace_back(spec.key, std::move(value)).second);
+    if constexpr (std::is_same_v<decltype(value), bool>) {
+      return parser.add_flag(name.c_str(), stored, help.c_str());
+    } else {
+      return parser.add(name.c_str(), stored, help.c_str());
+    }
+  };
+  Option option = std::holds_alternative<bool>(spec.fallback)           ? add_as(false)
+                  : std::holds_alternative<std::int64_t>(spec.fallback) ? add_as(std::int64_t{0})
+                  : std::holds_alternative<double>(spec.fallback)       ? add_as(0.0)
+                  : std::holds_alternative<Point>(spec.fallback)        ? add_as(std::vector<double>{})
+                                                                        : add_as(std::string{});
+  if (std::holds_alternative<Point>(spec.fallback)) {
+    option.comma_separated().count(2).value("X,Y");
+  } else if (!spec.value.empty()) {
+    option.value(spec.value.c_str());
+  }
+  limit(option, spec);
+  if (spec.required) option.required();
+  options_.emplace(spec.key, option);
+}
+
+std::vector<operations::OptionSetting> TableOptions::settings() const {
+  std::vector<operations::OptionSetting> settings;
+  for (const auto& [key, stored] : values_) {
+    if (!options_.at(key).given()) continue;
+    settings.push_back({key, std::visit(
+                                 [](const auto& value) -> operations::OptionValue {
+                                   if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
+                                     return Point{value[0], value[1]};
+                                   } else {
+                                     return value;
+                                   }
+                                 },
+                                 stored)});
+  }
+  return settings;
+}
+
+operations::Options checked_options(const operations::Operation& operation,
+                                    const std::vector<operations::OptionSetting>& settings) {
+  try {
+    return {operation.options, settings};
+  } catch (const UsageError& error) {
+    const std::string text = error.what();
+    const std::size_t colon = std::min(text.find(": "), text.size());
+    throw UsageError(option_name(text.substr(0, colon)) + text.substr(colon));
+  }
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,43 @@
+// The options of an operation of the table (lober/operations.hpp) on the command line: max_points is --max-points.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/program/option_parser.hpp"
+#include "lober/operations.hpp"
+
+namespace lober::cli {
+
+class TableOptions {
+ public:
+  /// Adds all of them, with help from the table. Has to stay where it is until the parser has parsed.
+  TableOptions(OptionParser& parser, const operations::Operation& operation);
+  TableOptions(const TableOptions&) = delete;
+  TableOptions& operator=(const TableOptions&) = delete;
+
+  /// To say more about one; the key has to be one of the table.
+  [[nodiscard]] Option operator[](const std::string& key) const { return options_.at(key); }
+  /// Those that were given.
+  [[nodiscard]] std::vector<operations::OptionSetting> settings() const;
+
+ private:
+  using Storage = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
+
+  void add(OptionParser& parser, const operations::OptionSpec& spec);
+
+  std::deque<std::pair<std::string, Storage>> values_;  // parsed into, so that they stay in place
+  std::map<std::string, Option> options_;
+};
+
+/// "--max-points" of "max_points".
+[[nodiscard]] std::string option_name(const std::string& key);
+
+/// The settings as the operation takes them. Throws UsageError with the names that they have here.
+[[nodiscard]] operations::Options checked_options(const operations::Operation& operation,
+                                                  const std::vector<operations::OptionSetting>& settings);
+
+}  // namespace lober::cli

@@ -1,0 +1,42 @@
+#include "cli/report/outcome_json.hpp"
+
+#include <algorithm>
+
+#include "cli/report/agreement_report.hpp"
+
+namespace lober::cli {
+namespace {
+
+Json setting_json(const operations::OptionValue& value) {
+  if (const auto* const point = std::get_if<Point>(&value)) return {point->x, point->y};
+  if (const auto* const flag = std::get_if<bool>(&value)) return *flag;
+  if (const auto* const whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* const real = std::get_if<double>(&value)) return number_json(*real);
+  return std::get<std::string>(value);
+}
+
+}  // namespace
+
+void write_outcome_json(const std::string& path, std::string_view command,
+                        const std::vector<std::pair<std::string, Json>>& inputs, const operations::Operation& operation,
+                        const operations::Outcome& outcome, const std::function<Json()>& timing) {
+  JsonFile json(path, command);
+  add_agreement(json, outcome.agreement);
+  for (const auto& [name, value] : inputs) json.member(name, value);
+  Json options = Json::object();
+  for (const operations::OptionSetting& setting : outcome.settings) options[setting.key] = setting_json(setting.value);
+  json.member("options", options);
+  json.file().write(json_members(operation.result, outcome.value.get()) + ",\n");
+  json.finish(timing());
+}
+
+const operations::Field& field_of(const operations::Operation& operation, std::string_view name) {
+  return *std::find_if(operation.result.begin(), operation.result.end(),
+                       [&](const operations::Field& field) { return field.name == name; });
+}
+
+std::string element_json(const operations::Field& list, const void* element) {
+  return operations::json_object(list.members, element);
+}
+
+}  // namespace lober::cli

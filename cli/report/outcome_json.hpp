@@ -1,0 +1,25 @@
+// The JSON object of an operation of the table.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/report/json_file.hpp"
+#include "lober/operations.hpp"
+
+namespace lober::cli {
+
+/// `inputs`: members that say what it was run with. `timing` is asked for when all but that is written.
+void write_outcome_json(const std::string& path, std::string_view command,
+                        const std::vector<std::pair<std::string, Json>>& inputs, const operations::Operation& operation,
+                        const operations::Outcome& outcome, const std::function<Json()>& timing);
+
+/// A field of a result by its name, which has to be there.
+[[nodiscard]] const operations::Field& field_of(const operations::Operation& operation, std::string_view name);
+
+/// One element of a list, in one line.
+[[nodiscard]] std::string element_json(const operations::Field& list, const void* element);
+
+}  // namespace lober::cli

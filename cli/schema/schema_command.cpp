@@ -1,0 +1,30 @@
+#include "cli/schema/schema_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "cli/program/command_line.hpp"
+#include "cli/program/option_parser.hpp"
+#include "cli/report/json.hpp"
+#include "lober/operations.hpp"
+
+namespace lober::cli {
+
+void run_schema(const std::vector<std::string>& arguments) {
+  std::string name;
+  OptionParser parser(
+      "Prints the JSON Schema of what an operation writes beside program, command, agreement, inputs, options and "
+      "timing; "
+      "without a name, the operations that there are.",
+      "lober schema");
+  parser.add("OPERATION", name, "The name of an operation.");
+  if (!parser.parse(arguments)) return;
+  if (name.empty()) {
+    std::string list;
+    for (const operations::Operation& operation : operations::all())
+      list += fmt::format("{:<10} {}\n", operation.name, operation.title);
+    return print(list);
+  }
+  print(Json::parse(json_schema(operations::named(name).result)).dump(1) + "\n");
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,11 @@
+// `lober schema`: what is in the JSON of operations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lober::cli {
+
+void run_schema(const std::vector<std::string>& arguments);
+
+}  // namespace lober::cli

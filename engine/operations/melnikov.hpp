@@ -1,0 +1,24 @@
+// Melnikov's function of a system, beside what its tangle has (private to operations/).
+#pragma once
+
+#include "engine/operations/describe.hpp"
+#include "lober/melnikov.hpp"
+
+namespace lober::detail::table {
+using namespace operations;
+
+/// The parameter that is the size of the system's perturbation. Throws UsageError for one that is not a flow with such
+/// a parameter.
+[[nodiscard]] const Parameter& perturbation_of(const System& system);
+
+/// Of a system with such a parameter, as it is with `values` of others. Throws as `perturbation_of` and `melnikov`.
+[[nodiscard]] Melnikov melnikov_of(const SystemInput& input, const ParameterValues& values, const System& system,
+                                   const Connection& connection);
+
+/// With sums of the lobes of the turnstile, by action where the map has one.
+[[nodiscard]] MelnikovComparison melnikov_comparison(Melnikov function, const System& system,
+                                                     const ManifoldTangle& manifolds);
+
+[[nodiscard]] const Schema<MelnikovComparison>& melnikov_schema();
+
+}  // namespace lober::detail::table
