@@ -89,6 +89,8 @@ struct Rows {
       columns = std::max<std::size_t>(wholes->size(), 1);
     } else if (const auto* point = std::get_if<Point>(&value)) {
       doubles.insert(doubles.end(), {point->x, point->y});
+    } else if (const auto* points = std::get_if<std::vector<Point>>(&value)) {
+      for (const Point one : *points) doubles.insert(doubles.end(), {one.x, one.y});
     } else if (const auto* matrix = std::get_if<ops::Matrix>(&value)) {
       for (const Measured& entry : matrix->entries) doubles.insert(doubles.end(), {entry.value, entry.error});
       columns = std::max<std::size_t>(2 * matrix->entries.size(), 1);
@@ -107,7 +109,8 @@ void add_rows(lober_result& result, const std::string& name, const ops::Field& f
   if (field.kind == Kind::text || field.kind == Kind::lines) return result.add(name, lines_of(rows.texts));
   if (field.kind == Kind::whole || field.kind == Kind::flag || field.kind == Kind::wholes)
     return result.add(name, std::move(rows.integers), rows.columns);
-  const bool pair = field.kind == Kind::point || (field.kind == Kind::number && !field.bar.empty());
+  const bool pair =
+      field.kind == Kind::point || field.kind == Kind::points || (field.kind == Kind::number && !field.bar.empty());
   result.add(name, std::move(rows.doubles), pair ? 2 : rows.columns);
 }
 

@@ -130,6 +130,7 @@ enum class FieldKind : std::uint8_t {
   matrix,   ///< numbers, row by row, with or without bars
   object,   ///< named fields
   list,     ///< objects with the same fields
+  points,   ///< of a curve; not in JSON
 };
 
 struct Matrix {
@@ -140,7 +141,7 @@ struct Matrix {
 /// Nothing: not known, or not asked for.
 using FieldValue =
     std::variant<std::monostate, double, Measured, std::int64_t, bool, std::string, std::vector<std::string>,
-                 std::vector<double>, std::vector<std::int64_t>, Point, Matrix>;
+                 std::vector<double>, std::vector<std::int64_t>, Point, std::vector<Point>, Matrix>;
 
 /// A part of a result: what it is called and means, and how it is got out of an object of the type it belongs to.
 struct Field {

@@ -42,6 +42,8 @@ constexpr FieldKind kind_of() {
     return FieldKind::wholes;
   } else if constexpr (std::same_as<T, Point>) {
     return FieldKind::point;
+  } else if constexpr (std::same_as<T, std::vector<Point>>) {
+    return FieldKind::points;
   } else if constexpr (std::same_as<T, RegionMatrix>) {
     return FieldKind::matrix;
   } else {

@@ -157,7 +157,9 @@ Schema<TransportBoundary> boundary_schema() {
              "of what it encloses; where it runs round a cylinder, above the line along the lattice",
              &Boundary::enclosed)
       .field("point_error", "length", "how far the manifolds may lie beside the true ones by integration and rounding",
-             &Boundary::point_error);
+             &Boundary::point_error)
+      .field("outline", "length", "the polygon of the boundary",
+             [](const Boundary& b) { return boundary_curve(*b.manifolds); });
   return made;
 }
 

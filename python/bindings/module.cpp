@@ -25,6 +25,7 @@ PYBIND11_MODULE(_lober, module) {
   bind_fixed_points(module);
   bind_manifolds(module);
   bind_transport(module);
+  bind_operations(module);
   bind_escape(module);
   seal_classes(module);
 }

@@ -152,6 +152,20 @@ py::tuple connection_parts(const Connection& connection) {
                         pair_of(connection.s_direction), bip, py::tuple(corners));
 }
 
+namespace {
+
+// The same system with the tangle that the caller means in place of its own.
+SystemHandle with_connection(const System& system, const py::tuple& parts) {
+  auto made = std::make_shared<System>(system);
+  made->connection = connection_from(parts);
+  made->no_connection.clear();
+  made->further.clear();
+  made->further_needed = false;
+  return made;
+}
+
+}  // namespace
+
 void bind_systems(py::module_& module) {
   py::class_<System, SystemHandle>(module, "System")
       .def_property_readonly("info", [](const System& system) { return info_of(system.info); })
@@ -178,6 +192,7 @@ void bind_systems(py::module_& module) {
       .def("connect",
            [](System& system, const py::tuple& connection) { system.connection = connection_from(connection); })
       .def_property_readonly("saddles", saddles_of);
+  module.def("with_connection", with_connection, py::arg("system"), py::arg("connection"));
   module.def("systems", list);
   module.def("system", make_system, py::arg("name"), py::arg("values"), py::arg("tolerance"));
   module.def("images", iterated, py::arg("system"), py::arg("points").noconvert(), py::arg("iterates"),

@@ -46,10 +46,11 @@ from ._regions import RegionPieces, Regions, regions
 from ._symbolic import equations, hamiltonian
 from ._systems import Connection, Parameter, System, SystemInfo, system, systems
 from ._tangle import Boundary, Lobes, Tangle, TangleErrors, tangle
+from ._generated import Sweep, sweep
+from ._measured import Measured
 from ._transport import (
     Bottleneck,
     Escape,
-    Measured,
     Region,
     SystemTangle,
     Transport,
@@ -99,6 +100,7 @@ __all__ = [
     "SystemTangle",
     "Tangle",
     "TangleErrors",
+    "Sweep",
     "Transport",
     "TransportBoundary",
     "UsageError",
@@ -130,6 +132,7 @@ __all__ = [
     "system",
     "systems",
     "tangle",
+    "sweep",
     "transport",
     "winding",
     "write",

@@ -295,20 +295,15 @@ def grow_tangle(
     threads: int,
     progress: _Progress,
 ) -> tuple[Tangle, dict[str, Any]]: ...
-def transport(
-    system: System,
-    connection: tuple[Any, ...],
-    bip_near: _Pair | None,
-    further: list[tuple[Any, ...]],
-    iterates: int,
-    tolerance: float,
-    max_points: int,
-    max_work: float,
-    particles: int,
-    seed: int,
+def call(
+    name: str,
+    inputs: list[Any],
+    settings: dict[str, Any],
     threads: int,
     progress: _Progress,
-) -> dict[str, Any]: ...
+) -> tuple[dict[str, Any], list[tuple[Any, ...]], list[str]]: ...
+def table() -> list[dict[str, Any]]: ...
+def with_connection(system: System, connection: tuple[Any, ...]) -> System: ...
 def escape(
     system: System,
     energy: float,

@@ -93,6 +93,14 @@ class System:
     def __reduce__(self) -> tuple[Any, ...]:
         return self._call
 
+    def _named(self) -> tuple[str | None, dict[str, float], float]:
+        """Name, parameters and tolerance that make this system; no name where it was made in another way."""
+        function, arguments = self._call
+        if function is not _system_of:
+            return None, {}, 0.0
+        name, values, tolerance = arguments
+        return name, values, tolerance
+
     @property
     def name(self) -> str:
         return self._of.info[0]
@@ -195,26 +203,11 @@ def system_of(given: Any) -> System:
     raise TypeError(f"a system or its name is needed, not {type(given).__name__}")
 
 
-@dataclass(frozen=True)
-class TangleChoice:
-    """Which tangles of a system a call is about."""
-
-    connection: Connection
-    #: Where the caller wants the bip; None where the one of the connection is a hint, which may be far from any pip.
-    bip_near: Pair | None
-    further: tuple[Connection, ...]
-
-
-def choice_of(given: System, connection: Connection | None, all_regions: bool = False) -> TangleChoice:
-    """The one place that turns a system and what a caller says into options, as the program does (further_of and --bip)."""
+def is_own(given: System, connection: Connection | None) -> bool:
+    """Whether a connection is that which the system is known for."""
     own = given.connection
     # Compared as numbers: a caller's may be arrays.
-    if connection is not None and (own is None or connection._parts() != own._parts()):
-        return TangleChoice(connection, connection.bip, ())
-    chosen = connection_of(given, own)
-    takes_further = all_regions or given._of.further_needed
-    further = tuple(Connection(*parts) for parts in given._of.further) if takes_further else ()
-    return TangleChoice(chosen, None, further)
+    return connection is None or (own is not None and connection._parts() == own._parts())
 
 
 def connection_of(given: System, connection: Connection | None) -> Connection:

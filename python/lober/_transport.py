@@ -12,21 +12,12 @@ from . import _lober
 from ._agreement import Agreement, agreement_of
 from ._areas import html_table
 from ._arrays import Points
+from ._call import call
+from ._measured import Measured
 from ._progress import Progress, watching
-from ._systems import Connection, Pair, System, choice_of, system_of
+from ._systems import Connection, Pair, System, connection_of, is_own, system_of
 from ._tangle import Tangle
 from .errors import UsageError
-
-
-@dataclass(frozen=True)
-class Measured:
-    """A value, or an array of values, and an estimate of what it may be wrong by, on the safe side."""
-
-    value: Any
-    error: Any
-
-    def __str__(self) -> str:
-        return f"{self.value} +- {self.error}"
 
 
 @dataclass(frozen=True)
@@ -101,12 +92,14 @@ def manifold_tangle(
     vector field. Raises DataError where there is no tangle within the limits, UsageError, Cancelled.
     """
     made = system_of(system)
-    choice = choice_of(made, connection)
+    chosen = connection_of(made, connection)
+    # A bip of a connection of the caller's is insisted on; that of the system is a hint, which may be far from any pip.
+    bip_near = None if is_own(made, connection) else chosen.bip
     with watching(progress, "tangle") as callback:
         found, more = _lober.grow_tangle(
             made._of,
-            choice.connection._parts(),
-            choice.bip_near,
+            chosen._parts(),
+            bip_near,
             tolerance,
             before,
             after,
@@ -126,7 +119,7 @@ def manifold_tangle(
         "max_points": max_points,
         "max_work": max_work,
     }
-    return SystemTangle(found, more, ("manifold_tangle", (made, connection), options), made, choice.connection)
+    return SystemTangle(found, more, ("manifold_tangle", (made, connection), options), made, chosen)
 
 
 @dataclass(frozen=True)
@@ -206,39 +199,46 @@ def transport(
     Cancelled.
     """
     made = system_of(system)
-    choice = choice_of(made, connection, all_regions)
-    with watching(progress, "transport") as callback:
-        found = _lober.transport(
-            made._of,
-            choice.connection._parts(),
-            choice.bip_near,
-            [other._parts() for other in choice.further],
-            iterates,
-            tolerance,
-            max_points,
-            max_work,
-            particles,
-            seed,
-            threads,
-            callback,
-        )
+    settings = {
+        "iterates": iterates,
+        "tolerance": tolerance,
+        "particles": particles,
+        "seed": seed,
+        "all_regions": all_regions,
+        "max_points": max_points,
+        "max_work": max_work,
+        # That of a connection of the caller's is insisted on.
+        "bip": connection.bip if connection is not None and not is_own(made, connection) else None,
+    }
+    found, comparisons = call("transport", made, settings, threads, progress, connection)
+    steps = found["steps"]
+    counted = steps["T_ij_by_particles"]
     return Transport(
-        np.arange(1, found["n"] + 1),
-        [Region(Measured(*area), bounded) for area, bounded in found["regions"]],
+        steps["n"],
+        [Region(Measured(*area), bool(bounded)) for bounded, *area in zip(found["regions"]["bounded"], *found["regions"]["area"])],
         [_boundary(entry) for entry in found["boundaries"]],
-        Measured(*found["flux"]),
-        Measured(*found["total"]),
-        Measured(*found["by_boundaries"]),
-        Measured(*found["by_particles"]),
+        Measured(*steps["a_ij"]),
+        Measured(*steps["T_ij"]),
+        Measured(*steps["T_ij_by_boundaries"]),
+        Measured(*(counted or (np.full_like(steps["T_ij"][0], np.nan),) * 2)),
         found["iterates_a_step"],
         found["remarks"],
-        agreement_of(found["comparisons"]),
+        agreement_of(comparisons),
     )
 
 
 def _boundary(entry: dict[str, Any]) -> TransportBoundary:
-    pairs = ("enclosed", "flux12", "flux21", "lobe_area12", "lobe_area21")
-    return TransportBoundary(**{key: Measured(*value) if key in pairs else value for key, value in entry.items()})
+    turnstile = entry["turnstile"]
+    return TransportBoundary(
+        Measured(*entry["enclosed"]),
+        Measured(*turnstile["flux12"]),
+        Measured(*turnstile["flux21"]),
+        Measured(*turnstile["lobe_area12"]),
+        Measured(*turnstile["lobe_area21"]),
+        turnstile["lobe_area12_by_action"],
+        turnstile["lobe_area21_by_action"],
+        entry["outline"],
+    )
 
 
 @dataclass(frozen=True)

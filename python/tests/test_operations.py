@@ -1,0 +1,55 @@
+"""Operations of the engine's table."""
+
+import numpy as np
+import pytest
+
+import lober
+from lober import _generate, _lober
+
+
+def test_generated_functions_are_those_of_the_table():
+    """python -m lober._generate > python/lober/_generated.py makes them anew."""
+    with open(lober._generated.__file__, encoding="utf-8") as file:
+        assert file.read() == _generate.text()
+
+
+def test_each_operation_has_a_function():
+    for operation in _lober.table():
+        assert callable(getattr(lober, operation["name"]))
+
+
+def test_sweep():
+    found = lober.sweep("henon", range="k=0.9:1.1:0.1", tolerance=1e-4, find_zeros=True)
+    assert found.parameter == "k" and found.failures == 0 and found.agreement
+    assert found.rows.value.tolist() == [0.9, 1.0, 1.1]
+    assert len(found.zeros.value) == 0 and "does not change sign" in found.no_zero
+    for k, row in zip(found.rows.value, found.rows.flux21.value):
+        one = lober.transport(lober.system("henon", k=k), iterates=1, tolerance=1e-4)
+        assert row == pytest.approx(one.boundaries[0].flux21.value, rel=1e-6)
+    assert found.rows.from_.shape == (3, 2)
+
+
+def test_sweep_keeps_what_works():
+    found = lober.sweep("henon", range="k=-2:0.5:1.25", tolerance=1e-4)
+    assert found.failures == 1 and "no fixed points" in found.rows.failure[0] and found.rows.failure[1] is None
+    assert np.isnan(found.rows.flux12.value[0]) and np.isfinite(found.rows.flux12.value[1:]).all()
+    assert np.isnan(found.rows.from_[0]).all()
+
+
+def test_melnikov():
+    found = lober.sweep("duffing", range="eps=0.01:0.01:1", tolerance=1e-4, melnikov=True)
+    amplitude = np.sqrt(2) * np.pi / np.cosh(np.pi / 2)
+    assert found.rows.first_order[0] == pytest.approx(0.02 * amplitude, abs=1e-10)
+
+
+def test_what_makes_no_sense_is_refused():
+    with pytest.raises(lober.UsageError, match="FIRST:LAST:STEP"):
+        lober.sweep("henon", range="k=1:2")
+    with pytest.raises(lober.UsageError, match="tolerance: has to be above 0"):
+        lober.sweep("henon", range="k=1:2:0.5", tolerance=0)
+    with pytest.raises(lober.UsageError, match="has to be a number, not the text|has to be a number"):
+        lober.sweep("henon", range="k=1:2:0.5", tolerance="1e-3")
+    with pytest.raises(lober.UsageError, match="has to be a whole number"):
+        lober.transport("henon", iterates=1.5)
+    with pytest.raises(lober.UsageError, match="whose parameters can be changed"):
+        lober.sweep(lober.map(lambda x, y: (x + y, y), name="shear"), range="k=1:2:1")
