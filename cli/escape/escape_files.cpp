@@ -33,12 +33,12 @@ std::vector<Point> orbit_positions(const Flow& flow, const PeriodicOrbit& orbit)
 }  // namespace
 
 void write_escape_curves(const std::string& path, const EscapeReport& report) {
-  const std::vector<std::string> names = bottleneck_names(report.result);
+  const std::vector<std::string> names = bottleneck_names(report.result());
   std::vector<Zone> zones;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    zones.push_back({"orbit " + names[k], orbit_positions(*report.flow, report.result.bottlenecks[k].orbit)});
-    add_zones(zones, "entrance " + names[k], "f^", report.result.bottlenecks[k].entry);
-    add_zones(zones, "exit " + names[k], "f^-", report.result.bottlenecks[k].exit);
+    zones.push_back({"orbit " + names[k], orbit_positions(*report.flow, report.result().bottlenecks[k].orbit)});
+    add_zones(zones, "entrance " + names[k], "f^", report.result().bottlenecks[k].entry);
+    add_zones(zones, "exit " + names[k], "f^-", report.result().bottlenecks[k].exit);
   }
   write_tecplot(path, zones, ZoneLines::always);
 }

@@ -101,14 +101,14 @@ std::string overlaps_path(const View& view, const Escape& result) {
 }  // namespace
 
 std::string escape_picture(const EscapeReport& report) {
-  const std::vector<Drawn> curves = curves_on_section(report.result);
+  const std::vector<Drawn> curves = curves_on_section(report.result());
   if (curves.empty()) throw DataError("no curve crosses the section in its direction");
   Rectangle window;
   for (const Drawn& drawn : curves) window = include(window, drawn.curve.points);
   const View view(window);
   std::string svg;
   begin_picture(svg, view, "Tubes of " + report.system.name + " on a section", 2);
-  add_filled(svg, common_colour, "nonzero", overlaps_path(view, report.result));
+  add_filled(svg, common_colour, "nonzero", overlaps_path(view, report.result()));
   // First curves are thick, later images thinner.
   for (const Drawn& drawn : curves) {
     add_stroked(svg, drawn.entry ? entry_colour : exit_colour, drawn.image == 0 ? 2.2 : 1.0,

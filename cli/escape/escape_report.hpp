@@ -1,30 +1,29 @@
 // What `lober escape` has found, and how it is shown.
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "lober/monte_carlo.hpp"
-#include "lober/systems.hpp"
+#include "engine/operations/escape_choice.hpp"
+#include "lober/operations.hpp"
 
 namespace lober::cli {
 
 struct EscapeReport {
   SystemInfo system;  ///< with the values chosen
   std::shared_ptr<const Flow> flow;
-  EscapeOptions options;
-  Escape result;  ///< without table when no crossings were asked for
-  std::optional<MonteCarlo> check;
-  MonteCarloOptions check_options;
-  bool lists_counts = false;  ///< of the check, beside its largest deviation
-  double escape_seconds = 0, check_seconds = 0;
+  operations::Outcome outcome;
+  operations::Options options;
+  bool lists_counts = false;  ///< of the check by trajectories, beside its largest deviation
+  double escape_seconds = 0;
+
+  /// Without table when no crossings were asked for.
+  [[nodiscard]] const operations::SystemEscape& result() const { return outcome.as<operations::SystemEscape>(); }
+  [[nodiscard]] int crossings_asked() const { return static_cast<int>(options.whole("crossings")); }
 };
 
-/// "left" and "right" when there is one bottleneck on either side of the section, else "1", "2", ...
-[[nodiscard]] std::vector<std::string> bottleneck_names(const Escape& result);
+using detail::table::bottleneck_names;
 
 /// Orbits and tubes.
 [[nodiscard]] std::string escape_heading(const std::string& system, const Escape& result);
@@ -34,10 +33,6 @@ struct EscapeReport {
 [[nodiscard]] std::string escape_summary(const EscapeReport& report);
 /// "n = 1..3 of 7: the next image needs 4e+07 points (--max-points 2000000)"
 [[nodiscard]] std::string stop_text(const EscapeReport& report);
-
-/// `seconds_so_far` is asked last, for the member `timing`.
-void write_escape_json(const std::string& path, const EscapeReport& report,
-                       const std::function<double()>& seconds_so_far);
 
 /// The periodic orbits as 256 points of position each, "orbit left", "orbit right", and all curves as zones: "entrance
 /// left", "entrance left f^1", ..., "exit left", "exit left f^-1", ...; f is the map to the next crossing, in either

@@ -41,18 +41,6 @@ std::string orbits_text(const Escape& result, const std::vector<std::string>& na
 
 }  // namespace
 
-std::vector<std::string> bottleneck_names(const Escape& result) {
-  const auto axis = static_cast<std::size_t>(result.section.coordinate);
-  const auto& bottlenecks = result.bottlenecks;
-  if (bottlenecks.size() == 2 && bottlenecks[0].orbit.saddle.at[axis] < result.section.value &&
-      bottlenecks[1].orbit.saddle.at[axis] > result.section.value) {
-    return {"left", "right"};
-  }
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < bottlenecks.size(); ++k) names.push_back(std::to_string(k + 1));
-  return names;
-}
-
 std::string escape_heading(const std::string& system, const Escape& result) {
   return fmt::format("{}, energy {:.15g}\n{}", system, result.energy, orbits_text(result, bottleneck_names(result)));
 }
@@ -72,9 +60,9 @@ std::string escape_rows(const Escape& result, int n) {
 }
 
 std::string escape_summary(const EscapeReport& report) {
-  const Escape& result = report.result;
+  const operations::SystemEscape& result = report.result();
   const std::vector<std::string> names = bottleneck_names(result);
-  if (report.options.crossings == 0) return {};
+  if (report.crossings_asked() == 0) return {};
   std::string text;
   if (result.stop != EscapeStop::done) text += "\n" + stop_text(report) + "\n";
   for (std::size_t entry = 0; entry < names.size(); ++entry) {
@@ -92,33 +80,33 @@ std::string escape_summary(const EscapeReport& report) {
     text += fmt::format("\nlargest difference between two splits of one fraction: {:.0e} %\n",
                         100 * result.largest_split_difference);
   }
-  if (!report.check) return text;
+  if (!result.counted) return text;
   if (report.lists_counts)
     text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "counted, %");
   for (std::size_t k = 0; report.lists_counts && k < result.table.size(); ++k) {
     const EscapeFraction& row = result.table[k];
-    const MonteCarloFraction& counted = report.check->table[k];
+    const MonteCarloFraction& counted = result.counted->table[k];
     text += fmt::format("{:>4}  {:<10} {:<10} {:>28}\n", row.crossings, names[row.entry], names[row.exit],
                         percent(counted.fraction, counted.standard_error));
   }
   text +=
       fmt::format("{} trajectories from each entrance, {} {}: largest deviation {:.2f} standard errors\n",
-                  report.check->trajectories, report.check->lost,
-                  result.also_open.empty() ? "lost" : "lost or left by other ways", report.check->largest_deviation);
+                  result.counted->trajectories, result.counted->lost,
+                  result.also_open.empty() ? "lost" : "lost or left by other ways", result.counted->largest_deviation);
   return text;
 }
 
 std::string stop_text(const EscapeReport& report) {
-  const Escape& result = report.result;
+  const operations::SystemEscape& result = report.result();
   std::string how_far = result.crossings == 0
-                            ? fmt::format("no n of {}", report.options.crossings)
-                            : fmt::format("n = 1..{} of {}", result.crossings, report.options.crossings);
+                            ? fmt::format("no n of {}", report.crossings_asked())
+                            : fmt::format("n = 1..{} of {}", result.crossings, report.crossings_asked());
   switch (result.stop) {
     case EscapeStop::done:
       return how_far;
     case EscapeStop::points:
       return fmt::format("{}: the next image needs {:.1g} points (--max-points {})", how_far, result.points_ahead,
-                         report.options.max_points);
+                         report.options.whole("max_points"));
     case EscapeStop::work:
       return fmt::format(
           "{}: the next images need about {:.2g} times the work so far, which is more than is done unasked (--budget "
@@ -129,10 +117,10 @@ std::string stop_text(const EscapeReport& report) {
         return fmt::format(
             "{}: the next images were broken off after {:.3g} s in all; --budget {:.15g}, a larger one "
             "allows more",
-            how_far, result.seconds_spent, report.options.budget);
+            how_far, result.seconds_spent, report.options.real("budget"));
       }
       return fmt::format("{}: the next images need about {:.2g} s after the {:.2g} s so far (--budget {:.15g})",
-                         how_far, result.seconds_ahead, result.seconds_spent, report.options.budget);
+                         how_far, result.seconds_ahead, result.seconds_spent, report.options.real("budget"));
     case EscapeStop::lost:
       return how_far + ": trajectories next to a bottleneck cannot be followed further";
     case EscapeStop::cancelled:

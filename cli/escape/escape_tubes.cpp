@@ -23,18 +23,18 @@ struct Surface {
 std::vector<Surface> surfaces_of(const Flow& flow, const EscapeReport& report, std::size_t around,
                                  std::size_t rings_a_period) {
   std::vector<Surface> list;
-  for (const Bottleneck& bottleneck : report.result.bottlenecks) {
+  for (const Bottleneck& bottleneck : report.result().bottlenecks) {
     for (const bool entry : {true, false}) {
       const auto& curves = entry ? bottleneck.entry : bottleneck.exit;
       if (curves.empty() || !curves.front().complete) continue;
-      Section section = report.result.section;
+      Section section = report.result().section;
       section.direction = curves.front().direction;
       if (section.direction == 0) continue;
       TubeSurfaceOptions options;
       options.around = around;
       options.rings_a_period = rings_a_period;
-      options.integration = report.options.integration;
-      list.push_back({tube_surface(flow, section, report.result.energy, curves.front().image.points, bottleneck.orbit,
+      options.integration = EscapeOptions{}.integration;
+      list.push_back({tube_surface(flow, section, report.result().energy, curves.front().image.points, bottleneck.orbit,
                                    entry, options),
                       entry});
     }
@@ -169,7 +169,7 @@ std::array<std::string, 3> names_of(const Section& section) {
 
 std::string picture(const Flow& flow, const EscapeReport& report) {
   const std::vector<Surface> surfaces = surfaces_of(flow, report, 32, 18);
-  const Section& section = report.result.section;
+  const Section& section = report.result().section;
   const Projection project(surfaces, section);
   std::vector<Facet> facets;
   for (const Surface& surface : surfaces) add_facets(facets, surface, project, section);
@@ -203,7 +203,7 @@ std::string picture(const Flow& flow, const EscapeReport& report) {
   add_legend_entry(svg, view, 0, 0, swatch("#d0695c"), "unstable tubes: what enters");
   add_legend_entry(svg, view, 1, 0, swatch("#52be80"), "stable tubes: what leaves");
   add_legend_entry(svg, view, 0, 1, swatch("#dbc1e4"), "section " + names[0] + " = " + rounded(section.value));
-  add_legend_entry(svg, view, 1, 1, "", report.system.name + ", energy " + rounded(report.result.energy));
+  add_legend_entry(svg, view, 1, 1, "", report.system.name + ", energy " + rounded(report.result().energy));
   end_picture(svg);
   return svg;
 }
@@ -211,14 +211,14 @@ std::string picture(const Flow& flow, const EscapeReport& report) {
 // Quads with the coordinate that is left as a scalar, and the number of the tube.
 std::string vtk(const Flow& flow, const EscapeReport& report) {
   const std::vector<Surface> surfaces = surfaces_of(flow, report, 96, 48);
-  const Section& section = report.result.section;
+  const Section& section = report.result().section;
   std::size_t points = 0, quads = 0;
   for (const Surface& surface : surfaces) {
     points += surface.tube.states.size();
     quads += surface.tube.around * (surface.tube.rings() - 1);
   }
   std::string text = "# vtk DataFile Version 3.0\n";
-  append_all(text, "tubes of ", report.system.name, ", energy ", report.result.energy,
+  append_all(text, "tubes of ", report.system.name, ", energy ", report.result().energy,
              "\nASCII\nDATASET POLYDATA\nPOINTS ", points, " double\n");
   for (const Surface& surface : surfaces) {
     for (const FlowState& state : surface.tube.states) {

@@ -45,8 +45,11 @@ std::string option_name(const std::string& key) {
   return name;
 }
 
-TableOptions::TableOptions(OptionParser& parser, const operations::Operation& operation) {
-  for (const OptionSpec& spec : operation.options) add(parser, spec);
+TableOptions::TableOptions(OptionParser& parser, const operations::Operation& operation,
+                           const std::set<std::string>& besides) {
+  for (const OptionSpec& spec : operation.options) {
+    if (!besides.contains(spec.key)) add(parser, spec);
+  }
 }
 
 void TableOptions::add(OptionParser& parser, const OptionSpec& spec) {

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,8 +15,9 @@ namespace lober::cli {
 
 class TableOptions {
  public:
-  /// Adds all of them, with help from the table. Has to stay where it is until the parser has parsed.
-  TableOptions(OptionParser& parser, const operations::Operation& operation);
+  /// Adds all of them but those that a command spells in its own way, with help from the table. Has to stay where it is
+  /// until the parser has parsed.
+  TableOptions(OptionParser& parser, const operations::Operation& operation, const std::set<std::string>& besides = {});
   TableOptions(const TableOptions&) = delete;
   TableOptions& operator=(const TableOptions&) = delete;
 

@@ -92,8 +92,11 @@ struct Rows {
     } else if (const auto* points = std::get_if<std::vector<Point>>(&value)) {
       for (const Point one : *points) doubles.insert(doubles.end(), {one.x, one.y});
     } else if (const auto* matrix = std::get_if<ops::Matrix>(&value)) {
-      for (const Measured& entry : matrix->entries) doubles.insert(doubles.end(), {entry.value, entry.error});
-      columns = std::max<std::size_t>(2 * matrix->entries.size(), 1);
+      for (const Measured& entry : matrix->entries) {
+        doubles.push_back(entry.value);
+        if (bar) doubles.push_back(entry.error);
+      }
+      columns = std::max<std::size_t>((bar ? 2 : 1) * matrix->entries.size(), 1);
     }
   }
 };

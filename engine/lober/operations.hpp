@@ -18,6 +18,7 @@
 #include "lober/agreement.hpp"
 #include "lober/export.hpp"
 #include "lober/melnikov.hpp"
+#include "lober/monte_carlo.hpp"
 #include "lober/point.hpp"
 #include "lober/sweep.hpp"
 #include "lober/systems.hpp"
@@ -164,8 +165,8 @@ struct Field {
                                                        std::string_view path);
 
 /// The members of an object in JSON, without the braces: numbers with the digits that give them back, null for those
-/// that are not finite, and for texts that there are not; other members that are not known are left out. Elements of
-/// lists of the outermost object have lines of their own.
+/// that are not finite, and for texts and objects that there are not; other members that are not known are left out.
+/// Elements of lists of the outermost object have lines of their own.
 [[nodiscard]] LOBER_API std::string json_members(std::span<const Field> fields, const void* whole);
 /// The same as an object in one line.
 [[nodiscard]] LOBER_API std::string json_object(std::span<const Field> fields, const void* whole);
@@ -185,6 +186,11 @@ struct MelnikovComparison {
 /// Of "transport".
 struct SystemTransport : Transport {
   std::optional<MelnikovComparison> melnikov{};  ///< where it was asked for
+};
+/// Of "escape".
+struct SystemEscape : Escape {
+  std::optional<MonteCarlo> counted{};  ///< where trajectories were followed
+  std::uint64_t seed = 1;               ///< of their random numbers
 };
 /// Of "sweep".
 struct SystemSweep : Sweep {
@@ -206,6 +212,10 @@ struct Context {
   /// Called from the calling thread with each element of a list that takes long as soon as it is ready, and with all
   /// comparisons so far.
   std::function<void(const Field& list, const void* element, const Agreement& agreement)> on_element{};
+  /// Called likewise with all that is known so far: the value of the result, without what comes later.
+  std::function<void(const void* so_far)> on_part{};
+  /// Whether work that is cancelled returns what is known, where an operation can (escape).
+  bool keeps_what_is_known = false;
   std::size_t memory = std::numeric_limits<std::size_t>::max();  ///< bytes that the work may hold, roughly
 };
 

@@ -44,7 +44,7 @@ constexpr FieldKind kind_of() {
     return FieldKind::point;
   } else if constexpr (std::same_as<T, std::vector<Point>>) {
     return FieldKind::points;
-  } else if constexpr (std::same_as<T, RegionMatrix>) {
+  } else if constexpr (std::same_as<T, RegionMatrix> || std::same_as<T, Matrix>) {
     return FieldKind::matrix;
   } else {
     static_assert(std::convertible_to<T, std::string>);
@@ -220,7 +220,7 @@ template <typename T>
 Outcome outcome_of(T value, const Options& options) {
   Outcome outcome;
   outcome.agreement = value.agreement;
-  outcome.remarks = value.remarks;
+  if constexpr (requires { value.remarks; }) outcome.remarks = value.remarks;
   outcome.settings.assign(options.settings().begin(), options.settings().end());
   outcome.value = std::make_shared<const T>(std::move(value));
   return outcome;

@@ -30,7 +30,9 @@ class Members {
 
   void add(const Field& field, const void* whole) {
     if (field.kind == FieldKind::object) {
-      field.each(whole, [&](const void* part) { add(field.name, braced(field.members, part)); });
+      std::string value = "null";
+      field.each(whole, [&](const void* part) { value = braced(field.members, part); });
+      add(field.name, value);
     } else if (field.kind == FieldKind::list) {
       std::string elements;
       field.each(whole, [&](const void* part) {
@@ -81,7 +83,7 @@ class Members {
       add(field.name, "[" + json_number(point->x) + "," + json_number(point->y) + "]");
     } else if (const auto* matrix = std::get_if<Matrix>(&value)) {
       add(field.name, rows_of(*matrix, &Measured::value));
-      add(field.bar, rows_of(*matrix, &Measured::error));
+      if (!field.bar.empty()) add(field.bar, rows_of(*matrix, &Measured::error));
     }
   }
 

@@ -28,7 +28,8 @@ std::string type_of(FieldKind kind) {
 
 std::string schema_of(const Field& field) {
   const std::string about = ",\"description\":" + json_string(field.meaning);
-  if (field.kind == FieldKind::object) return "{" + properties_of(field.members) + about + "}";
+  if (field.kind == FieldKind::object)
+    return R"({"anyOf":[{)" + properties_of(field.members) + R"(},{"type":"null"}])" + about + "}";
   if (field.kind == FieldKind::list)
     return R"({"type":"array","items":{)" + properties_of(field.members) + "}" + about + "}";
   const std::string unit = field.unit.empty() ? "" : ",\"unit\":" + json_string(field.unit);

@@ -6,6 +6,7 @@
 namespace lober::detail::table {
 using namespace operations;
 
+[[nodiscard]] Operation escape_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation transport_operation();
 

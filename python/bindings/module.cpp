@@ -26,6 +26,5 @@ PYBIND11_MODULE(_lober, module) {
   bind_manifolds(module);
   bind_transport(module);
   bind_operations(module);
-  bind_escape(module);
   seal_classes(module);
 }

@@ -304,13 +304,3 @@ def call(
 ) -> tuple[dict[str, Any], list[tuple[Any, ...]], list[str]]: ...
 def table() -> list[dict[str, Any]]: ...
 def with_connection(system: System, connection: tuple[Any, ...]) -> System: ...
-def escape(
-    system: System,
-    energy: float,
-    crossings: int,
-    tolerance: float,
-    max_points: int,
-    budget: float | None,
-    threads: int,
-    progress: _Progress,
-) -> dict[str, Any]: ...

@@ -284,13 +284,15 @@ def escape(
     tolerance: float = 1e-6,
     max_points: int = 2_000_000,
     budget: float | None = None,
+    monte_carlo: int = 0,
     threads: int = 0,
     progress: Progress = None,
 ) -> Escape:
     """Escape from a potential well: the fraction of what enters by one bottleneck that leaves by another, and when.
 
     `energy` defaults to the system's parameter of that name; `budget` is in seconds by the clock, in
-    place of a limit on work that gives the same table on every machine. Raises UsageError for a system without section
+    place of a limit on work that gives the same table on every machine; `monte_carlo` trajectories from each entrance check
+    the table, as comparisons of `agreement`. Raises UsageError for a system without section
     or saddles, DataError, Cancelled.
     """
     made = system_of(system)
@@ -298,10 +300,51 @@ def escape(
         if "energy" not in made.parameters:
             raise UsageError(f"energy is missing, and system {made.name} has no parameter energy")
         energy = made.parameters["energy"]
-    with watching(progress, "escape") as callback:
-        found = _lober.escape(made._of, energy, crossings, tolerance, max_points, budget, threads, callback)
-    for entry in found["bottlenecks"]:
-        entry.update(action=Measured(*entry["action"]), area=Measured(*entry["area"]))
-    found["bottlenecks"] = [Bottleneck(**entry) for entry in found["bottlenecks"]]
-    found["agreement"] = agreement_of(found.pop("comparisons"))
-    return Escape(**found)
+    settings = {
+        "crossings": crossings,
+        "energy": energy,
+        "tolerance": tolerance,
+        "max_points": max_points,
+        "budget": budget,
+        "monte_carlo": monte_carlo,
+    }
+    found, comparisons = call("escape", made, settings, threads, progress)
+    names = [one["name"] for one in found["bottlenecks"]]
+    stop = found["stop"]
+    return Escape(
+        found["energy"],
+        _escape_table(found["table"], names),
+        found["crossings"],
+        "done" if stop is None else stop["reason"],
+        [_bottleneck(found["energy"], one) for one in found["bottlenecks"]],
+        [list(state) for state in found["also_open"]["at"]],
+        agreement_of(comparisons),
+    )
+
+
+def _escape_table(columns: dict[str, Any], names: list[str]) -> NDArray[Any]:
+    fields: dict[str, Any] = {
+        "entry": np.array([names.index(name) for name in columns["entrance"]], np.uint32),
+        "exit": np.array([names.index(name) for name in columns["exit"]], np.uint32),
+        "crossings": columns["crossings"].astype(np.int32),
+        "iterates": columns["iterates"].astype(np.int32),
+    }
+    fields["fraction"], fields["error"] = columns["fraction"]
+    fields["other"], fields["other_error"] = columns["other"]
+    table = np.empty(len(columns["entrance"]), [(name, column.dtype) for name, column in fields.items()])
+    for name, column in fields.items():
+        table[name] = column
+    return table
+
+
+def _bottleneck(energy: float, entry: dict[str, Any]) -> Bottleneck:
+    orbit = entry["orbit"]
+    return Bottleneck(
+        energy,
+        orbit["period"],
+        entry["multiplier"],
+        Measured(*orbit["action"]),
+        Measured(*entry["area"]),
+        entry["entry_curves"]["outline"],
+        entry["exit_curves"]["outline"],
+    )

@@ -17,10 +17,10 @@ operations::SystemInput system_input_of(const Options& options, double integrati
 }
 
 // Those of the system are refused before the first job; a member of a grid that has no tangle fails alone.
-void check_system(const Options& options) {
+void check_system(const Options& options, bool needs_tangle) {
   try {
     const System system = system_of(options.text("system"), options.reals_of("parameters"), 1e-12);
-    if (!system.connection && system.no_connection.empty() && options.find("from") == nullptr)
+    if (needs_tangle && !system.connection && system.no_connection.empty() && options.find("from") == nullptr)
       throw UsageError(options.text("system") + " names no manifolds of interest");
   } catch (const UsageError& error) {
     throw UsageError(std::string("system: ") + error.what());
@@ -90,11 +90,11 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     operation.columns.push_back({name, is_count(entry.result, path) ? Column::Kind::count : Column::Kind::real});
   }
   for (const auto& [name, path] : job.lists) operation.lists.push_back(name);
-  operation.check = [required](const Options& options) {
+  operation.check = [required, needs_tangle = job.needs_tangle](const Options& options) {
     for (const OptionSpec& spec : required) {
       if (options.find(spec.key) == nullptr) throw UsageError(spec.key + ": is missing: the " + spec.meaning);
     }
-    check_system(options);
+    check_system(options, needs_tangle);
   };
   operation.requirements = [](const Options&) { return Requirements{}; };
   operation.run = [&entry, job](const JobCurves& curves, const Options& options) {

@@ -7,6 +7,7 @@
 namespace lober::detail {
 
 [[nodiscard]] Operation overlay_operation();
+[[nodiscard]] Operation escape_operation();
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation densify_operation();
 [[nodiscard]] Operation sweep_operation();

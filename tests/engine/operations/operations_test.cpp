@@ -33,6 +33,10 @@ struct Case {
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
       {"transport", "standard", {{"K", 1.2}}, {{"iterates", std::int64_t{3}}, {"particles", std::int64_t{1000}}}},
+      {"escape",
+       "capsize",
+       {},
+       {{"crossings", std::int64_t{2}}, {"tolerance", 1e-4}, {"monte_carlo", std::int64_t{500}}}},
       {"sweep", "henon", {}, {{"range", "k=0.9:1.1:0.1"}, {"find_zeros", true}, {"tolerance", 1e-4}}},
   };
   return all;
@@ -204,6 +208,9 @@ TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
                        {transport.regions.front().area.value, transport.boundaries.front().flux12.value}, "columns");
       for (const TransportStep& step : transport.steps) expected.push_back(step.total(1, 0).value);
       expect_same_bits(list("total21"), expected, "total21");
+    } else if (one.operation == "escape") {
+      for (const EscapeFraction& row : found.as<SystemEscape>().table) expected.push_back(row.fraction);
+      expect_same_bits(list("fraction"), expected, "fraction");
     } else {
       for (const SweepRow& row : found.as<SystemSweep>().rows) expected.push_back(row.flux21.value);
       expect_same_bits(list("flux21"), expected, "flux21");
