@@ -58,7 +58,7 @@ struct Range {
 // LAST is among the values if a whole number of steps leads there, to rounding.
 Range range_of(const std::string& text) {
   const auto bad = [&](const char* why) -> UsageError {
-    return UsageError("range: \"" + text + "\" is not of the form NAME=FIRST:LAST:STEP" + why);
+    return UsageError("the range \"" + text + "\" is not of the form NAME=FIRST:LAST:STEP" + why);
   };
   const std::size_t equals = text.find('='), first = text.find(':'), second = text.find(':', first + 1);
   if (equals == std::string::npos || first == std::string::npos || second == std::string::npos || first < equals)
