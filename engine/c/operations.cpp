@@ -26,7 +26,8 @@ Settings settings_of(const ops::Operation& operation, const char* text) {
   std::vector<ops::OptionSetting> settings;
   Options given(text);
   made.threads = given.threads();
-  for (const auto& [key, value] : words_of(text)) {
+  for (const auto& word : words_of(text)) {
+    const std::string &key = word.first, &value = word.second;
     if (key == "threads") continue;
     const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
                                    [&](const ops::OptionSpec& one) { return one.is_for(key); });

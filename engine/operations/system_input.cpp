@@ -12,9 +12,9 @@ SystemInput system_input(const std::string& name, const ParameterValues& values,
   input.integration = integration;
   input.with = [name, values, integration](const ParameterValues& changed) {
     ParameterValues all = values;
-    for (const auto& [parameter, value] : changed) {
-      std::erase_if(all, [&parameter](const auto& one) { return one.first == parameter; });
-      all.emplace_back(parameter, value);
+    for (const auto& other : changed) {
+      std::erase_if(all, [&other](const auto& one) { return one.first == other.first; });
+      all.push_back(other);
     }
     return make_system(name, all, integration);
   };

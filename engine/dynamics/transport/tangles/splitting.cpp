@@ -14,7 +14,7 @@ namespace {
 // Positions on U within one iterate.
 constexpr std::size_t samples_an_image = 64;
 // Steps of Newton's method for the point of S opposite to one of U.
-constexpr int max_rounds = 12;
+constexpr int max_newton_rounds = 12;
 // A remainder along U beyond which S at the normal is not sought: it counts with the angle between them only.
 constexpr double close_along = 1e-11;
 // S may be this oblique to U, as the cosine between them.
@@ -34,7 +34,7 @@ std::optional<Opposite> opposite(const PlanarMap& map, const LocalManifold& unst
   const Point tangent{on_u.velocity.x / speed, on_u.velocity.y / speed};
   Point apart{};
   double last = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < max_rounds; ++round) {
+  for (int round = 0; round < max_newton_rounds; ++round) {
     const MovingPoint on_s = point_on(map, stable, s);
     apart = {on_s.at.x - on_u.at.x, on_s.at.y - on_u.at.y};
     const double along = apart.x * tangent.x + apart.y * tangent.y;
