@@ -47,7 +47,6 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
       .value("K|X,Y[,PX,PY]");
   const TableOptions options(parser, operation, {"saddle"});
   const Option count = options["monte_carlo"];
-  options["direction"].one_of({"+", "-", "both"});
   options["seed"].needs(count);
   add_json_option(parser, request.json);
   parser.add("--svg", request.svg, "Draw the curves on the section as an SVG picture in FILE (default: no file).")

@@ -142,12 +142,11 @@ Option Option::range(T first, T last) {
   const std::string kind = std::is_floating_point_v<T> ? "a number from " : "a whole number from ";
   return limited<T>([first, last](T value) { return value >= first && value <= last; }, kind + limits, limits);
 }
-Option Option::one_of(std::initializer_list<const char*> values) {
+Option Option::one_of(const std::vector<std::string>& allowed) {
   std::string list;
-  for (const char* const* value = values.begin(); value != values.end(); ++value) {
-    list += (value == values.begin() ? "" : value + 1 == values.end() ? " or " : ", ") + std::string(*value);
+  for (std::size_t k = 0; k < allowed.size(); ++k) {
+    list += (k == 0 ? "" : k + 1 == allowed.size() ? " or " : ", ") + allowed[k];
   }
-  const std::vector<std::string> allowed(values.begin(), values.end());
   option_->check(
       [allowed, list](const std::string& text) {
         const bool good = std::find(allowed.begin(), allowed.end(), text) != allowed.end();

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,7 +33,7 @@ class Option {
   Option not_negative();  ///< and finite
   template <typename T>
   Option range(T first, T last);  ///< both of them included
-  Option one_of(std::initializer_list<const char*> values);
+  Option one_of(const std::vector<std::string>& values);
   Option bytes();  ///< a number with a unit, as 4G
 
   [[nodiscard]] bool given() const;  ///< after parsing

@@ -73,6 +73,7 @@ void TableOptions::add(OptionParser& parser, const OptionSpec& spec) {
     option.value(spec.value.c_str());
   }
   limit(option, spec);
+  if (!spec.choices.empty()) option.one_of(spec.choices);
   if (spec.required) option.required();
   options_.emplace(spec.key, option);
 }

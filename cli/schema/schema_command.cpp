@@ -21,7 +21,7 @@ void run_schema(const std::vector<std::string>& arguments) {
   if (name.empty()) {
     std::string list;
     for (const operations::Operation& operation : operations::all())
-      list += fmt::format("{:<10} {}\n", operation.name, operation.title);
+      list += fmt::format("{:<12} {}\n", operation.name, operation.title);
     return print(list);
   }
   print(Json::parse(json_schema(operations::named(name).result)).dump(1) + "\n");

@@ -47,7 +47,8 @@ constexpr FieldKind kind_of() {
   } else if constexpr (std::same_as<T, RegionMatrix> || std::same_as<T, Matrix>) {
     return FieldKind::matrix;
   } else {
-    static_assert(std::convertible_to<T, std::string>);
+    static_assert(std::convertible_to<T, std::string>,
+                  "a field is a number, Measured, a flag, text, texts, numbers, a Point, points or a matrix");
     return FieldKind::text;
   }
 }
@@ -157,6 +158,7 @@ struct OptionForm {
   bool above_min = false;
   std::string otherwise = {};  ///< of an optional one: what is done without it; empty: it is required
   std::string value = {};
+  std::vector<std::string> choices = {};  ///< of a text
 };
 
 /// The options of a How, and what moves their values into one.
@@ -174,6 +176,7 @@ class OptionList {
     spec.above_min = form.above_min;
     spec.otherwise = std::move(form.otherwise);
     spec.value = std::move(form.value);
+    spec.choices = std::move(form.choices);
     if constexpr (is_optional<Member>::value) {
       spec.optional = true;
       spec.required = spec.otherwise.empty();
@@ -182,7 +185,8 @@ class OptionList {
                          std::same_as<Member, std::string>) {
       spec.fallback = How{}.*member;
     } else {
-      static_assert(std::integral<Member>);
+      static_assert(std::integral<Member>,
+                    "an option is a flag, a number, text, or an optional one of these or of a Point");
       spec.fallback = static_cast<std::int64_t>(How{}.*member);
       if (std::unsigned_integral<Member>) spec.min = std::max(spec.min, 0.0);
       if constexpr (sizeof(Member) < sizeof(std::int64_t)) {
@@ -215,11 +219,11 @@ class OptionList {
   std::vector<std::function<void(How&, const Options&)>> setters_;
 };
 
-/// The outcome of a value that knows its agreement and its remarks.
+/// The outcome of a value; of its agreement and its remarks, where it has some.
 template <typename T>
 Outcome outcome_of(T value, const Options& options) {
   Outcome outcome;
-  outcome.agreement = value.agreement;
+  if constexpr (requires { value.agreement; }) outcome.agreement = value.agreement;
   if constexpr (requires { value.remarks; }) outcome.remarks = value.remarks;
   outcome.settings.assign(options.settings().begin(), options.settings().end());
   outcome.value = std::make_shared<const T>(std::move(value));

@@ -38,7 +38,8 @@ const OptionList<EscapeHow>& escape_options() {
                 "sign of the velocity of the crossings that count: +, - or, with no crossings, both",
                 {.otherwise = "that of the system's section, or + with a section of one's own; with no crossings both, "
                               "unless the section has a bound",
-                 .value = "SIGN"})
+                 .value = "SIGN",
+                 .choices = {"+", "-", "both"}})
         .option("bound", &EscapeHow::bound,
                 "part of the section whose crossings count, for example x<-1 or y>0, with no crossings only",
                 {.otherwise = "that of the system, or the whole section with a section of one's own",
@@ -360,9 +361,6 @@ std::vector<std::string> parts_of(const std::optional<std::string>& text) {
 SystemEscape escape_of(const SystemInput& input, const EscapeHow& how) {
   const EscapeChoice choice{how.total_energy, parts_of(how.saddle), how.section, how.direction,
                             how.bound,        how.crossings};
-  if (how.direction && *how.direction != "+" && *how.direction != "-" && *how.direction != "both") {
-    throw UsageError("direction: \"" + *how.direction + "\" is not +, - or both");
-  }
   const System system = system_with_energy(input, choice);
   const std::vector<FlowState> saddles = saddles_of(choice, system);
   const double energy = energy_of(choice, system);

@@ -1,5 +1,6 @@
 #include "engine/batch/operations/of_table.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "engine/base/text.hpp"
@@ -51,14 +52,18 @@ Result run(const operations::Operation& entry, const TableJob& job, const JobCur
   return record;
 }
 
-bool is_count(std::span<const operations::Field> fields, std::string_view path) {
-  const std::size_t dot = path.find('.');
+// Throws for a path that leads to no numbers: what has been renamed is seen before the first job.
+Column::Kind kind_at(std::span<const operations::Field> fields, std::string_view path) {
+  using Kind = operations::FieldKind;
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  const std::string_view name = path.substr(0, dot);
   for (const operations::Field& field : fields) {
-    if (field.name != path.substr(0, dot)) continue;
-    return dot == std::string_view::npos ? field.kind == operations::FieldKind::whole
-                                         : is_count(field.members, path.substr(dot + 1));
+    if (field.name != name && (field.bar.empty() || field.bar != name)) continue;
+    if (dot < path.size()) return kind_at(field.members, path.substr(dot + 1));
+    if (field.kind == Kind::whole || field.kind == Kind::flag) return Column::Kind::count;
+    if (field.kind == Kind::number) return Column::Kind::real;
   }
-  return false;
+  throw UsageError("a column of a batch has no numbers at \"" + std::string(path) + "\"");
 }
 
 }  // namespace
@@ -87,9 +92,12 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     spec.required = false;
   }
   for (const auto& [name, path] : job.columns) {
-    operation.columns.push_back({name, is_count(entry.result, path) ? Column::Kind::count : Column::Kind::real});
+    operation.columns.push_back({name, kind_at(entry.result, path)});
   }
-  for (const auto& [name, path] : job.lists) operation.lists.push_back(name);
+  for (const auto& [name, path] : job.lists) {
+    (void)kind_at(entry.result, path);
+    operation.lists.push_back(name);
+  }
   operation.check = [required, needs_tangle = job.needs_tangle](const Options& options) {
     for (const OptionSpec& spec : required) {
       if (options.find(spec.key) == nullptr) throw UsageError(spec.key + ": is missing: the " + spec.meaning);
