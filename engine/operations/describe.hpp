@@ -57,9 +57,7 @@ template <typename T>
 FieldValue value_of(const T& value) {
   if constexpr (is_optional<T>::value) {
     return value ? value_of(*value) : FieldValue{};
-  } else if constexpr (std::same_as<T, bool>) {
-    return value;
-  } else if constexpr (std::integral<T>) {
+  } else if constexpr (std::integral<T> && !std::same_as<T, bool>) {
     return static_cast<std::int64_t>(value);
   } else if constexpr (std::floating_point<T>) {
     return static_cast<double>(value);

@@ -367,7 +367,8 @@ SystemEscape escape_of(const SystemInput& input, const EscapeHow& how) {
   const Section section = section_of(choice, system);
   if (how.crossings > 0) {
     const double share = how.trajectories > 0 ? 0.5 : 1;  // of the table in what there is to do
-    EscapeOptions options = how;
+    const EscapeOptions& of_table = how;
+    EscapeOptions options = of_table;
     if (how.progress) {
       options.progress = [&](const EscapeProgress& now) {
         return how.progress({now.what, share * now.fraction, now.images});
