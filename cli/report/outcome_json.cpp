@@ -1,7 +1,5 @@
 #include "cli/report/outcome_json.hpp"
 
-#include <algorithm>
-
 #include "cli/report/agreement_report.hpp"
 
 namespace lober::cli {
@@ -28,15 +26,6 @@ void write_outcome_json(const std::string& path, std::string_view command,
   json.member("options", options);
   json.file().write(json_members(operation.result, outcome.value.get()) + ",\n");
   json.finish(timing());
-}
-
-const operations::Field& field_of(const operations::Operation& operation, std::string_view name) {
-  return *std::find_if(operation.result.begin(), operation.result.end(),
-                       [&](const operations::Field& field) { return field.name == name; });
-}
-
-std::string element_json(const operations::Field& list, const void* element) {
-  return operations::json_object(list.members, element);
 }
 
 }  // namespace lober::cli

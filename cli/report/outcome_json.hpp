@@ -16,10 +16,4 @@ void write_outcome_json(const std::string& path, std::string_view command,
                         const std::vector<std::pair<std::string, Json>>& inputs, const operations::Operation& operation,
                         const operations::Outcome& outcome, const std::function<Json()>& timing);
 
-/// A field of a result by its name, which has to be there.
-[[nodiscard]] const operations::Field& field_of(const operations::Operation& operation, std::string_view name);
-
-/// One element of a list, in one line.
-[[nodiscard]] std::string element_json(const operations::Field& list, const void* element);
-
 }  // namespace lober::cli

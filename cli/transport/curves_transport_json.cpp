@@ -58,9 +58,9 @@ void write_transport_json(const std::string& path, const CurvesTransportReport& 
                                 {"flux21", measured_json(result.flux21)},
                                 {"lobe_area12", measured_json(result.lobe_area12)},
                                 {"lobe_area21", measured_json(result.lobe_area21)}});
-  const operations::Field& steps = field_of(operations::named("transport"), "steps");
+  const operations::Field& steps = field_at(operations::named("transport").result, "steps");
   json.list("steps", result.steps.size(),
-            [&](std::string& text, std::size_t k) { text += element_json(steps, &result.steps[k]); });
+            [&](std::string& text, std::size_t k) { text += json_object(steps.members, &result.steps[k]); });
   json.member("stop", result.limit.empty()
                           ? Json()
                           : Json{{"reason", "curves"}, {"why", rows_text(report) + ": " + result.limit}});

@@ -159,6 +159,9 @@ struct Field {
       each{};  ///< of an object once, or not at all where it is not known
 };
 
+/// The field at "turnstile.flux12", or whose bar is at "turnstile.flux12_error". Throws UsageError for a path that
+/// leads nowhere.
+[[nodiscard]] LOBER_API const Field& field_at(std::span<const Field> fields, std::string_view path);
 /// The numbers at "turnstile.flux12" or "turnstile.flux12_error"; of lists one for each element: "steps.T21". NaN for
 /// what is not known. Throws UsageError for a path that leads nowhere.
 [[nodiscard]] LOBER_API std::vector<double> numbers_at(std::span<const Field> fields, const void* whole,

@@ -6,6 +6,7 @@
 
 #include "engine/operations/describe.hpp"
 #include "engine/operations/escape_choice.hpp"
+#include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
 #include "lober/error.hpp"
 
@@ -263,20 +264,17 @@ std::string reason_of(EscapeStop stop) {
 }
 
 Schema<SystemEscape> stop_schema() {
-  const auto only = [](EscapeStop stop, double SystemEscape::*member) {
+  const auto only = [](EscapeStop stop, double Escape::*member) {
     return [stop, member](const SystemEscape& e) { return e.stop == stop ? std::optional(e.*member) : std::nullopt; };
   };
   Schema<SystemEscape> made;
   made.field("reason", "", "points, work, budget, lost or interrupted",
              [](const SystemEscape& e) { return reason_of(e.stop); })
       .field("points_ahead", "", "points that the next image was expected to need",
-             only(EscapeStop::points, static_cast<double SystemEscape::*>(&Escape::points_ahead)))
-      .field("work_spent", "", "work of all so far",
-             only(EscapeStop::work, static_cast<double SystemEscape::*>(&Escape::work_spent)))
-      .field("work_ahead", "", "work of the next images, as expected",
-             only(EscapeStop::work, static_cast<double SystemEscape::*>(&Escape::work_ahead)))
-      .field("seconds_spent", "time", "seconds of all so far",
-             only(EscapeStop::budget, static_cast<double SystemEscape::*>(&Escape::seconds_spent)))
+             only(EscapeStop::points, &Escape::points_ahead))
+      .field("work_spent", "", "work of all so far", only(EscapeStop::work, &Escape::work_spent))
+      .field("work_ahead", "", "work of the next images, as expected", only(EscapeStop::work, &Escape::work_ahead))
+      .field("seconds_spent", "time", "seconds of all so far", only(EscapeStop::budget, &Escape::seconds_spent))
       .field("seconds_ahead", "time", "seconds of the next images, as expected; not known where they were broken off",
              [](const SystemEscape& e) {
                const bool known = e.stop == EscapeStop::budget;
@@ -397,8 +395,7 @@ SystemEscape escape_of(const SystemInput& input, const EscapeHow& how) {
 }
 
 Outcome run_escape(std::span<const Input> inputs, const Options& options, const Context& context) {
-  const auto* const input = inputs.size() == 1 ? std::get_if<SystemInput>(&inputs[0]) : nullptr;
-  if (input == nullptr || !input->system) throw UsageError("the operation takes one system and nothing else");
+  const SystemInput& input = system_input_of(inputs);
   EscapeHow how = escape_options().how(options);
   if (how.seconds) how.budget = *how.seconds;
   if (context.progress) {
@@ -407,7 +404,7 @@ Outcome run_escape(std::span<const Input> inputs, const Options& options, const 
   if (context.on_part) {
     how.rows_known = [&](const Escape& so_far, int) { context.on_part(&so_far); };
   }
-  SystemEscape found = escape_of(*input, how);
+  SystemEscape found = escape_of(input, how);
   if (found.stop == EscapeStop::cancelled && !context.keeps_what_is_known) throw Cancelled();
   return outcome_of(std::move(found), options);
 }

@@ -10,12 +10,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-[[noreturn]] void refuse(std::span<const Field> fields, std::string_view name) {
-  std::string known;
-  for (const Field& field : fields) known += (known.empty() ? "" : ", ") + field.name;
-  throw UsageError("there is no field \"" + std::string(name) + "\"; there are " + known);
-}
-
 double number_in(const FieldValue& value, bool bar) {
   if (const auto* number = std::get_if<double>(&value)) return *number;
   if (const auto* measured = std::get_if<Measured>(&value)) return bar ? measured->error : measured->value;
@@ -24,20 +18,38 @@ double number_in(const FieldValue& value, bool bar) {
   return unknown;
 }
 
-void add_numbers(std::span<const Field> fields, const void* whole, std::string_view path,
-                 std::vector<double>& numbers) {
-  const std::size_t dot = std::min(path.find('.'), path.size());
-  const std::string_view name = path.substr(0, dot);
-  const bool deeper = dot < path.size();
+std::size_t first_name(std::string_view path) {
+  return std::min(path.find('.'), path.size());
+}
+
+// The field that a path begins with.
+const Field& first_field(std::span<const Field> fields, std::string_view path) {
+  const std::string_view name = path.substr(0, first_name(path));
+  const bool deeper = name.size() < path.size();
   const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) {
     return field.name == name || (!deeper && !field.bar.empty() && field.bar == name);
   });
-  if (found == fields.end() || deeper == static_cast<bool>(found->get)) refuse(fields, name);
-  if (!deeper) return numbers.push_back(number_in(found->get(whole), found->name != name));
-  found->each(whole, [&](const void* part) { add_numbers(found->members, part, path.substr(dot + 1), numbers); });
+  if (found != fields.end() && !(deeper && found->get)) return *found;
+  std::string known;
+  for (const Field& field : fields) known += (known.empty() ? "" : ", ") + field.name;
+  throw UsageError("there is no field \"" + std::string(name) + "\"; there are " + known);
+}
+
+void add_numbers(std::span<const Field> fields, const void* whole, std::string_view path,
+                 std::vector<double>& numbers) {
+  const Field& field = first_field(fields, path);
+  if (field.get) return numbers.push_back(number_in(field.get(whole), field.name != path));
+  const std::string_view rest = path.substr(std::min(first_name(path) + 1, path.size()));
+  field.each(whole, [&](const void* part) { add_numbers(field.members, part, rest, numbers); });
 }
 
 }  // namespace
+
+const Field& field_at(std::span<const Field> fields, std::string_view path) {
+  const Field& field = first_field(fields, path);
+  const std::size_t begin = first_name(path);
+  return begin == path.size() ? field : field_at(field.members, path.substr(begin + 1));
+}
 
 std::vector<double> numbers_at(std::span<const Field> fields, const void* whole, std::string_view path) {
   std::vector<double> numbers;

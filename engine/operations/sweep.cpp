@@ -10,6 +10,7 @@
 #include "engine/base/even_values.hpp"
 #include "engine/base/text.hpp"
 #include "engine/operations/connection_choice.hpp"
+#include "engine/operations/growth_options.hpp"
 #include "engine/operations/melnikov.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
@@ -29,13 +30,8 @@ const OptionList<SweepHow>& sweep_options() {
   static const OptionList<SweepHow> options = [] {
     OptionList<SweepHow> list;
     list.option("range", &SweepHow::range, "parameter and its values, NAME=FIRST:LAST:STEP",
-                {.value = "NAME=FIRST:LAST:STEP"})
-        .option("tolerance", &SweepHow::tolerance,
-                "maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas are "
-                "far smaller",
-                {.min = 0, .above_min = true, .value = "D"})
-        .option("max_points", &SweepHow::max_points, "maximum number of points of each manifold",
-                {.min = 2, .max = 2147483646, .value = "N"})
+                {.value = "NAME=FIRST:LAST:STEP"});
+    add_growth_options(list)
         .option(
             "find_zeros", &SweepHow::find_zeros,
             "whether to refine the values of the parameter at which the difference in action of the two pips of the "

@@ -1,7 +1,4 @@
-#include <limits>
-
-#include "engine/operations/system_of.hpp"
-#include "lober/error.hpp"
+#include "lober/operations.hpp"
 
 namespace lober::operations {
 
@@ -22,21 +19,3 @@ SystemInput system_input(const std::string& name, const ParameterValues& values,
 }
 
 }  // namespace lober::operations
-
-namespace lober::detail::table {
-
-const SystemInput& system_of(std::span<const Input> inputs) {
-  const auto* const input = inputs.size() == 1 ? std::get_if<SystemInput>(&inputs[0]) : nullptr;
-  if (input == nullptr || !input->system) throw UsageError("the operation takes one system and nothing else");
-  if (!input->system->map)
-    throw UsageError("system " + input->system->info.name + " has no planar map, which this operation needs");
-  return *input;
-}
-
-std::function<bool(const std::string&)> lines_to(const Context& context) {
-  if (!context.progress) return {};
-  return
-      [&context](const std::string& line) { return context.progress(std::numeric_limits<double>::quiet_NaN(), line); };
-}
-
-}  // namespace lober::detail::table

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/operations/connection_choice.hpp"
+#include "engine/operations/growth_options.hpp"
 #include "engine/operations/melnikov.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
@@ -24,13 +25,8 @@ const OptionList<How>& transport_options() {
   static const OptionList<How> options = [] {
     OptionList<How> list;
     list.option("iterates", &How::iterates, "number of iterates n up to which the table goes",
-                {.min = 1, .max = 1000, .value = "N"})
-        .option("tolerance", &How::tolerance,
-                "maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas are "
-                "far smaller",
-                {.min = 0, .above_min = true, .value = "D"})
-        .option("max_points", &How::max_points, "maximum number of points of each manifold",
-                {.min = 2, .max = 2147483646, .value = "N"})
+                {.min = 1, .max = 1000, .value = "N"});
+    add_growth_options(list)
         .option(
             "max_work", &How::max_work,
             "work that growing the manifolds of one boundary may take, in evaluations of the vector field, where no "
@@ -285,9 +281,8 @@ Operation transport_operation() {
   operation.examples = {
       {{"ovp"}, {}, "what the vortex pair loses in seven periods of the strain"},
       {{"standard K=1.2"}, {{"iterates", std::int64_t{3}}}, "flux across the strip of the standard map"}};
-  const auto steps = std::find_if(operation.result.begin(), operation.result.end(),
-                                  [](const Field& field) { return field.name == "steps"; });
-  operation.run = [steps = *steps](std::span<const Input> inputs, const Options& options, const Context& context) {
+  operation.run = [steps = field_at(operation.result, "steps")](std::span<const Input> inputs, const Options& options,
+                                                                const Context& context) {
     return run(inputs, options, context, steps);
   };
   return operation;

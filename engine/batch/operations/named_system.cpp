@@ -4,11 +4,15 @@
 
 namespace lober::detail {
 
-System system_of(const std::string& name, const ParameterValues& parameters, double integration_tolerance) {
+void require_for_manifests(const std::string& name) {
   if (name.empty()) throw UsageError("the name of a system is missing");
   if (name.find('/') != std::string::npos || name.ends_with(".so")) {
     throw UsageError("systems from shared libraries are not for manifests");
   }
+}
+
+System system_of(const std::string& name, const ParameterValues& parameters, double integration_tolerance) {
+  require_for_manifests(name);
   IntegrationOptions options;
   options.tolerance = integration_tolerance;
   System system = make_system(name, parameters, options);

@@ -1,6 +1,5 @@
 #include "engine/batch/operations/of_table.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "engine/base/text.hpp"
@@ -13,7 +12,7 @@ namespace {
 operations::SystemInput system_input_of(const Options& options, double integration_tolerance) {
   IntegrationOptions integration;
   integration.tolerance = integration_tolerance;
-  (void)system_of(options.text("system"), {}, integration_tolerance);  // refuses what is not for manifests
+  require_for_manifests(options.text("system"));
   return operations::system_input(options.text("system"), options.reals_of("parameters"), integration);
 }
 
@@ -55,14 +54,9 @@ Result run(const operations::Operation& entry, const TableJob& job, const JobCur
 // Throws for a path that leads to no numbers: what has been renamed is seen before the first job.
 Column::Kind kind_at(std::span<const operations::Field> fields, std::string_view path) {
   using Kind = operations::FieldKind;
-  const std::size_t dot = std::min(path.find('.'), path.size());
-  const std::string_view name = path.substr(0, dot);
-  for (const operations::Field& field : fields) {
-    if (field.name != name && (field.bar.empty() || field.bar != name)) continue;
-    if (dot < path.size()) return kind_at(field.members, path.substr(dot + 1));
-    if (field.kind == Kind::whole || field.kind == Kind::flag) return Column::Kind::count;
-    if (field.kind == Kind::number) return Column::Kind::real;
-  }
+  const Kind kind = field_at(fields, path).kind;
+  if (kind == Kind::whole || kind == Kind::flag) return Column::Kind::count;
+  if (kind == Kind::number) return Column::Kind::real;
   throw UsageError("a column of a batch has no numbers at \"" + std::string(path) + "\"");
 }
 

@@ -95,7 +95,7 @@ TEST_F(DamagedStore, RandomBytesChanged) {
     }
     ASSERT_EQ(exported(target), rows_) << "round " << round;
   }
-  EXPECT_GT(incomplete, 10U);
+  EXPECT_GT(incomplete, 30U);
   EXPECT_GT(rescued, 0U);
   EXPECT_GT(untouched, 10U);
   EXPECT_LT(unreadable, 150U);

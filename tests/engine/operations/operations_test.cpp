@@ -134,7 +134,7 @@ TEST(OperationsTable, JsonHasTheNumbersOfTheResult) {
       expect_same_bits(numbers, in_json, path);
       compared += numbers.size();
     }
-    EXPECT_GT(compared, 0U);
+    EXPECT_GT(compared, 20U);
     const Json schema = Json::parse(json_schema(operation.result));
     for (const auto& [name, value] : json.items()) EXPECT_TRUE(schema["properties"].contains(name)) << name;
   }
@@ -176,7 +176,7 @@ TEST(OperationsTable, CHasTheNumbersOfTheResult) {
       expect_same_bits(numbers, in_c, name);
       compared += numbers.size();
     }
-    EXPECT_GT(compared, 0U);
+    EXPECT_GT(compared, 20U);
     lober_result_free(result);
     lober_model_free(model);
   }
