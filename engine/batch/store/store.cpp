@@ -31,8 +31,8 @@ Store::Store(const std::string& path, bool create)
     : path_(path),
       file_(std::make_unique<StoreFile>(path, create)),
       database_(std::make_unique<Database>(path, create)) {
+  file_->opened();  // before anything is written: whoever removes the file once it has a log finds it watched
   check_format(create);
-  file_->opened();
   for (const Operation& operation : all_operations()) tables_.emplace_back(*database_, operation);
   last_rows_.resize(tables_.size(), 0);
   damaged_ = !has_store_schema(*database_);
