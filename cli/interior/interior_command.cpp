@@ -1,4 +1,4 @@
-// `lober interior C1 C2`: reads the curves, calls the engine, and hands what it found to those who show it.
+// `lober interior C1 C2`: reads the curves, runs the operation, and hands what it found to those who show it.
 
 #include "cli/interior/interior_command.hpp"
 
@@ -9,11 +9,10 @@
 #include "cli/interior/interior_report.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
-#include "cli/program/progress.hpp"
+#include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
-#include "cli/report/regions_parts.hpp"
+#include "cli/report/regions_report.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/overlay.hpp"
 #include "lober/threads.hpp"
 
 namespace lober::cli {
@@ -21,36 +20,21 @@ namespace {
 
 struct InteriorRequest {
   std::array<std::string, 2> curves;
-  std::string json, svg;
-  InteriorOptions options;
-  std::optional<FillRule> rule;
+  std::string json, svg, rule;
+  std::vector<operations::OptionSetting> settings;
   int threads = 0;
-  bool verify = false;
   bool verbose = false;
 };
 
 // Nothing when the arguments asked for help, which is printed.
 std::optional<InteriorRequest> parse_interior(const std::vector<std::string>& arguments) {
   InteriorRequest request;
-  bool no_densify = false, no_check = false;
-  std::pair<int, int> densify;
-  std::string rule;
   OptionParser parser(
       "Computes the areas of two closed curves, which have to be simple unless --rule is given, by the interior "
       "function: Q1, Q2, Q3.",
       "lober interior");
   add_curve_arguments(parser, request.curves);
-  const Option insert =
-      parser
-          .add("--densify", densify,
-               "Do not split segments where the curves meet. Instead, in each of P passes, insert N points into every "
-               "segment whose ends lie on different sides of the other curve, as -DENS P N of Lober 1.8 does "
-               "(default: segments are split).")
-          .value("P N")
-          .range(0, 1'000'000);
-  const Option unsplit = parser.add_flag("--no-densify", no_densify,
-                                         "Neither split segments nor insert points, as -DENS 0 of Lober 1.8 does.");
-  Option(unsplit).excludes(insert);
+  TableOptions options(parser, operations::named("interior"));
   const Option svg = parser
                          .add("--svg", request.svg,
                               "Draw the parts of both curves outside and inside of each other, the paths of Q1, Q2 "
@@ -58,131 +42,69 @@ std::optional<InteriorRequest> parse_interior(const std::vector<std::string>& ar
                          .value("FILE");
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
-  const Option unchecked = add_simple_check_option(parser, no_check);
-  const Option verify = parser.add_flag("--verify", request.verify,
-                                        "Compute the areas by the overlay too, and report how far the two results "
-                                        "differ.");
-  parser.add("--rule", rule, rule_help)
-      .value("RULE")
-      .one_of({"nonzero", "evenodd", "positive", "negative"})
-      .excludes(insert)
-      .excludes(unsplit)
-      .excludes(svg)
-      .excludes(unchecked)
-      .excludes(verify);
+  Option rule = add_rule_option(parser, request.rule).excludes(svg);
+  for (const char* const key : {"method", "passes", "points", "check_simple", "verify"}) rule.excludes(options[key]);
   add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
-  request.options.check_simple = !no_check;
-  if (no_densify || insert.given()) request.options.method = InteriorMethod::ends;
-  std::tie(request.options.passes, request.options.points) = densify;
-  for (const FillRule any : all_fill_rules) {
-    if (name(any) == rule) request.rule = any;
+  request.settings = options.settings();
+  if (!request.rule.empty()) {
+    request.settings.push_back({"rule", request.rule});
+    request.settings.push_back({"areas_only", true});
   }
   return request;
 }
 
-std::array<NamedCurve, 2> read_inputs(const InteriorRequest& request, Progress& progress) {
-  progress.phase("reading", 0, 0.25);
-  std::array<NamedCurve, 2> inputs;
-  for (std::size_t k = 0; k < 2; ++k) {
-    inputs[k] = read_curve(request.curves[k], true);
-    progress.advance(0.5 * static_cast<double>(k + 1));
-  }
-  require_same_columns(inputs[0].curve, inputs[1].curve);
-  progress.of(static_cast<double>(inputs[0].curve.points.size() + inputs[1].curve.points.size()), "points");
-  return inputs;
+void write_json(const std::string& path, CurvesReport& report, const std::function<double()>& seconds_so_far) {
+  const auto& found = report.outcome.as<operations::CurveInterior>();
+  const InteriorTiming& timing = found.timing;
+  write_curves_json(path, "interior", "interior", report, {found.areas.c1, found.areas.c2},
+                    {found.orientation1, found.orientation2},
+                    {{"check", timing.check},
+                     {"crossings", timing.crossings},
+                     {"order", timing.order},
+                     {"labels", timing.labels},
+                     {"sums", timing.sums},
+                     {"verify", found.verify_seconds}},
+                    seconds_so_far);
 }
 
-InteriorReport compute(const InteriorRequest& request, Progress& progress) {
-  InteriorReport report;
-  report.options = request.options;
-  const detail::Stopwatch read_watch;
-  report.inputs = read_inputs(request, progress);
-  report.read_seconds = read_watch.seconds();
-  progress.phase("interior", 0.25, 0.95);
-  const detail::Stopwatch index_watch;
-  const IndexedCurve c1(report.inputs[0].curve), c2(report.inputs[1].curve);
-  report.index_seconds = index_watch.seconds();
-  InteriorOptions options = request.options;
-  options.progress = [&](double fraction) { return progress.advance(fraction); };
-  try {
-    MeasuredAreas measured = measure_areas(c1, c2, options);
-    report.result = std::move(measured.result);
-    report.splitting = measured.splitting;
-  } catch (const NotSimpleError& error) {
-    throw DataError(request.curves[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what() +
-                    " (--rule takes such curves)");
-  }
-  if (request.verify) {
-    const detail::Stopwatch verify_watch;
-    OverlayOptions areas_only;
-    areas_only.pieces = areas_only.check_simple = false;
-    const Overlay other = overlay(c1, c2, areas_only);
-    report.consistency = distance(report.result.areas, other.areas);
-    for (const NamedArea& area : named_areas) {
-      const auto member = area.member;
-      const double splitting = report.splitting ? (*report.splitting).*member : 0;
-      report.agreement.compare({std::string("area of ") + area.label, "interior", "overlay",
-                                report.result.areas.*member, other.areas.*member,
-                                report.result.rounding.*member + other.rounding.*member + splitting});
-    }
-    report.verify_seconds = verify_watch.seconds();
-  }
-  return report;
-}
-
-void check_outputs_of(const InteriorRequest& request) {
-  std::vector<Output> outputs;
-  if (!request.json.empty()) outputs.push_back({"--json", request.json});
-  if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
-  check_outputs(outputs, request.curves);
-}
-
-void run_by_rule(const InteriorRequest& request) {
-  const detail::Stopwatch watch;
-  check_outputs_of(request);
-  RuledInteriorReport report;
-  report.rule = *request.rule;
-  {
-    Progress progress;
-    const detail::Stopwatch read_watch;
-    report.inputs = read_inputs(request, progress);
-    report.read_seconds = read_watch.seconds();
-    progress.phase("regions", 0.25, 0.95);
-    RegionOptions options;
-    options.progress = [&](double fraction) { return progress.advance(fraction); };
-    report.result = regions(ClosedCurve::borrow(report.inputs[0].curve.points),
-                            ClosedCurve::borrow(report.inputs[1].curve.points), options);
-    progress.phase("writing", 0.95, 1);
-    if (!request.json.empty()) write_ruled_interior_json(request.json, report, [&] { return watch.seconds(); });
-  }
-  if (request.json != "-") print(ruled_interior_table(report));
-  const RegionTiming& timing = report.result.timing();
-  log_info(fmt::format(
-      "seconds: read {:.4f}, index {:.4f}, search {:.4f}, nodes {:.4f}, graph {:.4f}, faces {:.4f}, "
-      "total {:.4f}",
-      report.read_seconds, timing.index, timing.search, timing.nodes, timing.graph, timing.faces, watch.seconds()));
-}
-
-void run(const InteriorRequest& request) {
-  const detail::Stopwatch watch;
-  check_outputs_of(request);
-  InteriorReport report;
-  {
-    Progress progress;
-    report = compute(request, progress);
-    progress.phase("writing", 0.95, 1);
-    if (!request.svg.empty()) write_interior_picture(request.svg, report);
-    if (!request.json.empty()) write_interior_json(request.json, report, [&] { return watch.seconds(); });
-  }
-  if (request.json != "-" && request.svg != "-") print(interior_table(report));
-  const InteriorTiming& timing = report.result.timing;
+void log_timing(const CurvesReport& report, double total) {
+  const InteriorTiming& timing = report.outcome.as<operations::CurveInterior>().timing;
   log_info(fmt::format(
       "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, labels {:.4f}, sums {:.4f}, "
       "total {:.4f}",
       report.read_seconds, report.index_seconds, timing.check, timing.crossings, timing.order, timing.labels,
-      timing.sums, watch.seconds()));
-  require_agreement(report.agreement);
+      timing.sums, total));
+}
+
+std::string areas_by_rule(const CurvesReport& report) {
+  const auto& found = report.outcome.as<operations::CurveRegions>();
+  const Areas areas = found.regions.areas(found.rule);
+  return fmt::format("\nQ1 {:.16g}, Q2 {:.16g}, Q3 {:.16g}\n", areas.symmetric_difference, areas.union_,
+                     areas.intersection);
+}
+
+void run(const InteriorRequest& request) {
+  const detail::Stopwatch watch;
+  std::vector<Output> outputs;
+  if (!request.json.empty()) outputs.push_back({"--json", request.json});
+  if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
+  check_outputs(outputs, request.curves);
+  const bool by_rule = !request.rule.empty();
+  CurvesReport report;
+  {
+    Progress progress;
+    report = run_on_curves(by_rule ? "regions" : "interior", request.curves, request.settings, progress);
+    progress.phase("writing", 0.9, 1);
+    const auto total = [&] { return watch.seconds(); };
+    if (!request.svg.empty()) write_interior_picture(request.svg, report.outcome.as<operations::CurveInterior>());
+    if (!request.json.empty())
+      by_rule ? write_regions_json(request.json, "interior", report, total) : write_json(request.json, report, total);
+  }
+  if (!takes_standard_output(outputs))
+    print(by_rule ? regions_table(report) + areas_by_rule(report) : interior_table(report));
+  by_rule ? log_regions_timing(report, watch.seconds()) : log_timing(report, watch.seconds());
+  require_agreement(report.outcome.agreement);
 }
 
 }  // namespace
@@ -191,7 +113,7 @@ void run_interior(const std::vector<std::string>& arguments) {
   const std::optional<InteriorRequest> request = parse_interior(arguments);
   if (!request) return;
   if (request->verbose) show_all_messages();
-  run_with_threads(request->threads, [&] { request->rule ? run_by_rule(*request) : run(*request); });
+  run_with_threads(request->threads, [&] { run(*request); });
 }
 
 }  // namespace lober::cli

@@ -75,8 +75,7 @@ std::string dashed_swatch(const char* colour) {
 
 }  // namespace
 
-void write_interior_picture(const std::string& path, const InteriorReport& report) {
-  const InteriorAreas& result = report.result;
+void write_interior_picture(const std::string& path, const InteriorAreas& result) {
   const Crossings& nodes = result.nodes;
   const View view(include(include({}, nodes.curve1().points), nodes.curve2().points));
   std::string svg;

@@ -63,20 +63,6 @@ const SigmaStep* step_of(const std::vector<SigmaStep>& steps, std::size_t node) 
   return found != steps.end() && found->crossing == node ? &*found : nullptr;
 }
 
-Json steps_json(const std::vector<SigmaStep>& steps) {
-  Json list = Json::array();
-  for (const SigmaStep& step : steps) {
-    list.push_back({{"crossing", step.crossing},
-                    {"rho", step.rho},
-                    {"next1", step.along1},
-                    {"next2", step.along2},
-                    {"sigma", step.sigma},
-                    {"class", step.class_number},
-                    {"s", step.s}});
-  }
-  return {{"classes", class_count(steps)}, {"half_sum", half_sum(steps)}, {"list", std::move(list)}};
-}
-
 }  // namespace
 
 std::size_t class_count(const std::vector<SigmaStep>& steps) {
@@ -85,15 +71,11 @@ std::size_t class_count(const std::vector<SigmaStep>& steps) {
   return count;
 }
 
-std::string classes_text(const OverlayReport& report) {
+std::string classes_text(const CurveOverlay& found) {
   std::string text;
-  if (!report.steps) return text;
-  for (std::size_t k = 0; k < pairing_texts.size(); ++k) add_pairing(text, (*report.steps)[k], pairing_texts[k]);
+  if (!found.steps) return text;
+  for (std::size_t k = 0; k < pairing_texts.size(); ++k) add_pairing(text, (*found.steps)[k], pairing_texts[k]);
   return text;
-}
-
-Json sigma_json(const OverlayReport& report) {
-  return {{"c1_minus_c2", steps_json((*report.steps)[0])}, {"c2_minus_c1", steps_json((*report.steps)[1])}};
 }
 
 std::string sigma_columns() {
@@ -104,8 +86,8 @@ std::string sigma_columns() {
   return text;
 }
 
-void append_sigma(std::string& text, const OverlayReport& report, std::size_t node) {
-  for (const std::vector<SigmaStep>& steps : *report.steps) {
+void append_sigma(std::string& text, const CurveOverlay& found, std::size_t node) {
+  for (const std::vector<SigmaStep>& steps : *found.steps) {
     if (const SigmaStep* step = step_of(steps, node)) {
       append_all(text, ",", step->along1, ",", step->along2, ",", step->sigma, ",", step->class_number, ",", step->s);
     } else {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/overlay/regions_report.hpp"
+#include "cli/overlay/overlay_report.hpp"
 #include "cli/report/text.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
@@ -30,8 +30,7 @@ constexpr const char* sigma_header =
 constexpr const char* crossings_columns =
     "index,x,y,rho,kind,segment1,t1,segment2,t2,class,order2,end_x,end_y,end_segment1,end_t1,end_segment2,end_t2";
 
-void format_crossing(std::string& text, const OverlayReport& report, std::size_t k) {
-  const Overlay& result = report.result;
+void format_crossing(std::string& text, const CurveOverlay& result, std::size_t k) {
   const Node node = result.nodes[k];
   append_all(text, k, ",", node.begin.x, ",", node.begin.y, ",", node.rho, ",", kind_of(node), ",", node.begin1.segment,
              ",", node.begin1.t, ",", node.begin2.segment, ",", node.begin2.t, ",");
@@ -43,7 +42,7 @@ void format_crossing(std::string& text, const OverlayReport& report, std::size_t
     append_all(text, ",", node.end.x, ",", node.end.y, ",", node.end1.segment, ",", node.end1.t, ",", node.end2.segment,
                ",", node.end2.t);
   }
-  if (report.steps) append_sigma(text, report, k);
+  if (result.steps) append_sigma(text, result, k);
   text += "\n";
 }
 
@@ -76,31 +75,33 @@ void write_pieces(const std::string& path, const Count& count, const Zones& zone
 
 }  // namespace
 
-void write_lobes(const std::string& path, const OverlayReport& report) {
+void write_lobes(const std::string& path, const CurveOverlay& found) {
   write_pieces(
-      path, [&](Pairing pairing) { return report.result.pieces(pairing).size(); },
+      path, [&](Pairing pairing) { return found.pieces(pairing).size(); },
       [&](Pairing pairing, std::size_t k) {
-        return zones_of(pairing, k, report.result.pieces(pairing).areas()[k], outline(report.result, pairing, k));
+        return zones_of(pairing, k, found.pieces(pairing).areas()[k], outline(found, pairing, k));
       });
 }
 
-void write_region_lobes(const std::string& path, const RegionsReport& report) {
+void write_lobes(const std::string& path, const CurveRegions& found) {
+  const auto pieces_of = [&](Pairing pairing) -> const RegionPieces& {
+    return (*found.pieces)[static_cast<std::size_t>(pairing)];
+  };
   write_pieces(
-      path, [&](Pairing pairing) { return report.pieces_of(pairing).size(); },
+      path, [&](Pairing pairing) { return pieces_of(pairing).size(); },
       [&](Pairing pairing, std::size_t k) {
-        const RegionPieces& pieces = report.pieces_of(pairing);
-        return zones_of(pairing, k, pieces.areas()[k], pieces.outline(k));
+        return zones_of(pairing, k, pieces_of(pairing).areas()[k], pieces_of(pairing).outline(k));
       });
 }
 
-void write_crossings(const std::string& path, const OverlayReport& report) {
+void write_crossings(const std::string& path, const CurveOverlay& found) {
   detail::OutputFile file(path);
   file.write(crossings_header);
-  if (report.steps) file.write(sigma_header);
-  file.write(crossings_columns + (report.steps ? sigma_columns() : std::string()) + "\n");
+  if (found.steps) file.write(sigma_header);
+  file.write(crossings_columns + (found.steps ? sigma_columns() : std::string()) + "\n");
   std::string text;
-  for (std::size_t k = 0; k < report.result.nodes.size(); ++k) {
-    format_crossing(text, report, k);
+  for (std::size_t k = 0; k < found.nodes.size(); ++k) {
+    format_crossing(text, found, k);
     if (text.size() < (std::size_t{1} << 20)) continue;
     file.write(text);
     text.clear();

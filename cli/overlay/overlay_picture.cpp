@@ -33,12 +33,12 @@ void add_dots(std::string& svg, const View& view, const Crossings& nodes) {
   svg += "</g>\n";
 }
 
-void add_legend(std::string& svg, const View& view, const OverlayReport& report) {
+void add_legend(std::string& svg, const View& view, const CurveOverlay& found) {
   const auto pieces = [&](Pairing pairing) {
-    const std::size_t count = report.result.pieces(pairing).size();
+    const std::size_t count = found.pieces(pairing).size();
     return std::to_string(count) + (count == 1 ? " lobe, area " : " lobes, area ");
   };
-  const Areas& areas = report.result.areas;
+  const Areas& areas = found.areas;
   add_legend_entry(svg, view, 0, 0, line_swatch(colour1, 2), "C1, area " + rounded(areas.c1));
   add_legend_entry(svg, view, 1, 0, filled_swatch(colour1),
                    "C1 \\ C2: " + pieces(Pairing::c1_minus_c2) + rounded(areas.c1_minus_c2));
@@ -140,10 +140,10 @@ std::vector<Point> closed(const CurveView& curve) {
   return line;
 }
 
-void draw_classes(std::string& svg, const View& view, const OverlayReport& report, bool clipped) {
-  const Overlay& result = report.result;
+void draw_classes(std::string& svg, const View& view, const CurveOverlay& found, bool clipped) {
+  const Overlay& result = found;
   const Crossings& nodes = result.nodes;
-  const std::vector<SigmaStep>& steps = (*report.steps)[0];
+  const std::vector<SigmaStep>& steps = (*found.steps)[0];
   const std::size_t classes = class_count(steps), entries = std::min(classes, class_colours.size());
   begin_picture(svg, view, "Crossings of two curves and their classes", static_cast<int>(4 + (entries + 1) / 2),
                 clipped);
@@ -220,13 +220,13 @@ void draw_classes(std::string& svg, const View& view, const OverlayReport& repor
 
 }  // namespace
 
-void write_picture(const std::string& path, const OverlayReport& report, const std::optional<Rectangle>& window) {
-  const Overlay& result = report.result;
+void write_picture(const std::string& path, const CurveOverlay& found, const std::optional<Rectangle>& window) {
+  const Overlay& result = found;
   const CurveView &c1 = result.nodes.curve1(), &c2 = result.nodes.curve2();
   const View view(window ? *window : include(include({}, c1.points), c2.points));
   std::string svg;
-  if (report.steps) {
-    draw_classes(svg, view, report, window.has_value());
+  if (found.steps) {
+    draw_classes(svg, view, found, window.has_value());
     write_file(path, svg);
     return;
   }
@@ -238,7 +238,7 @@ void write_picture(const std::string& path, const OverlayReport& report, const s
   add_stroked(svg, colour2, 1.2, polygon_path(view, c2.points, max_path_points));
   add_dots(svg, view, result.nodes);
   begin_legend(svg);
-  add_legend(svg, view, report);
+  add_legend(svg, view, found);
   end_picture(svg);
   write_file(path, svg);
 }

@@ -8,15 +8,16 @@
 namespace lober::cli {
 namespace {
 
-void add_areas(std::string& text, const OverlayReport& report) {
-  const std::optional<SmoothAreas>& smooth = report.smooth;
-  text += fmt::format("\n{:<16} {:>23}  {:>10} {:>15}{}{}\n", "area of", smooth ? "polygons" : "", "+- rounding",
-                      "discretisation", report.consistency ? "   consistency" : "",
+void add_areas(std::string& text, const CurveOverlay& found) {
+  const std::optional<SmoothAreas>& smooth = found.smooth;
+  text += fmt::format("\n{:<16} {:>23}  {:>10}{}{}{}\n", "area of", smooth ? "polygons" : "", "+- rounding",
+                      found.discretisation ? "  discretisation" : "", found.consistency ? "   consistency" : "",
                       smooth ? fmt::format(" {:>23}  {:>9}", "smooth", "+-") : "");
   for (const NamedArea& area : named_areas) {
-    text += fmt::format("{:<16} {:>23.16g}  {:>11.1e} {:>15.1e}", area.label, report.result.areas.*area.member,
-                        report.result.rounding.*area.member, report.discretisation.*area.member);
-    if (report.consistency) text += fmt::format(" {:>13.1e}", (*report.consistency).*area.member);
+    text +=
+        fmt::format("{:<16} {:>23.16g}  {:>11.1e}", area.label, found.areas.*area.member, found.rounding.*area.member);
+    if (found.discretisation) text += fmt::format(" {:>15.1e}", (*found.discretisation).*area.member);
+    if (found.consistency) text += fmt::format(" {:>13.1e}", (*found.consistency).*area.member);
     if (smooth) text += fmt::format(" {:>23.16g}  {:>9.1e}", smooth->areas.*area.member, smooth->error.*area.member);
     text += "\n";
   }
@@ -38,16 +39,16 @@ std::string crossings_text(const PieceCrossings& crossings) {
   return text.empty() ? "-" : text;
 }
 
-void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing, const char* label) {
-  const Pieces& pieces = report.result.pieces(pairing);
-  const Slivers& slivers = report.slivers_of(pairing);
+void add_pieces(std::string& text, const CurveOverlay& found, Pairing pairing, const char* label) {
+  const Pieces& pieces = found.pieces(pairing);
+  const Slivers slivers = find_slivers(found, pairing);
   text += fmt::format("\n{}: {}\n", label, pieces.size() == 0 ? "no lobe" : counted(pieces.size(), "lobe", "lobes"));
   if (pieces.size() == 0) return;
   text += fmt::format("{:>8} {:>23}   {:^26} {:>6}  {}\n", "lobe", "area", "centroid", "holes", "crossings");
   const std::vector<std::uint32_t> order = largest(pieces.areas());
   for (const std::uint32_t number : order) {
     const Piece piece = pieces[number];
-    const Point at = centroid(report.result, pairing, number);
+    const Point at = centroid(found, pairing, number);
     text += fmt::format("{:>8} {:>23.16g}   ({:>11.5g}, {:>11.5g}) {:>6}  {}\n", number, piece.area, at.x, at.y,
                         piece.holes, crossings_text(piece.crossings));
   }
@@ -60,16 +61,17 @@ void add_pieces(std::string& text, const OverlayReport& report, Pairing pairing,
 
 }  // namespace
 
-std::string overlay_table(const OverlayReport& report) {
-  std::string text = agreement_text(report.agreement);
-  text += inputs_text(report.inputs, {report.result.orientation1, report.result.orientation2});
-  text += "\n" + meetings_text(report.result.nodes) + "\n";
-  add_areas(text, report);
-  if (report.options.pieces) {
-    add_pieces(text, report, Pairing::c1_minus_c2, "C1 \\ C2");
-    add_pieces(text, report, Pairing::c2_minus_c1, "C2 \\ C1");
+std::string overlay_table(const CurvesReport& report) {
+  const auto& found = report.outcome.as<CurveOverlay>();
+  std::string text = agreement_text(found.agreement);
+  text += inputs_text(report.inputs, {found.orientation1, found.orientation2});
+  text += "\n" + meetings_text(found.nodes) + "\n";
+  add_areas(text, found);
+  if (found.has_pieces) {
+    add_pieces(text, found, Pairing::c1_minus_c2, "C1 \\ C2");
+    add_pieces(text, found, Pairing::c2_minus_c1, "C2 \\ C1");
   }
-  return text + classes_text(report);
+  return text + classes_text(found);
 }
 
 }  // namespace lober::cli

@@ -77,13 +77,8 @@ void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curve
   parser.add("C2", curves[1], "The second curve, in the same form.").required();
 }
 
-Option add_simple_check_option(OptionParser& parser, bool& no_check) {
-  return parser.add_flag("--no-simple-check", no_check,
-                         "Do not check that the curves are simple. The results are wrong for curves that are not.");
-}
-
 void add_manifold_check_option(OptionParser& parser, bool& no_check) {
-  parser.add_flag("--no-simple-check", no_check,
+  parser.add_flag("--no-check-simple", no_check,
                   "Do not check that the manifolds are simple, and accept those that cross themselves, as coarse ones "
                   "may do far out.");
 }

@@ -38,11 +38,9 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
 
 /// C1 and C2, closed curves.
 void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves);
-/// --no-simple-check, of these.
-Option add_simple_check_option(OptionParser& parser, bool& no_check);
 /// -o FILE, of points.
 void add_points_option(OptionParser& parser, std::string& path, bool required);
-/// --no-simple-check, of manifolds.
+/// --no-check-simple, of manifolds.
 void add_manifold_check_option(OptionParser& parser, bool& no_check);
 /// --json FILE. `what` is written to it.
 void add_json_option(OptionParser& parser, std::string& path, const std::string& what = "the results");

@@ -19,7 +19,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> options_o
     {quantity::section, "--section"},
     {quantity::store, "--store"},
     {quantity::search, "lober fixed-points"},
-    {quantity::passes, "--densify; -DENS of published forms"},
+    {quantity::passes, "--passes; -DENS of published forms"},
 }};
 
 }  // namespace

@@ -15,10 +15,19 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+// A flag that is true unless it is refused: --no-check-simple.
+bool is_on(const OptionSpec& spec) {
+  const bool* const flag = std::get_if<bool>(&spec.fallback);
+  return flag != nullptr && *flag;
+}
+
 // "The number of iterates n up to which the table goes (default: 7)."
 std::string help_of(const OptionSpec& spec) {
   const std::string whether = "whether to ";
-  if (spec.meaning.starts_with(whether)) return capitalised(spec.meaning.substr(whether.size())) + ".";
+  if (spec.meaning.starts_with(whether)) {
+    const std::string phrase = spec.meaning.substr(whether.size());
+    return (is_on(spec) ? "Do not " + phrase : capitalised(phrase)) + ".";
+  }
   const bool is_point = std::holds_alternative<Point>(spec.fallback);
   const std::size_t aside = std::min(spec.meaning.find(';'), spec.meaning.size());
   const std::string otherwise = spec.optional ? spec.otherwise : operations::to_string(spec.fallback);
@@ -53,7 +62,8 @@ TableOptions::TableOptions(OptionParser& parser, const operations::Operation& op
 }
 
 void TableOptions::add(OptionParser& parser, const OptionSpec& spec) {
-  const std::string name = option_name(spec.key), help = help_of(spec);
+  const std::string name = is_on(spec) ? "--no-" + option_name(spec.key).substr(2) : option_name(spec.key);
+  const std::string help = help_of(spec);
   const auto add_as = [&](auto value) {
     auto& stored = std::get<decltype(value)>(values_.emplace_back(spec.key, std::move(value)).second);
     if constexpr (std::is_same_v<decltype(value), bool>) {
@@ -72,6 +82,7 @@ void TableOptions::add(OptionParser& parser, const OptionSpec& spec) {
   } else if (!spec.value.empty()) {
     option.value(spec.value.c_str());
   }
+  if (is_on(spec)) on_.insert(spec.key);
   limit(option, spec);
   if (!spec.choices.empty()) option.one_of(spec.choices);
   if (spec.required) option.required();
@@ -83,9 +94,11 @@ std::vector<operations::OptionSetting> TableOptions::settings() const {
   for (const auto& [key, stored] : values_) {
     if (!options_.at(key).given()) continue;
     settings.push_back({key, std::visit(
-                                 [](const auto& value) -> operations::OptionValue {
+                                 [on = on_.contains(key)](const auto& value) -> operations::OptionValue {
                                    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
                                      return Point{value[0], value[1]};
+                                   } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) {
+                                     return !on;
                                    } else {
                                      return value;
                                    }

@@ -1,4 +1,5 @@
-// The options of an operation of the table (lober/operations.hpp) on the command line: max_points is --max-points.
+// The options of an operation of the table (lober/operations.hpp) on the command line: max_points is --max-points, and
+// check_simple, which is true unless it is refused, --no-check-simple.
 #pragma once
 
 #include <deque>
@@ -33,6 +34,7 @@ class TableOptions {
 
   std::deque<std::pair<std::string, Storage>> values_;  // parsed into, so that they stay in place
   std::map<std::string, Option> options_;
+  std::set<std::string> on_;  // keys of flags that are given to refuse something
 };
 
 /// "--max-points" of "max_points".

@@ -8,7 +8,6 @@
 #include <optional>
 #include <sstream>
 
-#include "cli/interior/interior_report.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
@@ -114,18 +113,23 @@ PublishedResult by_overlay(const IndexedCurve& c1, const IndexedCurve& c2,
 PublishedResult by_interior(const IndexedCurve& c1, const IndexedCurve& c2,
                             const std::optional<EndsDensification>& densification,
                             const std::function<bool(double)>& progress) {
-  InteriorOptions options;
-  options.progress = progress;
+  const operations::Operation& operation = operations::named("interior");
+  std::vector<operations::OptionSetting> settings;
   if (densification) {
-    options.method = InteriorMethod::ends;
-    options.passes = densification->passes;
-    options.points = densification->points;
+    settings = {{"method", "ends"},
+                {"passes", std::int64_t{densification->passes}},
+                {"points", std::int64_t{densification->points}}};
   }
-  const MeasuredAreas measured = measure_areas(c1, c2, options);
-  PublishedResult result{measured.result.areas, measured.result.rounding,
-                         points_of(measured.result.nodes, densification.value_or(EndsDensification{}))};
-  if (measured.splitting) {
-    for (const NamedArea& area : named_areas) result.error.*area.member += (*measured.splitting).*area.member;
+  const std::array<operations::Input, 2> curves{operations::CurveInput{c1.view(), {}, &c1},
+                                                operations::CurveInput{c2.view(), {}, &c2}};
+  operations::Context context;
+  context.progress = [&](double fraction, const std::string&) { return progress(fraction); };
+  const operations::Outcome outcome = operation.run(curves, {operation.options, settings}, context);
+  const auto& found = outcome.as<operations::CurveInterior>();
+  PublishedResult result{found.areas, found.rounding,
+                         points_of(found.nodes, densification.value_or(EndsDensification{}))};
+  if (found.splitting) {
+    for (const NamedArea& area : named_areas) result.error.*area.member += (*found.splitting).*area.member;
   }
   return result;
 }

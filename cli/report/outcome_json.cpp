@@ -24,7 +24,8 @@ void write_outcome_json(const std::string& path, std::string_view command,
   Json options = Json::object();
   for (const operations::OptionSetting& setting : outcome.settings) options[setting.key] = setting_json(setting.value);
   json.member("options", options);
-  json.file().write(json_members(operation.result, outcome.value.get()) + ",\n");
+  write_json_members(operation.result, outcome.value.get(), [&](std::string_view text) { json.file().write(text); });
+  json.file().write(",\n");
   json.finish(timing());
 }
 

@@ -12,24 +12,6 @@ std::string spec_of(const NamedCurve& input) {
   return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
 }
 
-Areas distance(const Areas& a, const Areas& b) {
-  Areas result;
-  for (const NamedArea& area : named_areas) result.*area.member = std::fabs(a.*area.member - b.*area.member);
-  return result;
-}
-
-const char* name(Orientation orientation) {
-  switch (orientation) {
-    case Orientation::clockwise:
-      return "clockwise";
-    case Orientation::degenerate:
-      return "degenerate";
-    case Orientation::counter_clockwise:
-      break;
-  }
-  return "counter_clockwise";
-}
-
 std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -46,9 +28,9 @@ std::string inputs_text(const std::array<NamedCurve, 2>& inputs, const std::arra
   const std::size_t width = std::max(specs[0].size(), specs[1].size());
   std::string text;
   for (std::size_t k = 0; k < 2; ++k) {
-    text +=
-        fmt::format("C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, inputs[k].curve.points.size(),
-                    orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : name(orientations[k]));
+    text += fmt::format(
+        "C{}  {:<{}}  {:>9} points  {}\n", k + 1, specs[k], width, inputs[k].curve.points.size(),
+        orientations[k] == Orientation::counter_clockwise ? "counter-clockwise" : std::string(name(orientations[k])));
   }
   for (std::size_t k = 0; k < 2; ++k) {
     if (!inputs[k].remark.empty()) text += fmt::format("C{} {}\n", k + 1, inputs[k].remark);

@@ -31,12 +31,6 @@ inline constexpr std::array<NamedArea, 7> named_areas{{
     {"symmetric_difference", "either, not both", &Areas::symmetric_difference},
 }};
 
-/// |a - b|, area by area.
-[[nodiscard]] Areas distance(const Areas& a, const Areas& b);
-
-/// "counter_clockwise", "clockwise" or "degenerate".
-[[nodiscard]] const char* name(Orientation orientation);
-
 /// "12 crossings, 1 touch, 0 shared arcs", or that the curves are one and the same.
 [[nodiscard]] std::string meetings_text(const Crossings& nodes);
 

@@ -24,7 +24,7 @@ Tangle tangle_of(const NamedCurve& u, const NamedCurve& s, const TangleOptions& 
     const bool first = error.curve == 1;
     throw DataError(
         fmt::format("{}: {} crosses or touches itself: segments {} and {} meet at ({}, {}) (lober tangle "
-                    "--no-simple-check takes such curves)",
+                    "--no-check-simple takes such curves)",
                     spec_of(first ? u : s), first ? "U" : "S", error.segment1, error.segment2, error.at.x, error.at.y));
   }
 }

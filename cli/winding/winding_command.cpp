@@ -2,11 +2,7 @@
 
 #include "cli/winding/winding_command.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <map>
-#include <numbers>
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/output_names.hpp"
@@ -24,7 +20,6 @@ namespace lober::cli {
 namespace {
 
 constexpr std::size_t max_cells = 100'000'000;
-constexpr std::size_t block_points = std::size_t{1} << 18;  // between two reports of progress
 
 struct WindingRequest {
   std::string curve;
@@ -108,36 +103,6 @@ WindingGrid grid_of(const WindingRequest& request, CurveView curve) {
   return grid;
 }
 
-// J comes from angles and the winding number from crossings of a ray: two routes. A curve has at most as many angles as
-// segments, each right to 2^-51 of a turn (engine/lober/interior.hpp).
-void compare_with_turns(WindingReport& report) {
-  report.bar = std::ldexp(static_cast<double>(report.input.curve.points.size() + 8), -51);
-  const auto compare_at = [&](std::size_t k, double turns) {
-    report.agreement.compare(
-        {"the winding number about (" + rounded(report.points[k].x) + ", " + rounded(report.points[k].y) + ")",
-         "crossings of a ray", "J", static_cast<double>(report.windings[k].number), turns, report.bar});
-  };
-  for (std::size_t k = 0; k < report.points.size(); ++k) {
-    if (report.windings[k].on) continue;
-    const double turns = report.values[k].j / (2 * std::numbers::pi);
-    const double difference = std::fabs(turns - report.windings[k].number);
-    report.difference = std::max(report.difference, difference);
-    if (!(difference <= report.bar)) compare_at(k, turns);
-  }
-}
-
-void count_windings(WindingReport& report) {
-  std::map<int, std::size_t> counts;
-  for (const Winding& winding : report.windings) {
-    if (winding.on) {
-      ++report.on;
-    } else {
-      ++counts[winding.number];
-    }
-  }
-  for (const auto& [winding, points] : counts) report.counts.push_back({winding, points});
-}
-
 WindingReport compute(const WindingRequest& request, Progress& progress) {
   WindingReport report;
   progress.phase("reading", 0, 0.2);
@@ -153,24 +118,16 @@ WindingReport compute(const WindingRequest& request, Progress& progress) {
     report.grid = grid_of(request, report.input.curve);
     report.points = cell_centres(report.grid->window, report.grid->columns, report.grid->rows);
   }
-  const std::span<const Point> points(report.points);
-  progress.of(static_cast<double>(points.size()), "points");
+  progress.of(static_cast<double>(report.points.size()), "points");
   progress.phase("winding numbers", 0.2, 0.8);
   const detail::Stopwatch winding_watch;
-  report.windings.reserve(points.size());
-  report.values.reserve(points.size());
-  for (std::size_t begin = 0; begin < points.size(); begin += block_points) {
-    const auto block = points.subspan(begin, std::min(block_points, points.size() - begin));
-    const std::vector<Winding> windings = lober::windings(curve, block);
-    const std::vector<InteriorValue> values = interior_function(curve, block);
-    report.windings.insert(report.windings.end(), windings.begin(), windings.end());
-    report.values.insert(report.values.end(), values.begin(), values.end());
-    if (!progress.advance(static_cast<double>(begin + block.size()) / static_cast<double>(points.size())))
-      throw Cancelled();
-  }
+  const operations::Operation& operation = operations::named("winding");
+  const std::array<operations::Input, 2> inputs{operations::CurveInput{report.input.curve, request.curve, &curve},
+                                                std::span<const Point>(report.points)};
+  operations::Context context;
+  context.progress = [&](double fraction, const std::string&) { return progress.advance(fraction); };
+  report.outcome = operation.run(inputs, {operation.options, {}}, context);
   report.winding_seconds = winding_watch.seconds();
-  count_windings(report);
-  compare_with_turns(report);
   return report;
 }
 
@@ -194,7 +151,7 @@ void run(const WindingRequest& request) {
     if (!request.json.empty()) write_winding_json(request.json, report, [&] { return watch.seconds(); });
   }
   if (!takes_standard_output(outputs)) print(winding_table(report));
-  require_agreement(report.agreement);
+  require_agreement(report.outcome.agreement);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::string winding_path(const View& view, const WindingReport& report, int wind
     return view(cell_corner(grid.window, grid.columns, grid.rows, column, row));
   };
   const auto has = [&](std::size_t column, std::size_t row) {
-    const Winding& cell = report.windings[row * grid.columns + column];
+    const Winding& cell = report.found().windings[row * grid.columns + column];
     return !cell.on && cell.number == winding;
   };
   std::string path;
@@ -46,24 +46,26 @@ std::string winding_path(const View& view, const WindingReport& report, int wind
 
 void write_winding_picture(const std::string& path, const WindingReport& report) {
   const View view(report.grid->window);
-  std::vector<WindingCount> entries;
-  for (const WindingCount& count : report.counts) {
+  std::vector<operations::CurveWinding::Count> entries;
+  for (const operations::CurveWinding::Count& count : report.found().counts) {
     if (count.winding != 0) entries.push_back(count);
   }
   // All numbers are drawn; the legend has the commonest.
-  std::vector<WindingCount> listed = entries;
+  std::vector<operations::CurveWinding::Count> listed = entries;
   if (listed.size() > max_legend_entries) {
     std::nth_element(listed.begin(), listed.begin() + max_legend_entries, listed.end(),
-                     [](const WindingCount& a, const WindingCount& b) {
+                     [](const operations::CurveWinding::Count& a, const operations::CurveWinding::Count& b) {
                        return a.points != b.points ? a.points > b.points : a.winding < b.winding;
                      });
     listed.resize(max_legend_entries);
     std::sort(listed.begin(), listed.end(),
-              [](const WindingCount& a, const WindingCount& b) { return a.winding < b.winding; });
+              [](const operations::CurveWinding::Count& a, const operations::CurveWinding::Count& b) {
+                return a.winding < b.winding;
+              });
   }
   std::string svg;
   begin_picture(svg, view, "Winding numbers of a curve", static_cast<int>(1 + (listed.size() + 1) / 2));
-  for (const WindingCount& entry : entries) {
+  for (const operations::CurveWinding::Count& entry : entries) {
     svg += std::string("<path fill=\"") + winding_colour(entry.winding) + "\" d=\"" +
            winding_path(view, report, entry.winding) + "\"/>\n";
   }

@@ -6,7 +6,7 @@
 
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/columns.hpp"
-#include "cli/report/json_file.hpp"
+#include "cli/report/outcome_json.hpp"
 #include "cli/report/report.hpp"
 
 namespace lober::cli {
@@ -22,9 +22,10 @@ void add_points(std::string& text, const WindingReport& report) {
   text += fmt::format("\n{:>20} {:>20} {:>8} {:>20}\n", "x", "y", "winding", "J");
   const std::size_t rows = std::min(max_table_rows, report.points.size());
   for (std::size_t k = 0; k < rows; ++k) {
-    const std::string winding = report.windings[k].on ? "on" : std::to_string(report.windings[k].number);
+    const std::string winding =
+        report.found().windings[k].on ? "on" : std::to_string(report.found().windings[k].number);
     text += fmt::format("{:>20.12g} {:>20.12g} {:>8} {:>20.15g}\n", report.points[k].x, report.points[k].y, winding,
-                        report.values[k].j);
+                        report.found().values[k].j);
   }
   if (report.points.size() > rows) text += fmt::format("{:>20} and {} more\n", "...", report.points.size() - rows);
 }
@@ -32,7 +33,7 @@ void add_points(std::string& text, const WindingReport& report) {
 }  // namespace
 
 std::string winding_table(const WindingReport& report) {
-  std::string text = agreement_text(report.agreement);
+  std::string text = agreement_text(report.outcome.agreement);
   text += fmt::format("C   {}  {} points, signed area {:.15g}\n", spec_of(report.input),
                       report.input.curve.points.size(), report.signed_area);
   if (!report.input.remark.empty()) text += "C   " + report.input.remark + "\n";
@@ -43,10 +44,11 @@ std::string winding_table(const WindingReport& report) {
                     report.grid->columns, report.grid->rows, window.min_x, window.max_x, window.min_y, window.max_y);
   }
   text += fmt::format("\n{:>8} {:>12}\n", "winding", "points");
-  for (const WindingCount& count : report.counts) text += fmt::format("{:>8} {:>12}\n", count.winding, count.points);
-  text += fmt::format("{:>8} {:>12}\n", "on", report.on);
+  for (const operations::CurveWinding::Count& count : report.found().counts)
+    text += fmt::format("{:>8} {:>12}\n", count.winding, count.points);
+  text += fmt::format("{:>8} {:>12}\n", "on", report.found().on);
   if (!report.grid) add_points(text, report);
-  text += fmt::format("\nJ / 2 pi differs from the winding number by {:.1e} at most\n", report.difference);
+  text += fmt::format("\nJ / 2 pi differs from the winding number by {:.1e} at most\n", report.found().difference);
   return text;
 }
 
@@ -58,45 +60,31 @@ void write_winding_columns(const std::string& path, const WindingReport& report)
   columns.row = [&](std::size_t k, std::span<double> values) {
     values[0] = report.points[k].x;
     values[1] = report.points[k].y;
-    values[2] = report.windings[k].number;
-    values[3] = report.windings[k].on ? 1 : 0;
-    values[4] = report.values[k].j;
+    values[2] = report.found().windings[k].number;
+    values[3] = report.found().windings[k].on ? 1 : 0;
+    values[4] = report.found().values[k].j;
   };
   write_columns(path, columns);
 }
 
 void write_winding_json(const std::string& path, const WindingReport& report,
                         const std::function<double()>& seconds_so_far) {
-  JsonFile json(path, "winding");
-  json.member("inputs", Json::array({input_json(report.input, std::fabs(report.signed_area), orientation_of(report))}));
+  std::vector<std::pair<std::string, Json>> inputs{
+      {"inputs", Json::array({input_json(report.input, std::fabs(report.signed_area), orientation_of(report))})}};
   if (report.grid) {
     const Rectangle& window = report.grid->window;
-    json.member("grid", {{"box", {window.min_x, window.min_y, window.max_x, window.max_y}},
-                         {"columns", report.grid->columns},
-                         {"rows", report.grid->rows}});
+    inputs.push_back({"grid",
+                      {{"box", {window.min_x, window.min_y, window.max_x, window.max_y}},
+                       {"columns", report.grid->columns},
+                       {"rows", report.grid->rows}}});
   }
-  Json counts = Json::array();
-  for (const WindingCount& count : report.counts) {
-    counts.push_back({{"winding", count.winding}, {"points", count.points}});
-  }
-  json.member("counts", counts);
-  json.member("on", report.on);
-  json.list("points", report.points.size(), [&](std::string& text, std::size_t k) {
-    put(text, "{\"x\":", report.points[k].x, ",\"y\":", report.points[k].y, ",\"winding\":", report.windings[k].number,
-        ",\"on\":", report.windings[k].on ? "true" : "false", ",\"j\":", report.values[k].j, "}");
+  write_outcome_json(path, "winding", inputs, operations::named("winding"), report.outcome, [&] {
+    return Json{{"read", report.read_seconds},
+                {"index", report.index_seconds},
+                {"winding", report.winding_seconds},
+                {"write", report.write_seconds},
+                {"total", seconds_so_far()}};
   });
-  json.member("error",
-              {{"consistency", report.difference},
-               {"bar", report.bar},
-               {"meaning",
-                {{"consistency", "largest |J / 2 pi - winding number| of the points that are not on the curve"},
-                 {"bar", "bound on what rounding of J explains"}}}});
-  add_agreement(json, report.agreement);
-  json.finish({{"read", report.read_seconds},
-               {"index", report.index_seconds},
-               {"winding", report.winding_seconds},
-               {"write", report.write_seconds},
-               {"total", seconds_so_far()}});
 }
 
 }  // namespace lober::cli

@@ -1,16 +1,14 @@
 // Everything that `lober winding` found, for the table, the JSON, the files and the picture to show.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "lober/agreement.hpp"
 #include "lober/buffer.hpp"
 #include "lober/files.hpp"
-#include "lober/interior.hpp"
+#include "lober/operations.hpp"
 
 namespace lober::cli {
 
@@ -20,25 +18,15 @@ struct WindingGrid {
   std::size_t columns = 0, rows = 0;
 };
 
-/// A winding number and the number of points that have it.
-struct WindingCount {
-  int winding = 0;
-  std::size_t points = 0;
-};
-
 struct WindingReport {
   NamedCurve input;
   double signed_area = 0;
   std::optional<WindingGrid> grid;
   Buffer<Point> points;
-  std::vector<Winding> windings;      ///< of each point
-  std::vector<InteriorValue> values;  ///< J at each point
-  std::vector<WindingCount> counts;   ///< ascending; of points that are not on the curve
-  std::size_t on = 0;                 ///< points on the curve
-  double difference = 0;              ///< the largest | J / 2 pi - winding number |
-  double bar = 0;                     ///< what it may be
-  Agreement agreement;                ///< the points where it is more
+  operations::Outcome outcome;
   double read_seconds = 0, index_seconds = 0, winding_seconds = 0, write_seconds = 0;
+
+  [[nodiscard]] const operations::CurveWinding& found() const { return outcome.as<operations::CurveWinding>(); }
 };
 
 /// The short table for people.

@@ -27,11 +27,14 @@ inline std::string json_string(std::string_view text) {
 }
 
 /// The digits that give the number back, with a point or an exponent; null for one that is not finite.
-inline std::string json_number(double value) {
-  if (!std::isfinite(value)) return "null";
-  std::string text = format_number(value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
+inline void append_json_number(std::string& text, double value) {
+  if (!std::isfinite(value)) {
+    text += "null";
+    return;
+  }
+  const std::size_t begin = text.size();
+  text += format_number(value);
+  if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
 }
 
 }  // namespace lober::detail

@@ -41,8 +41,9 @@ Settings settings_of(const ops::Operation& operation, const char* text) {
 
 // ----------------------------------------------------------------------------------------------------------- inputs
 
+// The operation says what is missing.
 std::vector<ops::Input> inputs_of(const ops::Operation& operation, const lober_input* given, std::size_t count) {
-  if (count != operation.inputs.size() || (count > 0 && given == nullptr)) {
+  if (count > operation.inputs.size() || (count > 0 && given == nullptr)) {
     throw UsageError(operation.name + " takes " + std::to_string(operation.inputs.size()) + " inputs, not " +
                      std::to_string(count));
   }

@@ -134,6 +134,11 @@ struct Curve {
 };
 
 enum class Orientation : std::int8_t { clockwise = -1, degenerate = 0, counter_clockwise = 1 };
+[[nodiscard]] constexpr std::string_view name(Orientation orientation) {
+  return orientation == Orientation::counter_clockwise ? "counter_clockwise"
+         : orientation == Orientation::clockwise       ? "clockwise"
+                                                       : "degenerate";
+}
 
 /// Signed area of a closed curve (an open one is closed by its chord), positive for counter-clockwise:
 /// 1/2 sum (x_i y_{i+1} - x_{i+1} y_i), docs/conventions.md, section 2. Correct to 2^-52 relative to |area| + 2^-95

@@ -1,6 +1,7 @@
 // Curves with a spatial index, which pays for curves that occur in many pairs.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -13,6 +14,8 @@ namespace lober {
 
 /// Which index prunes the pairs of segments. Results do not depend on it, time does.
 enum class IndexKind : std::uint8_t { automatic, tree, grid, kd };
+inline constexpr std::array<IndexKind, 4> all_index_kinds{IndexKind::automatic, IndexKind::tree, IndexKind::grid,
+                                                          IndexKind::kd};
 [[nodiscard]] LOBER_API std::string_view name(IndexKind kind);
 /// The kind of that name; `automatic` if there is none.
 [[nodiscard]] LOBER_API IndexKind index_kind(std::string_view name);

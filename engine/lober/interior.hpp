@@ -11,9 +11,11 @@
 //   double flux = lober::interior_areas(c1, c2).areas.c1_minus_c2;
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "lober/areas.hpp"
@@ -118,6 +120,10 @@ enum class InteriorMethod : std::uint8_t {
   split,  ///< segments are split where the curves meet, exactly; each part has the weight of its side
   ends,   ///< a segment has the mean weight of its two ends, as with -DENS 0
 };
+inline constexpr std::array<InteriorMethod, 2> all_interior_methods{InteriorMethod::split, InteriorMethod::ends};
+[[nodiscard]] constexpr std::string_view name(InteriorMethod method) {
+  return method == InteriorMethod::split ? "split" : "ends";
+}
 
 struct InteriorOptions {
   InteriorMethod method = InteriorMethod::split;

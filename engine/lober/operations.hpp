@@ -16,10 +16,16 @@
 #include <vector>
 
 #include "lober/agreement.hpp"
+#include "lober/curve.hpp"
 #include "lober/export.hpp"
+#include "lober/index.hpp"
+#include "lober/interior.hpp"
 #include "lober/melnikov.hpp"
 #include "lober/monte_carlo.hpp"
+#include "lober/overlay.hpp"
 #include "lober/point.hpp"
+#include "lober/regions.hpp"
+#include "lober/smooth.hpp"
 #include "lober/sweep.hpp"
 #include "lober/systems.hpp"
 #include "lober/transport.hpp"
@@ -101,6 +107,7 @@ struct InputSpec {
   std::string name;
   InputKind kind = InputKind::system;
   std::string meaning;
+  bool optional = false;  ///< the last ones only
 };
 
 /// A system with its parameters, and its relatives.
@@ -114,8 +121,18 @@ struct SystemInput {
 [[nodiscard]] LOBER_API SystemInput system_input(const std::string& name, const ParameterValues& values,
                                                  const IntegrationOptions& integration = {});
 
-/// The points stay those of the caller, for as long as the operation runs.
-using Input = std::variant<SystemInput, std::span<const Point>>;
+/// A curve with what is known of it already.
+struct CurveInput {
+  CurveView curve{};
+  std::string name{};                        ///< in messages; empty: that of the InputSpec
+  const IndexedCurve* index = nullptr;       ///< of a curve that is validated
+  const DiscretisationSums* sums = nullptr;  ///< of the overlay's estimate
+  bool simple = false;                       ///< known to be
+};
+
+/// The points stay those of the caller, for as long as the operation runs and its value is used. Where an operation
+/// takes a curve, points are one.
+using Input = std::variant<SystemInput, CurveInput, std::span<const Point>>;
 
 // ---------------------------------------------------------------------------------------------------------- results
 
@@ -153,23 +170,55 @@ struct Field {
   std::string bar = {};             ///< what the error bar of a number or a matrix is called; empty: it has none
   std::vector<Field> members = {};  ///< of an object, or of each element of a list
 
-  std::function<FieldValue(const void* whole)> get{};  ///< empty for objects and lists
+  bool left_out = false;  ///< in JSON, where it is not known: it is there only where it was asked for
+
   using Use = std::function<void(const void* part)>;
-  std::function<void(const void* whole, const Use& use)>
-      each{};  ///< of an object once, or not at all where it is not known
+  /// Of a list. May be looked at from several threads at the same time.
+  struct Elements {
+    std::size_t size = 0;
+    std::function<void(std::size_t element, const Use& use)> at{};
+  };
+  std::function<FieldValue(const void* whole)> get{};             ///< empty for objects and lists
+  std::function<void(const void* whole, const Use& use)> part{};  ///< of an object; no call where it is not known
+  std::function<Elements(const void* whole)> elements{};          ///< of a list
+
+  /// The object, if it is known, or each element of the list.
+  void each(const void* whole, const Use& use) const {
+    if (part) return part(whole, use);
+    const Elements all = elements(whole);
+    for (std::size_t k = 0; k < all.size; ++k) all.at(k, use);
+  }
 };
 
 /// The field at "turnstile.flux12", or whose bar is at "turnstile.flux12_error". Throws UsageError for a path that
 /// leads nowhere.
 [[nodiscard]] LOBER_API const Field& field_at(std::span<const Field> fields, std::string_view path);
-/// The numbers at "turnstile.flux12" or "turnstile.flux12_error"; of lists one for each element: "steps.T21". NaN for
-/// what is not known. Throws UsageError for a path that leads nowhere.
+/// The way to numbers of a result, found once: "turnstile.flux12" or "turnstile.flux12_error".
+class LOBER_API NumberPath {
+ public:
+  /// Throws UsageError for a path that leads nowhere. The fields have to stay.
+  NumberPath(std::span<const Field> fields, std::string_view path);
+  /// One for each element of lists: "steps.T21". NaN for what is not known.
+  [[nodiscard]] std::vector<double> all(const void* whole) const;
+  /// The first of them; NaN where there is none.
+  [[nodiscard]] double first(const void* whole) const;
+  [[nodiscard]] FieldKind kind() const { return fields_.back()->kind; }
+
+ private:
+  std::vector<const Field*> fields_;
+  bool bar_ = false;
+};
+/// NumberPath(fields, path).all(whole).
 [[nodiscard]] LOBER_API std::vector<double> numbers_at(std::span<const Field> fields, const void* whole,
                                                        std::string_view path);
 
 /// The members of an object in JSON, without the braces: numbers with the digits that give them back, null for those
-/// that are not finite, and for texts and objects that there are not; other members that are not known are left out.
-/// Elements of lists of the outermost object have lines of their own.
+/// that are not finite, and for integers, texts and objects that there are not; other members that are not known are left
+/// out, and those that are Field::left_out.
+/// Members of the outermost object, and elements of lists that are not within others, have lines of their own. Long
+/// lists are formatted in parallel and handed on in parts, so that none stands in memory as a whole.
+LOBER_API void write_json_members(std::span<const Field> fields, const void* whole,
+                                  const std::function<void(std::string_view)>& write);
 [[nodiscard]] LOBER_API std::string json_members(std::span<const Field> fields, const void* whole);
 /// The same as an object in one line.
 [[nodiscard]] LOBER_API std::string json_object(std::span<const Field> fields, const void* whole);
@@ -178,6 +227,44 @@ struct Field {
 
 // ------------------------------------------------------------------------------------------------ values of results
 
+/// Of "overlay".
+struct CurveOverlay : Overlay {
+  bool has_pieces = true;                 ///< whether they were asked for
+  std::optional<Areas> discretisation{};  ///< estimates of |area of the polygons - between smooth curves|
+  std::optional<Areas> consistency{};     ///< |area - by the interior function|
+  std::optional<SmoothAreas> smooth{};
+  std::optional<std::array<std::vector<SigmaStep>, 2>> steps{};  ///< sigma of A1 \ A2 and of A2 \ A1
+  Agreement agreement{};
+  double verify_seconds = 0, smooth_seconds = 0;
+};
+/// Of "interior".
+struct CurveInterior : InteriorAreas {
+  std::optional<Areas> splitting{};    ///< where segments were not split: |area - area where they are|
+  std::optional<Areas> consistency{};  ///< |area - by the overlay|
+  Agreement agreement{};
+  double verify_seconds = 0;
+};
+/// Of "regions".
+struct CurveRegions {
+  Regions regions;
+  FillRule rule = FillRule::nonzero;
+  std::optional<std::array<RegionPieces, 4>> pieces{};  ///< in the order of all_pairings
+};
+/// Of "winding".
+struct CurveWinding {
+  struct Count {
+    int winding;
+    std::size_t points;
+  };
+  std::span<const Point> points;
+  std::vector<Winding> windings;      ///< of each point
+  std::vector<InteriorValue> values;  ///< J at each point
+  std::vector<Count> counts;          ///< ascending; of points that are not on the curve
+  std::size_t on = 0;                 ///< points on the curve
+  double difference = 0;              ///< the largest |J / 2 pi - winding number|
+  double bar = 0;                     ///< what it may be
+  Agreement agreement;                ///< points where it is more
+};
 /// Lobes of a turnstile to first order in the parameter that is the size of the system's perturbation, beside their
 /// areas.
 struct MelnikovComparison {

@@ -2,6 +2,7 @@
 // whose type and default are its own; a field of a result is a member or a function of the C++ result.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <functional>
@@ -103,7 +104,7 @@ class Schema {
   template <typename U, typename Get>
   Schema& object(std::string name, std::string meaning, const Schema<U>& members, Get get) {
     Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.fields()};
-    made.each = [get = std::move(get)](const void* whole, const Field::Use& use) {
+    made.part = [get = std::move(get)](const void* whole, const Field::Use& use) {
       auto&& part = std::invoke(get, *static_cast<const T*>(whole));
       if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(part)>>) {
         if (part != nullptr) use(part);
@@ -115,15 +116,30 @@ class Schema {
     fields_.push_back(std::move(made));
     return *this;
   }
-  /// The getter returns a range of U, or a reference to one.
+  /// The getter returns what has a size and elements by number, each a U or a reference to one; or a reference to it.
   template <typename U, typename Get>
   Schema& list(std::string name, std::string meaning, const Schema<U>& members, Get get) {
     Field made{std::move(name), FieldKind::list, {}, std::move(meaning), {}, members.fields()};
-    made.each = [get = std::move(get)](const void* whole, const Field::Use& use) {
-      auto&& elements = std::invoke(get, *static_cast<const T*>(whole));
-      for (const U& element : elements) use(&element);
+    made.elements = [get = std::move(get)](const void* whole) -> Field::Elements {
+      decltype(auto) found = std::invoke(get, *static_cast<const T*>(whole));
+      using Range = std::remove_cvref_t<decltype(found)>;
+      std::shared_ptr<const Range> kept;  // nothing is owned of what is part of the result
+      if constexpr (std::is_reference_v<decltype(found)>) {
+        kept = std::shared_ptr<const Range>(std::shared_ptr<const void>(), &found);
+      } else {
+        kept = std::make_shared<const Range>(std::move(found));
+      }
+      return {kept->size(), [kept](std::size_t k, const Field::Use& use) {
+                const U& element = (*kept)[k];
+                use(&element);
+              }};
     };
     fields_.push_back(std::move(made));
+    return *this;
+  }
+  /// The field that was added last is left out of JSON, not null, where it is not known.
+  Schema& if_asked_for() {
+    fields_.back().left_out = true;
     return *this;
   }
   /// The fields of a part, as if they were those of the whole. The getter returns a pointer.
@@ -134,8 +150,11 @@ class Schema {
         return std::invoke(get, *static_cast<const T*>(whole));
       };
       if (field.get) field.get = [part, inner = field.get](const void* whole) { return inner(part(whole)); };
-      if (field.each) {
-        field.each = [part, inner = field.each](const void* whole, const Field::Use& use) { inner(part(whole), use); };
+      if (field.part) {
+        field.part = [part, inner = field.part](const void* whole, const Field::Use& use) { inner(part(whole), use); };
+      }
+      if (field.elements) {
+        field.elements = [part, inner = field.elements](const void* whole) { return inner(part(whole)); };
       }
       fields_.push_back(std::move(field));
     }
@@ -200,6 +219,24 @@ class OptionList {
         how.*member = static_cast<Member>(std::get<std::int64_t>(*value));
       } else {
         how.*member = std::get<Member>(*value);
+      }
+    });
+    specs_.push_back(std::move(spec));
+    return *this;
+  }
+  /// A member of an enumeration, by the names that `name` has of its values.
+  template <typename Base, typename Enum, std::size_t size>
+  requires std::derived_from<How, Base> OptionList& choice(std::string key, Enum Base::*member,
+                                                           const std::array<Enum, size>& all, std::string meaning) {
+    OptionSpec spec;
+    spec.key = std::move(key);
+    spec.meaning = std::move(meaning);
+    spec.fallback = std::string(name(How{}.*member));
+    for (const Enum one : all) spec.choices.emplace_back(name(one));
+    setters_.push_back([key = spec.key, member, all](How& how, const Options& options) {
+      const std::string& given = options.text(key);
+      for (const Enum one : all) {
+        if (name(one) == given) how.*member = one;
       }
     });
     specs_.push_back(std::move(spec));

@@ -2,105 +2,212 @@
 #include <cmath>
 
 #include "engine/base/json_text.hpp"
+#include "engine/base/parallel/ordered_pipeline.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::operations {
 namespace {
 
-using detail::json_number;
+using detail::append_json_number;
 using detail::json_string;
+using Elements = Field::Elements;
 
-template <typename Each>
-std::string array_of(std::size_t size, const Each& each) {
-  std::string text = "[";
-  for (std::size_t k = 0; k < size; ++k) text += (k == 0 ? "" : ",") + each(k);
-  return text + "]";
+void append_part(std::string& text, double number) {
+  append_json_number(text, number);
+}
+void append_part(std::string& text, std::int64_t number) {
+  text += std::to_string(number);
+}
+void append_part(std::string& text, const std::string& string) {
+  text += json_string(string);
 }
 
-std::string rows_of(const Matrix& matrix, double Measured::*part) {
-  return array_of(matrix.rows, [&](std::size_t i) {
-    return array_of(matrix.columns,
-                    [&](std::size_t j) { return json_number(matrix.entries[i * matrix.columns + j].*part); });
+template <typename Each>
+void append_array(std::string& text, std::size_t size, const Each& each) {
+  text += '[';
+  for (std::size_t k = 0; k < size; ++k) {
+    if (k != 0) text += ',';
+    each(k);
+  }
+  text += ']';
+}
+
+void append_rows(std::string& text, const Matrix& matrix, double Measured::*part) {
+  append_array(text, matrix.rows, [&](std::size_t i) {
+    append_array(text, matrix.columns,
+                 [&](std::size_t j) { append_json_number(text, matrix.entries[i * matrix.columns + j].*part); });
   });
 }
 
-class Members {
- public:
-  explicit Members(bool outermost) : outermost_(outermost) {}
+// Names of fields need no escapes.
+void append_name(std::string& text, const std::string& name, std::string_view separator, bool& first) {
+  if (!first) text += separator == "\n" ? ",\n" : ",";
+  first = false;
+  text += '"';
+  text += name;
+  text += separator == "\n" ? "\": " : "\":";
+}
 
-  void add(const Field& field, const void* whole) {
-    if (field.kind == FieldKind::object) {
-      std::string value = "null";
-      field.each(whole, [&](const void* part) { value = braced(field.members, part); });
-      add(field.name, value);
-    } else if (field.kind == FieldKind::list) {
-      std::string elements;
-      field.each(whole, [&](const void* part) {
-        elements += elements.empty() ? "" : ",";
-        if (outermost_) elements += "\n  ";
-        elements += braced(field.members, part);
-      });
-      add(field.name, "[" + elements + (outermost_ && !elements.empty() ? "\n ]" : "]"));
+// The members that the value of a field makes: one, two where it has a bar, or none.
+void append_members(std::string& text, const Field& field, const FieldValue& value, std::string_view separator,
+                    bool& first) {
+  const auto named = [&](const std::string& name) { append_name(text, name, separator, first); };
+  if (std::holds_alternative<std::monostate>(value)) {
+    if (field.left_out || (field.kind != FieldKind::text && field.kind != FieldKind::whole)) return;
+    named(field.name);
+    text += "null";
+  } else if (const auto* measured = std::get_if<Measured>(&value)) {
+    named(field.name);
+    append_json_number(text, measured->value);
+    named(field.bar);
+    append_json_number(text, measured->error);
+  } else if (const auto* matrix = std::get_if<Matrix>(&value)) {
+    named(field.name);
+    append_rows(text, *matrix, &Measured::value);
+    if (field.bar.empty()) return;
+    named(field.bar);
+    append_rows(text, *matrix, &Measured::error);
+  } else if (!std::holds_alternative<std::vector<Point>>(value)) {
+    named(field.name);
+    std::visit(
+        [&](const auto& any) {
+          using Value = std::decay_t<decltype(any)>;
+          if constexpr (std::is_same_v<Value, bool>) {
+            text += any ? "true" : "false";
+          } else if constexpr (std::is_same_v<Value, Point>) {
+            append_array(text, 2, [&](std::size_t k) { append_json_number(text, k == 0 ? any.x : any.y); });
+          } else if constexpr (requires { append_part(text, any[0]); } && !std::is_same_v<Value, std::string>) {
+            append_array(text, any.size(), [&](std::size_t k) { append_part(text, any[k]); });
+          } else if constexpr (requires { append_part(text, any); }) {
+            append_part(text, any);
+          }
+        },
+        value);
+  }
+}
+
+// An object by `append`, or what stands for one that is not known.
+template <typename Append>
+void append_known(std::string& text, const Field& field, const void* whole, std::string_view separator, bool& first,
+                  const Append& append) {
+  bool known = false;
+  field.part(whole, [&](const void* part) {
+    known = true;
+    append_name(text, field.name, separator, first);
+    append(part);
+  });
+  if (known || field.left_out) return;
+  append_name(text, field.name, separator, first);
+  text += "null";
+}
+
+void append_object(std::string& text, std::span<const Field> fields, const void* whole) {
+  text += '{';
+  bool first = true;
+  for (const Field& field : fields) {
+    if (field.get) {
+      append_members(text, field, field.get(whole), "", first);
+      continue;
+    }
+    if (field.part) {
+      append_known(text, field, whole, "", first, [&](const void* part) { append_object(text, field.members, part); });
     } else {
-      add_value(field, field.get(whole));
+      append_name(text, field.name, "", first);
+      const Elements all = field.elements(whole);
+      append_array(text, all.size, [&](std::size_t k) {
+        all.at(k, [&](const void* element) { append_object(text, field.members, element); });
+      });
     }
   }
-  [[nodiscard]] const std::string& text() const { return text_; }
+  text += '}';
+}
 
-  static std::string braced(std::span<const Field> fields, const void* whole) {
-    Members inner(false);
-    for (const Field& field : fields) inner.add(field, whole);
-    return "{" + inner.text_ + "}";
+// Hands on what has been written so far, and goes on with lists of any length.
+class Stream {
+ public:
+  explicit Stream(const std::function<void(std::string_view)>& write) : write_(write) {}
+
+  void members(std::span<const Field> fields, const void* whole, std::string_view separator) {
+    bool first = true;
+    for (const Field& field : fields) {
+      if (field.get) {
+        append_members(text_, field, field.get(whole), separator, first);
+      } else if (field.part) {
+        append_known(text_, field, whole, separator, first, [&](const void* part) {
+          text_ += '{';
+          members(field.members, part, "");
+          text_ += '}';
+        });
+      } else {
+        append_name(text_, field.name, separator, first);
+        list(field, field.elements(whole));
+      }
+      if (text_.size() > much) flush();
+    }
+  }
+  void flush() {
+    write_(text_);
+    text_.clear();
   }
 
  private:
-  void add(const std::string& name, const std::string& value) {
-    if (!text_.empty()) text_ += outermost_ ? ",\n" : ",";
-    text_ += json_string(name) + (outermost_ ? ": " : ":") + value;
-  }
+  static constexpr std::size_t much = std::size_t{1} << 20;
 
-  void add_value(const Field& field, const FieldValue& value) {
-    if (std::holds_alternative<std::monostate>(value)) {
-      if (field.kind == FieldKind::text) add(field.name, "null");
-    } else if (const auto* number = std::get_if<double>(&value)) {
-      add(field.name, json_number(*number));
-    } else if (const auto* measured = std::get_if<Measured>(&value)) {
-      add(field.name, json_number(measured->value));
-      add(field.bar, json_number(measured->error));
-    } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-      add(field.name, std::to_string(*integer));
-    } else if (const auto* flag = std::get_if<bool>(&value)) {
-      add(field.name, *flag ? "true" : "false");
-    } else if (const auto* text = std::get_if<std::string>(&value)) {
-      add(field.name, json_string(*text));
-    } else if (const auto* lines = std::get_if<std::vector<std::string>>(&value)) {
-      add(field.name, array_of(lines->size(), [&](std::size_t k) { return json_string((*lines)[k]); }));
-    } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
-      add(field.name, array_of(numbers->size(), [&](std::size_t k) { return json_number((*numbers)[k]); }));
-    } else if (const auto* wholes = std::get_if<std::vector<std::int64_t>>(&value)) {
-      add(field.name, array_of(wholes->size(), [&](std::size_t k) { return std::to_string((*wholes)[k]); }));
-    } else if (const auto* point = std::get_if<Point>(&value)) {
-      add(field.name, "[" + json_number(point->x) + "," + json_number(point->y) + "]");
-    } else if (const auto* matrix = std::get_if<Matrix>(&value)) {
-      add(field.name, rows_of(*matrix, &Measured::value));
-      if (!field.bar.empty()) add(field.bar, rows_of(*matrix, &Measured::error));
+  void list(const Field& field, const Elements& all) {
+    constexpr std::size_t block = 2048;
+    struct Slot {
+      std::size_t begin = 0, end = 0;
+      std::string text;
+    };
+    const auto format = [&](Slot& slot) {
+      slot.text.clear();
+      for (std::size_t k = slot.begin; k < slot.end; ++k) {
+        slot.text += k == 0 ? "\n  " : ",\n  ";
+        all.at(k, [&](const void* element) { append_object(slot.text, field.members, element); });
+      }
+    };
+    text_ += '[';
+    if (all.size <= block) {
+      Slot slot{0, all.size, {}};
+      format(slot);
+      text_ += slot.text;
+    } else {
+      flush();
+      std::size_t next = 0;
+      detail::ordered_pipeline<Slot>(
+          [&](Slot& slot) {
+            slot.begin = next;
+            slot.end = next = std::min(all.size, next + block);
+            return slot.begin < slot.end;
+          },
+          format, [&](const Slot& slot) { write_(slot.text); });
     }
+    text_ += all.size == 0 ? "]" : "\n ]";
   }
 
-  bool outermost_;
+  const std::function<void(std::string_view)>& write_;
   std::string text_;
 };
 
 }  // namespace
 
 std::string json_object(std::span<const Field> fields, const void* whole) {
-  return Members::braced(fields, whole);
+  std::string text;
+  append_object(text, fields, whole);
+  return text;
+}
+
+void write_json_members(std::span<const Field> fields, const void* whole,
+                        const std::function<void(std::string_view)>& write) {
+  Stream stream(write);
+  stream.members(fields, whole, "\n");
+  stream.flush();
 }
 
 std::string json_members(std::span<const Field> fields, const void* whole) {
-  Members members(true);
-  for (const Field& field : fields) members.add(field, whole);
-  return members.text();
+  std::string text;
+  write_json_members(fields, whole, [&](std::string_view part) { text += part; });
+  return text;
 }
 
 }  // namespace lober::operations

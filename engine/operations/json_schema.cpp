@@ -15,7 +15,7 @@ std::string properties_of(std::span<const Field> fields);
 std::string type_of(FieldKind kind) {
   static const std::array<const char*, 9> types{
       R"("type":["number","null"])",
-      R"("type":"integer")",
+      R"("type":["integer","null"])",
       R"("type":"boolean")",
       R"("type":["string","null"])",
       R"("type":"array","items":{"type":"string"})",
@@ -28,8 +28,7 @@ std::string type_of(FieldKind kind) {
 
 std::string schema_of(const Field& field) {
   const std::string about = ",\"description\":" + json_string(field.meaning);
-  if (field.kind == FieldKind::object)
-    return R"({"anyOf":[{)" + properties_of(field.members) + R"(},{"type":"null"}])" + about + "}";
+  if (field.kind == FieldKind::object) return "{" + properties_of(field.members) + about + "}";
   if (field.kind == FieldKind::list)
     return R"({"type":"array","items":{)" + properties_of(field.members) + "}" + about + "}";
   const std::string unit = field.unit.empty() ? "" : ",\"unit\":" + json_string(field.unit);

@@ -35,12 +35,13 @@ const Field& first_field(std::span<const Field> fields, std::string_view path) {
   throw UsageError("there is no field \"" + std::string(name) + "\"; there are " + known);
 }
 
-void add_numbers(std::span<const Field> fields, const void* whole, std::string_view path,
-                 std::vector<double>& numbers) {
-  const Field& field = first_field(fields, path);
-  if (field.get) return numbers.push_back(number_in(field.get(whole), field.name != path));
-  const std::string_view rest = path.substr(std::min(first_name(path) + 1, path.size()));
-  field.each(whole, [&](const void* part) { add_numbers(field.members, part, rest, numbers); });
+// Those that the path leads to.
+void each_number(std::span<const Field* const> path, const void* whole, bool bar,
+                 const std::function<void(double)>& use) {
+  const Field& field = *path.front();
+  if (field.get) return use(number_in(field.get(whole), bar));
+  if (path.size() == 1) return;
+  field.each(whole, [&](const void* part) { each_number(path.subspan(1), part, bar, use); });
 }
 
 }  // namespace
@@ -51,10 +52,38 @@ const Field& field_at(std::span<const Field> fields, std::string_view path) {
   return begin == path.size() ? field : field_at(field.members, path.substr(begin + 1));
 }
 
-std::vector<double> numbers_at(std::span<const Field> fields, const void* whole, std::string_view path) {
+NumberPath::NumberPath(std::span<const Field> fields, std::string_view path) {
+  for (std::string_view rest = path;;) {
+    const Field& field = first_field(fields, rest);
+    fields_.push_back(&field);
+    const std::size_t begin = first_name(rest);
+    if (begin == rest.size()) {
+      bar_ = field.name != rest;
+      return;
+    }
+    rest.remove_prefix(begin + 1);
+    fields = field.members;
+  }
+}
+
+std::vector<double> NumberPath::all(const void* whole) const {
   std::vector<double> numbers;
-  add_numbers(fields, whole, path, numbers);
+  each_number(fields_, whole, bar_, [&](double number) { numbers.push_back(number); });
   return numbers;
+}
+
+double NumberPath::first(const void* whole) const {
+  double found = unknown;
+  bool is_found = false;
+  each_number(fields_, whole, bar_, [&](double number) {
+    if (!is_found) found = number;
+    is_found = true;
+  });
+  return found;
+}
+
+std::vector<double> numbers_at(std::span<const Field> fields, const void* whole, std::string_view path) {
+  return NumberPath(fields, path).all(whole);
 }
 
 }  // namespace lober::operations

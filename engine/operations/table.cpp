@@ -9,8 +9,9 @@
 namespace lober::operations {
 
 std::span<const Operation> all() {
-  static const std::array table{detail::table::escape_operation(), detail::table::sweep_operation(),
-                                detail::table::transport_operation()};
+  using namespace detail::table;
+  static const std::array table{escape_operation(), interior_operation(),  overlay_operation(), regions_operation(),
+                                sweep_operation(),  transport_operation(), winding_operation()};
   return table;
 }
 

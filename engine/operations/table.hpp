@@ -7,7 +7,11 @@ namespace lober::detail::table {
 using namespace operations;
 
 [[nodiscard]] Operation escape_operation();
+[[nodiscard]] Operation interior_operation();
+[[nodiscard]] Operation overlay_operation();
+[[nodiscard]] Operation regions_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation transport_operation();
+[[nodiscard]] Operation winding_operation();
 
 }  // namespace lober::detail::table

@@ -223,6 +223,7 @@ std::vector<Field> transport_fields() {
       .list("boundaries", "a tangle each", boundary_schema(), &Transport::boundaries)
       .object("melnikov", "Melnikov's function, where it was asked for", melnikov_schema(),
               [](const SystemTransport& t) { return t.melnikov ? &*t.melnikov : nullptr; })
+      .if_asked_for()
       .field("iterates_a_step", "", "of the map; 2 where both multipliers of a saddle are negative",
              &Transport::iterates_a_step)
       .list("steps", "n = 1, 2, ...", step_schema(), &Transport::steps)

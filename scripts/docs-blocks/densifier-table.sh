@@ -50,14 +50,14 @@ row() {
   done
   echo "$line |"
 }
-row '`-DENS 0`' --no-densify
-row '`-DENS 1 10`' --densify 1 10
-row '`-DENS 3 10`' --densify 3 10
-row '`-DENS 5 100`' --densify 5 100
+row '`-DENS 0`' --method ends
+row '`-DENS 1 10`' --method ends --passes 1 --points 10
+row '`-DENS 3 10`' --method ends --passes 3 --points 10
+row '`-DENS 5 100`' --method ends --passes 5 --points 100
 row 'default, split'
-row '`-DENS 1 4095`' --densify 1 4095
-row '`-DENS 2 63`' --densify 2 63
-row '`-DENS 3 15`' --densify 3 15
-row '`-DENS 4 7`' --densify 4 7
-row '`-DENS 6 3`' --densify 6 3
-row '`-DENS 12 1`' --densify 12 1
+row '`-DENS 1 4095`' --method ends --passes 1 --points 4095
+row '`-DENS 2 63`' --method ends --passes 2 --points 63
+row '`-DENS 3 15`' --method ends --passes 3 --points 15
+row '`-DENS 4 7`' --method ends --passes 4 --points 7
+row '`-DENS 6 3`' --method ends --passes 6 --points 3
+row '`-DENS 12 1`' --method ends --passes 12 --points 1

@@ -41,7 +41,7 @@ class BadInput : public ProgramTest {
     expect_failure({"overlay", "good", curve, "--lobes", "out"}, 1, words);
     expect_failure({"good", curve, "out"}, 1, words);
     expect_failure({"interior", curve, "good", "--json", "out"}, 1, words);
-    expect_failure({"interior", "good", curve, "--no-densify", "--json", "out"}, 1, words);
+    expect_failure({"interior", "good", curve, "--method", "ends", "--json", "out"}, 1, words);
     expect_failure({"-light", curve, "good", "out", "-DENS", "2", "3"}, 1, words);
   }
 };
@@ -149,9 +149,9 @@ TEST_F(BadInput, OptionsThatMakeNoSense) {
   expect_failure({"-light", "good", "good", "out", "-DENS"}, 2, "-DENS");
   expect_failure({"-light", "good", "good", "out", "-DENS", "1"}, 2, "-DENS");
   expect_failure({"-light", "good", "good", "out", "-DENS", "1", "1e3"}, 2, "-DENS");
-  expect_failure({"interior", "good", "good", "--densify", "3"}, 2, "--densify");
-  expect_failure({"interior", "good", "good", "--densify", "3", "-1"}, 2, "--densify");
-  expect_failure({"interior", "good", "good", "--densify", "3", "2000000"}, 2, "--densify");
+  expect_failure({"interior", "good", "good", "--passes", "-3"}, 2, "--passes");
+  expect_failure({"interior", "good", "good", "--passes", "3", "--points", "-1"}, 2, "--points");
+  expect_failure({"interior", "good", "good", "--passes", "3", "--points", "2000000"}, 2, "--points");
   expect_failure({"interior", "good", "good", "--threads", "0"}, 2, "--threads");
 }
 
@@ -172,7 +172,7 @@ TEST_F(BadInput, NamesThatATerminalWouldObey) {
 TEST_F(BadInput, OptionsThatContradictEachOther) {
   expect_failure({"overlay", "good", "good", "--areas-only", "--lobes", "out"}, 2, "--areas-only");
   expect_failure({"overlay", "good", "good", "--areas-only", "--svg", "out"}, 2, "--areas-only");
-  expect_failure({"interior", "good", "good", "--densify", "1", "2", "--no-densify"}, 2, "--no-densify");
+  expect_failure({"interior", "good", "good", "--passes", "1", "--points", "2"}, 2, "--passes");
   expect_failure({"overlay", "good", "good", "--json", "new", "--lobes", "./new"}, 2, "both write");
   expect_failure({"overlay", "good", "good", "--json", "-", "--lobes", "-"}, 2, "both write");
   expect_failure({"overlay", "out", "good", "--json", "out"}, 2, "overwrite the input");

@@ -35,7 +35,7 @@ TEST_F(InteriorProgram, GetsSharedSidesRight) {
 
 TEST_F(InteriorProgram, VerifiesByTheOverlayWhenAsked) {
   for (const std::vector<std::string>& options :
-       {std::vector<std::string>{}, {"--no-densify"}, {"--densify", "2", "5"}}) {
+       {std::vector<std::string>{}, {"--method", "ends"}, {"--method", "ends", "--passes", "2", "--points", "5"}}) {
     std::vector<std::string> arguments{"c1", "c2", "--verify"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const Json result = interior(arguments);
@@ -51,10 +51,11 @@ TEST_F(InteriorProgram, VerifiesByTheOverlayWhenAsked) {
 TEST_F(InteriorProgram, HasTheMembersOfTheContract) {
   const Json result = interior({"c1", "c2"});
   EXPECT_EQ(members(result), (std::set<std::string>{"program", "command", "inputs", "options", "crossings", "q1", "q2",
-                                                    "q3", "areas", "delta", "error", "statistics", "timing"}));
+                                                    "q3", "areas", "delta", "error", "statistics", "timing",
+                                                    "agreement", "disagreements", "orientation1", "orientation2"}));
   EXPECT_EQ(result["command"], "interior");
   EXPECT_EQ(result["options"]["method"], "split");
-  EXPECT_EQ(members(result["error"]), (std::set<std::string>{"rounding", "meaning"}));
+  EXPECT_EQ(members(result["error"]), (std::set<std::string>{"rounding"}));
   const Json reference = overlay({"c1", "c2"});
   EXPECT_EQ(result["inputs"], reference["inputs"]);
   EXPECT_EQ(members(result["areas"]), members(reference["areas"]));
@@ -80,23 +81,24 @@ TEST_F(InteriorProgram, TakesEitherOrientationAndAClosingVertex) {
 }
 
 TEST_F(InteriorProgram, TellsWhatItCostsNotToSplitSegments) {
-  const Json split = interior({"c1", "c2"}), plain = interior({"c1", "c2", "--no-densify"});
+  const Json split = interior({"c1", "c2"}), plain = interior({"c1", "c2", "--method", "ends"});
   EXPECT_EQ(plain["options"]["method"], "ends");
   EXPECT_FALSE(split["error"].contains("splitting"));
   for (const auto& [name, area] : plain["areas"].items()) {
     EXPECT_EQ(plain["error"]["splitting"][name], std::abs(area.get<double>() - split["areas"][name].get<double>()));
   }
   EXPECT_GT(plain["error"]["splitting"]["union"], 1e-7);
-  const Json dense = interior({"c1", "c2", "--densify", "3", "10"});
+  const Json dense = interior({"c1", "c2", "--method", "ends", "--passes", "3", "--points", "10"});
   EXPECT_EQ(dense["options"]["passes"], 3);
   EXPECT_EQ(dense["options"]["points"], 10);
   EXPECT_GT(dense["statistics"]["points_inserted"], 100);
   EXPECT_LT(dense["error"]["splitting"]["union"], 0.01 * plain["error"]["splitting"]["union"].get<double>());
-  EXPECT_EQ(interior({"c1", "c2", "--densify", "0", "0"})["areas"], plain["areas"]);
+  EXPECT_EQ(interior({"c1", "c2", "--method", "ends", "--passes", "0", "--points", "0"})["areas"], plain["areas"]);
 }
 
 TEST_F(InteriorProgram, HasTheSameBytesForAnyNumberOfThreads) {
-  for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--densify", "3", "7"}}) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{}, {"--method", "ends", "--passes", "3", "--points", "7"}}) {
     std::set<std::string> seen;
     for (const char* threads : {"1", "2", "7"}) {
       std::vector<std::string> arguments{"interior", "c1", "c2", "--threads", threads, "--json", "-"};
@@ -110,7 +112,7 @@ TEST_F(InteriorProgram, HasTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(InteriorProgram, PrintsAShortTable) {
-  const Outcome split = run({"interior", "c1", "c2"}), plain = run({"interior", "c1", "c2", "--no-densify"});
+  const Outcome split = run({"interior", "c1", "c2"}), plain = run({"interior", "c1", "c2", "--method", "ends"});
   EXPECT_EQ(split.err, "");
   EXPECT_NE(split.out.find("Q1 "), std::string::npos) << split.out;
   EXPECT_NE(split.out.find("delta "), std::string::npos) << split.out;

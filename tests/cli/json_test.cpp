@@ -26,7 +26,8 @@ const std::set<std::string> pairing_names{"c1_minus_c2", "c2_minus_c1", "interse
 TEST_F(OverlayJson, HasTheMembersOfTheContract) {
   const Json result = overlay({"c1", "c2"});
   EXPECT_EQ(members(result), (std::set<std::string>{"program", "command", "inputs", "options", "crossings", "areas",
-                                                    "pieces", "slivers", "error", "statistics", "timing"}));
+                                                    "pieces", "slivers", "error", "statistics", "timing", "agreement",
+                                                    "disagreements", "piece_counts", "orientation1", "orientation2"}));
   EXPECT_EQ(members(result["program"]), (std::set<std::string>{"name", "version"}));
   EXPECT_EQ(result["command"], "overlay");
   ASSERT_EQ(result["inputs"].size(), 2U);

@@ -21,7 +21,8 @@ TEST_F(OverlayRule, HasTheMembersOfTheContract) {
   std::set<std::string> names;
   for (const auto& [name, value] : result.items()) names.insert(name);
   EXPECT_EQ(names, (std::set<std::string>{"program", "command", "inputs", "options", "rule", "arrangement", "winding",
-                                          "areas", "pieces", "error", "statistics", "timing"}));
+                                          "areas", "pieces", "error", "statistics", "timing", "agreement",
+                                          "disagreements", "signed_areas", "q1", "q2", "q3"}));
   EXPECT_EQ(result["rule"], "nonzero");
   EXPECT_EQ(result["inputs"][0]["area"], 0.0);
   EXPECT_EQ(result["inputs"][0]["orientation"], "degenerate");
@@ -89,7 +90,7 @@ TEST_F(OverlayRule, HasTheSameBytesForAnyNumberOfThreads) {
 
 TEST_F(OverlayRule, RefusesWhatDoesNotCombine) {
   for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--svg", "picture.svg"}, {"--crossings", "crossings.csv"}, {"--no-simple-check"}}) {
+       {std::vector<std::string>{"--svg", "picture.svg"}, {"--crossings", "crossings.csv"}, {"--no-check-simple"}}) {
     std::vector<std::string> arguments{"overlay", "eight", "box", "--rule", "nonzero"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
@@ -131,7 +132,7 @@ TEST_F(OverlayRule, OfTheInteriorMethodGivesTheSameAreas) {
 
 TEST_F(OverlayRule, OfTheInteriorMethodTakesNoOptionsOfTheIntegrals) {
   for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--no-densify"}, {"--densify", "2", "3"}, {"--verify"}, {"--no-simple-check"}}) {
+       {std::vector<std::string>{"--method", "ends"}, {"--passes", "2"}, {"--verify"}, {"--no-check-simple"}}) {
     std::vector<std::string> arguments{"interior", "eight", "box", "--rule", "nonzero"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);

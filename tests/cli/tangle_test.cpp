@@ -230,8 +230,8 @@ TEST_F(TangleProgram, NamesTheManifoldThatCrossesItself) {
   write_curve("loop", std::vector<Point>{{0, 5}, {4, 5}, {4, 7}, {2, 3}, {2, -1}});
   expect_failure({"tangle", "u", "loop"}, 1, "loop: S crosses or touches itself: segments 0 and 2 meet at (3, 5)");
   expect_failure({"tangle", "loop", "u"}, 1, "U crosses or touches itself");
-  expect_failure({"tangle", "loop", "u"}, 1, "--no-simple-check");
-  EXPECT_EQ(run({"tangle", "loop", "u", "--no-simple-check"}).status, 0);
+  expect_failure({"tangle", "loop", "u"}, 1, "--no-check-simple");
+  EXPECT_EQ(run({"tangle", "loop", "u", "--no-check-simple"}).status, 0);
 }
 
 TEST_F(TangleProgram, RefusesWhatItCannotDo) {

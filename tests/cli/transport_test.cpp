@@ -116,7 +116,7 @@ TEST_F(TransportCommand, FromManifoldFiles) {
     ASSERT_EQ(grown.status, 0) << grown.err;
   }
   const nlohmann::json found = json(
-      {"--manifolds", "u.npy", "s.npy", "--bip=-1.533,0.925", "--period", "2", "--iterates", "4", "--no-simple-check"});
+      {"--manifolds", "u.npy", "s.npy", "--bip=-1.533,0.925", "--period", "2", "--iterates", "4", "--no-check-simple"});
   ASSERT_GE(found["steps"].size(), 4U);
   EXPECT_NEAR(found["steps"][3]["T"].get<double>(), 4.068470369442501, 1e-6);
   EXPECT_NEAR(found["steps"][3]["T_by_boundaries"].get<double>(), 4.068470369442501, 1e-4);

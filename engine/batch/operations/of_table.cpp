@@ -1,6 +1,6 @@
 #include "engine/batch/operations/of_table.hpp"
 
-#include <array>
+#include <algorithm>
 
 #include "engine/base/text.hpp"
 #include "engine/batch/operations/named_system.hpp"
@@ -27,37 +27,94 @@ void check_system(const Options& options, bool needs_tangle) {
   }
 }
 
-Result run(const operations::Operation& entry, const TableJob& job, const JobCurves& curves, const Options& options) {
-  const std::array<operations::Input, 1> inputs{system_input_of(options, options.real("integration_tolerance"))};
-  operations::Context context;
-  context.memory = curves.allowance().most();
-  context.progress = [&](double, const std::string&) {
-    curves.allowance().check();
-    return true;
-  };
-  const operations::Outcome found = entry.run(inputs, options, context);
-  if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
-    throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
-                    apart.front().second_by + " differ by " + format_number(apart.front().difference()) +
-                    ", more than their error bars " + format_number(apart.front().bar));
-  }
-  Result record;
-  for (const auto& [name, path] : job.columns) {
-    record.values.push_back(numbers_at(entry.result, found.value.get(), path).front());
-  }
-  for (const auto& [name, path] : job.lists) {
-    record.lists.push_back(numbers_at(entry.result, found.value.get(), path));
-  }
-  return record;
+bool is_on_system(const operations::Operation& entry) {
+  return entry.inputs.front().kind == operations::InputKind::system;
 }
 
+bool has_option(const operations::Operation& entry, std::string_view key) {
+  return std::any_of(entry.options.begin(), entry.options.end(),
+                     [key](const OptionSpec& one) { return one.key == key; });
+}
+
+Requirements requirements_of(const operations::Operation& entry, const Options& options) {
+  using Kind = operations::InputKind;
+  Requirements wanted;
+  if (is_on_system(entry)) return wanted;
+  wanted.index = true;
+  wanted.closed = entry.inputs.front().kind == Kind::closed_curve;
+  wanted.simple = has_option(entry, "check_simple") && options.flag("check_simple");
+  wanted.discretisation = has_option(entry, "discretisation") && options.flag("discretisation");
+  return wanted;
+}
+
+std::vector<operations::Input> inputs_of(const operations::Operation& entry, const JobCurves& curves,
+                                         const Options& options) {
+  if (is_on_system(entry)) return {system_input_of(options, options.real("integration_tolerance"))};
+  const Requirements known = requirements_of(entry, options);
+  std::vector<operations::Input> inputs;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const PreparedCurve& one = *curves[k];
+    if (entry.inputs[k].kind == operations::InputKind::points) {
+      inputs.emplace_back(std::span<const Point>(one.curve().points));
+    } else {
+      inputs.emplace_back(operations::CurveInput{one.curve(), one.curve().name, &one.index(),
+                                                 known.discretisation ? &one.sums() : nullptr, known.simple});
+    }
+  }
+  return inputs;
+}
+
+// What a job runs, with all ways to its numbers.
+struct Runner {
+  const operations::Operation* entry;
+  std::vector<operations::NumberPath> columns, lists;
+  std::string lists_if;  // the option that asks for the lists
+
+  Result operator()(const JobCurves& curves, const Options& options) const {
+    operations::Context context;
+    context.memory = curves.allowance().most();
+    context.progress = [&](double, const std::string&) {
+      curves.allowance().check();
+      return true;
+    };
+    const operations::Outcome found = entry->run(inputs_of(*entry, curves, options), options, context);
+    if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
+      throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
+                      apart.front().second_by + " differ by " + format_number(apart.front().difference()) +
+                      ", more than their error bars " + format_number(apart.front().bar));
+    }
+    Result record;
+    record.values.reserve(columns.size());
+    for (const operations::NumberPath& path : columns) record.values.push_back(path.first(found.value.get()));
+    if (!lists_if.empty() && !options.flag(lists_if)) return record;
+    for (const operations::NumberPath& path : lists) record.lists.push_back(path.all(found.value.get()));
+    return record;
+  }
+};
+
 // Throws for a path that leads to no numbers: what has been renamed is seen before the first job.
-Column::Kind kind_at(std::span<const operations::Field> fields, std::string_view path) {
+Column::Kind kind_at(const operations::NumberPath& path, const std::string& name) {
   using Kind = operations::FieldKind;
-  const Kind kind = field_at(fields, path).kind;
-  if (kind == Kind::whole || kind == Kind::flag) return Column::Kind::count;
-  if (kind == Kind::number) return Column::Kind::real;
-  throw UsageError("a column of a batch has no numbers at \"" + std::string(path) + "\"");
+  if (path.kind() == Kind::whole || path.kind() == Kind::flag) return Column::Kind::count;
+  if (path.kind() == Kind::number) return Column::Kind::real;
+  throw UsageError("a column of a batch has no numbers: " + name);
+}
+
+Arity arity_of(const operations::Operation& entry) {
+  if (is_on_system(entry)) return Arity::none;
+  if (entry.inputs.size() == 1) return Arity::one;
+  return entry.inputs.back().optional ? Arity::one_or_two : Arity::two;
+}
+
+void add_system_options(std::vector<OptionSpec>& options) {
+  options.push_back({"system", "", "name of the system"});
+  options.push_back({"parameters.*", 0.0, "parameters of the system, by name; those left out take their defaults"});
+  options.push_back({"integration_tolerance",
+                     IntegrationOptions{}.tolerance,
+                     "error of a step of the integration of a flow",
+                     {},
+                     1e-16,
+                     1e-2});
 }
 
 }  // namespace
@@ -68,16 +125,11 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
   operation.summary = entry.title;
   operation.revision = entry.revision;
   operation.view = job.view;
-  operation.arity = Arity::none;
-  operation.options = {{"system", "", "name of the system"},
-                       {"parameters.*", 0.0, "parameters of the system, by name; those left out take their defaults"},
-                       {"integration_tolerance",
-                        IntegrationOptions{}.tolerance,
-                        "error of a step of the integration of a flow",
-                        {},
-                        1e-16,
-                        1e-2}};
+  operation.arity = arity_of(entry);
+  operation.open = entry.inputs.front().kind == operations::InputKind::open_curve;
+  if (is_on_system(entry)) add_system_options(operation.options);
   operation.options.insert(operation.options.end(), entry.options.begin(), entry.options.end());
+  if (job.lists_if) operation.options.push_back(*job.lists_if);
   // Options are read one by one: whether those are there that have to be is looked at when all are known.
   std::vector<OptionSpec> required;
   for (OptionSpec& spec : operation.options) {
@@ -85,26 +137,39 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     required.push_back(spec);
     spec.required = false;
   }
+  Runner runner{&entry, {}, {}, job.lists_if ? job.lists_if->key : ""};
   for (const auto& [name, path] : job.columns) {
-    operation.columns.push_back({name, kind_at(entry.result, path)});
+    operation.columns.push_back({name, kind_at(runner.columns.emplace_back(entry.result, path), name)});
   }
   for (const auto& [name, path] : job.lists) {
-    (void)kind_at(entry.result, path);
+    (void)kind_at(runner.lists.emplace_back(entry.result, path), name);
     operation.lists.push_back(name);
   }
-  operation.check = [required, needs_tangle = job.needs_tangle](const Options& options) {
+  operation.check = [required, on_system = is_on_system(entry),
+                     needs_tangle = job.needs_tangle](const Options& options) {
     for (const OptionSpec& spec : required) {
       if (options.find(spec.key) == nullptr) throw UsageError(spec.key + ": is missing: the " + spec.meaning);
     }
-    check_system(options, needs_tangle);
+    if (on_system) check_system(options, needs_tangle);
   };
-  operation.requirements = [](const Options&) { return Requirements{}; };
-  operation.run = [&entry, job](const JobCurves& curves, const Options& options) {
-    return run(entry, job, curves, options);
+  operation.requirements = [&entry](const Options& options) { return requirements_of(entry, options); };
+  operation.run = std::move(runner);
+  operation.cost = [constant = job.microseconds, rate = job.microseconds_a_point](std::size_t points) {
+    return constant + rate * static_cast<double>(points);
   };
-  operation.cost = [microseconds = job.microseconds](std::size_t) { return microseconds; };
   operation.memory = job.memory;
   return operation;
+}
+
+void add_areas(TableJob::Names& columns, const std::string& prefix, const std::string& path) {
+  for (const char* const area :
+       {"c1", "c2", "intersection", "union", "c1_minus_c2", "c2_minus_c1", "symmetric_difference"}) {
+    columns.emplace_back(prefix + area, path + "." + area);
+  }
+}
+
+void add_all(TableJob::Names& columns, const TableJob::Names& more) {
+  columns.insert(columns.end(), more.begin(), more.end());
 }
 
 }  // namespace lober::detail

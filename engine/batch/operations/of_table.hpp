@@ -1,7 +1,8 @@
-// Jobs that run an operation of the engine's table (lober/operations.hpp) on a system.
+// Jobs that run an operation of the engine's table (lober/operations.hpp) on a system or on curves.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,11 +19,20 @@ struct TableJob {
   Names columns;             ///< names, and the paths of the numbers in the result
   Names lists;               ///< likewise
   bool needs_tangle = true;  ///< whether the system has to name one
-  double microseconds = 0;   ///< as Operation::cost
-  std::size_t memory = 0;    ///< as Operation::memory
+  double microseconds = 0;   ///< of a usual job, as Operation::cost
+  double microseconds_a_point = 0;
+  std::size_t memory = 0;  ///< as Operation::memory
+  /// An option of jobs alone, a flag: whether to keep the lists.
+  std::optional<OptionSpec> lists_if{};
 };
 
-/// An operation on a system: the system, its parameters and the tolerance of its integration are options of the job.
+/// An operation on a system: the system, its parameters and the tolerance of its integration are options of the job. Or
+/// on curves: they are simple where the option check_simple asks for it.
 [[nodiscard]] Operation operation_of(const operations::Operation& entry, const TableJob& job);
+
+/// The names of the seven areas, `prefix` before each, with the paths of the members of the object at `path`.
+void add_areas(TableJob::Names& columns, const std::string& prefix, const std::string& path);
+/// Other names with their paths.
+void add_all(TableJob::Names& columns, const TableJob::Names& more);
 
 }  // namespace lober::detail

@@ -7,7 +7,8 @@
 namespace lober::detail {
 
 std::span<const Operation> all_operations() {
-  static const std::array table{overlay_operation(),   interior_operation(), tangle_operation(), densify_operation(),
+  static const std::array table{overlay_operation(),   interior_operation(), regions_operation(),
+                                winding_operation(),   tangle_operation(),   densify_operation(),
                                 transport_operation(), sweep_operation(),    escape_operation()};
   return table;
 }
@@ -30,18 +31,6 @@ const Operation* find_operation(std::string_view name) {
   const std::span<const Operation> table = all_operations();
   const auto found = std::find_if(table.begin(), table.end(), [&](const Operation& any) { return any.name == name; });
   return found == table.end() ? nullptr : &*found;
-}
-
-void add_area_columns(std::vector<Column>& columns, const std::string& prefix) {
-  for (const char* const area :
-       {"c1", "c2", "intersection", "union", "c1_minus_c2", "c2_minus_c1", "symmetric_difference"}) {
-    columns.push_back({prefix + area, Column::Kind::real});
-  }
-}
-
-void add_areas(std::vector<double>& values, const Areas& areas) {
-  values.insert(values.end(), {areas.c1, areas.c2, areas.intersection, areas.union_, areas.c1_minus_c2,
-                               areas.c2_minus_c1, areas.symmetric_difference});
 }
 
 OptionSpec index_option() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/batch/operations/operation.hpp"
-#include "lober/areas.hpp"
 
 namespace lober::detail {
 
@@ -10,13 +9,11 @@ namespace lober::detail {
 [[nodiscard]] Operation escape_operation();
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation densify_operation();
+[[nodiscard]] Operation regions_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation tangle_operation();
 [[nodiscard]] Operation transport_operation();
-
-/// Seven columns, `prefix` before each name, and their numbers.
-void add_area_columns(std::vector<Column>& columns, const std::string& prefix);
-void add_areas(std::vector<double>& values, const Areas& areas);
+[[nodiscard]] Operation winding_operation();
 
 /// The option `index` that operations on two curves have.
 [[nodiscard]] OptionSpec index_option();

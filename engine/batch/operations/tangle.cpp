@@ -74,7 +74,7 @@ Operation tangle_operation() {
        1'000'000},
       {"smooth", false, "areas between smooth curves through the points"},
       {"overlaps", false, "list the areas that lobes have in common"},
-      {"simple_check", true, "refuse manifolds that cross themselves"},
+      {"check_simple", true, "refuse manifolds that cross themselves"},
       index_option()};
   for (const char* const name :
        {"crossings", "touches", "shared_arcs", "pips", "lobes", "bip", "period", "lobes_compared"}) {
@@ -86,7 +86,7 @@ Operation tangle_operation() {
   // Signed areas of the lobes, their parts inside the boundary, error bars if smooth; overlaps as i, j, area, i, ...
   operation.lists = {"areas", "inside", "errors", "overlaps"};
   operation.requirements = [](const Options& options) {
-    return Requirements{.index = true, .simple = options.flag("simple_check")};
+    return Requirements{.index = true, .simple = options.flag("check_simple")};
   };
   operation.run = run_tangle;
   operation.cost = [](std::size_t points) { return 20 + 1e-2 * static_cast<double>(points); };

@@ -84,9 +84,13 @@ options = { method = "ends", index = "grid" }
 grid = { passes = [1, 2], points = [10, 20] }
 )");
   ASSERT_EQ(all.groups.size(), 5U);
-  EXPECT_EQ(all.groups[0].options.to_string(), "areas_only=false discretisation=true lobes=false index=tree");
-  EXPECT_EQ(all.groups[1].options.to_string(), "method=ends passes=1 points=10 index=grid");
-  EXPECT_EQ(all.groups[4].options.to_string(), "method=ends passes=2 points=20 index=grid");
+  EXPECT_EQ(all.groups[0].options.to_string(),
+            "areas_only=false discretisation=true index=tree check_simple=true verify=false smooth=false classes=false "
+            "lobes=false");
+  EXPECT_EQ(all.groups[1].options.to_string(),
+            "method=ends passes=1 points=10 index=grid check_simple=true verify=false");
+  EXPECT_EQ(all.groups[4].options.to_string(),
+            "method=ends passes=2 points=20 index=grid check_simple=true verify=false");
   EXPECT_EQ(all.groups[4].name, "fine");
   EXPECT_EQ(all.jobs.size(), 3U + 4);
 }
@@ -96,7 +100,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
             "job.toml:3: pair: there is no such key; the");
   EXPECT_EQ(
       refusal("operation = \"overly\"\ncurves = \"separ.*\""),
-      "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, tangle, "
+      "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, regions, "
+      "winding, tangle, "
       "densify, transport, sweep, escape");
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");

@@ -72,7 +72,7 @@ TEST_F(SystemJobs, TangleOfFilesIsTheTangle) {
     list += "[\"u" + number + ".npy\", \"s" + number + ".npy\"],";
   }
   const auto found =
-      results("operation = \"tangle\"\noptions = { overlaps = true, simple_check = false }\npairs = [" + list + "]\n");
+      results("operation = \"tangle\"\noptions = { overlaps = true, check_simple = false }\npairs = [" + list + "]\n");
   ASSERT_EQ(found.size(), pairs.size());
   std::size_t lobes = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {

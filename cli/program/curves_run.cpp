@@ -1,0 +1,72 @@
+#include "cli/program/curves_run.hpp"
+
+#include "cli/program/table_options.hpp"
+#include "cli/report/outcome_json.hpp"
+#include "engine/base/stopwatch.hpp"
+
+namespace lober::cli {
+
+CurvesReport run_on_curves(const std::string& operation, const std::array<std::string, 2>& curves,
+                           const std::vector<operations::OptionSetting>& settings, Progress& progress) {
+  const operations::Operation& entry = operations::named(operation);
+  const operations::Options options = checked_options(entry, settings);
+  CurvesReport report;
+  progress.phase("reading", 0, 0.25);
+  const detail::Stopwatch read_watch;
+  double points = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    report.inputs[k] = read_curve(curves[k], true);
+    points += static_cast<double>(report.inputs[k].curve.points.size());
+    progress.advance(0.5 * static_cast<double>(k + 1));
+  }
+  require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
+  report.read_seconds = read_watch.seconds();
+  progress.of(points, "points");
+  progress.phase(operation, 0.25, 0.9);
+  const detail::Stopwatch index_watch;
+  const std::array<IndexedCurve, 2> indexed{IndexedCurve(report.inputs[0].curve), IndexedCurve(report.inputs[1].curve)};
+  std::vector<operations::Input> inputs;
+  for (std::size_t k = 0; k < 2; ++k) {
+    inputs.emplace_back(operations::CurveInput{report.inputs[k].curve, curves[k], &indexed[k]});
+  }
+  report.index_seconds = index_watch.seconds();
+  operations::Context context;
+  context.progress = [&](double fraction, const std::string&) { return progress.advance(fraction); };
+  try {
+    report.outcome = entry.run(inputs, options, context);
+  } catch (const NotSimpleError& error) {
+    const auto curve = static_cast<std::size_t>(error.curve - 1);
+    const std::string& remark = report.inputs[curve].remark;
+    throw DataError(curves[curve] + ": " + error.what() + " (--rule takes such curves)" +
+                    (remark.empty() ? "" : "; the curve " + remark));
+  }
+  return report;
+}
+
+void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,
+                       CurvesReport& report, const std::array<double, 2>& areas,
+                       const std::array<Orientation, 2>& orientations, const Json& engine,
+                       const std::function<double()>& seconds_so_far) {
+  const detail::Stopwatch watch;
+  Json inputs = Json::array();
+  for (std::size_t k = 0; k < 2; ++k) inputs.push_back(input_json(report.inputs[k], areas[k], orientations[k]));
+  write_outcome_json(path, command, {{"inputs", std::move(inputs)}}, operations::named(operation), report.outcome, [&] {
+    Json seconds{{"read", report.read_seconds}, {"index", report.index_seconds}};
+    seconds.update(engine);
+    seconds["write"] = report.write_seconds + watch.seconds();
+    seconds["total"] = seconds_so_far();
+    return seconds;
+  });
+}
+
+Option add_rule_option(OptionParser& parser, std::string& rule) {
+  return parser
+      .add("--rule", rule,
+           "The fill rule for curves that may cross themselves: a point is inside where the winding number of the "
+           "curve is not zero (nonzero), odd (evenodd), positive or negative; a counter-clockwise turn counts +1 "
+           "(default: the curves have to be simple).")
+      .value("RULE")
+      .one_of({"nonzero", "evenodd", "positive", "negative"});
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,20 @@
+// What --rule found, of closed curves that may cross themselves (lober/regions.hpp).
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "cli/program/curves_run.hpp"
+
+namespace lober::cli {
+
+/// The short aligned table for people.
+[[nodiscard]] std::string regions_table(const CurvesReport& report);
+/// The JSON object of a command (docs/conventions.md, section 13).
+void write_regions_json(const std::string& path, std::string_view command, CurvesReport& report,
+                        const std::function<double()>& seconds_so_far);
+void log_regions_timing(const CurvesReport& report, double total);
+
+}  // namespace lober::cli

@@ -1,0 +1,27 @@
+// The curves that an operation is given (private to operations/).
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "lober/operations.hpp"
+
+namespace lober::detail::table {
+
+/// Throws UsageError unless there are as many inputs as the operation takes, each of its kind.
+void require_inputs(const operations::Operation& operation, std::span<const operations::Input> inputs);
+
+/// Input number k, which is a curve or points, as that curve with its index. A curve whose index is given has been
+/// validated; others are, DataError naming the input.
+[[nodiscard]] IndexedCurve indexed_curve(const operations::Operation& operation,
+                                         std::span<const operations::Input> inputs, std::size_t k);
+/// Whether input number k is known to be simple.
+[[nodiscard]] bool known_simple(std::span<const operations::Input> inputs, std::size_t k);
+/// Input number k, which is points. Throws DataError for one that is not finite.
+[[nodiscard]] std::span<const Point> points_at(const operations::Operation& operation,
+                                               std::span<const operations::Input> inputs, std::size_t k);
+
+/// For options of the engine that tell how far they are by the fraction done; empty where nobody asks.
+[[nodiscard]] std::function<bool(double)> fraction_to(const operations::Context& context);
+
+}  // namespace lober::detail::table
