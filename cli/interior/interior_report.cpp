@@ -9,7 +9,7 @@ namespace lober::cli {
 namespace {
 
 std::string method_text(const operations::Outcome& outcome) {
-  const operations::Options options(operations::named("interior").options, outcome.settings);
+  const operations::Options& options = outcome.options;
   const auto passes = static_cast<std::size_t>(options.whole("passes"));
   if (options.text("method") == "split") return "segments are split where the curves meet";
   if (passes == 0 || options.whole("points") == 0) return "a segment counts by its two ends";

@@ -22,7 +22,7 @@ void write_outcome_json(const std::string& path, std::string_view command,
   add_agreement(json, outcome.agreement);
   for (const auto& [name, value] : inputs) json.member(name, value);
   Json options = Json::object();
-  for (const operations::OptionSetting& setting : outcome.settings) options[setting.key] = setting_json(setting.value);
+  for (const operations::OptionSetting& setting : outcome.settings()) options[setting.key] = setting_json(setting.value);
   json.member("options", options);
   write_json_members(operation.result, outcome.value.get(), [&](std::string_view text) { json.file().write(text); });
   json.file().write(",\n");

@@ -81,14 +81,14 @@ class LOBER_API Options {
   [[nodiscard]] std::vector<std::pair<std::string, double>> reals_of(std::string_view prefix) const;
 
   /// In the order of the specs.
-  [[nodiscard]] std::span<const OptionSetting> settings() const { return settings_; }
+  [[nodiscard]] std::span<const OptionSetting> settings() const { return *settings_; }
   /// "areas_only=false index=auto": the same for the same values, whatever was spelled out.
   [[nodiscard]] std::string to_string() const;
 
  private:
   [[nodiscard]] const OptionValue& at(std::string_view key) const;
 
-  std::vector<OptionSetting> settings_;
+  std::shared_ptr<const std::vector<OptionSetting>> settings_ = std::make_shared<const std::vector<OptionSetting>>();
 };
 
 /// "key=value key=value".
@@ -213,10 +213,10 @@ class LOBER_API NumberPath {
                                                        std::string_view path);
 
 /// The members of an object in JSON, without the braces: numbers with the digits that give them back, null for those
-/// that are not finite, and for integers, texts and objects that there are not; other members that are not known are left
-/// out, and those that are Field::left_out.
-/// Members of the outermost object, and elements of lists that are not within others, have lines of their own. Long
-/// lists are formatted in parallel and handed on in parts, so that none stands in memory as a whole.
+/// that are not finite, and for integers, texts and objects that there are not; other members that are not known are
+/// left out, and those that are Field::left_out. Members of the outermost object, and elements of lists that are not
+/// within others, have lines of their own. Long lists are formatted in parallel and handed on in parts, so that none
+/// stands in memory as a whole.
 LOBER_API void write_json_members(std::span<const Field> fields, const void* whole,
                                   const std::function<void(std::string_view)>& write);
 [[nodiscard]] LOBER_API std::string json_members(std::span<const Field> fields, const void* whole);
@@ -312,10 +312,13 @@ struct Context {
 /// A result: an object of a type that the operation knows.
 struct Outcome {
   std::shared_ptr<const void> value;
-  Agreement agreement;               ///< of all routes that were compared
-  std::vector<std::string> remarks;  ///< what a user should read
-  /// The options with which it was computed: those given, and those that followed from them and the inputs.
-  std::vector<OptionSetting> settings;
+  Agreement agreement;                ///< of all routes that were compared
+  std::vector<std::string> remarks;   ///< what a user should read
+  Options options;                    ///< with which it was computed
+  std::vector<OptionSetting> chosen;  ///< in place of some of them: what followed from them and the inputs
+
+  /// The options, each with the value that was used.
+  [[nodiscard]] LOBER_API std::vector<OptionSetting> settings() const;
 
   /// For callers that know the type: SystemTransport of "transport".
   template <typename T>

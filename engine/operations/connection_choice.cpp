@@ -92,16 +92,13 @@ std::vector<Connection> further_of(const ConnectionChoice& choice, const System&
   return system.further;
 }
 
-void add_settings(std::vector<OptionSetting>& settings, const Connection& connection) {
-  const auto put = [&](const char* key, Point value) {
-    std::erase_if(settings, [&](const OptionSetting& one) { return one.key == key; });
-    settings.push_back({key, value});
-  };
-  put("from", connection.from);
-  put("to", connection.to);
-  put("u_direction", connection.u_direction);
-  put("s_direction", connection.s_direction);
-  if (connection.bip) put("bip", *connection.bip);
+std::vector<OptionSetting> settings_of(const Connection& connection) {
+  std::vector<OptionSetting> settings{{"from", connection.from},
+                                      {"to", connection.to},
+                                      {"u_direction", connection.u_direction},
+                                      {"s_direction", connection.s_direction}};
+  if (connection.bip) settings.push_back({"bip", *connection.bip});
+  return settings;
 }
 
 }  // namespace lober::detail::table

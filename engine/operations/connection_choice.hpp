@@ -28,6 +28,6 @@ struct ConnectionChoice {
 [[nodiscard]] std::vector<Connection> further_of(const ConnectionChoice& choice, const System& system, bool wanted);
 
 /// The connection that was chosen, as the values of its options.
-void add_settings(std::vector<OptionSetting>& settings, const Connection& connection);
+[[nodiscard]] std::vector<OptionSetting> settings_of(const Connection& connection);
 
 }  // namespace lober::detail::table

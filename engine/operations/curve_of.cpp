@@ -14,41 +14,46 @@ bool is_curve(InputKind kind) {
   return kind == InputKind::closed_curve || kind == InputKind::open_curve;
 }
 
-CurveInput curve_at(const Operation& operation, std::span<const Input> inputs, std::size_t k) {
-  const auto* const curve = std::get_if<CurveInput>(&inputs[k]);
-  CurveInput given = curve != nullptr ? *curve : CurveInput{{std::get<std::span<const Point>>(inputs[k])}};
-  given.curve.closed = operation.inputs[k].kind == InputKind::closed_curve;
-  if (given.name.empty()) given.name = operation.inputs[k].name;
-  return given;
+const CurveInput* given_curve(const Input& input) {
+  return std::get_if<CurveInput>(&input);
+}
+
+bool is_of_kind(const Input& input, InputKind kind) {
+  const auto* const system = std::get_if<SystemInput>(&input);
+  if (kind == InputKind::system) return system != nullptr && system->system;
+  return system == nullptr && (is_curve(kind) || given_curve(input) == nullptr);
+}
+
+std::string takes(const Operation& operation) {
+  std::string text = operation.name + " takes ";
+  for (const InputSpec& spec : operation.inputs) {
+    text += (&spec == operation.inputs.data() ? "" : ", ") + spec.name;
+    if (spec.optional) text += ", which may be left out";
+  }
+  return text + ", and nothing else";
 }
 
 }  // namespace
 
 void require_inputs(const Operation& operation, std::span<const Input> inputs) {
-  const auto needed = static_cast<std::size_t>(std::count_if(operation.inputs.begin(), operation.inputs.end(),
-                                                             [](const InputSpec& one) { return !one.optional; }));
-  bool right = inputs.size() >= needed && inputs.size() <= operation.inputs.size();
-  std::string wanted;
-  for (std::size_t k = 0; k < operation.inputs.size(); ++k) {
-    const InputSpec& spec = operation.inputs[k];
-    wanted += (k == 0 ? "" : ", ") + spec.name + (spec.optional ? ", which may be left out" : "");
-    if (!right || k >= inputs.size()) continue;
-    const bool system = std::holds_alternative<SystemInput>(inputs[k]);
-    right = spec.kind == InputKind::system ? system && std::get<SystemInput>(inputs[k]).system
-                                           : !system && (is_curve(spec.kind) || inputs[k].index() == 2);
+  const std::vector<InputSpec>& specs = operation.inputs;
+  for (std::size_t k = 0; k < std::max(specs.size(), inputs.size()); ++k) {
+    const bool fits = k >= inputs.size() ? specs[k].optional : k < specs.size() && is_of_kind(inputs[k], specs[k].kind);
+    if (!fits) throw UsageError(takes(operation));
   }
-  if (!right) throw UsageError(operation.name + " takes " + wanted + ", and nothing else");
 }
 
 IndexedCurve indexed_curve(const Operation& operation, std::span<const Input> inputs, std::size_t k) {
-  const CurveInput given = curve_at(operation, inputs, k);
-  if (given.index != nullptr) return *given.index;
-  validate(given.curve, given.name);
-  return IndexedCurve(given.curve);
+  const CurveInput* const given = given_curve(inputs[k]);
+  if (given != nullptr && given->index != nullptr) return *given->index;
+  CurveView curve = given != nullptr ? given->curve : CurveView{std::get<std::span<const Point>>(inputs[k])};
+  curve.closed = operation.inputs[k].kind == InputKind::closed_curve;
+  validate(curve, given != nullptr && !given->name.empty() ? given->name : operation.inputs[k].name);
+  return IndexedCurve(curve);
 }
 
 bool known_simple(std::span<const Input> inputs, std::size_t k) {
-  const auto* const curve = std::get_if<CurveInput>(&inputs[k]);
+  const CurveInput* const curve = given_curve(inputs[k]);
   return curve != nullptr && curve->simple;
 }
 

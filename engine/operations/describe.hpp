@@ -260,7 +260,7 @@ Outcome outcome_of(T value, const Options& options) {
   Outcome outcome;
   if constexpr (requires { value.agreement; }) outcome.agreement = value.agreement;
   if constexpr (requires { value.remarks; }) outcome.remarks = value.remarks;
-  outcome.settings.assign(options.settings().begin(), options.settings().end());
+  outcome.options = options;
   outcome.value = std::make_shared<const T>(std::move(value));
   return outcome;
 }

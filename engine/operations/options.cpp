@@ -65,6 +65,7 @@ std::optional<double> number_of(std::string_view text) {
 
 Options::Options(std::span<const OptionSpec> specs, std::span<const OptionSetting> settings) {
   std::map<std::string, OptionValue> chosen, of_families;
+  std::vector<OptionSetting> all;
   for (const OptionSetting& setting : settings) {
     const auto spec =
         std::find_if(specs.begin(), specs.end(), [&](const OptionSpec& any) { return any.is_for(setting.key); });
@@ -80,9 +81,10 @@ Options::Options(std::span<const OptionSpec> specs, std::span<const OptionSettin
     const auto given = chosen.find(spec.key);
     if (spec.required && given == chosen.end()) refuse(spec, "is missing: the " + spec.meaning);
     if (spec.optional && given == chosen.end()) continue;
-    settings_.push_back({spec.key, given != chosen.end() ? given->second : spec.fallback});
+    all.push_back({spec.key, given != chosen.end() ? given->second : spec.fallback});
   }
-  for (const auto& [key, value] : of_families) settings_.push_back({key, value});
+  for (const auto& [key, value] : of_families) all.push_back({key, value});
+  settings_ = std::make_shared<const std::vector<OptionSetting>>(std::move(all));
 }
 
 std::optional<Point> Options::point(std::string_view key) const {
@@ -92,7 +94,7 @@ std::optional<Point> Options::point(std::string_view key) const {
 
 std::vector<std::pair<std::string, double>> Options::reals_of(std::string_view prefix) const {
   std::vector<std::pair<std::string, double>> found;
-  for (const OptionSetting& setting : settings_) {
+  for (const OptionSetting& setting : *settings_) {
     if (!setting.key.starts_with(std::string(prefix) + ".")) continue;
     found.emplace_back(setting.key.substr(prefix.size() + 1), std::get<double>(setting.value));
   }
@@ -101,8 +103,8 @@ std::vector<std::pair<std::string, double>> Options::reals_of(std::string_view p
 
 const OptionValue* Options::find(std::string_view key) const {
   const auto found =
-      std::find_if(settings_.begin(), settings_.end(), [&](const OptionSetting& any) { return any.key == key; });
-  return found == settings_.end() ? nullptr : &found->value;
+      std::find_if(settings_->begin(), settings_->end(), [&](const OptionSetting& any) { return any.key == key; });
+  return found == settings_->end() ? nullptr : &found->value;
 }
 
 const OptionValue& Options::at(std::string_view key) const {
@@ -156,7 +158,16 @@ std::string to_string(std::span<const OptionSetting> settings) {
 }
 
 std::string Options::to_string() const {
-  return operations::to_string(settings_);
+  return operations::to_string(*settings_);
+}
+
+std::vector<OptionSetting> Outcome::settings() const {
+  std::vector<OptionSetting> all(options.settings().begin(), options.settings().end());
+  for (const OptionSetting& one : chosen) {
+    std::erase_if(all, [&](const OptionSetting& any) { return any.key == one.key; });
+    all.push_back(one);
+  }
+  return all;
 }
 
 }  // namespace lober::operations

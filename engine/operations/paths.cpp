@@ -35,13 +35,28 @@ const Field& first_field(std::span<const Field> fields, std::string_view path) {
   throw UsageError("there is no field \"" + std::string(name) + "\"; there are " + known);
 }
 
-// Those that the path leads to.
-void each_number(std::span<const Field* const> path, const void* whole, bool bar,
-                 const std::function<void(double)>& use) {
-  const Field& field = *path.front();
-  if (field.get) return use(number_in(field.get(whole), bar));
-  if (path.size() == 1) return;
-  field.each(whole, [&](const void* part) { each_number(path.subspan(1), part, bar, use); });
+// What follows number `depth` of the path. Captures of one pointer, which take no memory of their own, lead from one
+// field to the next.
+template <typename Use>
+struct Walk {
+  std::span<const Field* const> path;
+  const Use& use;
+
+  void go(std::size_t depth, const void* whole) const {
+    const Field& field = *path[depth];
+    if (field.get) return use(field.get(whole));
+    if (depth + 1 == path.size()) return;
+    const struct Step {
+      const Walk& walk;
+      std::size_t next;
+    } step{*this, depth + 1};
+    field.each(whole, [&step](const void* part) { step.walk.go(step.next, part); });
+  }
+};
+
+template <typename Use>
+void each_number(std::span<const Field* const> path, const void* whole, const Use& use) {
+  Walk<Use>{path, use}.go(0, whole);
 }
 
 }  // namespace
@@ -68,15 +83,15 @@ NumberPath::NumberPath(std::span<const Field> fields, std::string_view path) {
 
 std::vector<double> NumberPath::all(const void* whole) const {
   std::vector<double> numbers;
-  each_number(fields_, whole, bar_, [&](double number) { numbers.push_back(number); });
+  each_number(fields_, whole, [&](const FieldValue& value) { numbers.push_back(number_in(value, bar_)); });
   return numbers;
 }
 
 double NumberPath::first(const void* whole) const {
   double found = unknown;
   bool is_found = false;
-  each_number(fields_, whole, bar_, [&](double number) {
-    if (!is_found) found = number;
+  each_number(fields_, whole, [&](const FieldValue& value) {
+    if (!is_found) found = number_in(value, bar_);
     is_found = true;
   });
   return found;

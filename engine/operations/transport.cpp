@@ -261,7 +261,7 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
   SystemTransport found{transport(*system.map, connection, how)};
   if (function) found.melnikov = melnikov_comparison(std::move(*function), system, found.manifolds());
   Outcome outcome = outcome_of(std::move(found), options);
-  add_settings(outcome.settings, connection);
+  outcome.chosen = settings_of(connection);
   return outcome;
 }
 
