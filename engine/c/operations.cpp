@@ -183,6 +183,11 @@ int lober_call(const char* operation, const lober_input* inputs, size_t count, c
   });
 }
 
+int lober_fixed_points(const lober_model* model, const char* options, lober_result** result) {
+  const lober_input input{nullptr, 0, model};
+  return lober_call("fixed_points", &input, 1, options, result);
+}
+
 int lober_transport(const lober_model* model, const char* options, lober_result** result) {
   const lober_input input{nullptr, 0, model};
   return lober_call("transport", &input, 1, options, result);

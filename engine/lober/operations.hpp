@@ -17,6 +17,7 @@
 
 #include "lober/agreement.hpp"
 #include "lober/export.hpp"
+#include "lober/fixed_points.hpp"
 #include "lober/melnikov.hpp"
 #include "lober/monte_carlo.hpp"
 #include "lober/point.hpp"
@@ -28,10 +29,11 @@ namespace lober::operations {
 
 // ---------------------------------------------------------------------------------------------------------- options
 
-using OptionValue = std::variant<bool, std::int64_t, double, std::string, Point>;
+using OptionValue = std::variant<bool, std::int64_t, double, std::string, Point, Rectangle, std::vector<double>>;
 
-/// An option. The type of `fallback` is the type of the option; a whole number is taken for a double too. A key
-/// "parameters.*" stands for any number of options "parameters.NAME" without a fallback.
+/// An option. The type of `fallback` is the type of the option; a whole number is taken for a double too, and numbers
+/// for a point or a rectangle: x0, y0, x1, y1. A key "parameters.*" stands for any number of options "parameters.NAME"
+/// without a fallback.
 struct OptionSpec {
   std::string key;
   OptionValue fallback;
@@ -88,8 +90,10 @@ class LOBER_API Options {
 /// "key=value key=value".
 [[nodiscard]] LOBER_API std::string to_string(std::span<const OptionSetting> settings);
 /// A value as Options::to_string has it: numbers in the shortest form that reads back to the same bits, points as
-/// "x,y".
+/// "x,y", rectangles as "x0,y0,x1,y1".
 [[nodiscard]] LOBER_API std::string to_string(const OptionValue& value);
+/// Those of a point, a rectangle or a list; none of another value.
+[[nodiscard]] LOBER_API std::vector<double> numbers_of(const OptionValue& value);
 /// The value of an option that is written as text: "true", "1e-5", "0.5,-1". Throws UsageError "key: what is wrong".
 [[nodiscard]] LOBER_API OptionValue option_value(const OptionSpec& spec, std::string_view key, const std::string& text);
 
@@ -152,6 +156,7 @@ struct Field {
   std::string meaning = {};
   std::string bar = {};             ///< what the error bar of a number or a matrix is called; empty: it has none
   std::vector<Field> members = {};  ///< of an object, or of each element of a list
+  bool null = false;                ///< null in JSON where nothing of it is known, as texts and objects are
 
   std::function<FieldValue(const void* whole)> get{};  ///< empty for objects and lists
   using Use = std::function<void(const void* part)>;
@@ -168,7 +173,8 @@ struct Field {
                                                        std::string_view path);
 
 /// The members of an object in JSON, without the braces: numbers with the digits that give them back, null for those
-/// that are not finite, and for texts and objects that there are not; other members that are not known are left out.
+/// that are not finite, and for texts and objects that there are not; other members that are not known are left out,
+/// unless their fields say `null`.
 /// Elements of lists of the outermost object have lines of their own.
 [[nodiscard]] LOBER_API std::string json_members(std::span<const Field> fields, const void* whole);
 /// The same as an object in one line.
@@ -194,6 +200,11 @@ struct SystemTransport : Transport {
 struct SystemEscape : Escape {
   std::optional<MonteCarlo> counted{};  ///< where trajectories were followed
   std::uint64_t seed = 1;               ///< of their random numbers
+};
+/// Of "fixed_points": what was found, and where it was looked for.
+struct SystemFixedPoints : FixedPointSearch {
+  Rectangle box{};
+  int period = 1, turns = 0;
 };
 /// Of "sweep".
 struct SystemSweep : Sweep {
@@ -246,9 +257,10 @@ struct Example {
 
 struct Operation {
   std::string name;
-  std::string title;    ///< a phrase, of one line
-  std::string summary;  ///< a sentence: "Computes ..."
-  int revision = 1;     ///< goes into the keys of stored results: raised when numbers change within a version
+  std::string title;     ///< a phrase, of one line
+  std::string summary;   ///< a sentence: "Computes ..."
+  int revision = 1;      ///< goes into the keys of stored results: raised when numbers change within a version
+  bool compares = true;  ///< whether it computes something by two routes
   std::vector<InputSpec> inputs;
   std::vector<OptionSpec> options;
   std::vector<Field> result;

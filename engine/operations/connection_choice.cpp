@@ -93,15 +93,11 @@ std::vector<Connection> further_of(const ConnectionChoice& choice, const System&
 }
 
 void add_settings(std::vector<OptionSetting>& settings, const Connection& connection) {
-  const auto put = [&](const char* key, Point value) {
-    std::erase_if(settings, [&](const OptionSetting& one) { return one.key == key; });
-    settings.push_back({key, value});
-  };
-  put("from", connection.from);
-  put("to", connection.to);
-  put("u_direction", connection.u_direction);
-  put("s_direction", connection.s_direction);
-  if (connection.bip) put("bip", *connection.bip);
+  put_setting(settings, "from", connection.from);
+  put_setting(settings, "to", connection.to);
+  put_setting(settings, "u_direction", connection.u_direction);
+  put_setting(settings, "s_direction", connection.s_direction);
+  if (connection.bip) put_setting(settings, "bip", *connection.bip);
 }
 
 }  // namespace lober::detail::table

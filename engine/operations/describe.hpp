@@ -99,6 +99,11 @@ class Schema {
     fields_.push_back(std::move(made));
     return *this;
   }
+  /// The field before is null in JSON where nothing of it is known.
+  Schema& or_null() {
+    fields_.back().null = true;
+    return *this;
+  }
   /// The getter returns a U, a reference or a pointer to one; null where it is not known.
   template <typename U, typename Get>
   Schema& object(std::string name, std::string meaning, const Schema<U>& members, Get get) {
@@ -183,8 +188,9 @@ class OptionList {
                          std::same_as<Member, std::string>) {
       spec.fallback = How{}.*member;
     } else {
-      static_assert(std::integral<Member>,
-                    "an option is a flag, a number, text, or an optional one of these or of a Point");
+      static_assert(
+          std::integral<Member>,
+          "an option is a flag, a number, text, or an optional one of these, of a Point, a Rectangle or numbers");
       spec.fallback = static_cast<std::int64_t>(How{}.*member);
       if (std::unsigned_integral<Member>) spec.min = std::max(spec.min, 0.0);
       if constexpr (sizeof(Member) < sizeof(std::int64_t)) {
@@ -216,6 +222,12 @@ class OptionList {
   std::vector<OptionSpec> specs_;
   std::vector<std::function<void(How&, const Options&)>> setters_;
 };
+
+/// What followed from the inputs, in place of what was given.
+inline void put_setting(std::vector<OptionSetting>& settings, const std::string& key, OptionValue value) {
+  std::erase_if(settings, [&](const OptionSetting& one) { return one.key == key; });
+  settings.push_back({key, std::move(value)});
+}
 
 /// The outcome of a value; of its agreement and its remarks, where it has some.
 template <typename T>

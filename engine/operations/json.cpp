@@ -24,6 +24,12 @@ std::string rows_of(const Matrix& matrix, double Measured::*part) {
   });
 }
 
+bool is_known(const FieldValue& value) {
+  if (const auto* point = std::get_if<Point>(&value)) return !std::isnan(point->x);
+  const auto* matrix = std::get_if<Matrix>(&value);
+  return matrix == nullptr || !std::isnan(matrix->entries.front().value);
+}
+
 class Members {
  public:
   explicit Members(bool outermost) : outermost_(outermost) {}
@@ -60,8 +66,8 @@ class Members {
   }
 
   void add_value(const Field& field, const FieldValue& value) {
-    if (std::holds_alternative<std::monostate>(value)) {
-      if (field.kind == FieldKind::text) add(field.name, "null");
+    if (std::holds_alternative<std::monostate>(value) || (field.null && !is_known(value))) {
+      if (field.null || field.kind == FieldKind::text) add(field.name, "null");
     } else if (const auto* number = std::get_if<double>(&value)) {
       add(field.name, json_number(*number));
     } else if (const auto* measured = std::get_if<Measured>(&value)) {

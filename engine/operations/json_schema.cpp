@@ -33,7 +33,9 @@ std::string schema_of(const Field& field) {
   if (field.kind == FieldKind::list)
     return R"({"type":"array","items":{)" + properties_of(field.members) + "}" + about + "}";
   const std::string unit = field.unit.empty() ? "" : ",\"unit\":" + json_string(field.unit);
-  return "{" + type_of(field.kind) + about + unit + "}";
+  std::string type = type_of(field.kind);
+  if (field.null) type = R"("anyOf":[{)" + type + R"(},{"type":"null"}])";
+  return "{" + type + about + unit + "}";
 }
 
 std::string properties_of(std::span<const Field> fields) {

@@ -7,6 +7,7 @@ namespace lober::detail::table {
 using namespace operations;
 
 [[nodiscard]] Operation escape_operation();
+[[nodiscard]] Operation fixed_points_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation transport_operation();
 

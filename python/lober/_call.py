@@ -26,6 +26,8 @@ def _setting(key: str, value: Any, kind: str) -> Any:
         return value
     if kind == "point":
         return pair_of(value, key)
+    if kind in ("box", "numbers"):
+        return tuple(number_of(one, key) for one in value)
     if kind == "int" and isinstance(value, (int, np.integer)):
         return int(value)
     return number_of(value, key)

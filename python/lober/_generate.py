@@ -12,7 +12,7 @@ from typing import Any
 from . import _lober
 
 #: Those whose functions are written by hand, with conveniences of their own.
-BY_HAND = {"escape", "transport"}
+BY_HAND = {"escape", "fixed_points", "transport"}
 
 HEAD = '''"""Functions of operations, written by _generate.py from the engine's table. Not to be edited."""
 
@@ -40,6 +40,7 @@ IN_OBJECTS = {
     "wholes": "list[int]",
     "point": "Pair",
     "points": "NDArray[np.float64]",
+    "matrix": "NDArray[np.float64]",
 }
 IN_COLUMNS = {
     "whole": "NDArray[Any]",
@@ -50,8 +51,17 @@ IN_COLUMNS = {
     "wholes": "list[list[int]]",
     "point": "NDArray[np.float64]",
     "points": "list[NDArray[np.float64]]",
+    "matrix": "NDArray[np.float64]",
 }
-ARGUMENTS = {"bool": "bool", "int": "int", "float": "float", "str": "str", "point": "Pair"}
+ARGUMENTS = {
+    "bool": "bool",
+    "int": "int",
+    "float": "float",
+    "str": "str",
+    "point": "Pair",
+    "box": "Box",
+    "numbers": "Sequence[float]",
+}
 
 
 def identifier(name: str) -> str:

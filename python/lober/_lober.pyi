@@ -242,16 +242,6 @@ def orbits(
     progress: _Progress,
 ) -> NDArray[np.float64]: ...
 def spread(box: _Box, count: int) -> _Points: ...
-def fixed_points(
-    system: System,
-    box: _Box | None,
-    period: int,
-    turns: int,
-    grid: int,
-    max_grid: int,
-    threads: int,
-    progress: _Progress,
-) -> tuple[Any, ...]: ...
 def fixed_point(system: System, guess: _Pair, period: int, turns: int) -> tuple[Any, ...]: ...
 def grow(
     system: System,

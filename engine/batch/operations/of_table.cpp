@@ -54,9 +54,10 @@ Result run(const operations::Operation& entry, const TableJob& job, const JobCur
 // Throws for a path that leads to no numbers: what has been renamed is seen before the first job.
 Column::Kind kind_at(std::span<const operations::Field> fields, std::string_view path) {
   using Kind = operations::FieldKind;
-  const Kind kind = field_at(fields, path).kind;
-  if (kind == Kind::whole || kind == Kind::flag) return Column::Kind::count;
-  if (kind == Kind::number) return Column::Kind::real;
+  const operations::Field& field = field_at(fields, path);
+  const bool is_whole = field.kind == Kind::whole || field.kind == Kind::flag;
+  if (is_whole && !field.null) return Column::Kind::count;
+  if (is_whole || field.kind == Kind::number) return Column::Kind::real;
   throw UsageError("a column of a batch has no numbers at \"" + std::string(path) + "\"");
 }
 

@@ -37,6 +37,10 @@ const std::vector<Case>& cases() {
        "capsize",
        {},
        {{"crossings", std::int64_t{2}}, {"tolerance", 1e-4}, {"monte_carlo", std::int64_t{500}}}},
+      {"fixed_points",
+       "standard",
+       {},
+       {{"period", std::int64_t{5}}, {"turns", std::int64_t{2}}, {"box", Rectangle{-0.1, 0, 6.1, 6}}}},
       {"sweep", "henon", {}, {{"range", "k=0.9:1.1:0.1"}, {"find_zeros", true}, {"tolerance", 1e-4}}},
   };
   return all;
@@ -211,6 +215,9 @@ TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
     } else if (one.operation == "escape") {
       for (const EscapeFraction& row : found.as<SystemEscape>().table) expected.push_back(row.fraction);
       expect_same_bits(list("fraction"), expected, "fraction");
+    } else if (one.operation == "fixed_points") {
+      for (const FixedPoint& point : found.as<SystemFixedPoints>().points) expected.push_back(residue(point));
+      expect_same_bits(list("residue"), expected, "residue");
     } else if (one.operation == "sweep") {
       for (const SweepRow& row : found.as<SystemSweep>().rows) expected.push_back(row.flux21.value);
       expect_same_bits(list("flux21"), expected, "flux21");
@@ -223,8 +230,10 @@ TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
 TEST(OperationsTable, OptionsAreReadFromText) {
   const Operation& operation = named("transport");
   const auto spec = [&](const char* key) {
-    for (const OptionSpec& one : operation.options) {
-      if (one.is_for(key)) return one;
+    for (const Operation& any : all()) {
+      for (const OptionSpec& one : any.options) {
+        if (one.is_for(key)) return one;
+      }
     }
     ADD_FAILURE() << key;
     return OptionSpec{};
@@ -235,6 +244,10 @@ TEST(OperationsTable, OptionsAreReadFromText) {
   EXPECT_THROW((void)option_value(spec("iterates"), "iterates", "1e3"), UsageError);
   EXPECT_THROW((void)option_value(spec("from"), "from", "0.5"), UsageError);
   EXPECT_THROW((void)option_value(spec("from"), "from", "0.5,1,2"), UsageError);
+  EXPECT_EQ(option_value(spec("box"), "box", "-1,0,1e1,2"), OptionValue(Rectangle{-1, 0, 10, 2}));
+  EXPECT_EQ(to_string(OptionValue(Rectangle{-1, 0, 10, 2})), "-1,0,10,2");
+  EXPECT_THROW((void)option_value(spec("box"), "box", "0,0,1"), UsageError);
+  EXPECT_THROW((void)option_value(spec("box"), "box", "0,0,1,"), UsageError);
   const auto refused = [&](const OptionSetting& setting) {
     try {
       (void)Options(operation.options, {&setting, 1});
@@ -246,6 +259,11 @@ TEST(OperationsTable, OptionsAreReadFromText) {
   EXPECT_EQ(refused({"tolerance", 0.0}), "tolerance: has to be above 0");
   EXPECT_EQ(refused({"iterates", std::int64_t{0}}), "iterates: has to be at least 1");
   EXPECT_EQ(refused({"from", 3.0}), "from: has to be a point [x, y]");
+  EXPECT_EQ(refused({"from", std::vector<double>{1, 2, 3}}), "from: has to be a point [x, y]");
+  EXPECT_EQ(refused({"from", std::vector<double>{1, NAN}}), "from: the numbers have to be finite");
+  EXPECT_EQ(refused({"from", std::vector<double>{1, 2}}), "");
+  const OptionSetting box{"box", Rectangle{1, 0, 0, 1}};
+  EXPECT_THROW((void)Options(named("fixed_points").options, {&box, 1}), UsageError);
   EXPECT_NE(refused({"speed", 3.0}).find("there is no such option; there are from"), std::string::npos);
 }
 
