@@ -18,6 +18,7 @@
 #include "lober/agreement.hpp"
 #include "lober/export.hpp"
 #include "lober/fixed_points.hpp"
+#include "lober/levels.hpp"
 #include "lober/melnikov.hpp"
 #include "lober/monte_carlo.hpp"
 #include "lober/point.hpp"
@@ -205,6 +206,20 @@ struct SystemEscape : Escape {
 struct SystemFixedPoints : FixedPointSearch {
   Rectangle box{};
   int period = 1, turns = 0;
+};
+/// Of "levels".
+struct SystemLevel {
+  double value = 0;
+  std::optional<Point> saddle{};  ///< that the level goes through
+  std::vector<LevelCurve> curves{};
+
+  [[nodiscard]] LOBER_API std::size_t closed() const;  ///< number of curves that are
+  [[nodiscard]] LOBER_API std::size_t points() const;  ///< of all curves
+};
+struct SystemLevels {
+  std::vector<Equilibrium> saddles{};
+  std::vector<SystemLevel> levels{};        ///< by value, ascending
+  std::shared_ptr<const LevelGrid> grid{};  ///< on which the energy was looked at
 };
 /// Of "sweep".
 struct SystemSweep : Sweep {

@@ -14,10 +14,8 @@ from ._areas import html_table
 from ._arrays import Points, points_of
 from ._call import call
 from ._progress import Progress, watching
-from ._systems import Pair, connection_of, system_of
+from ._systems import Box, Pair, connection_of, system_of
 from .errors import UsageError
-
-Box = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ namespace lober::detail {
 [[nodiscard]] Operation escape_operation();
 [[nodiscard]] Operation fixed_points_operation();
 [[nodiscard]] Operation interior_operation();
+[[nodiscard]] Operation levels_operation();
 [[nodiscard]] Operation densify_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation tangle_operation();

@@ -41,6 +41,7 @@ const std::vector<Case>& cases() {
        "standard",
        {},
        {{"period", std::int64_t{5}}, {"turns", std::int64_t{2}}, {"box", Rectangle{-0.1, 0, 6.1, 6}}}},
+      {"levels", "ovp", {{"eps", 0.0}}, {{"grid", Point{90, 80}}, {"box", Rectangle{-3, -3, 3, 3}}}},
       {"sweep", "henon", {}, {{"range", "k=0.9:1.1:0.1"}, {"find_zeros", true}, {"tolerance", 1e-4}}},
   };
   return all;
@@ -218,6 +219,9 @@ TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
     } else if (one.operation == "fixed_points") {
       for (const FixedPoint& point : found.as<SystemFixedPoints>().points) expected.push_back(residue(point));
       expect_same_bits(list("residue"), expected, "residue");
+    } else if (one.operation == "levels") {
+      for (const SystemLevel& level : found.as<SystemLevels>().levels) expected.push_back(level.value);
+      expect_same_bits(list("energies"), expected, "energies");
     } else if (one.operation == "sweep") {
       for (const SweepRow& row : found.as<SystemSweep>().rows) expected.push_back(row.flux21.value);
       expect_same_bits(list("flux21"), expected, "flux21");
