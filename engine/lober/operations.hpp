@@ -21,6 +21,7 @@
 #include "lober/levels.hpp"
 #include "lober/melnikov.hpp"
 #include "lober/monte_carlo.hpp"
+#include "lober/orbits.hpp"
 #include "lober/point.hpp"
 #include "lober/sweep.hpp"
 #include "lober/systems.hpp"
@@ -106,6 +107,7 @@ struct InputSpec {
   std::string name;
   InputKind kind = InputKind::system;
   std::string meaning;
+  bool optional = false;  ///< only the last ones are
 };
 
 /// A system with its parameters, and its relatives.
@@ -220,6 +222,31 @@ struct SystemLevels {
   std::vector<Equilibrium> saddles{};
   std::vector<SystemLevel> levels{};        ///< by value, ascending
   std::shared_ptr<const LevelGrid> grid{};  ///< on which the energy was looked at
+};
+/// After how many crossings of the section orbits leave that begin in the middle of each cell of a grid.
+struct ExitTimes {
+  Rectangle window{};
+  std::size_t columns = 0, rows = 0;
+  std::vector<std::uint32_t> times{};  ///< row by row from below; the start is the first crossing
+  static constexpr std::uint32_t none = 0, stays = 0xffffffff;  ///< where the section is not reached; where none leaves
+
+  [[nodiscard]] std::uint32_t of(std::size_t column, std::size_t row) const { return times[row * columns + column]; }
+  /// How many cells leave after each number of crossings, from 0 (not on the section) on; the rest stay.
+  [[nodiscard]] LOBER_API std::vector<std::uint64_t> counts() const;
+  [[nodiscard]] LOBER_API std::uint64_t staying() const;
+};
+/// Of "section". Context::on_part gets it with each block of orbits.
+struct SystemSection {
+  Rectangle box{};
+  OrbitOptions options{};
+  std::size_t orbits = 0, lost = 0, unreached = 0;  ///< numbers of orbits
+  std::uint64_t points = 0, inside = 0;             ///< of all orbits, and in the box
+  std::optional<ExitTimes> exit_times{};            ///< where they were asked for
+  std::vector<Point> kept{};                        ///< of all orbits; empty where on_part takes them
+  // In on_part: a block as of follow_orbits, and which of its starts are points of the section.
+  std::size_t first = 0;
+  std::span<const Point> block{};
+  std::vector<bool> reached{};
 };
 /// Of "sweep".
 struct SystemSweep : Sweep {

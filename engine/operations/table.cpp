@@ -10,8 +10,8 @@ namespace lober::operations {
 
 std::span<const Operation> all() {
   static const std::array table{detail::table::escape_operation(), detail::table::fixed_points_operation(),
-                                detail::table::levels_operation(), detail::table::sweep_operation(),
-                                detail::table::transport_operation()};
+                                detail::table::levels_operation(), detail::table::section_operation(),
+                                detail::table::sweep_operation(),  detail::table::transport_operation()};
   return table;
 }
 

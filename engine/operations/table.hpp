@@ -9,6 +9,7 @@ using namespace operations;
 [[nodiscard]] Operation escape_operation();
 [[nodiscard]] Operation fixed_points_operation();
 [[nodiscard]] Operation levels_operation();
+[[nodiscard]] Operation section_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation transport_operation();
 

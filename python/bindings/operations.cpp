@@ -33,9 +33,9 @@ py::array_t<double> matrix_of(const ops::Matrix& matrix, double Measured::*part)
   return array;
 }
 
-py::object object_of(const ops::FieldValue& value, bool with_bars = false) {
+py::object object_of(ops::FieldValue value, bool with_bars = false) {
   return std::visit(
-      [with_bars](const auto& any) -> py::object {
+      [with_bars](auto& any) -> py::object {
         using Value = std::decay_t<decltype(any)>;
         if constexpr (std::is_same_v<Value, std::monostate>) {
           return py::none();
@@ -47,9 +47,9 @@ py::object object_of(const ops::FieldValue& value, bool with_bars = false) {
           if (!with_bars) return matrix_of(any, &Measured::value);
           return py::make_tuple(matrix_of(any, &Measured::value), matrix_of(any, &Measured::error));
         } else if constexpr (std::is_same_v<Value, std::vector<Point>>) {
-          return array_of(std::vector<Point>(any));
+          return array_of(std::move(any));
         } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-          return array_of(std::vector<double>(any));
+          return array_of(std::move(any));
         } else {
           return py::cast(any);
         }

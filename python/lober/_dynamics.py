@@ -282,10 +282,8 @@ def section(
     Points of a map that repeats itself after a shift are shifted into one cell from the left side of the box on, unless
     `lifted`. Raises UsageError, Cancelled.
     """
-    made = system_of(system)
-    if iterates < 0 or orbits < 0:
-        raise UsageError("iterates and orbits have to be 0 or more")
-    where = made.picture if box is None else box
-    points = _lober.spread(where, orbits) if starts is None else points_of(starts, "starts")
-    with watching(progress, "section") as callback:
-        return _lober.orbits(made._of, points, iterates, not lifted, where[:2], threads, callback)
+    settings = {"orbits": orbits, "iterates": iterates, "box": box, "lifted": lifted}
+    points = None if starts is None else points_of(starts, "starts")
+    found, _ = call("section", system, settings, threads, progress, points=points)
+    followed: NDArray[np.float64] = found["orbits"].reshape(-1, iterates + 1, 2)
+    return followed

@@ -124,6 +124,9 @@ def test_section():
     seen = []
     lober.section("standard", orbits=5, iterates=10, progress=lambda fraction, text: seen.append(fraction))
     assert seen[-1] == 1
+    torus = lober.section("abc", orbits=20, iterates=10)
+    corner = np.array(lober.system("abc").picture[:2])
+    assert (np.nanmin(torus, axis=(0, 1)) >= corner).all() and (np.nanmax(torus, axis=(0, 1)) <= corner + 2 * math.pi).all()
     with pytest.raises(lober.UsageError):
         lober.section("standard", iterates=-1)
 

@@ -12,6 +12,7 @@ namespace lober::detail {
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation levels_operation();
 [[nodiscard]] Operation densify_operation();
+[[nodiscard]] Operation section_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation tangle_operation();
 [[nodiscard]] Operation transport_operation();

@@ -97,7 +97,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(
       refusal("operation = \"overly\"\ncurves = \"separ.*\""),
       "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, tangle, "
-      "densify, transport, sweep, escape, fixed_points, levels");
+      "densify, transport, sweep, escape, fixed_points, levels, "
+      "section");
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");
   EXPECT_EQ(refusal("operation = \"densify\"\ncurves = \"separ.*\"\nwith = \"other.*\"\noptions.max_length = 1"),
