@@ -131,12 +131,9 @@ void draw(const std::string& path, const EscapeReport& report) {
 
 void run(const EscapeRequest& request) {
   const detail::Stopwatch watch;
-  std::vector<Output> outputs;
-  if (!request.json.empty()) outputs.push_back({"--json", request.json});
-  if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
-  if (!request.curves.empty()) outputs.push_back({"--curves", request.curves});
-  if (!request.tubes.empty()) outputs.push_back({"--tubes", request.tubes});
-  check_outputs(outputs, files_of_system(request.system));
+  const std::vector<Output> outputs = checked_outputs(
+      {{"--json", request.json}, {"--svg", request.svg}, {"--curves", request.curves}, {"--tubes", request.tubes}},
+      files_of_system(request.system));
   const bool printing = !takes_standard_output(outputs);
   // Rows are printed as soon as they are known; where trajectories are asked for they may take long, and if they
   // contradict a row the first line says so.

@@ -36,7 +36,7 @@ void add_cells(std::string& svg, const char* colour, const std::string& path) {
   append_all(svg, "<path fill=\"", colour, "\" d=\"", path, "\"/>\n");
 }
 
-std::string curves_path(const View& view, const Level& level) {
+std::string curves_path(const View& view, const operations::SystemLevel& level) {
   return path_of(view, max_level_points, [&](PathWriter& writer) {
     for (const LevelCurve& curve : level.curves) {
       std::vector<Point> line = curve.points;
@@ -48,7 +48,9 @@ std::string curves_path(const View& view, const Level& level) {
 
 }  // namespace
 
-void write_levels_picture(const std::string& path, const LevelsReport& report, const LevelGrid& grid) {
+void write_levels_picture(const std::string& path, const LevelsReport& report) {
+  const std::vector<operations::SystemLevel>& levels = report.result().levels;
+  const LevelGrid& grid = *report.result().grid;
   const View view(grid.window());
   struct Entry {
     std::string swatch, text;
@@ -66,21 +68,21 @@ void write_levels_picture(const std::string& path, const LevelsReport& report, c
     add_cells(drawn, forbidden_colour, band_path(view, grid, [&](double value) { return value > energy; }));
     entries.push_back({opaque_swatch(forbidden_colour), "potential above " + rounded(energy) + ": no motion"});
   } else if (report.shaded) {
-    for (std::size_t k = 0; k <= report.levels.size(); ++k) {
-      const double low = k == 0 ? -HUGE_VAL : report.levels[k - 1].value;
-      const double high = k == report.levels.size() ? HUGE_VAL : report.levels[k].value;
-      const char* colour = band_colours[k * (band_colours.size() - 1) / report.levels.size()];
+    for (std::size_t k = 0; k <= levels.size(); ++k) {
+      const double low = k == 0 ? -HUGE_VAL : levels[k - 1].value;
+      const double high = k == levels.size() ? HUGE_VAL : levels[k].value;
+      const char* colour = band_colours[k * (band_colours.size() - 1) / levels.size()];
       add_cells(drawn, colour, band_path(view, grid, [&](double value) { return value >= low && value < high; }));
-      const std::string text = k == 0                      ? "below " + rounded(high)
-                               : k == report.levels.size() ? rounded(low) + " and above"
-                                                           : rounded(low) + " to " + rounded(high);
+      const std::string text = k == 0               ? "below " + rounded(high)
+                               : k == levels.size() ? rounded(low) + " and above"
+                                                    : rounded(low) + " to " + rounded(high);
       entries.push_back({opaque_swatch(colour), std::string(report.quantity()) + " " + text});
     }
   }
   // Lines through saddles on top of the others.
   bool others = false;
   for (const bool through : {false, true}) {
-    for (const Level& level : report.levels) {
+    for (const operations::SystemLevel& level : levels) {
       if (level.saddle.has_value() != through) continue;
       const bool zero_velocity = report.energy && level.value == *report.energy;
       add_stroked(drawn, through && !zero_velocity ? saddle_colour : line_colour, through || zero_velocity ? 2.2 : 1,
@@ -101,7 +103,7 @@ void write_levels_picture(const std::string& path, const LevelsReport& report, c
   }
   drawn += "<g fill=\"#222222\">\n";
   bool dots = false;
-  for (const Equilibrium& saddle : report.saddles) {
+  for (const Equilibrium& saddle : report.result().saddles) {
     const Rectangle& window = grid.window();
     if (saddle.at.x < window.min_x || saddle.at.x > window.max_x || saddle.at.y < window.min_y ||
         saddle.at.y > window.max_y) {

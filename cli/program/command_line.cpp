@@ -67,6 +67,14 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
   }
 }
 
+std::vector<Output> checked_outputs(std::initializer_list<Output> named, std::span<const std::string> inputs) {
+  std::vector<Output> outputs;
+  std::copy_if(named.begin(), named.end(), std::back_inserter(outputs),
+               [](const Output& output) { return !output.path.empty(); });
+  check_outputs(outputs, inputs);
+  return outputs;
+}
+
 bool takes_standard_output(std::span<const Output> outputs) {
   return std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,10 @@ struct Output {
 /// `inputs` may carry a zone (FILE#ZONE). What is not known yet, as the files that a manifest names, OutputFile refuses
 /// to replace (engine/base/input_guard.hpp).
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs);
+
+/// Those that were named, checked.
+[[nodiscard]] std::vector<Output> checked_outputs(std::initializer_list<Output> named,
+                                                  std::span<const std::string> inputs);
 
 /// Whether one of the files is standard output, which holds one thing only: then nothing else is printed there.
 [[nodiscard]] bool takes_standard_output(std::span<const Output> outputs);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
@@ -151,6 +152,12 @@ void Progress::above(const std::function<void()>& write) {
 bool Progress::step(std::string_view what) {
   if (line_ && !what.empty()) line_->step(what);
   return !interrupted();
+}
+
+std::function<bool(double, const std::string&)> told_to(Progress& progress) {
+  return [&progress](double fraction, const std::string& line) {
+    return std::isnan(fraction) ? progress.step(line) : progress.advance(fraction);
+  };
 }
 
 }  // namespace lober::cli

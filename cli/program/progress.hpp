@@ -58,4 +58,7 @@ class Progress {
   std::unique_ptr<Line> line_;  ///< none unless standard error is a terminal
 };
 
+/// The progress of an operation: lines where nobody knows how much there is to do.
+[[nodiscard]] std::function<bool(double fraction, const std::string& line)> told_to(Progress& progress);
+
 }  // namespace lober::cli

@@ -90,6 +90,10 @@ System system_of(const SystemRequest& request, const ParameterValues& values) {
   return system;
 }
 
+operations::SystemInput system_input_of(const SystemRequest& request) {
+  return operations::system_input(request.name, parameter_values(request.parameters), request.integration);
+}
+
 Connection connection_of(const SystemRequest& request, const System& system) {
   const auto given = [](const std::vector<double>& numbers) {
     return numbers.empty() ? std::nullopt : std::optional(point_of(numbers));

@@ -6,6 +6,7 @@
 
 #include "cli/program/option_parser.hpp"
 #include "cli/report/json.hpp"
+#include "lober/operations.hpp"
 #include "lober/systems.hpp"
 
 namespace lober::cli {
@@ -45,6 +46,9 @@ void add_system_options(OptionParser& parser, SystemRequest& request, bool posit
 
 /// Throws UsageError, also for a system that has no planar map.
 [[nodiscard]] System system_of(const SystemRequest& request, const ParameterValues& values);
+
+/// As operations take it. Throws UsageError.
+[[nodiscard]] operations::SystemInput system_input_of(const SystemRequest& request);
 
 /// What the system brings, with what the user gives in its place. Throws UsageError with what is missing.
 [[nodiscard]] Connection connection_of(const SystemRequest& request, const System& system);

@@ -28,10 +28,12 @@ std::string help_of(const OptionSpec& spec) {
     const std::string phrase = spec.meaning.substr(whether.size());
     return (is_on(spec) ? "Do not " + phrase : capitalised(phrase)) + ".";
   }
-  const bool is_point = std::holds_alternative<Point>(spec.fallback);
   const std::size_t aside = std::min(spec.meaning.find(';'), spec.meaning.size());
   const std::string otherwise = spec.optional ? spec.otherwise : operations::to_string(spec.fallback);
-  std::string text = (is_point ? "A " : "The ") + spec.meaning.substr(0, aside);
+  const char* const article = std::holds_alternative<Point>(spec.fallback)       ? "A "
+                              : std::holds_alternative<Rectangle>(spec.fallback) ? "The two "
+                                                                                 : "The ";
+  std::string text = article + spec.meaning.substr(0, aside);
   if (!otherwise.empty()) text += " (default: " + otherwise + ")";
   return text + spec.meaning.substr(aside) + ".";
 }
@@ -75,13 +77,12 @@ void TableOptions::add(OptionParser& parser, const OptionSpec& spec) {
   Option option = std::holds_alternative<bool>(spec.fallback)           ? add_as(false)
                   : std::holds_alternative<std::int64_t>(spec.fallback) ? add_as(std::int64_t{0})
                   : std::holds_alternative<double>(spec.fallback)       ? add_as(0.0)
-                  : std::holds_alternative<Point>(spec.fallback)        ? add_as(std::vector<double>{})
-                                                                        : add_as(std::string{});
-  if (std::holds_alternative<Point>(spec.fallback)) {
-    option.comma_separated().count(2).value("X,Y");
-  } else if (!spec.value.empty()) {
-    option.value(spec.value.c_str());
-  }
+                  : std::holds_alternative<std::string>(spec.fallback)  ? add_as(std::string{})
+                                                                        : add_as(std::vector<double>{});
+  if (std::holds_alternative<Point>(spec.fallback)) option.comma_separated().count(2).value("X,Y");
+  if (std::holds_alternative<Rectangle>(spec.fallback)) option.comma_separated().count(4).value("X0,Y0,X1,Y1");
+  if (std::holds_alternative<std::vector<double>>(spec.fallback)) option.comma_separated().count(1, 1000);
+  if (!spec.value.empty()) option.value(spec.value.c_str());
   if (is_on(spec)) on_.insert(spec.key);
   limit(option, spec);
   if (!spec.choices.empty()) option.one_of(spec.choices);
@@ -95,9 +96,7 @@ std::vector<operations::OptionSetting> TableOptions::settings() const {
     if (!options_.at(key).given()) continue;
     settings.push_back({key, std::visit(
                                  [on = on_.contains(key)](const auto& value) -> operations::OptionValue {
-                                   if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
-                                     return Point{value[0], value[1]};
-                                   } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) {
+                                   if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) {
                                      return !on;
                                    } else {
                                      return value;

@@ -6,11 +6,11 @@ namespace lober::cli {
 namespace {
 
 Json setting_json(const operations::OptionValue& value) {
-  if (const auto* const point = std::get_if<Point>(&value)) return {point->x, point->y};
   if (const auto* const flag = std::get_if<bool>(&value)) return *flag;
   if (const auto* const whole = std::get_if<std::int64_t>(&value)) return *whole;
   if (const auto* const real = std::get_if<double>(&value)) return number_json(*real);
-  return std::get<std::string>(value);
+  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
+  return operations::numbers_of(value);
 }
 
 }  // namespace
@@ -19,10 +19,14 @@ void write_outcome_json(const std::string& path, std::string_view command,
                         const std::vector<std::pair<std::string, Json>>& inputs, const operations::Operation& operation,
                         const operations::Outcome& outcome, const std::function<Json()>& timing) {
   JsonFile json(path, command);
-  add_agreement(json, outcome.agreement);
+  if (operation.compares) add_agreement(json, outcome.agreement);
   for (const auto& [name, value] : inputs) json.member(name, value);
   Json options = Json::object();
-  for (const operations::OptionSetting& setting : outcome.settings()) options[setting.key] = setting_json(setting.value);
+  for (const operations::OptionSetting& setting : outcome.settings())
+    options[setting.key] = setting_json(setting.value);
+  for (const operations::OptionSpec& spec : operation.options) {
+    if (!options.contains(spec.key)) options[spec.key] = nullptr;
+  }
   json.member("options", options);
   write_json_members(operation.result, outcome.value.get(), [&](std::string_view text) { json.file().write(text); });
   json.file().write(",\n");

@@ -11,7 +11,8 @@
 
 namespace lober::cli {
 
-/// `inputs`: members that say what it was run with. `timing` is asked for when all but that is written.
+/// `inputs`: members that say what it was run with. Options that were not given and have no default are null. `timing`
+/// is asked for when all but that is written.
 void write_outcome_json(const std::string& path, std::string_view command,
                         const std::vector<std::pair<std::string, Json>>& inputs, const operations::Operation& operation,
                         const operations::Outcome& outcome, const std::function<Json()>& timing);

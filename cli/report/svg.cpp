@@ -11,7 +11,6 @@
 namespace lober::cli {
 namespace {
 
-constexpr double min_aspect = 0.5, max_aspect = 1.25;  // height to width of the plot
 constexpr double legend_line = 24;
 
 // The frame of the plot with its margins.
@@ -72,10 +71,9 @@ Rectangle include(const Rectangle& box, std::span<const Point> points) {
 View::View(const Rectangle& window) : low_{window.min_x, window.min_y} {
   // Halves, because a difference of two finite numbers need not be finite.
   half_ = {0.5 * window.max_x - 0.5 * low_.x, 0.5 * window.max_y - 0.5 * low_.y};
-  const double aspect = half_.x > 0 ? half_.y / half_.x : 1;
-  height_ = picture_width * std::clamp(aspect, min_aspect, max_aspect);
-  const bool keep_scale = aspect >= min_aspect;
-  plot_width_ = keep_scale && aspect > max_aspect && aspect < 4 ? height_ / aspect : picture_width;
+  const detail::PictureSize size = detail::picture_size(window);
+  height_ = size.height;
+  plot_width_ = size.width;
 }
 
 double View::left() const {

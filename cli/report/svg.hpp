@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/operations/picture_size.hpp"
 #include "lober/point.hpp"
 
 namespace lober::cli {
@@ -14,7 +15,7 @@ namespace lober::cli {
 /// A point of the picture, x to the right and y down.
 using Pixel = Point;
 
-inline constexpr double picture_width = 960;  ///< of the plot, in pixels
+inline constexpr double picture_width = detail::PictureSize{}.width;  ///< of the plot, in pixels
 inline constexpr double picture_margin = 24;
 inline constexpr int subpixels = 20;  ///< coordinates in paths are whole numbers of these, so that paths are short
 [[nodiscard]] int subpixel(double pixels);

@@ -26,20 +26,22 @@ std::size_t level_of(std::uint32_t count, std::uint32_t largest) {
   return levels <= colours ? level + colours - levels : level * colours / levels;
 }
 
-// The cells of a Density, or of ExitTimes, for which `has(column, row)`.
-template <typename Cells, typename Has>
-std::string section_cells_path(const View& view, const Cells& cells, const Has& has) {
-  return cells_path(view, cells.columns(), cells.rows(), has, [&](std::size_t column, std::size_t row) {
-    return cell_corner(cells.window(), cells.columns(), cells.rows(), column, row);
+// The cells of a grid on a window for which `has(column, row)`.
+template <typename Has>
+std::string section_cells_path(const View& view, const Rectangle& window, std::size_t columns, std::size_t rows,
+                               const Has& has) {
+  return cells_path(view, columns, rows, has, [&](std::size_t column, std::size_t row) {
+    return cell_corner(window, columns, rows, column, row);
   });
 }
 
 std::string level_path(const View& view, const Density& density, std::size_t level) {
   const std::uint32_t largest = density.largest();
-  return section_cells_path(view, density, [&](std::size_t column, std::size_t row) {
-    const std::uint32_t count = density.count(column, row);
-    return count > 0 && level_of(count, largest) == level;
-  });
+  return section_cells_path(view, density.window(), density.columns(), density.rows(),
+                            [&](std::size_t column, std::size_t row) {
+                              const std::uint32_t count = density.count(column, row);
+                              return count > 0 && level_of(count, largest) == level;
+                            });
 }
 
 // Of those that leave after crossing 1, 2, ..., the last one for all later ones; and of those that stay.
@@ -75,44 +77,6 @@ void Density::add(std::span<const Point> points) {
 
 std::uint32_t Density::largest() const {
   return *std::max_element(counts_.begin(), counts_.end());
-}
-
-ExitTimes::ExitTimes(const Rectangle& window, std::size_t columns, std::size_t rows)
-    : window_(window), columns_(columns), rows_(rows) {
-  times_.reserve(columns * rows);
-}
-
-Buffer<Point> ExitTimes::starts() const {
-  Buffer<Point> points(columns_ * rows_);
-  const auto middle = [](double low, double high, std::size_t k, std::size_t cells) {
-    const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(cells);
-    return low * (1 - t) + high * t;
-  };
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    points[k] = {middle(window_.min_x, window_.max_x, k % columns_, columns_),
-                 middle(window_.min_y, window_.max_y, k / columns_, rows_)};
-  }
-  return points;
-}
-
-void ExitTimes::add(std::span<const Point> orbit, bool reached) {
-  if (!reached) return times_.push_back(none);
-  const auto lost = std::find_if(orbit.begin(), orbit.end(), [](const Point& point) { return std::isnan(point.x); });
-  times_.push_back(lost == orbit.end() ? stays : static_cast<std::uint32_t>(lost - orbit.begin()));
-}
-
-std::vector<std::uint64_t> ExitTimes::counts() const {
-  std::vector<std::uint64_t> counts(1);
-  for (const std::uint32_t time : times_) {
-    if (time == stays) continue;
-    if (time >= counts.size()) counts.resize(time + std::size_t{1});
-    ++counts[time];
-  }
-  return counts;
-}
-
-std::uint64_t ExitTimes::staying() const {
-  return static_cast<std::uint64_t>(std::count(times_.begin(), times_.end(), stays));
 }
 
 void OrbitFile::require_name(const std::string& path) {
@@ -170,28 +134,29 @@ void write_section_picture(const std::string& path, const Density& density, cons
   write_file(path, svg);
 }
 
-void write_exit_times_picture(const std::string& path, const ExitTimes& times, std::size_t iterates,
+void write_exit_times_picture(const std::string& path, const operations::ExitTimes& times, std::size_t iterates,
                               const std::string& title) {
-  const View view(times.window());
+  const View view(times.window);
   const std::vector<std::uint64_t> counts = times.counts();
   const std::size_t shown = std::min(counts.size(), exit_colours.size() + 1);
   std::string svg;
   begin_picture(svg, view, title, static_cast<int>(1 + (shown + 1) / 2));
   const auto draw = [&](const char* colour, const auto& has) {
     append_all(svg, "<path fill=\"", colour, "\" d=\"",
-               section_cells_path(view, times,
+               section_cells_path(view, times.window, times.columns, times.rows,
                                   [&](std::size_t column, std::size_t row) { return has(times.of(column, row)); }),
                "\"/>\n");
   };
-  draw(staying_colour, [](std::uint32_t time) { return time == ExitTimes::stays; });
+  draw(staying_colour, [](std::uint32_t time) { return time == operations::ExitTimes::stays; });
   const auto is_last = [&](std::size_t n) { return n == exit_colours.size(); };
   for (std::size_t n = 1; n < shown; ++n) {
-    draw(exit_colours[n - 1],
-         [&](std::uint32_t time) { return time != ExitTimes::stays && (is_last(n) ? time >= n : time == n); });
+    draw(exit_colours[n - 1], [&](std::uint32_t time) {
+      return time != operations::ExitTimes::stays && (is_last(n) ? time >= n : time == n);
+    });
   }
   begin_legend(svg);
   add_legend_entry(svg, view, 0, 0, "", title);
-  add_legend_entry(svg, view, 1, 0, "", window_text(times.window()));
+  add_legend_entry(svg, view, 1, 0, "", window_text(times.window));
   int entries = 0;
   const auto entry = [&](const char* colour, const std::string& text) {
     add_legend_entry(svg, view, entries % 2, 1 + entries / 2, opaque_swatch(colour), text);

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "engine/base/output_file.hpp"
-#include "lober/buffer.hpp"
-#include "lober/point.hpp"
+#include "lober/operations.hpp"
 
 namespace lober::cli {
 
@@ -36,31 +35,6 @@ class Density {
   std::uint64_t inside_ = 0, outside_ = 0;
 };
 
-/// After how many crossings of the section the orbits leave that begin in the middle of each cell of a grid: the start
-/// is the first crossing.
-class ExitTimes {
- public:
-  ExitTimes(const Rectangle& window, std::size_t columns, std::size_t rows);
-  /// The middles, row by row from below.
-  [[nodiscard]] Buffer<Point> starts() const;
-  /// The orbits come in the order of their starts; `reached`: whether the start is a point of the section.
-  void add(std::span<const Point> orbit, bool reached);
-
-  [[nodiscard]] const Rectangle& window() const { return window_; }
-  [[nodiscard]] std::size_t columns() const { return columns_; }
-  [[nodiscard]] std::size_t rows() const { return rows_; }
-  static constexpr std::uint32_t none = 0, stays = 0xffffffff;
-  [[nodiscard]] std::uint32_t of(std::size_t column, std::size_t row) const { return times_[row * columns_ + column]; }
-  /// How many cells leave after each number of crossings, from 0 (not on the section) on; the rest stay.
-  [[nodiscard]] std::vector<std::uint64_t> counts() const;
-  [[nodiscard]] std::uint64_t staying() const;
-
- private:
-  Rectangle window_;
-  std::size_t columns_, rows_;
-  std::vector<std::uint32_t> times_;
-};
-
 /// The file of orbits, written as they come: .npy, an array of orbits x (iterates + 1) x 2, NaN where an orbit is lost;
 /// .csv, a line "orbit,iterate,x,y" for each point that is not.
 class OrbitFile {
@@ -80,7 +54,7 @@ class OrbitFile {
 /// The density as an SVG picture, the darker the more points.
 void write_section_picture(const std::string& path, const Density& density, const std::string& title);
 /// The cells in colours by when their orbits leave; `iterates`: how far orbits were followed.
-void write_exit_times_picture(const std::string& path, const ExitTimes& times, std::size_t iterates,
+void write_exit_times_picture(const std::string& path, const operations::ExitTimes& times, std::size_t iterates,
                               const std::string& title);
 
 }  // namespace lober::cli

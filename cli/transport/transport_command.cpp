@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "cli/program/command_line.hpp"
@@ -36,24 +35,8 @@ struct TransportRequest {
 };
 
 std::vector<Output> outputs_of(const TransportRequest& request) {
-  std::vector<Output> outputs;
-  for (const auto& [option, path] :
-       {std::pair{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}}) {
-    if (!path.empty()) outputs.push_back({option, path});
-  }
-  check_outputs(outputs, files_of_system(request.system.name));
-  return outputs;
-}
-
-operations::SystemInput input_of(const TransportRequest& request) {
-  return operations::system_input(request.system.name, parameter_values(request.system.parameters),
-                                  request.system.integration);
-}
-
-std::function<bool(double, const std::string&)> told_to(Progress& progress) {
-  return [&progress](double fraction, const std::string& line) {
-    return std::isnan(fraction) ? progress.step(line) : progress.advance(fraction);
-  };
+  return checked_outputs({{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}},
+                         files_of_system(request.system.name));
 }
 
 // Rows as they come: on a terminal each is shown at once, above the line of progress, and an interrupt keeps them. The
@@ -85,7 +68,7 @@ void run_one(const TransportRequest& request) {
   const std::vector<Output> outputs = outputs_of(request);
   const operations::Operation& operation = operations::named("transport");
   const operations::Options options = checked_options(operation, request.settings);
-  const operations::SystemInput input = input_of(request);
+  const operations::SystemInput input = system_input_of(request.system);
   TransportReport report;
   report.system = *input.system;
   {
@@ -142,7 +125,7 @@ void run_sweep(const TransportRequest& request) {
   const std::vector<Output> outputs = outputs_of(request);
   const operations::Operation& operation = operations::named("sweep");
   const operations::Options options = sweep_options(request, operation);
-  const operations::SystemInput input = input_of(request);
+  const operations::SystemInput input = system_input_of(request.system);
   SweepReport report;
   report.system = input.system->info;
   {

@@ -11,7 +11,6 @@
 #include "engine/c/model.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/error.hpp"
-#include "lober/fixed_points.hpp"
 #include "lober/local_manifold.hpp"
 #include "lober/manifolds.hpp"
 
@@ -37,36 +36,6 @@ void require_done(GrowthStop stop, const char* what, std::size_t points) {
                    std::string(what) + " ends early, with " + std::to_string(points) + " points, " +
                        (stop == GrowthStop::points ? "since max_points allows no more; give a larger max_points"
                                                    : "since no point has an image near by")};
-}
-
-Work fixed_points_work(const lober_model* model, Options& given) {
-  const PlanarMap& map = map_of(model);
-  const System& system = model->system();
-  FixedPointOptions options;
-  options.period = static_cast<int>(given.integer("period", options.period, 1));
-  options.grid = static_cast<int>(given.integer("grid", options.grid, 1));
-  const auto turns = static_cast<double>(given.integer("turns", 0, -1'000'000));
-  options.shift = {turns * system.lattice.x, turns * system.lattice.y};
-  const Rectangle box = given.box("box").value_or(system.window);
-  return [=, &map](lober_result& result) {
-    const std::function<bool(double)> report = progress();
-    const FixedPointSearch found =
-        search_fixed_points(map, box, options, 384, [&](int) { return !report || report(-1); });
-    std::vector<Point> points;
-    lober_result::Doubles derivatives, residues;
-    std::string kinds;
-    for (const FixedPoint& point : found.points) {
-      points.push_back(point.at);
-      const Matrix2& d = point.derivative;
-      derivatives.insert(derivatives.end(), {d.xx, d.xy, d.yx, d.yy});
-      residues.push_back(residue(point));
-      kinds += (kinds.empty() ? "" : "\n") + std::string(name_of(point.kind));
-    }
-    result.add_points("points", std::move(points));
-    result.add("derivatives", std::move(derivatives), 4);
-    result.add("residues", std::move(residues));
-    result.add("kinds", std::move(kinds));
-  };
 }
 
 // Images of `from` into `to`, which may be the same and stays as it is where the work is cancelled. Integrations ask by
@@ -211,11 +180,6 @@ int lober_iterate(const lober_model* model, double* points, size_t n, int iterat
   return guarded([&] {
     iterate(*model, map_of(model), points_of(points, n, "points"), reinterpret_cast<lober::Point*>(points), iterates);
   });
-}
-
-int lober_fixed_points(const lober_model* model, const char* options, lober_result** result) {
-  using namespace lober::detail::c;
-  return operation(options, result, [=](Options& given) { return fixed_points_work(model, given); });
 }
 
 int lober_grow(const lober_model* model, const char* options, lober_result** result) {

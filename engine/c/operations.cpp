@@ -41,11 +41,13 @@ Settings settings_of(const ops::Operation& operation, const char* text) {
 
 // ----------------------------------------------------------------------------------------------------------- inputs
 
-// The operation says what is missing.
 std::vector<ops::Input> inputs_of(const ops::Operation& operation, const lober_input* given, std::size_t count) {
-  if (count > operation.inputs.size() || (count > 0 && given == nullptr)) {
-    throw UsageError(operation.name + " takes " + std::to_string(operation.inputs.size()) + " inputs, not " +
-                     std::to_string(count));
+  const std::size_t most = operation.inputs.size();
+  const auto needed = static_cast<std::size_t>(
+      std::count_if(operation.inputs.begin(), operation.inputs.end(), [](const auto& spec) { return !spec.optional; }));
+  if (count < needed || count > most || (count > 0 && given == nullptr)) {
+    throw UsageError(operation.name + " takes " + (needed < most ? std::to_string(needed) + " to " : "") +
+                     std::to_string(most) + " inputs, not " + std::to_string(count));
   }
   std::vector<ops::Input> inputs;
   for (std::size_t k = 0; k < count; ++k) {
@@ -182,6 +184,11 @@ int lober_call(const char* operation, const lober_input* inputs, size_t count, c
     }
     *result = made.release();
   });
+}
+
+int lober_fixed_points(const lober_model* model, const char* options, lober_result** result) {
+  const lober_input input{nullptr, 0, model};
+  return lober_call("fixed_points", &input, 1, options, result);
 }
 
 int lober_transport(const lober_model* model, const char* options, lober_result** result) {

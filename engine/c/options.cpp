@@ -71,31 +71,12 @@ bool Options::flag(const std::string& name, bool otherwise) {
   return given ? *given == "1" : otherwise;
 }
 
-std::vector<double> Options::numbers(const std::string& name, const std::string& value, std::size_t count) const {
-  std::vector<double> list;
-  std::string_view rest = value;
-  while (true) {
-    const std::size_t comma = rest.find(',');
-    list.push_back(number_of(name, std::string(rest.substr(0, comma))));
-    if (comma == std::string_view::npos) break;
-    rest.remove_prefix(comma + 1);
-  }
-  if (list.size() != count) refuse(name, value, std::to_string(count) + " numbers with commas between");
-  return list;
-}
-
 std::optional<Point> Options::point(const std::string& name) {
   const std::optional<std::string> given = text(name);
   if (!given) return std::nullopt;
-  const std::vector<double> list = numbers(name, *given, 2);
-  return Point{list[0], list[1]};
-}
-
-std::optional<Rectangle> Options::box(const std::string& name) {
-  const std::optional<std::string> given = text(name);
-  if (!given) return std::nullopt;
-  const std::vector<double> list = numbers(name, *given, 4);
-  return Rectangle{list[0], list[1], list[2], list[3]};
+  const std::size_t comma = given->find(',');
+  if (comma == std::string::npos) refuse(name, *given, "2 numbers with commas between");
+  return Point{number_of(name, given->substr(0, comma)), number_of(name, given->substr(comma + 1))};
 }
 
 void Options::require_all_known() const {

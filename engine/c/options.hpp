@@ -30,7 +30,6 @@ class Options {
                                      std::int64_t most = 2'000'000'000);
   [[nodiscard]] bool flag(const std::string& name, bool otherwise);
   [[nodiscard]] std::optional<Point> point(const std::string& name);
-  [[nodiscard]] std::optional<Rectangle> box(const std::string& name);
   [[nodiscard]] std::optional<std::string> text(const std::string& name);
   /// A number of points or the like.
   [[nodiscard]] std::size_t count(const std::string& name, std::size_t otherwise) {
@@ -54,7 +53,6 @@ class Options {
 
  private:
   [[noreturn]] static void refuse(const std::string& name, const std::string& value, const std::string& wanted);
-  [[nodiscard]] std::vector<double> numbers(const std::string& name, const std::string& value, std::size_t count) const;
 
   std::vector<std::pair<std::string, std::string>> words_;
   std::set<std::string> known_;

@@ -161,8 +161,9 @@ LOBER_C_API int lober_models(lober_result** result);
 /* Replaces each point by its image; NaN where an orbit is lost. Negative: by the inverse. Where it fails, or is
    cancelled, points stay as they were. */
 LOBER_C_API int lober_iterate(const lober_model* model, double* points, size_t n, int iterates);
-/* Options: box=XMIN,YMIN,XMAX,YMAX, period=N, turns=N, grid=N. Arrays: points (n x 2), derivatives (n x 4, row by row),
-   residues, kinds: a line each. */
+/* Fixed and periodic points in a box: lober_call of "fixed_points". Options: box=XMIN,YMIN,XMAX,YMAX, period=N,
+   turns=N, grid=N, max_grid=N, budget=SECONDS. Among its arrays: points.x, points.y, points.residue, points.type: a line
+   each; points.derivative and points.multipliers (n x 4, row by row); search.settled. */
 LOBER_C_API int lober_fixed_points(const lober_model* model, const char* options, lober_result** result);
 /* A branch of the manifold of a saddle. Options: saddle=X,Y (that of the system), side=unstable|stable, branch=X,Y: a
    vector roughly along it (that of the system, else the one of larger x), tolerance=D, iterates=N, length=D,
@@ -193,7 +194,7 @@ typedef struct lober_input {
   const lober_model* model;
 } lober_input;
 /* Runs an operation of the table (lober/operations.hpp) by its name. Options are those of the table, 1 or 0 for true or
-   false, X,Y for points. Each field of the result is an array: NAME of a member, "OBJECT.MEMBER", "LIST.MEMBER" with a
+   false, X,Y for points, numbers with commas between for boxes and lists. Each field of the result is an array: NAME of a member, "OBJECT.MEMBER", "LIST.MEMBER" with a
    row for each element; "LIST.K.MEMBER" where elements hold lists. Numbers with an error bar have two columns. Where
    routes disagree, LOBER_DISAGREEMENT with a result, and disagreements: a line each. */
 LOBER_C_API int lober_call(const char* operation, const lober_input* inputs, size_t count, const char* options,

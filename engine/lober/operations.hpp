@@ -18,10 +18,13 @@
 #include "lober/agreement.hpp"
 #include "lober/curve.hpp"
 #include "lober/export.hpp"
+#include "lober/fixed_points.hpp"
 #include "lober/index.hpp"
 #include "lober/interior.hpp"
+#include "lober/levels.hpp"
 #include "lober/melnikov.hpp"
 #include "lober/monte_carlo.hpp"
+#include "lober/orbits.hpp"
 #include "lober/overlay.hpp"
 #include "lober/point.hpp"
 #include "lober/regions.hpp"
@@ -34,10 +37,11 @@ namespace lober::operations {
 
 // ---------------------------------------------------------------------------------------------------------- options
 
-using OptionValue = std::variant<bool, std::int64_t, double, std::string, Point>;
+using OptionValue = std::variant<bool, std::int64_t, double, std::string, Point, Rectangle, std::vector<double>>;
 
-/// An option. The type of `fallback` is the type of the option; a whole number is taken for a double too. A key
-/// "parameters.*" stands for any number of options "parameters.NAME" without a fallback.
+/// An option. The type of `fallback` is the type of the option; a whole number is taken for a double too, and numbers
+/// for a point or a rectangle: x0, y0, x1, y1. A key "parameters.*" stands for any number of options "parameters.NAME"
+/// without a fallback.
 struct OptionSpec {
   std::string key;
   OptionValue fallback;
@@ -94,8 +98,10 @@ class LOBER_API Options {
 /// "key=value key=value".
 [[nodiscard]] LOBER_API std::string to_string(std::span<const OptionSetting> settings);
 /// A value as Options::to_string has it: numbers in the shortest form that reads back to the same bits, points as
-/// "x,y".
+/// "x,y", rectangles as "x0,y0,x1,y1".
 [[nodiscard]] LOBER_API std::string to_string(const OptionValue& value);
+/// Those of a point, a rectangle or a list; none of another value.
+[[nodiscard]] LOBER_API std::vector<double> numbers_of(const OptionValue& value);
 /// The value of an option that is written as text: "true", "1e-5", "0.5,-1". Throws UsageError "key: what is wrong".
 [[nodiscard]] LOBER_API OptionValue option_value(const OptionSpec& spec, std::string_view key, const std::string& text);
 
@@ -107,7 +113,7 @@ struct InputSpec {
   std::string name;
   InputKind kind = InputKind::system;
   std::string meaning;
-  bool optional = false;  ///< the last ones only
+  bool optional = false;  ///< only the last ones are
 };
 
 /// A system with its parameters, and its relatives.
@@ -169,8 +175,7 @@ struct Field {
   std::string meaning = {};
   std::string bar = {};             ///< what the error bar of a number or a matrix is called; empty: it has none
   std::vector<Field> members = {};  ///< of an object, or of each element of a list
-
-  bool left_out = false;  ///< in JSON, where it is not known: it is there only where it was asked for
+  bool null = false;                ///< null in JSON where nothing of it is known; else left out there
 
   using Use = std::function<void(const void* part)>;
   /// Of a list. May be looked at from several threads at the same time.
@@ -202,7 +207,7 @@ class LOBER_API NumberPath {
   [[nodiscard]] std::vector<double> all(const void* whole) const;
   /// The first of them; NaN where there is none.
   [[nodiscard]] double first(const void* whole) const;
-  [[nodiscard]] FieldKind kind() const { return fields_.back()->kind; }
+  [[nodiscard]] const Field& field() const { return *fields_.back(); }
 
  private:
   std::vector<const Field*> fields_;
@@ -213,10 +218,9 @@ class LOBER_API NumberPath {
                                                        std::string_view path);
 
 /// The members of an object in JSON, without the braces: numbers with the digits that give them back, null for those
-/// that are not finite, and for integers, texts and objects that there are not; other members that are not known are
-/// left out, and those that are Field::left_out. Members of the outermost object, and elements of lists that are not
-/// within others, have lines of their own. Long lists are formatted in parallel and handed on in parts, so that none
-/// stands in memory as a whole.
+/// that are not finite; members that are not known are null where Field::null, else left out. Members of the outermost
+/// object, and elements of lists that are not within others, have lines of their own. Long lists are formatted in
+/// parallel and handed on in parts, so that none stands in memory as a whole.
 LOBER_API void write_json_members(std::span<const Field> fields, const void* whole,
                                   const std::function<void(std::string_view)>& write);
 [[nodiscard]] LOBER_API std::string json_members(std::span<const Field> fields, const void* whole);
@@ -282,6 +286,50 @@ struct SystemEscape : Escape {
   std::optional<MonteCarlo> counted{};  ///< where trajectories were followed
   std::uint64_t seed = 1;               ///< of their random numbers
 };
+/// Of "fixed_points": what was found, and where it was looked for.
+struct SystemFixedPoints : FixedPointSearch {
+  Rectangle box{};
+  int period = 1, turns = 0;
+};
+/// Of "levels".
+struct SystemLevel {
+  double value = 0;
+  std::optional<Point> saddle{};  ///< that the level goes through
+  std::vector<LevelCurve> curves{};
+
+  [[nodiscard]] LOBER_API std::size_t closed() const;  ///< number of curves that are
+  [[nodiscard]] LOBER_API std::size_t points() const;  ///< of all curves
+};
+struct SystemLevels {
+  std::vector<Equilibrium> saddles{};
+  std::vector<SystemLevel> levels{};        ///< by value, ascending
+  std::shared_ptr<const LevelGrid> grid{};  ///< on which the energy was looked at
+};
+/// After how many crossings of the section orbits leave that begin in the middle of each cell of a grid.
+struct ExitTimes {
+  Rectangle window{};
+  std::size_t columns = 0, rows = 0;
+  std::vector<std::uint32_t> times{};  ///< row by row from below; the start is the first crossing
+  static constexpr std::uint32_t none = 0, stays = 0xffffffff;  ///< where the section is not reached; where none leaves
+
+  [[nodiscard]] std::uint32_t of(std::size_t column, std::size_t row) const { return times[row * columns + column]; }
+  /// How many cells leave after each number of crossings, from 0 (not on the section) on; the rest stay.
+  [[nodiscard]] LOBER_API std::vector<std::uint64_t> counts() const;
+  [[nodiscard]] LOBER_API std::uint64_t staying() const;
+};
+/// Of "section". Context::on_part gets it with each block of orbits.
+struct SystemSection {
+  Rectangle box{};
+  OrbitOptions options{};
+  std::size_t orbits = 0, lost = 0, unreached = 0;  ///< numbers of orbits
+  std::uint64_t points = 0, inside = 0;             ///< of all orbits, and in the box
+  std::optional<ExitTimes> exit_times{};            ///< where they were asked for
+  std::vector<Point> kept{};                        ///< of all orbits; empty where on_part takes them
+  // In on_part: a block as of follow_orbits, and which of its starts are points of the section.
+  std::size_t first = 0;
+  std::span<const Point> block{};
+  std::vector<bool> reached{};
+};
 /// Of "sweep".
 struct SystemSweep : Sweep {
   std::string parameter{};
@@ -336,9 +384,10 @@ struct Example {
 
 struct Operation {
   std::string name;
-  std::string title;    ///< a phrase, of one line
-  std::string summary;  ///< a sentence: "Computes ..."
-  int revision = 1;     ///< goes into the keys of stored results: raised when numbers change within a version
+  std::string title;     ///< a phrase, of one line
+  std::string summary;   ///< a sentence: "Computes ..."
+  int revision = 1;      ///< goes into the keys of stored results: raised when numbers change within a version
+  bool compares = true;  ///< whether it computes something by two routes
   std::vector<InputSpec> inputs;
   std::vector<OptionSpec> options;
   std::vector<Field> result;

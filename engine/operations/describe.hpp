@@ -93,6 +93,7 @@ class Schema {
   Schema& field(std::string name, std::string unit, std::string meaning, Get get, std::string bar = {}) {
     using Value = std::remove_cvref_t<std::invoke_result_t<const Get&, const T&>>;
     Field made{std::move(name), kind_of<Value>(), std::move(unit), std::move(meaning)};
+    made.null = made.kind == FieldKind::text;
     if (has_bar<Value>) made.bar = bar.empty() ? made.name + "_error" : std::move(bar);
     made.get = [get = std::move(get)](const void* whole) {
       return value_of(std::invoke(get, *static_cast<const T*>(whole)));
@@ -100,10 +101,20 @@ class Schema {
     fields_.push_back(std::move(made));
     return *this;
   }
+  /// The field before is null in JSON where nothing of it is known, as texts and objects are.
+  Schema& or_null() {
+    fields_.back().null = true;
+    return *this;
+  }
+  /// The field before is left out there.
+  Schema& if_asked_for() {
+    fields_.back().null = false;
+    return *this;
+  }
   /// The getter returns a U, a reference or a pointer to one; null where it is not known.
   template <typename U, typename Get>
   Schema& object(std::string name, std::string meaning, const Schema<U>& members, Get get) {
-    Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.fields()};
+    Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.fields(), true};
     made.part = [get = std::move(get)](const void* whole, const Field::Use& use) {
       auto&& part = std::invoke(get, *static_cast<const T*>(whole));
       if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(part)>>) {
@@ -135,11 +146,6 @@ class Schema {
               }};
     };
     fields_.push_back(std::move(made));
-    return *this;
-  }
-  /// The field that was added last is left out of JSON, not null, where it is not known.
-  Schema& if_asked_for() {
-    fields_.back().left_out = true;
     return *this;
   }
   /// The fields of a part, as if they were those of the whole. The getter returns a pointer.
@@ -202,8 +208,9 @@ class OptionList {
                          std::same_as<Member, std::string>) {
       spec.fallback = How{}.*member;
     } else {
-      static_assert(std::integral<Member>,
-                    "an option is a flag, a number, text, or an optional one of these or of a Point");
+      static_assert(
+          std::integral<Member>,
+          "an option is a flag, a number, text, or an optional one of these, of a Point, a Rectangle or numbers");
       spec.fallback = static_cast<std::int64_t>(How{}.*member);
       if (std::unsigned_integral<Member>) spec.min = std::max(spec.min, 0.0);
       if constexpr (sizeof(Member) < sizeof(std::int64_t)) {

@@ -39,6 +39,12 @@ void append_rows(std::string& text, const Matrix& matrix, double Measured::*part
   });
 }
 
+bool is_known(const FieldValue& value) {
+  if (const auto* point = std::get_if<Point>(&value)) return !std::isnan(point->x);
+  const auto* matrix = std::get_if<Matrix>(&value);
+  return matrix == nullptr || !std::isnan(matrix->entries.front().value);
+}
+
 // Names of fields need no escapes.
 void append_name(std::string& text, const std::string& name, std::string_view separator, bool& first) {
   if (!first) text += separator == "\n" ? ",\n" : ",";
@@ -52,8 +58,8 @@ void append_name(std::string& text, const std::string& name, std::string_view se
 void append_members(std::string& text, const Field& field, const FieldValue& value, std::string_view separator,
                     bool& first) {
   const auto named = [&](const std::string& name) { append_name(text, name, separator, first); };
-  if (std::holds_alternative<std::monostate>(value)) {
-    if (field.left_out || (field.kind != FieldKind::text && field.kind != FieldKind::whole)) return;
+  if (std::holds_alternative<std::monostate>(value) || (field.null && !is_known(value))) {
+    if (!field.null) return;
     named(field.name);
     text += "null";
   } else if (const auto* measured = std::get_if<Measured>(&value)) {
@@ -96,7 +102,7 @@ void append_known(std::string& text, const Field& field, const void* whole, std:
     append_name(text, field.name, separator, first);
     append(part);
   });
-  if (known || field.left_out) return;
+  if (known || !field.null) return;
   append_name(text, field.name, separator, first);
   text += "null";
 }

@@ -15,9 +15,9 @@ std::string properties_of(std::span<const Field> fields);
 std::string type_of(FieldKind kind) {
   static const std::array<const char*, 9> types{
       R"("type":["number","null"])",
-      R"("type":["integer","null"])",
+      R"("type":"integer")",
       R"("type":"boolean")",
-      R"("type":["string","null"])",
+      R"("type":"string")",
       R"("type":"array","items":{"type":"string"})",
       R"("type":"array","items":{"type":["number","null"]})",
       R"("type":"array","items":{"type":"integer"})",
@@ -28,11 +28,12 @@ std::string type_of(FieldKind kind) {
 
 std::string schema_of(const Field& field) {
   const std::string about = ",\"description\":" + json_string(field.meaning);
-  if (field.kind == FieldKind::object) return "{" + properties_of(field.members) + about + "}";
   if (field.kind == FieldKind::list)
     return R"({"type":"array","items":{)" + properties_of(field.members) + "}" + about + "}";
   const std::string unit = field.unit.empty() ? "" : ",\"unit\":" + json_string(field.unit);
-  return "{" + type_of(field.kind) + about + unit + "}";
+  std::string type = field.kind == FieldKind::object ? properties_of(field.members) : type_of(field.kind);
+  if (field.null) type = R"("anyOf":[{)" + type + R"(},{"type":"null"}])";
+  return "{" + type + about + unit + "}";
 }
 
 std::string properties_of(std::span<const Field> fields) {

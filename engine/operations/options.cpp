@@ -17,7 +17,8 @@ namespace {
 }
 
 const char* type_name(const OptionValue& value) {
-  constexpr const char* names[] = {"true or false", "a whole number", "a number", "a string", "a point [x, y]"};
+  constexpr const char* names[] = {"true or false",  "a whole number",         "a number", "a string",
+                                   "a point [x, y]", "a box [x0, y0, x1, y1]", "numbers"};
   return names[value.index()];
 }
 
@@ -27,12 +28,22 @@ std::string joined(std::span<const std::string> words) {
   return text;
 }
 
+// As what the option takes them for; nothing where there are more or fewer than it has.
+std::optional<OptionValue> fitted(const OptionSpec& spec, const std::vector<double>& numbers) {
+  if (std::holds_alternative<std::vector<double>>(spec.fallback)) return numbers;
+  if (std::holds_alternative<Point>(spec.fallback) && numbers.size() == 2) return Point{numbers[0], numbers[1]};
+  if (std::holds_alternative<Rectangle>(spec.fallback) && numbers.size() == 4)
+    return Rectangle{numbers[0], numbers[1], numbers[2], numbers[3]};
+  return std::nullopt;
+}
+
 OptionValue checked(OptionSpec spec, const OptionSetting& setting) {
   OptionValue value = setting.value;
   spec.key = setting.key;
   if (std::holds_alternative<double>(spec.fallback) && std::holds_alternative<std::int64_t>(value)) {
     value = static_cast<double>(std::get<std::int64_t>(value));
   }
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) value = fitted(spec, *numbers).value_or(value);
   if (value.index() != spec.fallback.index()) refuse(spec, std::string("has to be ") + type_name(spec.fallback));
   if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !spec.choices.empty()) {
     if (std::find(spec.choices.begin(), spec.choices.end(), *text) == spec.choices.end()) {
@@ -47,9 +58,11 @@ OptionValue checked(OptionSpec spec, const OptionSetting& setting) {
     if (!(number >= spec.min)) refuse(spec, "has to be at least " + format_number(spec.min));
     if (!(number <= spec.max)) refuse(spec, "has to be at most " + format_number(spec.max));
   }
-  if (const auto* point = std::get_if<Point>(&value);
-      point != nullptr && !(std::isfinite(point->x) && std::isfinite(point->y))) {
-    refuse(spec, "has to be a finite point");
+  for (const double one : numbers_of(value)) {
+    if (!std::isfinite(one)) refuse(spec, "the numbers have to be finite");
+  }
+  if (const auto* box = std::get_if<Rectangle>(&value); box != nullptr && !(box->width() > 0 && box->height() > 0)) {
+    refuse(spec, "the corners have to have x0 < x1 and y0 < y1");
   }
   return value;
 }
@@ -117,8 +130,17 @@ std::string to_string(const OptionValue& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* real = std::get_if<double>(&value)) return format_number(*real);
-  if (const auto* point = std::get_if<Point>(&value)) return format_number(point->x) + "," + format_number(point->y);
-  return std::get<std::string>(value);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  std::string list;
+  for (const double one : numbers_of(value)) list += (list.empty() ? "" : ",") + format_number(one);
+  return list;
+}
+
+std::vector<double> numbers_of(const OptionValue& value) {
+  if (const auto* point = std::get_if<Point>(&value)) return {point->x, point->y};
+  if (const auto* box = std::get_if<Rectangle>(&value)) return {box->min_x, box->min_y, box->max_x, box->max_y};
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  return numbers != nullptr ? *numbers : std::vector<double>{};
 }
 
 OptionValue option_value(const OptionSpec& spec, std::string_view key, const std::string& text) {
@@ -139,14 +161,17 @@ OptionValue option_value(const OptionSpec& spec, std::string_view key, const std
     const std::optional<double> number = number_of(text);
     return number ? OptionValue(*number) : refuse_text("a number");
   }
-  if (std::holds_alternative<Point>(spec.fallback)) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const std::optional<double> x = number_of(std::string_view(text).substr(0, comma));
-    const std::optional<double> y =
-        comma < text.size() ? number_of(std::string_view(text).substr(comma + 1)) : std::nullopt;
-    return x && y ? OptionValue(Point{*x, *y}) : refuse_text("a point X,Y");
+  if (std::holds_alternative<std::string>(spec.fallback)) return text;
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::optional<double> number = number_of(std::string_view(text).substr(begin, end - begin));
+    if (!number) return refuse_text("numbers with commas between");
+    numbers.push_back(*number);
+    begin = end + 1;
   }
-  return text;
+  const std::optional<OptionValue> value = fitted(spec, numbers);
+  return value ? *value : refuse_text(type_name(spec.fallback));
 }
 
 std::string to_string(std::span<const OptionSetting> settings) {

@@ -56,6 +56,7 @@ Schema<NumberedNode> node_schema() {
                return classes.empty() || classes[n.number] == Overlay::no_class ? std::nullopt
                                                                                 : std::optional(classes[n.number]);
              })
+      .or_null()
       .field("order2", "", "its place along C2, from 0",
              [](const NumberedNode& n) { return n.overlay->nodes.rank2(n.number); });
   return made;

@@ -33,9 +33,9 @@ py::array_t<double> matrix_of(const ops::Matrix& matrix, double Measured::*part)
   return array;
 }
 
-py::object object_of(const ops::FieldValue& value) {
+py::object object_of(ops::FieldValue value, bool with_bars = false) {
   return std::visit(
-      [](const auto& any) -> py::object {
+      [with_bars](auto& any) -> py::object {
         using Value = std::decay_t<decltype(any)>;
         if constexpr (std::is_same_v<Value, std::monostate>) {
           return py::none();
@@ -44,11 +44,12 @@ py::object object_of(const ops::FieldValue& value) {
         } else if constexpr (std::is_same_v<Value, Point>) {
           return pair_of(any);
         } else if constexpr (std::is_same_v<Value, ops::Matrix>) {
+          if (!with_bars) return matrix_of(any, &Measured::value);
           return py::make_tuple(matrix_of(any, &Measured::value), matrix_of(any, &Measured::error));
         } else if constexpr (std::is_same_v<Value, std::vector<Point>>) {
-          return array_of(std::vector<Point>(any));
+          return array_of(std::move(any));
         } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-          return array_of(std::vector<double>(any));
+          return array_of(std::move(any));
         } else {
           return py::cast(any);
         }
@@ -99,7 +100,7 @@ class Column {
           values_.size() == static_cast<std::size_t>(shape[0] * shape[1] * (shape.size() > 2 ? shape[2] : 1));
       if (!complete || (field_.kind == Kind::matrix && values_.empty())) return py::none();
       py::object values = array_of(std::move(values_)).reshape(shape);
-      if (field_.kind == Kind::point) return values;
+      if (field_.bar.empty()) return values;
       return py::make_tuple(values, array_of(std::move(errors_)).reshape(shape));
     }
     if (field_.kind == Kind::number) {
@@ -165,7 +166,7 @@ py::dict dict_of(const Fields& fields, const void* whole) {
   for (const ops::Field& field : fields) {
     py::object made = py::none();
     if (field.get) {
-      made = object_of(field.get(whole));
+      made = object_of(field.get(whole), !field.bar.empty());
     } else if (field.kind == ops::FieldKind::object) {
       field.each(whole, [&](const void* part) { made = dict_of(field.members, part); });
     } else if (has_lists(field.members)) {
@@ -198,7 +199,7 @@ ops::SystemInput system_from(const py::tuple& given) {
 }
 
 ops::OptionValue value_from(const ops::OptionSpec& spec, const py::handle& value) {
-  if (std::holds_alternative<Point>(spec.fallback)) return point_from(value);
+  if (PyTuple_Check(value.ptr()) != 0) return value.cast<std::vector<double>>();
   if (PyBool_Check(value.ptr()) != 0) return value.cast<bool>();
   if (PyUnicode_Check(value.ptr()) != 0) return value.cast<std::string>();
   if (PyFloat_Check(value.ptr()) != 0) return value.cast<double>();
@@ -262,13 +263,18 @@ py::list fields_of(const Fields& fields) {
 }
 
 py::dict option_of(const ops::OptionSpec& spec) {
-  static const std::array<const char*, 5> types{"bool", "int", "float", "str", "point"};
+  static const std::array<const char*, 7> types{"bool", "int", "float", "str", "point", "box", "numbers"};
   py::dict one;
   one["key"] = spec.key;
   one["type"] = types.at(spec.fallback.index());
-  one["default"] = spec.optional
-                       ? py::none()
-                       : object_of(std::visit([](const auto& any) -> ops::FieldValue { return any; }, spec.fallback));
+  one["default"] = std::visit(
+      [&](const auto& any) -> py::object {
+        if constexpr (std::is_same_v<std::decay_t<decltype(any)>, Rectangle>)
+          return py::none();
+        else
+          return spec.optional ? py::none() : object_of(any);
+      },
+      spec.fallback);
   one["required"] = spec.required;
   one["otherwise"] = spec.otherwise;
   one["meaning"] = spec.meaning;
@@ -283,6 +289,7 @@ py::list table() {
     one["name"] = operation.name;
     one["title"] = operation.title;
     one["summary"] = operation.summary;
+    one["compares"] = operation.compares;
     py::list inputs, options;
     for (const ops::InputSpec& input : operation.inputs) inputs.append(py::make_tuple(input.name, input.meaning));
     for (const ops::OptionSpec& spec : operation.options) options.append(option_of(spec));

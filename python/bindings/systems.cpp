@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/orbits.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
 #include "python/bindings/module.hpp"
@@ -62,34 +61,6 @@ py::array derivatives(const System& system, const Array& points, int iterates, i
     return true;
   });
   return result;
-}
-
-// Orbits x (iterates + 1) x 2, NaN from where an orbit is lost.
-py::array orbits(const System& system, const Array& starts, std::size_t iterates, bool folded, const py::object& origin,
-                 int threads, const py::object& progress) {
-  const ProgressCallback callback(progress);
-  const PlanarMap& map = map_of(system);
-  const std::span<const Point> given = points_of(starts);
-  OrbitOptions options;
-  options.iterates = iterates;
-  if (folded) options.lattice = system.lattice;
-  options.origin = point_from(origin);
-  const std::size_t each = iterates + 1;
-  Buffer<Point> all = long_call(threads, [&] {
-    Buffer<Point> points(given.size() * each);
-    follow_orbits(map, given, options, [&](std::size_t first, std::span<const Point> some) {
-      std::copy(some.begin(), some.end(), points.begin() + static_cast<std::ptrdiff_t>(first * each));
-      const double done = static_cast<double>(first + some.size() / each) / static_cast<double>(given.size());
-      return !callback.given() || callback(done);
-    });
-    return points;
-  });
-  return array_of(std::move(all))
-      .reshape({static_cast<py::ssize_t>(given.size()), static_cast<py::ssize_t>(each), py::ssize_t{2}});
-}
-
-py::array spread(const py::tuple& box, std::size_t count) {
-  return array_of(spread_points(rectangle_from(box), count));
 }
 
 py::list saddles_of(const System& system) {
@@ -199,9 +170,6 @@ void bind_systems(py::module_& module) {
              py::arg("threads"));
   module.def("derivatives", derivatives, py::arg("system"), py::arg("points").noconvert(), py::arg("iterates"),
              py::arg("threads"));
-  module.def("orbits", orbits, py::arg("system"), py::arg("starts").noconvert(), py::arg("iterates"), py::arg("folded"),
-             py::arg("origin"), py::arg("threads"), py::arg("progress"));
-  module.def("spread", spread, py::arg("box"), py::arg("count"));
 }
 
 }  // namespace lober::python

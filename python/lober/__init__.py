@@ -46,7 +46,7 @@ from ._regions import RegionPieces, Regions, regions
 from ._symbolic import equations, hamiltonian
 from ._systems import Connection, Parameter, System, SystemInfo, system, systems
 from ._tangle import Boundary, Lobes, Tangle, TangleErrors, tangle
-from ._generated import Sweep, sweep
+from ._generated import Levels, Sweep, levels, sweep
 from ._measured import Measured
 from ._transport import (
     Bottleneck,
@@ -83,6 +83,7 @@ __all__ = [
     "GrowthDiagnostic",
     "Image",
     "Interior",
+    "Levels",
     "Lobes",
     "Manifold",
     "Measured",
@@ -120,6 +121,7 @@ __all__ = [
     "images",
     "interior",
     "interior_function",
+    "levels",
     "manifold_tangle",
     "map",
     "overlay",

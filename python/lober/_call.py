@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from . import _lober
+from ._arrays import Points
 from ._numbers import number_of
 from ._progress import Progress, watching
 from ._systems import Connection, System, is_own, pair_of, system_of
@@ -26,6 +27,8 @@ def _setting(key: str, value: Any, kind: str) -> Any:
         return value
     if kind == "point":
         return pair_of(value, key)
+    if kind in ("box", "numbers"):
+        return tuple(number_of(one, key) for one in value)
     if kind == "int" and isinstance(value, (int, np.integer)):
         return int(value)
     return number_of(value, key)
@@ -43,11 +46,12 @@ def call(
     threads: int,
     progress: Progress,
     connection: Connection | None = None,
+    points: Points | None = None,
 ) -> tuple[dict[str, Any], list[tuple[Any, ...]]]:
-    """The result of an operation on a system as a dictionary, and its comparisons."""
+    """The result of an operation on a system, and on points, as a dictionary, and its comparisons."""
     kinds = _kinds[name]
     given = {key: _setting(key, value, kinds.get(key, "")) for key, value in settings.items()}
-    made = system_input(system_of(system), connection)
+    made = [system_input(system_of(system), connection), *([] if points is None else [points])]
     with watching(progress, name) as callback:
-        value, comparisons, _ = _lober.call(name, [made], given, threads, callback)
+        value, comparisons, _ = _lober.call(name, made, given, threads, callback)
     return value, comparisons

@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from . import _lober
 from ._areas import html_table
 from ._arrays import Points, points_of
+from ._call import call
 from ._progress import Progress, watching
-from ._systems import Pair, connection_of, system_of
+from ._systems import Box, Pair, connection_of, system_of
 from .errors import UsageError
-
-Box = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -87,10 +86,34 @@ def fixed_points(
     Found by scans on grids of `grid`, twice as many, ... up to `max_grid` points a side until two in a row find the same.
     Raises UsageError, Cancelled.
     """
-    of = system_of(system)._of
-    with watching(progress, "fixed points") as callback:
-        points, *more = _lober.fixed_points(of, box, period, turns, grid, max_grid, threads, callback)
-    return FixedPoints([FixedPoint(*parts) for parts in points], *more)
+    made = system_of(system)
+    settings = {"box": box, "period": period, "turns": turns, "grid": grid, "max_grid": max_grid}
+    found, _ = call("fixed_points", made, settings, threads, progress)
+    points, search = found["points"], found["search"]
+    return FixedPoints(
+        [_point_of({key: column[k] for key, column in points.items()}) for k in range(len(points["type"]))],
+        search["settled"],
+        search["grid"],
+        search["index_sum"],
+        search["index_of_box"],
+        made.window if box is None else box,
+    )
+
+
+def _point_of(row: dict[str, Any]) -> FixedPoint:
+    (xx, xy), (yx, yy) = row["derivative"].tolist()
+    (x1, y1), (x2, y2) = np.nan_to_num(row["directions"]).tolist()  # none where the multipliers are complex
+    return FixedPoint(
+        (float(row["x"]), float(row["y"])),
+        int(row["period"]),
+        row["type"],
+        ((xx, xy), (yx, yy)),
+        (complex(*row["multipliers"][0]), complex(*row["multipliers"][1])),
+        ((x1, y1), (x2, y2)),
+        float(row["residue"]),
+        int(row["index"]),
+        float(row["residual"]),
+    )
 
 
 def fixed_point(system: Any, near: Pair, *, period: int = 1, turns: int = 0) -> FixedPoint:
@@ -259,10 +282,8 @@ def section(
     Points of a map that repeats itself after a shift are shifted into one cell from the left side of the box on, unless
     `lifted`. Raises UsageError, Cancelled.
     """
-    made = system_of(system)
-    if iterates < 0 or orbits < 0:
-        raise UsageError("iterates and orbits have to be 0 or more")
-    where = made.picture if box is None else box
-    points = _lober.spread(where, orbits) if starts is None else points_of(starts, "starts")
-    with watching(progress, "section") as callback:
-        return _lober.orbits(made._of, points, iterates, not lifted, where[:2], threads, callback)
+    settings = {"orbits": orbits, "iterates": iterates, "box": box, "lifted": lifted}
+    points = None if starts is None else points_of(starts, "starts")
+    found, _ = call("section", system, settings, threads, progress, points=points)
+    followed: NDArray[np.float64] = found["orbits"].reshape(-1, iterates + 1, 2)
+    return followed

@@ -12,14 +12,14 @@ from typing import Any
 from . import _lober
 
 #: Those whose functions are written by hand, with conveniences of their own.
-BY_HAND = {"escape", "interior", "overlay", "regions", "transport", "winding"}
+BY_HAND = {"escape", "fixed_points", "interior", "overlay", "regions", "section", "transport", "winding"}
 
 HEAD = '''"""Functions of operations, written by _generate.py from the engine's table. Not to be edited."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +28,7 @@ from ._agreement import Agreement, agreement_of
 from ._call import call
 from ._measured import Measured
 from ._progress import Progress
-from ._systems import Pair
+from ._systems import Box, Pair
 '''
 
 IN_OBJECTS = {
@@ -40,6 +40,7 @@ IN_OBJECTS = {
     "wholes": "list[int]",
     "point": "Pair",
     "points": "NDArray[np.float64]",
+    "matrix": "NDArray[np.float64]",
 }
 IN_COLUMNS = {
     "whole": "NDArray[Any]",
@@ -50,8 +51,17 @@ IN_COLUMNS = {
     "wholes": "list[list[int]]",
     "point": "NDArray[np.float64]",
     "points": "list[NDArray[np.float64]]",
+    "matrix": "NDArray[np.float64]",
 }
-ARGUMENTS = {"bool": "bool", "int": "int", "float": "float", "str": "str", "point": "Pair"}
+ARGUMENTS = {
+    "bool": "bool",
+    "int": "int",
+    "float": "float",
+    "str": "str",
+    "point": "Pair",
+    "box": "Box",
+    "numbers": "Sequence[float]",
+}
 
 
 def identifier(name: str) -> str:
@@ -80,7 +90,7 @@ class Classes:
     def __init__(self) -> None:
         self.text = ""
 
-    def add(self, name: str, fields: list[dict[str, Any]], columns: bool, meaning: str, outermost: bool) -> str:
+    def add(self, name: str, fields: list[dict[str, Any]], columns: bool, meaning: str, compares: bool = False) -> str:
         lines, made = "", ""
         for field in fields:
             kind, key = field["kind"], field["name"]
@@ -89,7 +99,7 @@ class Classes:
             value = f'v["{key}"]'
             if kind in ("object", "list"):
                 as_rows = kind == "list" and not columns and has_lists(field["members"])
-                of = self.add(camel, field["members"], not as_rows and (columns or kind == "list"), field["meaning"], False)
+                of = self.add(camel, field["members"], not as_rows and (columns or kind == "list"), field["meaning"])
                 if as_rows:
                     annotation, value = f"list[{of}]", f"[{of}._of(one) for one in {value}]"
                 elif kind == "object" and not columns:
@@ -105,10 +115,10 @@ class Classes:
             unit = f" (unit: {field['unit']})" if field["unit"] else ""
             lines += comment(sentence(field["meaning"] + unit)) + f"    {member}: {annotation}\n"
             made += f"            {member}={value},\n"
-        if outermost:
+        if compares:
             lines += "    #: By independent routes.\n    agreement: Agreement\n"
             made += "            agreement=agreement_of(comparisons),\n"
-        more = ", comparisons: list[tuple[Any, ...]]" if outermost else ""
+        more = ", comparisons: list[tuple[Any, ...]]" if compares else ""
         what = sentence(meaning) + (" A column each." if columns else "")
         self.text += (
             f'\n\n@dataclass(frozen=True)\nclass {name}:\n    """{wrapped(what, 4)}"""\n\n{lines}\n'
@@ -134,14 +144,16 @@ def function(operation: dict[str, Any]) -> str:
         otherwise = f"; default: {option['otherwise']}" if option["otherwise"] else ""
         about += "\n    " + wrapped(f"{member}: {option['meaning']}{otherwise}", 8)
     classes = Classes()
-    result = classes.add(name.capitalize(), operation["result"], False, f"What `{name}` returns", True)
+    result = classes.add(name.capitalize(), operation["result"], False, f"What `{name}` returns", operation["compares"])
+    made = f'call("{name}", system, settings, threads, progress)'
+    arguments = f"*{made}" if operation["compares"] else f"{made}[0]"
     doc = wrapped(operation["summary"], 4)
     return (
         f"{classes.text}\n\ndef {name}(\n    system: Any,\n    *,\n{parameters}    threads: int = 0,\n"
         f"    progress: Progress = None,\n) -> {result}:\n"
         f'    """{doc}\n\n    `system` is a system or its name. Raises UsageError, DataError, Cancelled.\n{about}\n    """\n'
         f"    settings = {{\n{settings}    }}\n"
-        f'    return {result}._of(*call("{name}", system, settings, threads, progress))\n'
+        f"    return {result}._of({arguments})\n"
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,109 @@ from ._agreement import Agreement, agreement_of
 from ._call import call
 from ._measured import Measured
 from ._progress import Progress
-from ._systems import Pair
+from ._systems import Box, Pair
+
+
+@dataclass(frozen=True)
+class LevelsSaddles:
+    """Of the flow at that time, near the ends of its connections or in the bottlenecks of its well. A column each."""
+
+    #: Where it is (unit: length).
+    at: NDArray[np.float64]
+    #: Its energy (unit: energy).
+    energy: NDArray[np.float64]
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "LevelsSaddles":
+        return cls(
+            at=v["at"],
+            energy=v["energy"],
+        )
+
+
+@dataclass(frozen=True)
+class LevelsLevels:
+    """By value, ascending. A column each."""
+
+    #: Value of the level (unit: energy).
+    energy: NDArray[np.float64]
+    #: Saddle that the level goes through (unit: length).
+    saddle: NDArray[np.float64]
+    #: Number of curves.
+    curves: NDArray[Any]
+    #: Number of those that are closed.
+    closed: NDArray[Any]
+    #: Number of points of all.
+    points: NDArray[Any]
+    #: The curves, closed ones with their first point again, each with a NaN behind it (unit: length).
+    outline: list[NDArray[np.float64]]
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "LevelsLevels":
+        return cls(
+            energy=v["energy"],
+            saddle=v["saddle"],
+            curves=v["curves"],
+            closed=v["closed"],
+            points=v["points"],
+            outline=v["outline"],
+        )
+
+
+@dataclass(frozen=True)
+class Levels:
+    """What `levels` returns."""
+
+    #: Of the flow at that time, near the ends of its connections or in the bottlenecks of its well.
+    saddles: LevelsSaddles
+    #: By value, ascending.
+    levels: LevelsLevels
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "Levels":
+        return cls(
+            saddles=LevelsSaddles._of(v["saddles"]),
+            levels=LevelsLevels._of(v["levels"]),
+        )
+
+
+def levels(
+    system: Any,
+    *,
+    at: Sequence[float] | None = None,
+    number: int = 24,
+    energy: float | None = None,
+    time: float = 0.0,
+    box: Box | None = None,
+    grid: Pair | None = None,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Levels:
+    """Computes level curves of the energy of a flow: streamlines of a planar flow with those through its saddles,
+    curves of equal potential and Hill's region of a flow of two degrees of freedom.
+
+    `system` is a system or its name. Raises UsageError, DataError, Cancelled.
+
+    at: values of the levels, with commas between; default: as many as the number of levels says
+    number: number of levels, at values that divide the cells of the grid evenly; those through saddles come on
+        top
+    energy: energy of Hill's region: where the potential exceeds it no motion is possible (flows of two degrees
+        of freedom); default: the other levels
+    time: time at which a forced flow is looked at
+    box: corners of the box that is looked at, x0 < x1 and y0 < y1; default: the system's window and saddles for
+        a planar flow, a square about the origin with the saddles else
+    grid: pair of numbers of cells, across and up; details smaller than a cell are missed; default: 480, and as
+        many up as make them square
+    """
+    settings = {
+        "at": at,
+        "number": number,
+        "energy": energy,
+        "time": time,
+        "box": box,
+        "grid": grid,
+    }
+    return Levels._of(call("levels", system, settings, threads, progress)[0])
 
 
 @dataclass(frozen=True)

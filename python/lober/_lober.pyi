@@ -232,26 +232,6 @@ def own_system(
 def check_cancelled() -> None: ...
 def images(system: System, points: _Points, iterates: int, threads: int) -> _Points: ...
 def derivatives(system: System, points: _Points, iterates: int, threads: int) -> NDArray[np.float64]: ...
-def orbits(
-    system: System,
-    starts: _Points,
-    iterates: int,
-    folded: bool,
-    origin: _Pair,
-    threads: int,
-    progress: _Progress,
-) -> NDArray[np.float64]: ...
-def spread(box: _Box, count: int) -> _Points: ...
-def fixed_points(
-    system: System,
-    box: _Box | None,
-    period: int,
-    turns: int,
-    grid: int,
-    max_grid: int,
-    threads: int,
-    progress: _Progress,
-) -> tuple[Any, ...]: ...
 def fixed_point(system: System, guess: _Pair, period: int, turns: int) -> tuple[Any, ...]: ...
 def grow(
     system: System,

@@ -15,6 +15,7 @@ from ._numbers import number_of
 from .errors import UsageError
 
 Pair = tuple[float, float]
+Box = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)

@@ -74,6 +74,15 @@ def test_fixed_points():
     assert "<table>" in found._repr_html_() and found[0] is found.points[0]
     with pytest.raises(lober.UsageError, match="x0 < x1"):
         lober.fixed_points("standard", box=(1, 0, 0, 1))
+    with pytest.raises(lober.UsageError, match="does not repeat"):
+        lober.fixed_points("henon", turns=1)
+    assert len(lober.fixed_points("henon", box=(5, 5, 6, 6))) == 0
+    five = lober.fixed_points("standard", box=(-0.1, 0, 6.1, 6), period=5, turns=2)
+    assert len(five) == 10 and five.index_of_box == 0 and five.box == (-0.1, 0, 6.1, 6)
+    for point in five:
+        there = lober.fixed_point("standard", point.at, period=5, turns=2)
+        assert point.type == there.type and point.multipliers == pytest.approx(there.multipliers, rel=1e-6)
+        assert np.trace(point.derivative) == pytest.approx(2 - 4 * point.residue)
 
 
 def test_manifolds_meet_the_tolerance_asked_for():
@@ -115,6 +124,9 @@ def test_section():
     seen = []
     lober.section("standard", orbits=5, iterates=10, progress=lambda fraction, text: seen.append(fraction))
     assert seen[-1] == 1
+    torus = lober.section("abc", orbits=20, iterates=10)
+    corner = np.array(lober.system("abc").picture[:2])
+    assert (np.nanmin(torus, axis=(0, 1)) >= corner).all() and (np.nanmax(torus, axis=(0, 1)) <= corner + 2 * math.pi).all()
     with pytest.raises(lober.UsageError):
         lober.section("standard", iterates=-1)
 

@@ -42,6 +42,23 @@ def test_melnikov():
     assert found.rows.first_order[0] == pytest.approx(0.02 * amplitude, abs=1e-10)
 
 
+def test_levels():
+    found = lober.levels(lober.system("ovp", eps=0), at=[0, -0.5], box=(-3, -3, 3, 3), grid=(90, 80))
+    assert found.levels.energy.tolist() == [-0.5, 0]
+    assert np.isnan(found.levels.saddle[0]).all() and np.isfinite(found.levels.saddle[1]).all()
+    assert found.saddles.at.shape == (2, 2) and found.saddles.energy == pytest.approx(0, abs=1e-12)
+    for curves, points, closed, outline in zip(
+        found.levels.curves, found.levels.points, found.levels.closed, found.levels.outline
+    ):
+        assert np.isnan(outline[:, 0]).sum() == curves and np.isfinite(outline[:, 0]).sum() == points + closed
+    hill = [lober.levels("capsize", energy=energy, box=(-1.8, -0.8, 1.8, 1.4)).levels.closed[0] for energy in (0.22, 0.28)]
+    assert hill == [1, 0]
+    with pytest.raises(lober.UsageError, match="cannot be given together"):
+        lober.levels("capsize", at=[0.1], energy=0.2)
+    with pytest.raises(lober.UsageError, match="at: has to be a number, not the text|at has to be a number, not the text"):
+        lober.levels("capsize", at=["0.1"])
+
+
 def test_what_makes_no_sense_is_refused():
     with pytest.raises(lober.UsageError, match="FIRST:LAST:STEP"):
         lober.sweep("henon", range="k=1:2")

@@ -79,7 +79,7 @@ TEST_F(FixedPointsProgram, RefusesWhatMakesNoSense) {
   refused({"nosuch"}, "nosuch");
   refused({"henon", "--period", "0"}, "--period");
   refused({"henon", "--turns", "1"}, "leave --turns out");
-  refused({"henon", "--box", "1,1,0,2"}, "X0 < X1");
+  refused({"henon", "--box", "1,1,0,2"}, "x0 < x1");
   refused({"henon", "--grid", "1"}, "--grid");
   refused({"henon", "--grid", "100", "--max-grid", "50"}, "--max-grid has to be at least");
   refused({"ovp", "--param", "eps=9"}, "eps must be in [-8, 8], not 9");

@@ -58,7 +58,7 @@ TEST_F(LevelsProgram, RefusesWhatMakesNoSense) {
   refused({"levels", "duffing", "--param", "delta=0.1"}, "no Hamiltonian");
   refused({"levels", "duffing", "--energy", "0.1"}, "two degrees of freedom");
   refused({"levels", "capsize", "--energy", "0.2", "--at", "0.1"}, "cannot be given together");
-  refused({"levels", "ovp", "--box", "0,0,1,0"}, "X0 < X1");
+  refused({"levels", "ovp", "--box", "0,0,1,0"}, "x0 < x1");
   refused({"levels", "ovp", "--grid", "0,5"}, "--grid");
   refused({"levels", "ovp", "-o", "l.npy"}, "Tecplot");
   refused({"levels", "ovp", "--at", "nan"}, "--at");

@@ -138,7 +138,7 @@ TEST_F(SectionProgram, RefusesWhatMakesNoSense) {
   refused({"henon", "--orbits", "5", "--start", "0,0"}, 2, "cannot be given together");
   refused({"henon", "--start", "nan,0"}, 2, "--start: nan,0 is not a finite point");
   refused({"henon", "--start", "nowhere"}, 1, "nowhere: ");
-  refused({"henon", "--box", "0,0,1,0"}, 2, "X0 < X1");
+  refused({"henon", "--box", "0,0,1,0"}, 2, "x0 < x1");
   refused({"henon", "-o", "orbits.dat"}, 2, "use one of these endings");
   refused({"capsize", "--exit-times"}, 2, "--svg");
   refused({"capsize", "--exit-times", "--svg", "a.svg", "--start", "0,0"}, 2, "cannot be given together");

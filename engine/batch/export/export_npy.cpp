@@ -37,9 +37,9 @@ std::string type_of(const SweptField& field) {
   return std::holds_alternative<double>(field.any) ? "<f8" : "|S" + std::to_string(field.width);
 }
 
-// Null for an option that a group does not have, such as a parameter. Points are written as text.
+// Null for an option that a group does not have, such as a parameter. Points and lists are written as text.
 void put_option(std::string& bytes, const OptionValue* value, const SweptField& field) {
-  const bool is_text = std::holds_alternative<std::string>(field.any) || std::holds_alternative<Point>(field.any);
+  const bool is_text = std::holds_alternative<std::string>(field.any) || !numbers_of(field.any).empty();
   if (is_text) return put(bytes, value == nullptr ? std::string() : to_string(*value), field.width);
   if (value == nullptr) return put_value(bytes, std::numeric_limits<double>::quiet_NaN());
   if (const auto* flag = std::get_if<bool>(value)) return put_value(bytes, *flag);

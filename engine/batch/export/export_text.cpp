@@ -28,7 +28,7 @@ std::string json_number(const Column& column, double value) {
 }
 
 std::string json_option(const OptionValue& value) {
-  if (std::holds_alternative<Point>(value)) return "[" + to_string(value) + "]";
+  if (!numbers_of(value).empty()) return "[" + to_string(value) + "]";
   const auto* const real = std::get_if<double>(&value);
   const bool is_text = std::holds_alternative<std::string>(value) || (real != nullptr && !std::isfinite(*real));
   return is_text ? json_string(to_string(value)) : to_string(value);

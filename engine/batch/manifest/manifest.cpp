@@ -177,11 +177,14 @@ class Reader {
     if (node.is_integer()) return std::int64_t{**node.as_integer()};
     if (node.is_floating_point()) return **node.as_floating_point();
     if (node.is_string()) return **node.as_string();
-    if (const toml::array* const two = node.as_array(); two != nullptr && two->size() == 2) {
-      const auto x = two->get(0)->value<double>(), y = two->get(1)->value<double>();
-      if (x && y) return Point{*x, *y};
+    std::vector<double> numbers;
+    for (const toml::array* const list = node.as_array(); list != nullptr && numbers.size() < list->size();) {
+      const auto number = list->get(numbers.size())->value<double>();
+      if (!number) break;
+      numbers.push_back(*number);
+      if (numbers.size() == list->size()) return numbers;
     }
-    fail(node, key, "has to be true, false, a number, a string or a point [x, y]");
+    fail(node, key, "has to be true, false, a number, a string or a list of numbers, as a point [x, y]");
   }
 
   const toml::table* subtable(const toml::table& table, std::string_view key) const {

@@ -23,7 +23,7 @@ OptionValue value_of(const Json& value) {
   if (value.is_boolean()) return value.get<bool>();
   if (value.is_number_integer()) return value.get<std::int64_t>();
   if (value.is_number_float()) return value.get<double>();
-  if (value.is_array()) return Point{value.at(0).get<double>(), value.at(1).get<double>()};
+  if (value.is_array()) return value.get<std::vector<double>>();
   return value.get<std::string>();
 }
 

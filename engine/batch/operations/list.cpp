@@ -10,7 +10,8 @@ using namespace detail;
 namespace {
 
 const char* type_of(const OptionValue& value) {
-  constexpr std::array names{"true or false", "whole number", "number", "text", "point [x, y]"};
+  constexpr std::array names{"true or false", "whole number",         "number",         "text",
+                             "point [x, y]",  "box [x0, y0, x1, y1]", "list of numbers"};
   return names.at(value.index());
 }
 

@@ -77,6 +77,7 @@ struct Runner {
       curves.allowance().check();
       return true;
     };
+    context.on_part = [](const void*) {};  // orbits, which would be kept where nobody takes them
     const operations::Outcome found = entry->run(inputs_of(*entry, curves, options), options, context);
     if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
       throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
@@ -95,8 +96,10 @@ struct Runner {
 // Throws for a path that leads to no numbers: what has been renamed is seen before the first job.
 Column::Kind kind_at(const operations::NumberPath& path, const std::string& name) {
   using Kind = operations::FieldKind;
-  if (path.kind() == Kind::whole || path.kind() == Kind::flag) return Column::Kind::count;
-  if (path.kind() == Kind::number) return Column::Kind::real;
+  const operations::Field& field = path.field();
+  const bool is_whole = field.kind == Kind::whole || field.kind == Kind::flag;
+  if (is_whole && !field.null) return Column::Kind::count;
+  if (is_whole || field.kind == Kind::number) return Column::Kind::real;
   throw UsageError("a column of a batch has no numbers: " + name);
 }
 

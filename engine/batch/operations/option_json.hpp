@@ -5,19 +5,14 @@
 
 namespace lober::detail {
 
-/// Points as arrays of two numbers.
+/// Points, rectangles and lists as arrays of numbers.
 template <typename Json>
 Json json_of(const OptionValue& value) {
-  if (const auto* const point = std::get_if<Point>(&value)) return Json::array({point->x, point->y});
-  return std::visit(
-      [](const auto& any) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(any)>, Point>) {
-          return Json();
-        } else {
-          return Json(any);
-        }
-      },
-      value);
+  if (const auto* const flag = std::get_if<bool>(&value)) return *flag;
+  if (const auto* const whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* const real = std::get_if<double>(&value)) return *real;
+  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
+  return operations::numbers_of(value);
 }
 
 }  // namespace lober::detail

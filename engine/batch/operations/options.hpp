@@ -5,6 +5,7 @@
 
 namespace lober::detail {
 
+using operations::numbers_of;
 using operations::Options;
 using operations::OptionSetting;
 using operations::OptionSpec;

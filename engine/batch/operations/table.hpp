@@ -7,9 +7,12 @@ namespace lober::detail {
 
 [[nodiscard]] Operation overlay_operation();
 [[nodiscard]] Operation escape_operation();
+[[nodiscard]] Operation fixed_points_operation();
 [[nodiscard]] Operation interior_operation();
+[[nodiscard]] Operation levels_operation();
 [[nodiscard]] Operation densify_operation();
 [[nodiscard]] Operation regions_operation();
+[[nodiscard]] Operation section_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation tangle_operation();
 [[nodiscard]] Operation transport_operation();

@@ -271,8 +271,9 @@ TEST(CInterface, SystemsGiveWhatCppGives) {
   EXPECT_EQ(points, (std::vector<double>{expected[0].x, expected[0].y, expected[1].x, expected[1].y}));
 
   const Result fixed = made([&](lober_result** to) { return lober_fixed_points(standard.get(), nullptr, to); });
-  EXPECT_EQ(array_of(fixed, "derivatives").columns, 4U);
-  EXPECT_NE(std::string(static_cast<const char*>(array_of(fixed, "kinds").data)).find("saddle"), std::string::npos);
+  EXPECT_EQ(array_of(fixed, "points.derivative").columns, 4U);
+  EXPECT_NE(std::string(static_cast<const char*>(array_of(fixed, "points.type").data)).find("saddle"),
+            std::string::npos);
 
   const Result grown = made([&](lober_result** to) { return lober_grow(standard.get(), "iterates=5", to); });
   EXPECT_EQ(array_of(grown, "points").rows, array_of(grown, "parameters").rows);

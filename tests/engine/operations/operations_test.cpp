@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -50,6 +51,12 @@ const std::vector<Case>& cases() {
        "capsize",
        {},
        {{"crossings", std::int64_t{2}}, {"tolerance", 1e-4}, {"monte_carlo", std::int64_t{500}}}},
+      {"fixed_points",
+       "standard",
+       {},
+       {{"period", std::int64_t{5}}, {"turns", std::int64_t{2}}, {"box", Rectangle{-0.1, 0, 6.1, 6}}}},
+      {"levels", "ovp", {{"eps", 0.0}}, {{"grid", Point{90, 80}}, {"box", Rectangle{-3, -3, 3, 3}}}},
+      {"section", "henon", {}, {{"exit_times", true}, {"iterates", std::int64_t{20}}}},
       {"sweep", "henon", {}, {{"range", "k=0.9:1.1:0.1"}, {"find_zeros", true}, {"tolerance", 1e-4}}},
       {"overlay",
        "",
@@ -191,7 +198,7 @@ TEST(OperationsTable, CHasTheNumbersOfTheResult) {
       ASSERT_EQ(lober_array_at(result, k, &array), LOBER_OK);
       const std::string name = array.name;
       const auto one_of_list = name.find_first_of("0123456789");
-      if (array.type != LOBER_DOUBLES || array.columns > 2 ||
+      if (array.type == LOBER_TEXT || array.columns > 2 ||
           (one_of_list != std::string::npos && name[one_of_list - 1] == '.'))
         continue;
       std::vector<double> numbers;
@@ -202,7 +209,10 @@ TEST(OperationsTable, CHasTheNumbersOfTheResult) {
       }
       std::vector<double> in_c;
       for (std::size_t row = 0; row < array.rows; ++row) {
-        in_c.push_back(static_cast<const double*>(array.data)[row * array.columns]);
+        const std::size_t at = row * array.columns;
+        in_c.push_back(array.type == LOBER_DOUBLES
+                           ? static_cast<const double*>(array.data)[at]
+                           : static_cast<double>(static_cast<const std::int64_t*>(array.data)[at]));
       }
       if (!numbers.empty() && std::isnan(numbers[0])) continue;  // points, and what is not known
       expect_same_bits(numbers, in_c, name);
@@ -252,6 +262,19 @@ TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
     } else if (one.operation == "escape") {
       for (const EscapeFraction& row : found.as<SystemEscape>().table) expected.push_back(row.fraction);
       expect_same_bits(list("fraction"), expected, "fraction");
+    } else if (one.operation == "fixed_points") {
+      for (const FixedPoint& point : found.as<SystemFixedPoints>().points) expected.push_back(residue(point));
+      expect_same_bits(list("residue"), expected, "residue");
+    } else if (one.operation == "levels") {
+      for (const SystemLevel& level : found.as<SystemLevels>().levels) expected.push_back(level.value);
+      expect_same_bits(list("energies"), expected, "energies");
+    } else if (one.operation == "section") {
+      const auto& section = found.as<SystemSection>();
+      expect_same_bits({record.values[0], record.values[2]},
+                       {static_cast<double>(section.points), static_cast<double>(section.lost)}, "columns");
+      const std::vector<std::uint64_t> counts = section.exit_times->counts();
+      expected.assign(counts.begin() + 1, counts.end());
+      expect_same_bits(list("leaving"), expected, "leaving");
     } else if (one.operation == "sweep") {
       for (const SweepRow& row : found.as<SystemSweep>().rows) expected.push_back(row.flux21.value);
       expect_same_bits(list("flux21"), expected, "flux21");
@@ -282,8 +305,10 @@ TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
 TEST(OperationsTable, OptionsAreReadFromText) {
   const Operation& operation = named("transport");
   const auto spec = [&](const char* key) {
-    for (const OptionSpec& one : operation.options) {
-      if (one.is_for(key)) return one;
+    for (const Operation& any : all()) {
+      for (const OptionSpec& one : any.options) {
+        if (one.is_for(key)) return one;
+      }
     }
     ADD_FAILURE() << key;
     return OptionSpec{};
@@ -294,6 +319,10 @@ TEST(OperationsTable, OptionsAreReadFromText) {
   EXPECT_THROW((void)option_value(spec("iterates"), "iterates", "1e3"), UsageError);
   EXPECT_THROW((void)option_value(spec("from"), "from", "0.5"), UsageError);
   EXPECT_THROW((void)option_value(spec("from"), "from", "0.5,1,2"), UsageError);
+  EXPECT_EQ(option_value(spec("box"), "box", "-1,0,1e1,2"), OptionValue(Rectangle{-1, 0, 10, 2}));
+  EXPECT_EQ(to_string(OptionValue(Rectangle{-1, 0, 10, 2})), "-1,0,10,2");
+  EXPECT_THROW((void)option_value(spec("box"), "box", "0,0,1"), UsageError);
+  EXPECT_THROW((void)option_value(spec("box"), "box", "0,0,1,"), UsageError);
   const auto refused = [&](const OptionSetting& setting) {
     try {
       (void)Options(operation.options, {&setting, 1});
@@ -305,6 +334,11 @@ TEST(OperationsTable, OptionsAreReadFromText) {
   EXPECT_EQ(refused({"tolerance", 0.0}), "tolerance: has to be above 0");
   EXPECT_EQ(refused({"iterates", std::int64_t{0}}), "iterates: has to be at least 1");
   EXPECT_EQ(refused({"from", 3.0}), "from: has to be a point [x, y]");
+  EXPECT_EQ(refused({"from", std::vector<double>{1, 2, 3}}), "from: has to be a point [x, y]");
+  EXPECT_EQ(refused({"from", std::vector<double>{1, NAN}}), "from: the numbers have to be finite");
+  EXPECT_EQ(refused({"from", std::vector<double>{1, 2}}), "");
+  const OptionSetting box{"box", Rectangle{1, 0, 0, 1}};
+  EXPECT_THROW((void)Options(named("fixed_points").options, {&box, 1}), UsageError);
   EXPECT_NE(refused({"speed", 3.0}).find("there is no such option; there are from"), std::string::npos);
 }
 
@@ -317,6 +351,43 @@ TEST(OperationsTable, RefusesOtherInputs) {
   EXPECT_THROW((void)operation.run(curves, options, {}), UsageError);
   EXPECT_THROW((void)named("transpose"), UsageError);
   EXPECT_THROW((void)numbers_at(operation.result, nullptr, "speed"), UsageError);
+}
+
+// Points to start from are an input that may be left out; orbits are kept where nobody takes them as they come.
+TEST(OperationsTable, SectionsTakePoints) {
+  const Operation& operation = named("section");
+  const Options options(operation.options, std::vector<OptionSetting>{{"iterates", std::int64_t{2}}});
+  const std::vector<Point> starts{{0.5, 0}, {-0.2, 0.1}};
+  const std::vector<Input> inputs{system_input("henon", {{"k", 0.25}}), std::span<const Point>(starts)};
+  const Outcome found = operation.run(inputs, options, {});
+  const auto& section = found.as<SystemSection>();
+  EXPECT_EQ(section.orbits, 2U);
+  ASSERT_EQ(section.kept.size(), 6U);
+  EXPECT_EQ(section.kept[2], (Point{-0.75, 0}));
+  std::vector<Point> taken;
+  Context context;
+  context.on_part = [&](const void* so_far) {
+    const std::span<const Point> block = static_cast<const SystemSection*>(so_far)->block;
+    taken.insert(taken.end(), block.begin(), block.end());
+  };
+  EXPECT_TRUE(operation.run(inputs, options, context).as<SystemSection>().kept.empty());
+  EXPECT_EQ(taken, section.kept);
+
+  lober_model* model = nullptr;
+  ASSERT_EQ(lober_model_open("henon", "k=0.25", nullptr, &model), LOBER_OK);
+  const std::array<lober_input, 3> given{{{nullptr, 0, model}, {&starts[0].x, 2, nullptr}, {&starts[0].x, 2, nullptr}}};
+  lober_result* result = nullptr;
+  ASSERT_EQ(lober_call("section", given.data(), 2, "iterates=2", &result), LOBER_OK) << lober_message();
+  lober_array orbits;
+  ASSERT_EQ(lober_array_named(result, "orbits", &orbits), LOBER_OK);
+  ASSERT_EQ(orbits.rows, 6U);
+  EXPECT_EQ(static_cast<const double*>(orbits.data)[4], -0.75);
+  lober_result_free(result);
+  for (const std::size_t count : {std::size_t{0}, std::size_t{3}}) {
+    EXPECT_EQ(lober_call("section", given.data(), count, nullptr, &result), LOBER_USAGE_ERROR);
+    EXPECT_STREQ(lober_message(), ("section takes 1 to 2 inputs, not " + std::to_string(count)).c_str());
+  }
+  lober_model_free(model);
 }
 
 // Rows come as they are ready, before the end, with what was compared so far.
