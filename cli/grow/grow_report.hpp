@@ -1,34 +1,17 @@
-// Everything that `lober grow` did, for the lines on the terminal and the JSON to show.
+// What `lober grow` did, in words.
 #pragma once
 
-#include <functional>
 #include <string>
 
-#include "lober/manifolds.hpp"
-#include "lober/systems.hpp"
+#include "lober/operations.hpp"
 
 namespace lober::cli {
 
-struct GrowReport {
-  System system;
-  IntegrationOptions integration;
-  LocalManifold local;
-  Branch branch = Branch::plus;
-  GrowthOptions options;
-  GrownManifold manifold;
-  struct {
-    double local = 0, growth = 0, write = 0;  ///< seconds
-  } timing;
-};
-
-/// Whether growing went as far as the options ask, and how it ended, in words.
-[[nodiscard]] bool ends_as_asked(const GrowReport& report);
-[[nodiscard]] std::string end_of_growth(const GrowReport& report);
+/// Whether growing went as far as the options ask, and how it ended.
+[[nodiscard]] bool ends_as_asked(const GrownManifold& manifold);
+[[nodiscard]] std::string end_of_growth(const GrownManifold& manifold);
 
 /// A few lines for people.
-[[nodiscard]] std::string grow_summary(const GrowReport& report);
-
-/// Writes the JSON object; `seconds_so_far` is asked when all but the timing is written.
-void write_grow_json(const std::string& path, const GrowReport& report, const std::function<double()>& seconds_so_far);
+[[nodiscard]] std::string grow_summary(const System& system, const operations::SystemManifold& manifold);
 
 }  // namespace lober::cli

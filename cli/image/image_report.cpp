@@ -35,7 +35,7 @@ std::string remarks(const ImageReport& report) {
   for (std::size_t k = 0; k < report.images.size(); ++k) {
     const CurveImage& image = report.images[k];
     const std::string of = image_name(image.iterate, report.curve_of(k));
-    for (const GrowthDiagnosticCause cause : growth_causes) {
+    for (const GrowthDiagnosticCause cause : all_growth_causes) {
       const std::size_t count = segments_with(image.diagnostics, cause);
       if (count == 0) continue;
       const Point at = first_point_with(image, cause);
@@ -54,7 +54,7 @@ Json part_json(const ImagePart& part) {
 
 Json diagnostics_json(const CurveImage& image) {
   Json list = Json::array();
-  for (const GrowthDiagnosticCause cause : growth_causes) {
+  for (const GrowthDiagnosticCause cause : all_growth_causes) {
     if (const std::size_t count = segments_with(image.diagnostics, cause)) {
       list.push_back(
           {{"cause", name(cause)}, {"count", count}, {"first_at", point_json(first_point_with(image, cause))}});

@@ -1,17 +1,12 @@
 // Diagnostics of growth, by cause: for the reports on manifolds and on images of curves.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 
 #include "lober/manifolds.hpp"
 
 namespace lober::cli {
-
-/// All causes, in the order of the reports.
-inline constexpr std::array growth_causes{GrowthDiagnosticCause::failed, GrowthDiagnosticCause::spacing,
-                                          GrowthDiagnosticCause::max_rounds, GrowthDiagnosticCause::left_box};
 
 /// The number of segments with a diagnostic of this cause.
 [[nodiscard]] inline std::size_t segments_with(std::span<const GrowthDiagnostic> diagnostics,

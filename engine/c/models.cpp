@@ -1,9 +1,7 @@
 // Systems, their points and manifolds, for C.
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdlib>
-#include <limits>
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -11,7 +9,6 @@
 #include "engine/c/model.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/error.hpp"
-#include "lober/local_manifold.hpp"
 #include "lober/manifolds.hpp"
 
 namespace lober::detail::c {
@@ -59,46 +56,6 @@ void iterate(const lober_model& model, const PlanarMap& map, std::span<const Poi
     });
   });
   std::copy(points.begin(), points.end(), to);
-}
-
-Work grow_work(const lober_model* model, Options& given) {
-  static constexpr std::array sides{ManifoldSide::unstable, ManifoldSide::stable};
-  const PlanarMap& map = map_of(model);
-  const auto side = given.choice<ManifoldSide>("side", ManifoldSide::unstable, sides, [](ManifoldSide one) {
-    return std::string_view(one == ManifoldSide::unstable ? "unstable" : "stable");
-  });
-  std::optional<Point> saddle = given.point("saddle"), branch = given.point("branch");
-  if (!saddle) {
-    saddle = connection_of(model).saddle(side);
-    if (!branch) branch = connection_of(model).direction(side);
-  }
-  LocalManifoldOptions local_options;
-  local_options.period = static_cast<int>(given.integer("period", 1, 1));
-  GrowthOptions options;
-  options.tolerance = given.number("tolerance", options.tolerance);
-  options.iterates = static_cast<int>(given.integer("iterates", options.iterates));
-  options.length = given.number("length", options.length);
-  options.max_points = given.count("max_points", options.max_points);
-  options.progress = growth_progress();
-  if (options.iterates < 0 && !(options.length < std::numeric_limits<double>::infinity())) {
-    throw UsageError("iterates or length has to be given: manifolds do not end");
-  }
-  return [=, &map](lober_result& result) {
-    const LocalManifold local = local_manifold(map, *saddle, side, local_options);
-    GrownManifold grown = grow(map, local, branch ? branch_towards(local, *branch) : Branch::plus, options);
-    if (grown.stop == GrowthStop::cancelled) throw Cancelled();
-    result.add("parameters", doubles_of(grown.parameters));
-    result.add("generation_begin",
-               lober_result::Integers(grown.generation_begin.begin(), grown.generation_begin.end()));
-    result.add("saddle", lober_result::Doubles{local.saddle.x, local.saddle.y}, 2);
-    result.add("multiplier", local.multiplier);
-    result.add("defect", local.defect_across);
-    result.add("length", grown.length);
-    result.add("stop", std::string(name(grown.stop)));
-    const std::size_t count = grown.points.size();
-    result.add_points("points", std::move(grown.points));
-    require_done(grown.stop, "the manifold", count);
-  };
 }
 
 Work image_work(const lober_model* model, const double* curve, std::size_t n, Options& given) {
@@ -183,8 +140,8 @@ int lober_iterate(const lober_model* model, double* points, size_t n, int iterat
 }
 
 int lober_grow(const lober_model* model, const char* options, lober_result** result) {
-  using namespace lober::detail::c;
-  return operation(options, result, [=](Options& given) { return grow_work(model, given); });
+  const lober_input input{nullptr, 0, model};
+  return lober_call("grow", &input, 1, options, result);
 }
 
 int lober_image(const lober_model* model, const double* curve, size_t n, const char* options, lober_result** result) {

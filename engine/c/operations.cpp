@@ -118,7 +118,7 @@ void add_rows(lober_result& result, const std::string& name, const ops::Field& f
     return result.add(name, std::move(rows.integers), rows.columns);
   const bool pair =
       field.kind == Kind::point || field.kind == Kind::points || (field.kind == Kind::number && !field.bar.empty());
-  result.add(name, std::move(rows.doubles), pair ? 2 : rows.columns);
+  result.add(name, std::move(rows.doubles), pair ? 2 : field.in_json ? rows.columns : 1);
 }
 
 // The fields of the objects that `walk` leads to: an array each, with a row for each object. Lists whose elements hold
@@ -161,6 +161,7 @@ void call(const ops::Operation& operation, const std::vector<ops::Input>& inputs
   const ops::Outcome found = operation.run(inputs, options, context);
   add_columns(result, "", operation.result, [&](const ops::Field::Use& use) { use(found.value.get()); });
   require_agreement(result, found.agreement);
+  if (!found.incomplete.empty()) throw WithResult{LOBER_INCOMPLETE, found.incomplete};
 }
 
 }  // namespace

@@ -165,10 +165,11 @@ LOBER_C_API int lober_iterate(const lober_model* model, double* points, size_t n
    turns=N, grid=N, max_grid=N, budget=SECONDS. Among its arrays: points.x, points.y, points.residue, points.type: a line
    each; points.derivative and points.multipliers (n x 4, row by row); search.settled. */
 LOBER_C_API int lober_fixed_points(const lober_model* model, const char* options, lober_result** result);
-/* A branch of the manifold of a saddle. Options: saddle=X,Y (that of the system), side=unstable|stable, branch=X,Y: a
-   vector roughly along it (that of the system, else the one of larger x), tolerance=D, iterates=N, length=D,
-   max_points=N, period=N. Arrays: points, parameters, generation_begin, saddle, multiplier, defect, length, stop.
-   LOBER_INCOMPLETE with a result where max_points ends it, or no point has an image. */
+/* A branch of the manifold of a saddle: lober_call of "grow". Options: from=X,Y near the saddle (that of the system),
+   side=unstable|stable, branch=+|-|X,Y: a vector roughly along it (that of the system, else the one of larger x),
+   tolerance=D, iterates=N, length=D, max_points=N, period=N and more. Among its arrays: points, parameters,
+   result.generations, local_manifold.saddle, local_manifold.multiplier, result.length, result.stop. LOBER_INCOMPLETE
+   with a result where max_points ends it, or no point has an image. */
 LOBER_C_API int lober_grow(const lober_model* model, const char* options, lober_result** result);
 /* Image of a curve under the map, with as many points as it needs. Options: closed=0|1 (1), iterates=N (1),
    tolerance=D, max_length=D, max_points=N. Arrays: points, parameters, stop. LOBER_INCOMPLETE as lober_grow. */

@@ -9,8 +9,10 @@
 // the size of the curve for any r.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "lober/export.hpp"
@@ -22,6 +24,11 @@ enum class ManifoldSide : std::int8_t {
   stable = -1,   ///< contracted by F; treated as unstable under its inverse
   unstable = 1,  ///< expanded by F
 };
+
+inline constexpr std::array<ManifoldSide, 2> all_manifold_sides{ManifoldSide::unstable, ManifoldSide::stable};
+[[nodiscard]] constexpr std::string_view name(ManifoldSide side) {
+  return side == ManifoldSide::unstable ? "unstable" : "stable";
+}
 
 struct LocalManifold;
 

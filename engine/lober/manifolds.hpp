@@ -39,6 +39,9 @@ enum class GrowthDiagnosticCause : std::uint8_t {
   max_rounds,  ///< still not met after the last round
   left_box,    ///< no diagnostic but a fact: the curve is outside the box there, and is followed coarsely
 };
+inline constexpr std::array<GrowthDiagnosticCause, 4> all_growth_causes{
+    GrowthDiagnosticCause::failed, GrowthDiagnosticCause::spacing, GrowthDiagnosticCause::max_rounds,
+    GrowthDiagnosticCause::left_box};
 [[nodiscard]] LOBER_API std::string_view name(GrowthDiagnosticCause cause);
 
 /// Segments first, ..., first + count - 1 of the result.

@@ -154,7 +154,7 @@ enum class FieldKind : std::uint8_t {
   matrix,   ///< numbers, row by row, with or without bars
   object,   ///< named fields
   list,     ///< objects with the same fields
-  points,   ///< of a curve; not in JSON
+  points,   ///< of a curve
 };
 
 struct Matrix {
@@ -175,6 +175,7 @@ struct Field {
   std::string meaning = {};
   std::string bar = {};             ///< what the error bar of a number or a matrix is called; empty: it has none
   std::vector<Field> members = {};  ///< of an object, or of each element of a list
+  bool in_json = true;              ///< false for the points of curves and what else is as long
   bool null = false;                ///< null in JSON where nothing of it is known; else left out there
 
   using Use = std::function<void(const void* part)>;
@@ -253,6 +254,12 @@ struct CurveRegions {
   Regions regions;
   FillRule rule = FillRule::nonzero;
   std::optional<std::array<RegionPieces, 4>> pieces{};  ///< in the order of all_pairings
+};
+/// Of "grow".
+struct SystemManifold : GrownManifold {
+  LocalManifold local{};  ///< near the saddle
+  Branch branch = Branch::plus;
+  double local_seconds = 0, growth_seconds = 0;
 };
 /// Of "winding".
 struct CurveWinding {
@@ -347,6 +354,8 @@ struct Context {
   /// Called several times a second with the fraction done, NaN where it is not known, and a line of what is being done;
   /// false cancels.
   std::function<bool(double fraction, const std::string& line)> progress{};
+  /// Called with `progress`, where what is done can be counted: "points".
+  std::function<void(double amount, std::string_view unit)> count{};
   /// Called from the calling thread with each element of a list that takes long as soon as it is ready, and with all
   /// comparisons so far.
   std::function<void(const Field& list, const void* element, const Agreement& agreement)> on_element{};
@@ -362,6 +371,7 @@ struct Outcome {
   std::shared_ptr<const void> value;
   Agreement agreement;                ///< of all routes that were compared
   std::vector<std::string> remarks;   ///< what a user should read
+  std::string incomplete;             ///< why less came than was asked for; empty if nothing is missing
   Options options;                    ///< with which it was computed
   std::vector<OptionSetting> chosen;  ///< in place of some of them: what followed from them and the inputs
 

@@ -93,6 +93,7 @@ class Schema {
   Schema& field(std::string name, std::string unit, std::string meaning, Get get, std::string bar = {}) {
     using Value = std::remove_cvref_t<std::invoke_result_t<const Get&, const T&>>;
     Field made{std::move(name), kind_of<Value>(), std::move(unit), std::move(meaning)};
+    made.in_json = made.kind != FieldKind::points;
     made.null = made.kind == FieldKind::text;
     if (has_bar<Value>) made.bar = bar.empty() ? made.name + "_error" : std::move(bar);
     made.get = [get = std::move(get)](const void* whole) {
@@ -109,6 +110,11 @@ class Schema {
   /// The field before is left out there.
   Schema& if_asked_for() {
     fields_.back().null = false;
+    return *this;
+  }
+  /// The field before is too long for JSON.
+  Schema& not_in_json() {
+    fields_.back().in_json = false;
     return *this;
   }
   /// The getter returns a U, a reference or a pointer to one; null where it is not known.

@@ -73,7 +73,7 @@ void append_members(std::string& text, const Field& field, const FieldValue& val
     if (field.bar.empty()) return;
     named(field.bar);
     append_rows(text, *matrix, &Measured::error);
-  } else if (!std::holds_alternative<std::vector<Point>>(value)) {
+  } else {
     named(field.name);
     std::visit(
         [&](const auto& any) {
@@ -111,6 +111,7 @@ void append_object(std::string& text, std::span<const Field> fields, const void*
   text += '{';
   bool first = true;
   for (const Field& field : fields) {
+    if (!field.in_json) continue;
     if (field.get) {
       append_members(text, field, field.get(whole), "", first);
       continue;
@@ -136,6 +137,7 @@ class Stream {
   void members(std::span<const Field> fields, const void* whole, std::string_view separator) {
     bool first = true;
     for (const Field& field : fields) {
+      if (!field.in_json) continue;
       if (field.get) {
         append_members(text_, field, field.get(whole), separator, first);
       } else if (field.part) {

@@ -42,7 +42,7 @@ std::string properties_of(std::span<const Field> fields) {
     text += (text.empty() ? "" : ",") + json_string(name) + ":" + schema;
   };
   for (const Field& field : fields) {
-    if (field.kind == FieldKind::points) continue;
+    if (!field.in_json) continue;
     add(field.name, schema_of(field));
     if (field.bar.empty()) continue;
     Field bar = field;

@@ -14,7 +14,7 @@ from ._areas import html_table
 from ._arrays import Points, points_of
 from ._call import call
 from ._progress import Progress, watching
-from ._systems import Box, Pair, connection_of, system_of
+from ._systems import Box, Pair, pair_of, system_of
 from .errors import UsageError
 
 
@@ -174,33 +174,39 @@ def grow(
     a point near the saddle and `branch` is "+", "-" or a vector roughly along the branch (default: those of the system's
     tangle). `period` is that of the saddle. Raises DataError, UsageError, Cancelled.
     """
-    made = system_of(system)
-    if at is None:
-        connection = connection_of(made, None)
-        unstable = side == "unstable"
-        at = connection.from_saddle if unstable else connection.to_saddle
-        if branch is None:
-            branch = connection.u_direction if unstable else connection.s_direction
     if iterates is None and not length < math.inf:
         raise UsageError("the end of the manifold is missing; give iterates or length")
-    with watching(progress, "grow") as callback:
-        found = _lober.grow(
-            made._of,
-            at,
-            side,
-            "+" if branch is None else branch,
-            tolerance,
-            -1 if iterates is None else iterates,
-            length,
-            period,
-            max_length,
-            max_points,
-            box,
-            threads,
-            callback,
-        )
-    found["diagnostics"] = [GrowthDiagnostic(*entry) for entry in found["diagnostics"]]
-    return Manifold(**found)
+    if branch is not None and not isinstance(branch, str):
+        branch = ",".join(repr(number) for number in pair_of(branch, "branch"))
+    settings = {
+        "side": side,
+        "from": at,
+        "branch": branch,
+        "period": period,
+        "tolerance": tolerance,
+        "iterates": iterates,
+        "length": length if length < math.inf else None,
+        "max_length": max_length if max_length > 0 else None,
+        "box": box,
+        "max_points": max_points,
+    }
+    found, _ = call("grow", system, settings, threads, progress)
+    grown, local, diagnostics = found["result"], found["local_manifold"], found["diagnostics"]["list"]
+    return Manifold(
+        found["points"],
+        found["parameters"],
+        np.array([*grown["generations"], grown["points"]], dtype=np.uint64),
+        [
+            GrowthDiagnostic(int(first), int(count), cause)
+            for first, count, cause in zip(diagnostics["segment"], diagnostics["count"], diagnostics["cause"])
+        ],
+        grown["stop"],
+        grown["length"],
+        grown["images"],
+        local["saddle"],
+        local["multiplier"],
+        local["defect_across"],
+    )
 
 
 @dataclass(frozen=True)

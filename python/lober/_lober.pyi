@@ -233,21 +233,6 @@ def check_cancelled() -> None: ...
 def images(system: System, points: _Points, iterates: int, threads: int) -> _Points: ...
 def derivatives(system: System, points: _Points, iterates: int, threads: int) -> NDArray[np.float64]: ...
 def fixed_point(system: System, guess: _Pair, period: int, turns: int) -> tuple[Any, ...]: ...
-def grow(
-    system: System,
-    saddle: _Pair,
-    side: str,
-    branch: str | _Pair,
-    tolerance: float,
-    iterates: int,
-    length: float,
-    period: int,
-    max_length: float,
-    max_points: int,
-    box: _Box | None,
-    threads: int,
-    progress: _Progress,
-) -> dict[str, Any]: ...
 def curve_images(
     system: System,
     curve: _Points,

@@ -84,6 +84,7 @@ struct Runner {
                       apart.front().second_by + " differ by " + format_number(apart.front().difference()) +
                       ", more than their error bars " + format_number(apart.front().bar));
     }
+    if (!found.incomplete.empty()) throw DataError(found.incomplete);
     Result record;
     record.values.reserve(columns.size());
     for (const operations::NumberPath& path : columns) record.values.push_back(path.first(found.value.get()));

@@ -8,6 +8,7 @@ namespace lober::detail {
 [[nodiscard]] Operation overlay_operation();
 [[nodiscard]] Operation escape_operation();
 [[nodiscard]] Operation fixed_points_operation();
+[[nodiscard]] Operation grow_operation();
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation levels_operation();
 [[nodiscard]] Operation densify_operation();
