@@ -120,7 +120,8 @@ class Schema {
   /// The getter returns a U, a reference or a pointer to one; null where it is not known.
   template <typename U, typename Get>
   Schema& object(std::string name, std::string meaning, const Schema<U>& members, Get get) {
-    Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.fields(), true};
+    Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.fields()};
+    made.null = true;
     made.part = [get = std::move(get)](const void* whole, const Field::Use& use) {
       auto&& part = std::invoke(get, *static_cast<const T*>(whole));
       if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(part)>>) {

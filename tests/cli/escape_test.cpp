@@ -27,6 +27,7 @@ TEST_F(EscapeProgram, WritesTheTable) {
   EXPECT_EQ(result["table"].size(), 12U);
   EXPECT_EQ(result["monte_carlo"]["trajectories"], 2000);
   EXPECT_EQ(result["agreement"], true);
+  ASSERT_TRUE(result.contains("stop"));
   EXPECT_EQ(result["stop"], nullptr);
   double found = 0;
   for (const Json& row : result["table"]) {
