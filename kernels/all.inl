@@ -18,6 +18,7 @@
 #include "kernels/segment_boxes.inl"
 #include "kernels/shoelace.inl"
 #include "kernels/sine.inl"
+#include "kernels/smooth_segment.inl"
 #include "kernels/strip_filter.inl"
 #include "kernels/turning.inl"
 
@@ -46,6 +47,7 @@ const KernelTable LOBER_KERNELS{
     .keep_near_strip = keep_strips,
     .turns_along = all_turns_along,
     .parts_needed = all_parts_needed,
+    .fit_regular = fit_all,
 };
 
 }  // namespace lober::detail

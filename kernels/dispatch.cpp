@@ -1,4 +1,7 @@
 // The functions of kernels that have a copy for each instruction set: each calls the copy that runs.
+#include <algorithm>
+#include <array>
+
 #include "kernels/kernel_table.hpp"
 #include "kernels/sine.hpp"
 
@@ -92,6 +95,19 @@ void turns_along(const Point* points, std::size_t segments, double* lengths, dou
 
 void parts_needed(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts) {
   kernels().parts_needed(lengths, curvatures, count, asked, parts);
+}
+
+void smooth_chord_areas(const Point* points, std::size_t count, double* areas, double* errors, std::uint8_t* smooth) {
+  kernels().fit_regular(points, count, areas, errors, smooth);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (smooth[k] != 0) continue;
+    std::array<Point, 8> window;
+    std::copy_n(points + k, window.size(), window.begin());
+    const SmoothSegment segment = fit_smooth_segment(window);
+    areas[k] = segment.chord_area(1);
+    errors[k] = segment.error;
+    smooth[k] = segment.kind == SmoothSegment::Kind::smooth;
+  }
 }
 
 }  // namespace lober::detail

@@ -6,8 +6,8 @@
 namespace lober::detail {
 namespace {
 
-constexpr double cosine_of_corner = 0.70710678118654757, cosine_of_stray = 0.34202014332566873;
-constexpr double outstanding = 8, uneven = 8;
+constexpr double cosine_of_corner = SmoothLimits::cosine_of_corner, cosine_of_stray = SmoothLimits::cosine_of_stray;
+constexpr double outstanding = SmoothLimits::outstanding, uneven = SmoothLimits::uneven;
 
 struct Chord {
   Point along;

@@ -3,7 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "kernels/cpu.hpp"
 
 namespace lober::detail {
 namespace {
@@ -100,6 +107,47 @@ TEST(SmoothSegment, HasNoneWithoutLength) {
   EXPECT_EQ(segment.kind, SegmentKind::straight);
   EXPECT_EQ(segment.chord_area(1), 0);
   EXPECT_EQ(segment.error, 0);
+}
+
+// Curves that are smooth, that have corners, whose points are uneven, and that are noise.
+TEST(SmoothSegment, ManyAtOnceHaveTheBitsOfOneByOne) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> step(0, 1);
+  std::size_t smooth_ones = 0, others = 0;
+  for (const InstructionSet set : {instruction_set(), InstructionSet::baseline}) {
+    const InstructionSet before = instruction_set();
+    limit_instruction_set(set);
+    for (const double scale : {1.0, 1e-150, 1e150}) {
+      for (int round = 0; round < 60; ++round) {
+        std::vector<Point> points(round % 5 == 0 ? 8 : 700);
+        Point at{1, 2};
+        double angle = 0;
+        for (Point& point : points) {
+          point = {scale * at.x, scale * at.y};
+          angle += round % 3 == 0 ? 0.1 * step(random) : round % 3 == 1 ? 0.02 : 0;
+          if (random() % 50 == 0) angle += step(random);
+          const double length = random() % 20 == 0 ? 0.03 : 0.5 + 0.4 * std::sin(step(random));
+          at = {at.x + length * std::cos(angle), at.y + length * std::sin(angle)};
+        }
+        const std::size_t count = points.size() - 7;
+        std::vector<double> areas(count), errors(count);
+        std::vector<std::uint8_t> smooth(count);
+        smooth_chord_areas(points.data(), count, areas.data(), errors.data(), smooth.data());
+        for (std::size_t k = 0; k < count; ++k) {
+          Window window;
+          std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(k), window.size(), window.begin());
+          const SmoothSegment one = fit_smooth_segment(window);
+          ASSERT_EQ(std::bit_cast<std::uint64_t>(areas[k]), std::bit_cast<std::uint64_t>(one.chord_area(1))) << k;
+          ASSERT_EQ(std::bit_cast<std::uint64_t>(errors[k]), std::bit_cast<std::uint64_t>(one.error)) << k;
+          ASSERT_EQ(smooth[k] != 0, one.kind == SegmentKind::smooth) << k;
+          ++(smooth[k] != 0 ? smooth_ones : others);
+        }
+      }
+    }
+    limit_instruction_set(before);
+  }
+  EXPECT_GT(smooth_ones, 10'000U);
+  EXPECT_GT(others, 10'000U);
 }
 
 }  // namespace

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "lober/curve.hpp"
 
 namespace lober {
@@ -8,6 +11,9 @@ namespace {
 struct HalfPlane {
   bool of_x;
   double sign, bound;
+  [[nodiscard]] bool holds(const std::vector<Point>& polygon) const {
+    return std::all_of(polygon.begin(), polygon.end(), [&](Point p) { return beyond(p) <= 0; });
+  }
   [[nodiscard]] double beyond(Point p) const { return sign * (of_x ? p.x : p.y) - bound; }
   [[nodiscard]] Point on_side(Point a, Point b) const {
     const double from = beyond(a), to = beyond(b), t = from / (from - to);
@@ -31,10 +37,18 @@ std::vector<Point> cut(const std::vector<Point>& polygon, const HalfPlane& half)
 }  // namespace
 
 std::vector<Point> clipped(const std::vector<Point>& polygon, const Rectangle& rectangle) {
-  std::vector<Point> rest = cut(polygon, {true, 1, rectangle.max_x});
-  rest = cut(rest, {true, -1, -rectangle.min_x});
-  rest = cut(rest, {false, 1, rectangle.max_y});
-  return cut(rest, {false, -1, -rectangle.min_y});
+  const std::array<HalfPlane, 4> sides{{{true, 1, rectangle.max_x},
+                                        {true, -1, -rectangle.min_x},
+                                        {false, 1, rectangle.max_y},
+                                        {false, -1, -rectangle.min_y}}};
+  std::vector<Point> rest;
+  const std::vector<Point>* left = &polygon;
+  for (const HalfPlane& side : sides) {
+    if (side.holds(*left)) continue;  // often
+    rest = cut(*left, side);
+    left = &rest;
+  }
+  return left == &polygon ? polygon : rest;
 }
 
 }  // namespace lober

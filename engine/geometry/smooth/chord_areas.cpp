@@ -14,9 +14,9 @@ constexpr std::size_t segments_a_block = 2048, segments_an_entry = 16;
 class Running {
  public:
   explicit Running(const ChordArea& start = {}) : error_(start.error) { area_.add(start.area); }
-  void add(const SmoothSegment& segment) {
-    area_.add({segment.chord_area(1), 0});
-    error_ += segment.error;
+  void add(double area, double error) {
+    area_.add({area, 0});
+    error_ += error;
   }
   [[nodiscard]] ChordArea value() const { return {area_.value(), error_}; }
 
@@ -34,11 +34,17 @@ ChordAreaTable::ChordAreaTable(const SmoothCurve& curve) {
   std::vector<std::uint64_t> fallbacks(blocks);
   for_each_block(size, segments_a_block, [&](std::size_t begin, std::size_t end) {
     Running sum;
-    for (std::size_t k = begin; k < end; ++k) {
-      if (k % segments_an_entry == 0) before_[k / segments_an_entry] = sum.value();
-      const SmoothSegment segment = curve.segment(static_cast<std::int64_t>(k));
-      sum.add(segment);
-      fallbacks[begin / segments_a_block] += segment.kind != SmoothSegment::Kind::smooth && !(segment.chord == Point{});
+    SmoothCurve::Few few;
+    for (std::size_t first = begin; first < end; first += SmoothCurve::Few::most) {
+      const std::size_t last = std::min(first + SmoothCurve::Few::most, end);
+      curve.fit(first, last, few);
+      for (std::size_t k = first; k < last; ++k) {
+        if (k % segments_an_entry == 0) before_[k / segments_an_entry] = sum.value();
+        sum.add(few.areas[k - first], few.errors[k - first]);
+        const auto at = static_cast<std::int64_t>(k);
+        fallbacks[begin / segments_a_block] +=
+            few.smooth[k - first] == 0 && !(curve.vertex(at) == curve.vertex(at + 1));
+      }
     }
     totals[begin / segments_a_block + 1] = sum.value();
   });
@@ -60,6 +66,7 @@ Buffer<ChordArea> ChordAreaTable::before(const SmoothCurve& curve, std::span<con
   Buffer<ChordArea> sums(segments.size());
   for_each_block(segments.size(), 512, [&](std::size_t begin, std::size_t end) {
     Running sum;
+    SmoothCurve::Few few;
     std::size_t next = 0;
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t entry = segments[k] / segments_an_entry;
@@ -67,7 +74,11 @@ Buffer<ChordArea> ChordAreaTable::before(const SmoothCurve& curve, std::span<con
         sum = Running(before_[entry]);
         next = entry * segments_an_entry;
       }
-      for (; next < segments[k]; ++next) sum.add(curve.segment(static_cast<std::int64_t>(next)));
+      if (next < segments[k]) {  // fewer than an entry has
+        curve.fit(next, segments[k], few);
+        for (std::size_t first = next; next < segments[k]; ++next)
+          sum.add(few.areas[next - first], few.errors[next - first]);
+      }
       sums[k] = sum.value();
     }
   });

@@ -1,8 +1,11 @@
 // A curve made of smooth segments (private to smooth/).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "kernels/smooth_segment.hpp"
 #include "lober/curve.hpp"
@@ -30,6 +33,10 @@ class SmoothCurve {
       return straight;
     }
     std::array<Point, 8> window;
+    if (k >= 3 && k + 4 < size_) {
+      std::copy_n(view_.points.begin() + (k - 3), window.size(), window.begin());
+      if (!repeats(window)) return fit_smooth_segment(window);
+    }
     window[3] = vertex(k);
     window[4] = vertex(k + 1);
     for (std::int64_t j = 2, at = k; j >= 0; --j) window[static_cast<std::size_t>(j)] = next_distinct(at, -1);
@@ -37,7 +44,40 @@ class SmoothCurve {
     return fit_smooth_segment(window);
   }
 
+  /// Of the segments from `begin` on, as many as there is room for, the chord_area(1), the error, and whether they are
+  /// smooth: of segment() for each, to the bit.
+  struct Few {
+    static constexpr std::size_t most = 256;
+    std::array<double, most> areas, errors;
+    std::array<std::uint8_t, most> smooth;
+  };
+  void fit(std::size_t begin, std::size_t end, Few& few) const {
+    const std::size_t count = end - begin;
+    std::array<Point, Few::most + 7> copied;
+    std::span<const Point> points;
+    if (begin >= 3 && end + 4 <= view_.points.size()) {
+      points = view_.points.subspan(begin - 3, count + 7);
+    } else if (size_ >= 8) {
+      const auto first = static_cast<std::int64_t>(begin) - 3;
+      for (std::size_t k = 0; k < count + 7; ++k) copied[k] = vertex(first + static_cast<std::int64_t>(k));
+      points = std::span(copied).first(count + 7);
+    }
+    if (size_ >= 8 && !repeats(points)) {
+      smooth_chord_areas(points.data(), count, few.areas.data(), few.errors.data(), few.smooth.data());
+      return;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const SmoothSegment one = segment(static_cast<std::int64_t>(begin + k));
+      few.areas[k] = one.chord_area(1);
+      few.errors[k] = one.error;
+      few.smooth[k] = one.kind == SmoothSegment::Kind::smooth;
+    }
+  }
+
  private:
+  [[nodiscard]] static bool repeats(std::span<const Point> points) {
+    return std::adjacent_find(points.begin(), points.end()) != points.end();
+  }
   [[nodiscard]] Point beyond(std::int64_t k) const {
     constexpr double much_longer = 1024;
     const std::int64_t end = k < 0 ? 0 : size_ - 1, inward = k < 0 ? 1 : -1;

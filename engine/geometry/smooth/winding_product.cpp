@@ -71,7 +71,8 @@ class AlongAnother {
   using Points = std::vector<CommonPoint>::const_iterator;
 
   // Of the other curve about each vertex of this one: on it, the mean of both sides. Asked for once between two points
-  // that both have in common.
+  // that both have in common. Where the curves share an arc, what follows a vertex on the other curve is likely to lie
+  // on it too, and is seen from there at once.
   void find_windings() {
     std::vector<bool> ask(along_.size());
     for (const CommonPoint& point : common_) {
@@ -81,16 +82,24 @@ class AlongAnother {
     }
     numbers_.resize(along_.size());
     for_each_block(along_.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      bool again = true;
+      bool again = true, on = false;
       for (std::size_t k = begin; k < end; ++k) {
         if (!again && !ask[k]) {
           numbers_[k] = numbers_[k - 1];
           continue;
         }
         const Point at = along_[k];
-        const Winding found = winding(index_, at);
-        numbers_[k] = found.on ? std::round(interior_function(index_, at).j / std::numbers::pi) / 2 : found.number;
-        again = found.on;
+        if (!on) {
+          const Winding found = winding(index_, at);
+          numbers_[k] = found.number;
+          again = on = found.on;
+          if (!on) continue;
+        }
+        // The principal value, pi times a whole number but at corners; off the curve 2 pi times one.
+        const InteriorValue seen = interior_function(index_, at);
+        const double turns = seen.j / std::numbers::pi;
+        numbers_[k] = seen.on ? std::round(turns) / 2 : std::round(turns / 2);
+        again = on = seen.on;
       }
     });
   }
@@ -162,10 +171,13 @@ CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
   if (both.empty()) return {};
   const double margin_x = both.width() / 64, margin_y = both.height() / 64;
   both = {both.min_x - margin_x, both.min_y - margin_y, both.max_x + margin_x, both.max_y + margin_y};
-  const auto cut = [&](const ClosedCurve& whole) {
+  const auto cut = [&](const ClosedCurve& whole, const Box& box) {
+    const bool inside = box.min_x() >= both.min_x && box.max_x() <= both.max_x && box.min_y() >= both.min_y &&
+                        box.max_y() <= both.max_y;
+    if (inside) return whole;
     return ClosedCurve(clipped({whole.points().begin(), whole.points().end()}, both));
   };
-  const ClosedCurve first = cut(whole1), second = cut(whole2);
+  const ClosedCurve first = cut(whole1, box1), second = cut(whole2, box2);
   if (!bounds_something(first.points()) || !bounds_something(second.points())) return {};
   const Regions found = regions(first, second);
   double polygons = 0, most = 0;

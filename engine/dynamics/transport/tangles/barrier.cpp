@@ -46,11 +46,6 @@ Barrier barrier_of(const ManifoldTangle& manifolds, Point lattice) {
   return barrier;
 }
 
-Point along_and_above(Point lattice, Point plane) {
-  const double period = length(lattice);
-  return {(lattice.x * plane.x + lattice.y * plane.y) / period, (lattice.x * plane.y - lattice.y * plane.x) / period};
-}
-
 int turns_of(const Barrier& barrier) {
   if (barrier.lattice == Point{}) return 0;
   const Point from = barrier.tangle->u().points.front(), to = barrier.tangle->s().points.front();
@@ -136,12 +131,12 @@ Measured enclosed_area(const Barrier& barrier, int k) {
   return {below - turns * swept.area, error};
 }
 
-Measured product_of_windings(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error) {
+WindingProduct product_of_windings(const std::vector<Point>& first, const std::vector<Point>& second) {
   if (first.empty() || second.empty()) return {};
   const Box both = intersection(box_of(first), box_of(second));
   if (!(both.width() >= 0 && both.height() >= 0)) return {};
   const CommonArea product = winding_product(ClosedCurve::borrow(first), ClosedCurve::borrow(second));
-  return {product.area, product.error + curve_error * (length_in(first, both) + length_in(second, both))};
+  return {product.area, product.error, length_in(first, both) + length_in(second, both)};
 }
 
 }  // namespace lober::detail

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/box.hpp"
+#include "kernels/point.hpp"
 #include "lober/tangle.hpp"
 #include "lober/transport.hpp"
 
@@ -54,8 +55,24 @@ struct Barrier {
 [[nodiscard]] int turns_of(const Barrier& barrier);
 /// +1 where what is inside lies on the left of U and S as B(q) follows them, from p- to p+.
 [[nodiscard]] int sign_of(const Barrier& barrier);
-/// Where a point is: along a lattice, and above the line along it through the origin.
-[[nodiscard]] Point along_and_above(Point lattice, Point plane);
+/// Where points are: along a lattice, and above the line along it through the origin.
+class AlongLattice {
+ public:
+  explicit AlongLattice(Point lattice) : lattice_(lattice), period_(length(lattice)) {}
+  [[nodiscard]] Point operator()(Point plane) const {
+    return {(lattice_.x * plane.x + lattice_.y * plane.y) / period_,
+            (lattice_.x * plane.y - lattice_.y * plane.x) / period_};
+  }
+  [[nodiscard]] double period() const { return period_; }
+
+ private:
+  Point lattice_;
+  double period_;
+};
+/// The same of one point.
+[[nodiscard]] inline Point along_and_above(Point lattice, Point plane) {
+  return AlongLattice(lattice)(plane);
+}
 
 /// f^k(B(q)) as a closed polygon; as an open one where it runs round a cylinder, from p- to p+. O(its vertices).
 [[nodiscard]] std::vector<Point> outline_of(const Barrier& barrier, int k);
@@ -72,9 +89,13 @@ struct Barrier {
 /// the area between it and the line along the lattice through the origin, negative below that.
 [[nodiscard]] Measured enclosed_area(const Barrier& barrier, int k);
 
-/// int w v, w and v the winding numbers of two closed polygons through points of smooth curves; `curve_error` as in
-/// Barrier.
-[[nodiscard]] Measured product_of_windings(const std::vector<Point>& first, const std::vector<Point>& second,
-                                           double curve_error);
+/// int w v, w and v the winding numbers of two closed polygons through points of smooth curves.
+struct WindingProduct {
+  double area = 0, error = 0;
+  double length = 0;  ///< of both polygons where they can matter
+  /// Where both may lie so far from the true curves, see Barrier.
+  [[nodiscard]] Measured with(double curve_error) const { return {area, error + curve_error * length}; }
+};
+[[nodiscard]] WindingProduct product_of_windings(const std::vector<Point>& first, const std::vector<Point>& second);
 
 }  // namespace lober::detail

@@ -152,7 +152,7 @@ void TangleGrowth::begin(double tolerance) {
       return !out_of_work_ && (!options_.progress || options_.progress({}));
     };
     side->growth.emplace(map_, side->local, side->branch, side->options);
-    side->compressed = 0;
+    side->compressed = side->simple = 0;
   }
   for (Side* const side : {&u_, &s_}) {
     if (!grow(*side, 0)) throw DataError(limit_ + of_saddles());
@@ -348,8 +348,15 @@ void TangleGrowth::finish() {
   options.period = period_;
   options.smooth = options_.smooth;
   options.closure = closure_;
+  options.check_simple = u_.simple != result->u.points.size() || s_.simple != result->s.points.size();
   try {
     result->tangle = tangle(OpenCurve::borrow(result->u.points), OpenCurve::borrow(result->s.points), options);
+    if (!options.check_simple) {
+      SimpleCheck& check = result->tangle.simple_check;
+      check = u_.check;
+      check.search += s_.check.search;
+      check.pairs += s_.check.pairs;
+    }
   } catch (const NotSimpleError& error) {
     options.check_simple = false;
     result->tangle = tangle(OpenCurve::borrow(result->u.points), OpenCurve::borrow(result->s.points), options);

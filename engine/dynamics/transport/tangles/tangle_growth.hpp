@@ -59,6 +59,9 @@ class TangleGrowth {
     GrowthOptions options;
     std::optional<ManifoldGrowth> growth;
     std::size_t compressed = 0;  // points
+    // Points with which it was seen not to cross itself, and what that took; points are only ever added.
+    std::size_t simple = 0;
+    SimpleCheck check;
   };
   struct Time {
     double u, s;

@@ -9,6 +9,7 @@
 
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
+#include "engine/geometry/crossings/require_simple.hpp"
 #include "kernels/elementary.hpp"
 #include "lober/tangle.hpp"
 
@@ -97,16 +98,22 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
 std::optional<Point> TangleGrowth::refine_until_simple(Side& side) {
   constexpr int max_rounds = 8;
   constexpr std::size_t at_once = 20'000;
+  if (side.simple == side.growth->grown().points.size()) return std::nullopt;
   for (int round = 0; round < max_rounds; ++round) {
     const IndexedCurve index{CurveView(side.growth->grown())};
     std::vector<std::uint32_t> segments;
-    for (const SegmentPair& pair : self_meetings(index, at_once)) {
+    const SelfMeetings meetings = find_self_meetings(index, at_once);
+    for (const SegmentPair& pair : meetings.pairs) {
       segments.push_back(pair.first);
       segments.push_back(pair.second);
     }
     // Also far outside, as long as distances are true: what crosses itself there has lobes in common with others that
     // are not.
-    if (segments.empty()) return std::nullopt;
+    if (segments.empty()) {
+      side.simple = side.growth->grown().points.size();
+      side.check = meetings.check;
+      return std::nullopt;
+    }
     if (!refine(side, std::move(segments), true_size(followed()))) break;
   }
   const Buffer<Point>& points = side.growth->grown().points;

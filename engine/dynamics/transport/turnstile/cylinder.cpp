@@ -19,11 +19,11 @@ struct Reach {
 };
 
 Reach reach_of(std::span<const Point> points, Point lattice) {
-  const double period = length(lattice);
-  Reach reach{along_and_above(lattice, points.front()).x / period, 0};
+  const AlongLattice along(lattice);
+  Reach reach{along(points.front()).x / along.period(), 0};
   reach.to = reach.from;
   for (const Point point : points) {
-    const double at = along_and_above(lattice, point).x / period;
+    const double at = along(point).x / along.period();
     reach.from = std::min(reach.from, at);
     reach.to = std::max(reach.to, at);
   }
@@ -45,30 +45,6 @@ std::vector<Point> moved(const std::vector<Point>& points, Point lattice, int ti
   return result;
 }
 
-// The sum of term(k) for k from `first` to `last`, in parallel, always in the same order.
-template <typename Term>
-Measured sum_over(int first, int last, const Term& term) {
-  if (last < first) return {};
-  std::vector<Measured> terms(static_cast<std::size_t>(last - first + 1));
-  for_each_block(terms.size(), 1, [&](std::size_t k, std::size_t) { terms[k] = term(first + static_cast<int>(k)); });
-  Measured sum{};
-  for (const Measured& one : terms) sum = sum + one;
-  return sum;
-}
-
-// int w v over the cylinder, w and v the winding numbers of two closed polygons.
-Measured product_on_cylinder(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error,
-                             Point lattice) {
-  if (first.size() < 3 || second.size() < 3) return {};
-  if (lattice == Point{}) return product_of_windings(first, second, curve_error);
-  const Reach one = reach_of(first, lattice), other = reach_of(second, lattice);
-  return sum_over(static_cast<int>(std::ceil(one.from - other.to)), static_cast<int>(std::floor(one.to - other.from)),
-                  [&](int k) {
-                    return k == 0 ? product_of_windings(first, second, curve_error)
-                                  : product_of_windings(first, moved(second, lattice, k), curve_error);
-                  });
-}
-
 // What lies below a boundary that runs round, wherever `over` says, along the lattice: with copies so far on either
 // side that no other one, and no end, reaches there. `arcs` is its outline.
 std::vector<Point> region_below(const Barrier& barrier, const std::vector<Point>& arcs, Reach over, double bottom) {
@@ -78,50 +54,12 @@ std::vector<Point> region_below(const Barrier& barrier, const std::vector<Point>
   return region_below(barrier, first, last, bottom);
 }
 
-// int w d, w the winding number of a closed polygon and d the function of what lies inside B(q).
-Measured product_with_inside(const std::vector<Point>& polygon, const Barrier& barrier, double curve_error) {
-  if (polygon.size() < 3) return {};
-  const Point lattice = barrier.lattice;
-  if (turns_of(barrier) == 0) {
-    return sign_of(barrier) * product_on_cylinder(polygon, outline_of(barrier, 0), curve_error, lattice);
-  }
-  const std::vector<Point> arcs = outline_of(barrier, 0);
-  const double low = std::min(lowest(polygon, lattice), lowest(arcs, lattice));
-  const std::vector<Point> below = region_below(barrier, arcs, reach_of(polygon, lattice), low - length(lattice));
-  return product_of_windings(polygon, below, curve_error);
-}
-
-// U from pip `first` to pip `last` and back along S, with the corners where the smooth curves cross.
-std::vector<Point> loop_between(const Tangle& tangle, std::size_t first, std::size_t last) {
-  const Pip &from = tangle.pips[first], &to = tangle.pips[last];
-  std::vector<Point> points{from.at};
-  points.insert(points.end(), tangle.u().points.begin() + from.u.segment + 1,
-                tangle.u().points.begin() + to.u.segment + 1);
-  points.push_back(to.at);
-  points.insert(points.end(), tangle.s().points.begin() + to.s.segment + 1,
-                tangle.s().points.begin() + from.s.segment + 1);
-  return points;
-}
-
-// What the inside of f^n(B(q)) has more than that of B(q): winding numbers of a loop, with a sign.
-struct Change {
-  std::vector<Point> loop;
-  int sign = 1;
-};
-
-Change change_after(const Barrier& barrier, int n) {
-  if (n == 0) return {};
-  const std::size_t here = barrier.pip(0), there = barrier.pip(n);
-  const int sign = sign_of(barrier);
-  if (n > 0) return {loop_between(*barrier.tangle, here, there), sign};
-  return {loop_between(*barrier.tangle, there, here), -sign};
-}
-
 }  // namespace
 
 double lowest(const std::vector<Point>& points, Point lattice) {
-  double low = along_and_above(lattice, points.front()).y;
-  for (const Point point : points) low = std::min(low, along_and_above(lattice, point).y);
+  const AlongLattice along(lattice);
+  double low = along(points.front()).y;
+  for (const Point point : points) low = std::min(low, along(point).y);
   return low;
 }
 
@@ -149,27 +87,46 @@ std::vector<Point> region_below(const Barrier& barrier, int first, int last, dou
   return polygon;
 }
 
+ProductOnCylinder product_on_cylinder(const std::vector<Point>& first, const std::vector<Point>& second,
+                                      Point lattice) {
+  if (first.size() < 3 || second.size() < 3) return {};
+  if (lattice == Point{}) return {{product_of_windings(first, second)}};
+  const Reach one = reach_of(first, lattice), other = reach_of(second, lattice);
+  const int from = static_cast<int>(std::ceil(one.from - other.to));
+  const int to = static_cast<int>(std::floor(one.to - other.from));
+  if (to < from) return {};
+  ProductOnCylinder product{std::vector<WindingProduct>(static_cast<std::size_t>(to - from + 1))};
+  for_each_block(product.terms.size(), 1, [&](std::size_t term, std::size_t) {
+    const int k = from + static_cast<int>(term);
+    product.terms[term] =
+        k == 0 ? product_of_windings(first, second) : product_of_windings(first, moved(second, lattice, k));
+  });
+  return product;
+}
+
+ProductOnCylinder product_with_inside(const std::vector<Point>& polygon, const Barrier& barrier) {
+  if (polygon.size() < 3) return {};
+  const Point lattice = barrier.lattice;
+  if (turns_of(barrier) == 0) {
+    ProductOnCylinder product = product_on_cylinder(polygon, outline_of(barrier, 0), lattice);
+    product.sign = sign_of(barrier);
+    return product;
+  }
+  const std::vector<Point> arcs = outline_of(barrier, 0);
+  const double low = std::min(lowest(polygon, lattice), lowest(arcs, lattice));
+  const std::vector<Point> below = region_below(barrier, arcs, reach_of(polygon, lattice), low - length(lattice));
+  return {{product_of_windings(polygon, below)}};
+}
+
 Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second, double curve_error,
                         Point lattice) {
-  const Measured product = product_on_cylinder(first, second, curve_error, lattice);
+  const Measured product = product_on_cylinder(first, second, lattice).with(curve_error);
   return {std::fabs(product.value), product.error};
 }
 
 Measured area_inside(const std::vector<Point>& polygon, const Barrier& barrier, double curve_error) {
-  const Measured product = product_with_inside(polygon, barrier, curve_error);
+  const Measured product = product_with_inside(polygon, barrier).with(curve_error);
   return {std::fabs(product.value), product.error};
-}
-
-Measured inside_both(const Barrier& c, int m, const Barrier& d, int n, Measured at_rest) {
-  const double curve_error = std::max(c.error_up_to(c.pip(m)), d.error_up_to(d.pip(n)));
-  if (c.lattice == Point{}) {
-    const Measured common = area_in_common(outline_of(c, m), outline_of(d, n), curve_error, {});
-    return {common.value, common.error + error_at_corner(c, m) + error_at_corner(d, n)};
-  }
-  const Change w = change_after(c, m), v = change_after(d, n);
-  return at_rest + w.sign * product_with_inside(w.loop, d, curve_error) +
-         v.sign * product_with_inside(v.loop, c, curve_error) +
-         (w.sign * v.sign) * product_on_cylinder(w.loop, v.loop, curve_error, c.lattice);
 }
 
 double area_below_both(const Barrier& c, const Barrier& d, double bottom) {
@@ -177,9 +134,12 @@ double area_below_both(const Barrier& c, const Barrier& d, double bottom) {
   // From this number of copies on one more adds a period: the ends of the polygons do not see each other.
   const int copies = static_cast<int>(std::ceil(std::max(one.to, other.to) - std::min(one.from, other.from))) + 2;
   const auto area = [&](int last) {
-    return product_of_windings(region_below(c, 0, last, bottom), region_below(d, 0, last, bottom), 0).value;
+    return product_of_windings(region_below(c, 0, last, bottom), region_below(d, 0, last, bottom)).area;
   };
-  return area(copies + 1) - area(copies);
+  double more = 0, fewer = 0;
+  parallel_if(
+      true, [&] { more = area(copies + 1); }, [&] { fewer = area(copies); });
+  return more - fewer;
 }
 
 InsideOfBarrier::InsideOfBarrier(const Barrier& barrier)
@@ -187,8 +147,9 @@ InsideOfBarrier::InsideOfBarrier(const Barrier& barrier)
   if (lattice_ == Point{}) {
     box_ = box_of(polygon_);
   } else {
+    const AlongLattice along(lattice_);
     for (const Point point : polygon_) {
-      const Point at = along_and_above(lattice_, point);
+      const Point at = along(point);
       box_ = union_of(box_, Box::of(at, at));
     }
     if (runs_round_) {
@@ -209,14 +170,14 @@ std::vector<bool> InsideOfBarrier::of(std::span<const Point> points) const {
     for (std::size_t k = 0; k < points.size(); ++k) inside[k] = winding(*index_, points[k]).number != 0;
     return inside;
   }
-  const double period = length(lattice_);
+  const AlongLattice along(lattice_);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Point at = along_and_above(lattice_, points[k]);
+    const Point at = along(points[k]);
     if (runs_round_ && at.y < bottom_) {
       inside[k] = true;
       continue;
     }
-    const double turns = std::floor(at.x / period - from_);
+    const double turns = std::floor(at.x / along.period() - from_);
     for (int copy = 0; copy < copies_ && !inside[k]; ++copy) {
       const double back = copy - turns;
       const Point there{points[k].x + back * lattice_.x, points[k].y + back * lattice_.y};

@@ -26,6 +26,24 @@ namespace lober::detail {
 /// counter-clockwise, with its bottom at the height `bottom`. O(its vertices).
 [[nodiscard]] std::vector<Point> region_below(const Barrier& barrier, int first, int last, double bottom);
 
+/// int w v over a cylinder: a sum over translates, before it is said how far curves may lie from the true ones.
+struct ProductOnCylinder {
+  std::vector<WindingProduct> terms;  ///< one for each translate
+  int sign = 1;
+  [[nodiscard]] Measured with(double curve_error) const {
+    Measured sum{};
+    for (const WindingProduct& term : terms) sum = sum + term.with(curve_error);
+    return sign * sum;
+  }
+};
+
+/// w and v the winding numbers of two closed polygons; in the plane if `lattice` is (0, 0).
+[[nodiscard]] ProductOnCylinder product_on_cylinder(const std::vector<Point>& first, const std::vector<Point>& second,
+                                                    Point lattice);
+
+/// w the winding number of a closed polygon and v the function of what lies inside B(q).
+[[nodiscard]] ProductOnCylinder product_with_inside(const std::vector<Point>& polygon, const Barrier& barrier);
+
 /// What two closed polygons have in common on the cylinder (`area_in_common` of one and all translates of the other);
 /// in the plane if `lattice` is (0, 0).
 [[nodiscard]] Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second,
@@ -33,10 +51,6 @@ namespace lober::detail {
 
 /// What of a closed polygon lies inside B(q), each part as often as the polygon winds round it.
 [[nodiscard]] Measured area_inside(const std::vector<Point>& polygon, const Barrier& barrier, double curve_error);
-
-/// What the insides of f^m(c) and f^n(d) have in common; of those that run round only differences mean something.
-/// `at_rest` is that of m = n = 0, and not asked for in the plane.
-[[nodiscard]] Measured inside_both(const Barrier& c, int m, const Barrier& d, int n, Measured at_rest);
 
 /// How much of the cylinder lies below both c and d, which run round, and above `bottom`, which is below both: by
 /// overlay.

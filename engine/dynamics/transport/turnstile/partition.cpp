@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/turnstile/cylinder.hpp"
@@ -42,15 +44,21 @@ class Nesting {
   struct Insides {
     double c, d, both;
   };
-  [[nodiscard]] Insides insides(std::size_t c, std::size_t d) const {
+  [[nodiscard]] Insides insides(std::size_t c, std::size_t d) {
     const Barrier &one = barriers_[c], &other = barriers_[d];
     if (turns_of(one) == 0) return {areas_[c].value, areas_[d].value, area_inside(outlines_[c], other, 0).value};
+    if (c > d) {  // the same the other way round
+      const Insides found = insides(d, c);
+      return {found.d, found.c, found.both};
+    }
+    const auto known = below_.find({c, d});
+    if (known != below_.end()) return known->second;
     const double low = std::min(lowest(outlines_[c], one.lattice), lowest(outlines_[d], one.lattice));
     const double bottom = low - length(one.lattice);
     const double below = -bottom * length(one.lattice);
-    return {areas_[c].value + below, areas_[d].value + below, area_below_both(one, other, bottom)};
+    return below_[{c, d}] = {areas_[c].value + below, areas_[d].value + below, area_below_both(one, other, bottom)};
   }
-  [[nodiscard]] bool contains(std::size_t outer, std::size_t inner) const {
+  [[nodiscard]] bool contains(std::size_t outer, std::size_t inner) {
     constexpr double negligible = 1e-6;
     const int turns_outer = turns_of(barriers_[outer]), turns_inner = turns_of(barriers_[inner]);
     if (turns_inner != 0 && turns_outer == 0) return false;
@@ -68,7 +76,8 @@ class Nesting {
   std::vector<std::vector<Point>> outlines_;
   std::vector<Measured> areas_;
   std::vector<std::optional<std::size_t>> parents_;
-  std::vector<bool> contains_;  // row by row
+  std::vector<bool> contains_;                                    // row by row
+  std::map<std::pair<std::size_t, std::size_t>, Insides> below_;  // of two that run round
 };
 
 }  // namespace

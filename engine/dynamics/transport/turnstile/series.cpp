@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/dynamics/transport/turnstile/cylinder.hpp"
 #include "engine/dynamics/transport/turnstile/series.hpp"
 #include "lober/error.hpp"
 
@@ -69,16 +68,25 @@ Measured TransportSeries::gain(std::size_t c, std::size_t d) const {
   return c == 0 ? Measured{} : gains_[(c - 1) * turnstiles_.size() + d - 1];
 }
 
-RegionMatrix TransportSeries::by_boundaries(int n) const {
+RegionMatrix TransportSeries::by_boundaries(int n) {
   const std::size_t count = turnstiles_.size();
-  std::vector<Measured> common(count * count);
+  std::vector<const Barrier*> barriers;
+  for (const Turnstile& turnstile : turnstiles_) barriers.push_back(&turnstile.barrier());
+  std::vector<InsidesInCommon::Pair> pairs(count * count);
+  std::vector<char> crossed(count * count);
   for_each_block(count * count, 1, [&](std::size_t k, std::size_t) {
-    const Barrier &c = turnstiles_[k / count].barrier(), &d = turnstiles_[k % count].barrier();
-    const int back = split_images(n, d.images_before(), c.images_after());
-    common[k] = closure_is_crossed(c, n - back) || closure_is_crossed(d, -back)
-                    ? unknown_area
-                    : inside_both(c, n - back, d, -back, partition_.at_rest(k / count, k % count));
+    const std::size_t c = k / count, d = k % count;
+    const int back = split_images(n, barriers[d]->images_before(), barriers[c]->images_after());
+    pairs[k] = {c, d, n - back, -back, partition_.at_rest(c, d)};
+    crossed[k] = closure_is_crossed(*barriers[c], n - back) || closure_is_crossed(*barriers[d], -back);
   });
+  std::vector<InsidesInCommon::Pair> known;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (!crossed[k]) known.push_back(pairs[k]);
+  }
+  const std::vector<Measured> found = insides_.of(barriers, known);
+  std::vector<Measured> common(count * count, unknown_area);
+  for (std::size_t k = 0; k < known.size(); ++k) common[known[k].c * count + known[k].d] = found[k];
   RegionMatrix areas(partition_.size());
   for (std::size_t i = 0; i < areas.size(); ++i) {
     for (std::size_t j = 0; j < areas.size(); ++j) {

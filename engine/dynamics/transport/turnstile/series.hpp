@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/dynamics/transport/turnstile/insides.hpp"
 #include "engine/dynamics/transport/turnstile/partition.hpp"
 #include "engine/dynamics/transport/turnstile/turnstile.hpp"
 #include "lober/transport.hpp"
@@ -28,10 +29,11 @@ class TransportSeries {
  private:
   [[nodiscard]] Measured gain(std::size_t c, std::size_t d) const;
   void advance();
-  [[nodiscard]] RegionMatrix by_boundaries(int n) const;
+  [[nodiscard]] RegionMatrix by_boundaries(int n);
 
   std::vector<Turnstile> turnstiles_;
   Partition partition_;
+  InsidesInCommon insides_;
   int n_ = 0;
   std::vector<Measured> gains_;     // C_cd(n) - C_cd(n - 1), row by row
   std::vector<Measured> enclosed_;  // by each boundary

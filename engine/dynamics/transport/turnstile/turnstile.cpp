@@ -16,7 +16,7 @@ bool leaves(const std::vector<Point>& polygon, const Box& box) {
 }
 
 Measured area_of_both(const std::vector<Point>& first, const std::vector<Point>& second) {
-  const Measured product = product_of_windings(first, second, 0);
+  const Measured product = product_of_windings(first, second).with(0);
   return {std::fabs(product.value), product.error};
 }
 

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
+#include "engine/dynamics/transport/turnstile/insides.hpp"
 #include "kernels/box.hpp"
 #include "lober/error.hpp"
 #include "lober/manifold_tangle.hpp"
@@ -77,6 +80,38 @@ TEST(OverlapsWithCopy, TheOtherWayRoundForTheOtherTranslation) {
 TEST(OverlapsWithCopy, AreRefusedWithoutATranslation) {
   const auto found = standard_tangle(2, false);
   EXPECT_THROW(static_cast<void>(overlaps_with_copy(found->tangle, {0, 0})), UsageError);
+}
+
+// Row after row, what boundaries have in common takes each loop once with the inside of each boundary, and has the bits
+// of a row by itself.
+TEST(CylinderInsides, RowsShareTheirLoops) {
+  const System system = make_system("standard", {{"K", 1.2}});
+  ASSERT_FALSE(system.further.empty());
+  const auto grown = [&](const Connection& connection) {
+    ManifoldTangleOptions options;
+    options.lattice = system.lattice;
+    options.smooth = true;
+    options.before = options.after = 3;
+    return grow_tangle(*system.map, connection, options);
+  };
+  const auto upper = grown(*system.connection), lower = grown(system.further.front());
+  const std::array<Barrier, 2> barriers{barrier_of(*upper, system.lattice), barrier_of(*lower, system.lattice)};
+  const std::array<const Barrier*, 2> pointers{&barriers[0], &barriers[1]};
+  InsidesInCommon rows;
+  for (int n = 1; n <= 6; ++n) {
+    const int back = n / 2;
+    std::vector<InsidesInCommon::Pair> pairs;
+    for (const std::size_t c : {0U, 1U}) {
+      for (const std::size_t d : {0U, 1U}) pairs.push_back({c, d, n - back, -back, {}});
+    }
+    const std::vector<Measured> found = rows.of(pointers, pairs), alone = InsidesInCommon{}.of(pointers, pairs);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      EXPECT_EQ(found[k].value, alone[k].value) << n << ": " << k;
+      EXPECT_EQ(found[k].error, alone[k].error) << n << ": " << k;
+    }
+    // Of either boundary the loops to f(q), ..., f^(n - back)(q) and to f^-1(q), ..., f^-back(q), with both insides.
+    EXPECT_EQ(rows.loops_taken(), 4 * static_cast<std::size_t>(n)) << n;
+  }
 }
 
 }  // namespace
