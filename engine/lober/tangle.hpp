@@ -106,6 +106,7 @@ struct TangleOptions {
   std::vector<Point> closure{};
   std::uint32_t period = 0;  ///< pips from one to its image; 0: infer it
   bool check_simple = true;  ///< refuse manifolds that cross themselves
+  bool parts = true;         ///< the area of the boundary, and what of lobes lies inside and outside it; else zero
   /// Areas, of lobes, boundary and overlaps, and pips are those of smooth curves through the points, with errors of
   /// order h^6 (engine/lober/smooth.hpp). Which crossings there are the polygons decide.
   bool smooth = false;

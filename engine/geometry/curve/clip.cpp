@@ -25,6 +25,7 @@ struct HalfPlane {
 
 std::vector<Point> cut(const std::vector<Point>& polygon, const HalfPlane& half) {
   std::vector<Point> kept;
+  kept.reserve(polygon.size());
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point a = polygon[k], b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
     const bool a_in = half.beyond(a) <= 0, b_in = half.beyond(b) <= 0;

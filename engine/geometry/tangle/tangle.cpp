@@ -148,7 +148,7 @@ Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptio
     if (pips.size() == 1) result.remarks.emplace_back("one pip only: a boundary, but no lobe");
     result.boundary = Boundary{.bip = choose_bip(result.pips, options)};
     if (result.nodes.touches() + result.nodes.shared_arcs() > 0) mark_pinched_lobes(result);
-    bound_lobes(result);
+    if (options.parts) bound_lobes(result);
   }
   result.images = find_images(result, options.period);
   result.timing.areas = area_watch.seconds() - result.timing.pips;

@@ -20,7 +20,7 @@ constexpr double near_enough = 0.01;
 void TangleGrowth::find_pips() {
   report();
   TangleOptions options;
-  options.check_simple = false;
+  options.check_simple = options.parts = false;
   options.period = period_;
   found_ = tangle(OpenCurve::borrow(u_.growth->grown().points), OpenCurve::borrow(s_.growth->grown().points), options);
 }

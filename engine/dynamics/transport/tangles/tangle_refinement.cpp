@@ -86,7 +86,7 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
     const Buffer<Point>& points = side.growth->grown().points;
     std::vector<std::uint32_t> segments;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-      if (distance(points[k], points[k + 1]) > apart / parts && meet(Box::of(points[k], points[k + 1]), box)) {
+      if (meet(Box::of(points[k], points[k + 1]), box) && distance(points[k], points[k + 1]) > apart / parts) {
         segments.push_back(static_cast<std::uint32_t>(k));
       }
     }
