@@ -97,7 +97,11 @@ struct CommonPoint {
 [[nodiscard]] LOBER_API std::vector<CommonPoint> common_points(const IndexedCurve& first, const IndexedCurve& second);
 
 /// Pairs of segments that meet where a simple curve's do not, in curve order: the first `most` of each block of the
-/// search, and no more than that in all. The cost of require_simple.
-[[nodiscard]] LOBER_API std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t most);
+/// search, and no more than that in all. The cost of require_simple, and where there are none what it took.
+struct SelfMeetings {
+  std::vector<SegmentPair> pairs;
+  SimpleCheck check;
+};
+[[nodiscard]] LOBER_API SelfMeetings self_meetings(const IndexedCurve& curve, std::size_t most);
 
 }  // namespace lober

@@ -142,17 +142,13 @@ Point common_point(const Segment& first, const Segment& second) {
 
 }  // namespace
 
-SelfMeetings detail::find_self_meetings(const IndexedCurve& curve, std::size_t most) {
+SelfMeetings self_meetings(const IndexedCurve& curve, std::size_t most) {
   SelfChecker checker(curve.view(), most);
   SelfMeetings found;
   found.check.search = find_self_pairs(curve, checker);
   found.check.pairs = checker.pairs();
   found.pairs = checker.meetings();
   return found;
-}
-
-std::vector<SegmentPair> self_meetings(const IndexedCurve& curve, std::size_t most) {
-  return find_self_meetings(curve, most).pairs;
 }
 
 SimpleCheck detail::require_simple_scaled(const IndexedCurve& curve, int number, int exponent) {

@@ -1,9 +1,6 @@
 // The check for simple curves at another scale than the caller's, and with what it took (private to engine/).
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "lober/crossings.hpp"
 
 namespace lober::detail {
@@ -11,12 +8,5 @@ namespace lober::detail {
 /// As require_simple, of a curve whose coordinates are the caller's times 2^exponent; errors give points in the
 /// caller's own.
 SimpleCheck require_simple_scaled(const IndexedCurve& curve, int number, int exponent);
-
-/// As self_meetings. Where there are none, what it took is that of require_simple.
-struct SelfMeetings {
-  std::vector<SegmentPair> pairs;
-  SimpleCheck check;
-};
-[[nodiscard]] SelfMeetings find_self_meetings(const IndexedCurve& curve, std::size_t most);
 
 }  // namespace lober::detail

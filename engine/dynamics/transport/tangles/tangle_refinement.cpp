@@ -9,7 +9,6 @@
 
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
-#include "engine/geometry/crossings/require_simple.hpp"
 #include "kernels/elementary.hpp"
 #include "lober/tangle.hpp"
 
@@ -102,7 +101,7 @@ std::optional<Point> TangleGrowth::refine_until_simple(Side& side) {
   for (int round = 0; round < max_rounds; ++round) {
     const IndexedCurve index{CurveView(side.growth->grown())};
     std::vector<std::uint32_t> segments;
-    const SelfMeetings meetings = find_self_meetings(index, at_once);
+    const SelfMeetings meetings = self_meetings(index, at_once);
     for (const SegmentPair& pair : meetings.pairs) {
       segments.push_back(pair.first);
       segments.push_back(pair.second);
@@ -118,7 +117,8 @@ std::optional<Point> TangleGrowth::refine_until_simple(Side& side) {
   }
   const Buffer<Point>& points = side.growth->grown().points;
   const IndexedCurve index{CurveView(side.growth->grown())};
-  for (const SegmentPair& pair : self_meetings(index, at_once)) {
+  const SelfMeetings meetings = self_meetings(index, at_once);
+  for (const SegmentPair& pair : meetings.pairs) {
     if (meet(Box::of(points[pair.first], points[pair.first + 1]), followed())) return points[pair.first];
   }
   return std::nullopt;
