@@ -14,12 +14,6 @@ Json number_json(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json areas_json(const Areas& areas) {
-  Json object;
-  for (const NamedArea& area : named_areas) object[area.key] = areas.*area.member;
-  return object;
-}
-
 Json input_json(const NamedCurve& input, double area, Orientation orientation) {
   Json object{{"file", input.file},
               {"zone", input.zone},

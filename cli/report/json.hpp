@@ -15,7 +15,6 @@ using Json = nlohmann::ordered_json;
 
 /// Null for a number that is not finite, as one that is not known and a limit that is off, which JSON cannot say.
 [[nodiscard]] Json number_json(double value);
-[[nodiscard]] Json areas_json(const Areas& areas);
 [[nodiscard]] Json input_json(const NamedCurve& input, double area, Orientation orientation);
 /// Members of `statistics`: what the search and its predicates did.
 [[nodiscard]] Json counts_json(const ContactCounts& counts);
