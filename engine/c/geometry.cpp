@@ -1,11 +1,10 @@
-// Overlay, interior, regions, winding, densify and simplify for C.
+// Overlay, interior, regions and winding for C.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "engine/c/call.hpp"
-#include "lober/densify.hpp"
 #include "lober/error.hpp"
 #include "lober/interior.hpp"
 #include "lober/overlay.hpp"
@@ -129,61 +128,6 @@ Work winding_work(const double* curve, std::size_t n, const double* points, std:
   };
 }
 
-// Throws where a limit left criteria unmet. The shortest length and corners are what the caller asked for.
-void require_criteria(const std::vector<Diagnostic>& diagnostics, std::size_t points) {
-  const auto ended_by = [&](DiagnosticCause cause) {
-    return std::any_of(diagnostics.begin(), diagnostics.end(),
-                       [&](const Diagnostic& one) { return one.cause == cause; });
-  };
-  const std::string count = "the curve has " + std::to_string(points) + " points and does not meet the criteria";
-  if (ended_by(DiagnosticCause::max_points)) {
-    throw WithResult{LOBER_INCOMPLETE, count + ", since max_points allows no more; give a larger max_points"};
-  }
-  if (ended_by(DiagnosticCause::max_rounds)) {
-    throw WithResult{LOBER_INCOMPLETE, count + " after all rounds; give a larger min_length"};
-  }
-}
-
-Work densify_work(const double* points, std::size_t n, Options& given) {
-  static constexpr std::array interpolations{Interpolation::linear, Interpolation::dritschel, Interpolation::spline};
-  Criteria criteria;
-  criteria.max_length = given.number("max_length", criteria.max_length);
-  criteria.angle = given.number("angle", criteria.angle);
-  criteria.distance_angle = given.number("distance_angle", criteria.distance_angle);
-  criteria.min_length = given.number("min_length", criteria.min_length);
-  DensifyOptions options;
-  options.interpolation = given.choice<Interpolation>("interpolation", options.interpolation, interpolations,
-                                                      [](Interpolation one) { return name(one); });
-  options.max_points = given.count("max_points", options.max_points);
-  const CurveView view{points_of(points, n, "curve"), given.flag("closed", true)};
-  return [=](lober_result& result) {
-    validate(view, "curve");
-    DensifiedCurve dense = densify(view, criteria, options);
-    lober_result::Integers segments;
-    std::string causes;
-    for (const Diagnostic& one : dense.diagnostics) {
-      segments.insert(segments.end(), {one.first, one.count});
-      causes += (causes.empty() ? "" : "\n") + std::string(name(one.cause));
-    }
-    result.add("diagnostics", std::move(segments), 2);
-    result.add("causes", std::move(causes));
-    const std::size_t count = dense.points.size();
-    result.add_points("points", std::move(dense.points));
-    require_criteria(dense.diagnostics, count);
-  };
-}
-
-Work simplify_work(const double* points, std::size_t n, Options& given) {
-  SimplifyOptions options;
-  options.tolerance = given.number("tolerance", options.tolerance);
-  options.max_length = given.number("max_length", options.max_length);
-  const CurveView view{points_of(points, n, "curve"), given.flag("closed", true)};
-  return [=](lober_result& result) {
-    validate(view, "curve");
-    result.add_points("points", simplify(view, options).points);
-  };
-}
-
 }  // namespace
 }  // namespace lober::detail::c
 
@@ -219,14 +163,4 @@ int lober_signed_area(const double* curve, size_t n, double* area) {
     lober::validate(closed, "curve");
     *area = lober::signed_area(closed);
   });
-}
-
-int lober_densify(const double* curve, size_t n, const char* options, lober_result** result) {
-  using namespace lober::detail::c;
-  return operation(options, result, [=](Options& given) { return densify_work(curve, n, given); });
-}
-
-int lober_simplify(const double* curve, size_t n, const char* options, lober_result** result) {
-  using namespace lober::detail::c;
-  return operation(options, result, [=](Options& given) { return simplify_work(curve, n, given); });
 }

@@ -187,6 +187,16 @@ int lober_call(const char* operation, const lober_input* inputs, size_t count, c
   });
 }
 
+int lober_densify(const double* curve, size_t n, const char* options, lober_result** result) {
+  const lober_input input{curve, n, nullptr};
+  return lober_call("densify", &input, 1, options, result);
+}
+
+int lober_simplify(const double* curve, size_t n, const char* options, lober_result** result) {
+  const lober_input input{curve, n, nullptr};
+  return lober_call("simplify", &input, 1, options, result);
+}
+
 int lober_fixed_points(const lober_model* model, const char* options, lober_result** result) {
   const lober_input input{nullptr, 0, model};
   return lober_call("fixed_points", &input, 1, options, result);

@@ -28,6 +28,8 @@ enum class Interpolation : std::uint8_t {
               ///< tangents at a vertex agree to third order only, which leaves corners on coarse curves
   spline,     ///< the cubic spline over chord length: periodic, or not-a-knot at the ends of an open curve: order 4
 };
+inline constexpr std::array<Interpolation, 3> all_interpolations{Interpolation::linear, Interpolation::dritschel,
+                                                                 Interpolation::spline};
 [[nodiscard]] LOBER_API std::string_view name(Interpolation interpolation);  ///< as on the command line
 
 /// When a curve is fine enough. Lengths in units of the coordinates, angles in radians; infinity switches one off.
@@ -55,6 +57,8 @@ enum class DiagnosticCause : std::uint8_t {
   max_points,  ///< the result would have too many points
   max_rounds,  ///< still not met after the last round
 };
+inline constexpr std::array<DiagnosticCause, 4> all_diagnostic_causes{
+    DiagnosticCause::min_length, DiagnosticCause::corner, DiagnosticCause::max_points, DiagnosticCause::max_rounds};
 [[nodiscard]] LOBER_API std::string_view name(DiagnosticCause cause);
 
 /// Segments first, ..., first + count - 1 of the result: at least one of them breaks a criterion.

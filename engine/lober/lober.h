@@ -125,12 +125,14 @@ LOBER_C_API int lober_winding(const double* curve, size_t n, const double* point
                               lober_result** result);
 /* Signed area of a closed curve, positive counter-clockwise. */
 LOBER_C_API int lober_signed_area(const double* curve, size_t n, double* area);
-/* More points (lober/densify.hpp). Options: closed=0|1 (1), max_length=D, angle=RADIANS, distance_angle=D,
-   min_length=D, interpolation=linear|dritschel|spline, max_points=N. Arrays: points; diagnostics (n x 2): first
-   segment, number of segments that break a criterion; causes: a line for each: min_length, corner, max_points,
-   max_rounds. Where one of the last two ended it, LOBER_INCOMPLETE with a result. */
+/* More points: lober_call of "densify" (lober/densify.hpp). Options: closed=true|false (true), max_length=D, alpha=RADIANS,
+   distance_angle=D, min_length=D, interpolation=linear|dritschel|spline, max_points=N and more; with a second input for
+   passes=N, points=N and crossings=true use lober_call. Among its arrays: points; diagnostics.list.segment, .count and
+   .cause: segments that break a criterion, and why: min_length, corner, max_points, max_rounds. Where one of the last
+   two ended it, LOBER_INCOMPLETE with a result. */
 LOBER_C_API int lober_densify(const double* curve, size_t n, const char* options, lober_result** result);
-/* Fewer points. Options: closed=0|1 (1), tolerance=D, max_length=D. Arrays: points. */
+/* Fewer points: lober_call of "simplify". Options: closed=true|false (true), tolerance=D, max_length=D. Among its
+   arrays: points. */
 LOBER_C_API int lober_simplify(const double* curve, size_t n, const char* options, lober_result** result);
 /* Pips, lobes and overlaps of two manifolds, outward from their saddles (lober/tangle.hpp). Options: bip=N,
    bip_near=X,Y, period=N, smooth=0|1, check_simple=0|1. Arrays: pips (n x 6): x, y, rho, node, segment of U, of S;

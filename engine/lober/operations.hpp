@@ -17,6 +17,7 @@
 
 #include "lober/agreement.hpp"
 #include "lober/curve.hpp"
+#include "lober/densify.hpp"
 #include "lober/export.hpp"
 #include "lober/fixed_points.hpp"
 #include "lober/index.hpp"
@@ -107,7 +108,13 @@ class LOBER_API Options {
 
 // ----------------------------------------------------------------------------------------------------------- inputs
 
-enum class InputKind : std::uint8_t { closed_curve, open_curve, points, system };
+enum class InputKind : std::uint8_t {
+  closed_curve,
+  open_curve,
+  curve,  ///< closed or open, which an option says; nothing is looked for among its segments
+  points,
+  system,
+};
 
 struct InputSpec {
   std::string name;
@@ -249,6 +256,21 @@ struct CurveInterior : InteriorAreas {
   Agreement agreement{};
   double verify_seconds = 0;
 };
+/// Of "densify" and "simplify".
+struct RefinedCurve : DensifiedCurve {
+  struct Step {
+    std::string name;          ///< "simplify", "criteria", "passes" or "crossings"
+    std::size_t points = 0;    ///< after it
+    std::uint32_t rounds = 0;  ///< that it took
+  };
+  std::size_t given = 0;                    ///< number of points
+  std::vector<Step> steps{};                ///< in order
+  std::optional<DensifiedCurve> against{};  ///< the other curve with the crossings inserted
+  /// Of the criteria, by DiagnosticCause, and of their segments; the diagnostics themselves are none where a later step
+  /// has changed the numbers of segments.
+  std::array<std::size_t, all_diagnostic_causes.size()> places{};
+  std::size_t segments_with_diagnostics = 0;
+};
 /// Of "regions".
 struct CurveRegions {
   Regions regions;
@@ -364,6 +386,8 @@ struct Context {
   /// Whether work that is cancelled returns what is known, where an operation can (escape).
   bool keeps_what_is_known = false;
   std::size_t memory = std::numeric_limits<std::size_t>::max();  ///< bytes that the work may hold, roughly
+  /// Called with the bytes that it does hold, where options decide how many; may throw what ends the work.
+  std::function<void(std::size_t bytes)> holds{};
 };
 
 /// A result: an object of a type that the operation knows.
@@ -402,6 +426,8 @@ struct Operation {
   std::vector<OptionSpec> options;
   std::vector<Field> result;
   std::vector<Example> examples;
+  /// Bytes of what it makes of its first input, roughly, where options decide that; else empty.
+  std::function<double(const Input& first, const Options& options)> result_bytes{};
   /// Throws UsageError for inputs that are not those of `inputs`; what the functions that it calls throw.
   std::function<Outcome(std::span<const Input> inputs, const Options& options, const Context& context)> run;
 };

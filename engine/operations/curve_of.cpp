@@ -11,7 +11,7 @@ using namespace operations;
 namespace {
 
 bool is_curve(InputKind kind) {
-  return kind == InputKind::closed_curve || kind == InputKind::open_curve;
+  return kind == InputKind::closed_curve || kind == InputKind::open_curve || kind == InputKind::curve;
 }
 
 const CurveInput* given_curve(const Input& input) {
@@ -43,13 +43,18 @@ void require_inputs(const Operation& operation, std::span<const Input> inputs) {
   }
 }
 
+CurveView curve_at(const Operation& operation, std::span<const Input> inputs, std::size_t k, bool closed) {
+  const CurveInput* const given = given_curve(inputs[k]);
+  CurveView curve = given != nullptr ? given->curve : CurveView{std::get<std::span<const Point>>(inputs[k])};
+  if (operation.inputs[k].kind != InputKind::curve || !closed) curve.closed = closed;
+  validate(curve, given != nullptr && !given->name.empty() ? given->name : operation.inputs[k].name);
+  return curve;
+}
+
 IndexedCurve indexed_curve(const Operation& operation, std::span<const Input> inputs, std::size_t k) {
   const CurveInput* const given = given_curve(inputs[k]);
   if (given != nullptr && given->index != nullptr) return *given->index;
-  CurveView curve = given != nullptr ? given->curve : CurveView{std::get<std::span<const Point>>(inputs[k])};
-  curve.closed = operation.inputs[k].kind == InputKind::closed_curve;
-  validate(curve, given != nullptr && !given->name.empty() ? given->name : operation.inputs[k].name);
-  return IndexedCurve(curve);
+  return IndexedCurve(curve_at(operation, inputs, k, operation.inputs[k].kind == InputKind::closed_curve));
 }
 
 bool known_simple(std::span<const Input> inputs, std::size_t k) {

@@ -11,6 +11,10 @@ namespace lober::detail::table {
 /// Throws UsageError unless there are as many inputs as the operation takes, each of its kind.
 void require_inputs(const operations::Operation& operation, std::span<const operations::Input> inputs);
 
+/// Input number k, which is a curve or points, as a curve; one that may be open (InputKind::curve) stays so. Throws
+/// DataError naming the input.
+[[nodiscard]] CurveView curve_at(const operations::Operation& operation, std::span<const operations::Input> inputs,
+                                 std::size_t k, bool closed);
 /// Input number k, which is a curve or points, as that curve with its index. A curve whose index is given has been
 /// validated; others are, DataError naming the input.
 [[nodiscard]] IndexedCurve indexed_curve(const operations::Operation& operation,

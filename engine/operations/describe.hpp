@@ -256,6 +256,27 @@ class OptionList {
     specs_.push_back(std::move(spec));
     return *this;
   }
+  /// One that need not be given; `otherwise` is what is done then.
+  template <typename Base, typename Enum, std::size_t size>
+  requires std::derived_from<How, Base> OptionList& choice(std::string key, std::optional<Enum> Base::*member,
+                                                           const std::array<Enum, size>& all, std::string meaning,
+                                                           std::string otherwise) {
+    OptionSpec spec;
+    spec.key = std::move(key);
+    spec.meaning = std::move(meaning);
+    spec.fallback = std::string();
+    spec.optional = true;
+    spec.otherwise = std::move(otherwise);
+    for (const Enum one : all) spec.choices.emplace_back(name(one));
+    setters_.push_back([key = spec.key, member, all](How& how, const Options& options) {
+      const OptionValue* const given = options.find(key);
+      for (const Enum one : all) {
+        if (given != nullptr && name(one) == std::get<std::string>(*given)) how.*member = one;
+      }
+    });
+    specs_.push_back(std::move(spec));
+    return *this;
+  }
   [[nodiscard]] const std::vector<OptionSpec>& specs() const { return specs_; }
   [[nodiscard]] How how(const Options& options) const {
     How made{};

@@ -6,6 +6,7 @@
 namespace lober::detail::table {
 using namespace operations;
 
+[[nodiscard]] Operation densify_operation();
 [[nodiscard]] Operation escape_operation();
 [[nodiscard]] Operation fixed_points_operation();
 [[nodiscard]] Operation grow_operation();
@@ -14,6 +15,7 @@ using namespace operations;
 [[nodiscard]] Operation overlay_operation();
 [[nodiscard]] Operation regions_operation();
 [[nodiscard]] Operation section_operation();
+[[nodiscard]] Operation simplify_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation transport_operation();
 [[nodiscard]] Operation winding_operation();

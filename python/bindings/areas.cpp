@@ -2,6 +2,8 @@
 
 #include "lober/areas.hpp"
 #include "lober/error.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/call.hpp"
 
 namespace py = pybind11;
 
@@ -24,6 +26,16 @@ void bind_areas(py::module_& module) {
       },
       py::arg("c1"), py::arg("c2"), py::arg("intersection"), py::arg("union"), py::arg("c1_minus_c2"),
       py::arg("c2_minus_c1"), py::arg("symmetric_difference"));
+  module.def(
+      "signed_area",
+      [](const Array& curve) {
+        const CurveView view{points_of(curve), true};
+        return long_call(0, [&] {
+          validate(view, "curve");
+          return signed_area(view);
+        });
+      },
+      py::arg("curve").noconvert());
 }
 
 Pairing pairing_of(const std::string& name) {
@@ -41,18 +53,6 @@ IndexKind index_of(const std::string& name) {
     throw UsageError("\"" + name + "\" is not an index; there are auto, tree, grid, kd");
   }
   return kind;
-}
-
-const char* name_of(Orientation orientation) {
-  switch (orientation) {
-    case Orientation::clockwise:
-      return "clockwise";
-    case Orientation::counter_clockwise:
-      return "counter_clockwise";
-    case Orientation::degenerate:
-      break;
-  }
-  return "degenerate";
 }
 
 }  // namespace lober::python

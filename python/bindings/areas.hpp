@@ -16,7 +16,4 @@ void bind_areas(pybind11::module_& module);
 [[nodiscard]] Pairing pairing_of(const std::string& name);
 [[nodiscard]] IndexKind index_of(const std::string& name);
 
-/// "counter_clockwise", "clockwise" or "degenerate".
-[[nodiscard]] const char* name_of(Orientation orientation);
-
 }  // namespace lober::python

@@ -79,8 +79,8 @@ void bind_interior(py::module_& module) {
       .def_readonly("q2", &InteriorAreas::q2)
       .def_readonly("q3", &InteriorAreas::q3)
       .def_readonly("delta", &InteriorAreas::delta)
-      .def_property_readonly("orientation1", [](const InteriorAreas& result) { return name_of(result.orientation1); })
-      .def_property_readonly("orientation2", [](const InteriorAreas& result) { return name_of(result.orientation2); })
+      .def_property_readonly("orientation1", [](const InteriorAreas& result) { return name(result.orientation1); })
+      .def_property_readonly("orientation2", [](const InteriorAreas& result) { return name(result.orientation2); })
       .def("nodes", [](const InteriorAreas& result) { return nodes_array(result.nodes); });
   module.def("interior", make, py::arg("c1").noconvert(), py::arg("c2").noconvert(), py::arg("method"),
              py::arg("passes"), py::arg("points"), py::arg("check_simple"), py::arg("index"), py::arg("threads"),

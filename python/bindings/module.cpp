@@ -17,7 +17,6 @@ PYBIND11_MODULE(_lober, module) {
   bind_overlay(module);
   bind_interior(module);
   bind_regions(module);
-  bind_densify(module);
   bind_tangle(module);
   bind_files(module);
   bind_systems(module);

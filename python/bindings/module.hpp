@@ -5,7 +5,6 @@
 
 namespace lober::python {
 
-void bind_densify(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_fixed_points(pybind11::module_& module);
 void bind_interior(pybind11::module_& module);

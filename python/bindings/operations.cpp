@@ -291,7 +291,14 @@ py::list table() {
     one["summary"] = operation.summary;
     one["compares"] = operation.compares;
     py::list inputs, options;
-    for (const ops::InputSpec& input : operation.inputs) inputs.append(py::make_tuple(input.name, input.meaning));
+    for (const ops::InputSpec& input : operation.inputs) {
+      py::dict given;
+      given["name"] = input.name;
+      given["meaning"] = input.meaning;
+      given["system"] = input.kind == ops::InputKind::system;
+      given["optional"] = input.optional;
+      inputs.append(given);
+    }
     for (const ops::OptionSpec& spec : operation.options) options.append(option_of(spec));
     one["inputs"] = inputs;
     one["options"] = options;

@@ -89,8 +89,8 @@ void bind_overlay(py::module_& module) {
       .def_property_readonly("touches", [](const Overlay& result) { return result.nodes.touches(); })
       .def_property_readonly("shared_arcs", [](const Overlay& result) { return result.nodes.shared_arcs(); })
       .def_property_readonly("same_curve", [](const Overlay& result) { return result.nodes.same_curve(); })
-      .def_property_readonly("orientation1", [](const Overlay& result) { return name_of(result.orientation1); })
-      .def_property_readonly("orientation2", [](const Overlay& result) { return name_of(result.orientation2); })
+      .def_property_readonly("orientation1", [](const Overlay& result) { return name(result.orientation1); })
+      .def_property_readonly("orientation2", [](const Overlay& result) { return name(result.orientation2); })
       .def_property_readonly("timing", timing_of)
       .def("nodes", [](const Overlay& result) { return nodes_array(result.nodes); })
       .def("classes",

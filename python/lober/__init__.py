@@ -13,7 +13,6 @@ Results do not depend on the number of threads. Definitions and signs are in doc
 from . import plot
 from ._agreement import Agreement, Comparison
 from ._areas import AreaErrors, Areas
-from ._densify import Densified, Diagnostic, densify, densify_near, simplify
 from ._dynamics import (
     FixedPoint,
     FixedPoints,
@@ -46,7 +45,7 @@ from ._regions import RegionPieces, Regions, regions
 from ._symbolic import equations, hamiltonian
 from ._systems import Connection, Parameter, System, SystemInfo, system, systems
 from ._tangle import Boundary, Lobes, Tangle, TangleErrors, tangle
-from ._generated import Levels, Sweep, levels, sweep
+from ._generated import Densify, Levels, Simplify, Sweep, densify, levels, simplify, sweep
 from ._measured import Measured
 from ._transport import (
     Bottleneck,
@@ -72,8 +71,7 @@ __all__ = [
     "Connection",
     "CurveFile",
     "DataError",
-    "Densified",
-    "Diagnostic",
+    "Densify",
     "DisagreementError",
     "Error",
     "Escape",
@@ -101,6 +99,7 @@ __all__ = [
     "SystemTangle",
     "Tangle",
     "TangleErrors",
+    "Simplify",
     "Sweep",
     "Transport",
     "TransportBoundary",
@@ -109,7 +108,6 @@ __all__ = [
     "__version__",
     "area",
     "densify",
-    "densify_near",
     "equations",
     "escape",
     "fixed_point",

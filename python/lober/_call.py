@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 
 from . import _lober
-from ._arrays import Points
 from ._numbers import number_of
 from ._progress import Progress, watching
-from ._systems import Connection, System, is_own, pair_of, system_of
+from ._systems import Connection, is_own, pair_of, system_of
 
 
-def system_input(given: System, connection: Connection | None = None) -> tuple[Any, ...]:
+def system_input(system: Any, connection: Connection | None = None) -> tuple[Any, ...]:
     """The system, with a tangle of the caller's own in place of that which it is known for; and how to make its
     relatives, where it was made from a name."""
+    given = system_of(system)
     if connection is not None and not is_own(given, connection):
         return (_lober.with_connection(given._of, connection._parts()), None, [], 0.0)
     name, values, tolerance = given._named()
@@ -40,18 +40,11 @@ _kinds = {
 
 
 def call(
-    name: str,
-    system: Any,
-    settings: dict[str, Any],
-    threads: int,
-    progress: Progress,
-    connection: Connection | None = None,
-    points: Points | None = None,
+    name: str, inputs: Sequence[Any], settings: dict[str, Any], threads: int, progress: Progress
 ) -> tuple[dict[str, Any], list[tuple[Any, ...]]]:
-    """The result of an operation on a system, and on points, as a dictionary, and its comparisons."""
+    """The result of an operation, as a dictionary, and its comparisons. Inputs are those of `system_input`, and points."""
     kinds = _kinds[name]
     given = {key: _setting(key, value, kinds.get(key, "")) for key, value in settings.items()}
-    made = [system_input(system_of(system), connection), *([] if points is None else [points])]
     with watching(progress, name) as callback:
-        value, comparisons, _ = _lober.call(name, made, given, threads, callback)
+        value, comparisons, _ = _lober.call(name, list(inputs), given, threads, callback)
     return value, comparisons

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from . import _lober
 from ._areas import html_table
 from ._arrays import Points, points_of
-from ._call import call
+from ._call import call, system_input
 from ._progress import Progress, watching
 from ._systems import Box, Pair, pair_of, system_of
 from .errors import UsageError
@@ -88,7 +88,7 @@ def fixed_points(
     """
     made = system_of(system)
     settings = {"box": box, "period": period, "turns": turns, "grid": grid, "max_grid": max_grid}
-    found, _ = call("fixed_points", made, settings, threads, progress)
+    found, _ = call("fixed_points", [system_input(made)], settings, threads, progress)
     points, search = found["points"], found["search"]
     return FixedPoints(
         [_point_of({key: column[k] for key, column in points.items()}) for k in range(len(points["type"]))],
@@ -190,7 +190,7 @@ def grow(
         "box": box,
         "max_points": max_points,
     }
-    found, _ = call("grow", system, settings, threads, progress)
+    found, _ = call("grow", [system_input(system)], settings, threads, progress)
     grown, local, diagnostics = found["result"], found["local_manifold"], found["diagnostics"]["list"]
     return Manifold(
         found["points"],
@@ -290,6 +290,6 @@ def section(
     """
     settings = {"orbits": orbits, "iterates": iterates, "box": box, "lifted": lifted}
     points = None if starts is None else points_of(starts, "starts")
-    found, _ = call("section", system, settings, threads, progress, points=points)
+    found, _ = call("section", [system_input(system), *([] if points is None else [points])], settings, threads, progress)
     followed: NDArray[np.float64] = found["orbits"].reshape(-1, iterates + 1, 2)
     return followed

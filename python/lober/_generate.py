@@ -25,7 +25,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._agreement import Agreement, agreement_of
-from ._call import call
+from ._arrays import points_of
+from ._call import call, system_input
 from ._measured import Measured
 from ._progress import Progress
 from ._systems import Box, Pair
@@ -145,16 +146,31 @@ def function(operation: dict[str, Any]) -> str:
         about += "\n    " + wrapped(f"{member}: {option['meaning']}{otherwise}", 8)
     classes = Classes()
     result = classes.add(name.capitalize(), operation["result"], False, f"What `{name}` returns", operation["compares"])
-    made = f'call("{name}", system, settings, threads, progress)'
+    given, passed, what = inputs(operation["inputs"])
+    made = f'call("{name}", {passed}, settings, threads, progress)'
     arguments = f"*{made}" if operation["compares"] else f"{made}[0]"
     doc = wrapped(operation["summary"], 4)
     return (
-        f"{classes.text}\n\ndef {name}(\n    system: Any,\n    *,\n{parameters}    threads: int = 0,\n"
+        f"{classes.text}\n\ndef {name}(\n{given}    *,\n{parameters}    threads: int = 0,\n"
         f"    progress: Progress = None,\n) -> {result}:\n"
-        f'    """{doc}\n\n    `system` is a system or its name. Raises UsageError, DataError, Cancelled.\n{about}\n    """\n'
+        f'    """{doc}\n\n    {what} Raises UsageError, DataError, Cancelled.\n{about}\n    """\n'
         f"    settings = {{\n{settings}    }}\n"
         f"    return {result}._of({arguments})\n"
     )
+
+
+def inputs(specs: list[dict[str, Any]]) -> tuple[str, str, str]:
+    """The arguments of a function, what it passes on, and what a reader has to know of them."""
+    if specs[0]["system"]:
+        return "    system: Any,\n", "[system_input(system)]", "`system` is a system or its name."
+    given, passed = "", []
+    for spec in specs:
+        name = spec["name"]
+        given += f"    {name}: Any{' = None' if spec['optional'] else ''},\n"
+        points = f'points_of({name}, "{name}")'
+        passed.append(f"*([] if {name} is None else [{points}])" if spec["optional"] else points)
+    what = "; ".join(f"`{spec['name']}`: {spec['meaning']}" for spec in specs)
+    return given, f"[{', '.join(passed)}]", f"{what}; arrays of N x 2 numbers, complex vectors, or polygons of shapely."
 
 
 def text() -> str:

@@ -9,10 +9,229 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._agreement import Agreement, agreement_of
-from ._call import call
+from ._arrays import points_of
+from ._call import call, system_input
 from ._measured import Measured
 from ._progress import Progress
 from ._systems import Box, Pair
+
+
+@dataclass(frozen=True)
+class DensifySteps:
+    """What was done, in order. A column each."""
+
+    #: Simplify, criteria, passes or crossings.
+    step: list[str | None]
+    #: Number of points after it.
+    points: NDArray[Any]
+    #: In which points were inserted or removed.
+    rounds: NDArray[Any]
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "DensifySteps":
+        return cls(
+            step=v["step"],
+            points=v["points"],
+            rounds=v["rounds"],
+        )
+
+
+@dataclass(frozen=True)
+class DensifyResult:
+    """The curve that comes out."""
+
+    #: Number of points.
+    points: int
+    #: Whether the last one is joined to the first.
+    closed: bool
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "DensifyResult":
+        return cls(
+            points=v["points"],
+            closed=v["closed"],
+        )
+
+
+@dataclass(frozen=True)
+class DensifyAgainst:
+    """The other curve with the crossings inserted."""
+
+    #: Number of points.
+    points: int
+    #: Whether the last one is joined to the first.
+    closed: bool
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "DensifyAgainst":
+        return cls(
+            points=v["points"],
+            closed=v["closed"],
+        )
+
+
+@dataclass(frozen=True)
+class DensifyDiagnosticsCounts:
+    """Places by cause, of those that there are."""
+
+    #: Number of places.
+    min_length: int
+    #: Number of places.
+    corner: int
+    #: Number of places.
+    max_points: int
+    #: Number of places.
+    max_rounds: int
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "DensifyDiagnosticsCounts":
+        return cls(
+            min_length=v["min_length"],
+            corner=v["corner"],
+            max_points=v["max_points"],
+            max_rounds=v["max_rounds"],
+        )
+
+
+@dataclass(frozen=True)
+class DensifyDiagnosticsList:
+    """In order along the result; empty where a later step has changed the numbers of segments. A column each."""
+
+    #: The first one, from 0.
+    segment: NDArray[Any]
+    #: Number of segments, of which one at least breaks a criterion.
+    count: NDArray[Any]
+    #: Min_length, corner, max_points or max_rounds.
+    cause: list[str | None]
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "DensifyDiagnosticsList":
+        return cls(
+            segment=v["segment"],
+            count=v["count"],
+            cause=v["cause"],
+        )
+
+
+@dataclass(frozen=True)
+class DensifyDiagnostics:
+    """Segments that do not meet the criteria."""
+
+    #: Places by cause, of those that there are.
+    counts: DensifyDiagnosticsCounts | None
+    #: Number of segments in all places.
+    segments: int
+    #: In order along the result; empty where a later step has changed the numbers of segments.
+    list: DensifyDiagnosticsList
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "DensifyDiagnostics":
+        return cls(
+            counts=None if v["counts"] is None else DensifyDiagnosticsCounts._of(v["counts"]),
+            segments=v["segments"],
+            list=DensifyDiagnosticsList._of(v["list"]),
+        )
+
+
+@dataclass(frozen=True)
+class Densify:
+    """What `densify` returns."""
+
+    #: What was done, in order.
+    steps: DensifySteps
+    #: Of all steps.
+    rounds: int
+    #: Number of points of the curve given.
+    given: int
+    #: The curve that comes out.
+    result: DensifyResult | None
+    #: Of the result, positive for a counter-clockwise curve; of an open one that of the polygon that its ends close
+    #: (unit: area).
+    signed_area: float
+    #: Of the result (unit: length).
+    points: NDArray[np.float64]
+    #: The other curve with the crossings inserted.
+    against: DensifyAgainst | None
+    #: Of that curve; none where no crossings were inserted (unit: length).
+    against_points: NDArray[np.float64]
+    #: Segments that do not meet the criteria.
+    diagnostics: DensifyDiagnostics | None
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "Densify":
+        return cls(
+            steps=DensifySteps._of(v["steps"]),
+            rounds=v["rounds"],
+            given=v["given"],
+            result=None if v["result"] is None else DensifyResult._of(v["result"]),
+            signed_area=v["signed_area"],
+            points=v["points"],
+            against=None if v["against"] is None else DensifyAgainst._of(v["against"]),
+            against_points=v["against_points"],
+            diagnostics=None if v["diagnostics"] is None else DensifyDiagnostics._of(v["diagnostics"]),
+        )
+
+
+def densify(
+    curve: Any,
+    against: Any = None,
+    *,
+    closed: bool = True,
+    closed_against: bool = True,
+    simplify: float | None = None,
+    max_length: float | None = None,
+    hobson: bool = False,
+    alpha: float | None = None,
+    distance_angle: float | None = None,
+    min_length: float | None = None,
+    passes: int = 0,
+    points: int = 0,
+    crossings: bool = False,
+    interpolation: str | None = None,
+    max_points: int = 100000000,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Densify:
+    """Inserts points into a curve, or removes them: first simplify, then the criteria (max_length, hobson, alpha,
+    distance_angle), then passes, then crossings.
+
+    `curve`: a curve; `against`: another one, for passes and crossings; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
+
+    closed: whether to join the last vertex of the curve to the first
+    closed_against: whether to join the last vertex of the other curve to the first
+    simplify: maximum distance of a removed vertex from the curve that remains, in units of the coordinates;
+        vertices are removed before all other steps; default: no vertex is removed
+    max_length: maximum length of a segment (tau), in units of the coordinates; longer segments are split, and
+        none is made by the removal of vertices; default: no maximum
+    hobson: whether to use the angle criteria of Hobson and of Mancho et al., with limits relative to the size
+        of the curve, which is the longer side of its bounding box
+    alpha: maximum angle between consecutive segments, in radians; default: no maximum; with hobson 0.3
+    distance_angle: maximum product of the length of a segment and the angles at its ends, in units of the
+        coordinates; default: no maximum; with hobson 1e-3 of the size
+    min_length: minimum length of a segment (delta), in units of the coordinates; no segment is split into
+        shorter ones; default: 0; with angle criteria 1e-6 of the size
+    passes: number of passes that refine the curve where it meets the other one
+    points: number of points that each pass inserts into a segment that meets the other curve
+    crossings: whether to insert a vertex wherever the curves meet
+    interpolation: interpolation between the vertices; default: linear; with angle criteria dritschel
+    max_points: maximum number of points of the result
+    """
+    settings = {
+        "closed": closed,
+        "closed_against": closed_against,
+        "simplify": simplify,
+        "max_length": max_length,
+        "hobson": hobson,
+        "alpha": alpha,
+        "distance_angle": distance_angle,
+        "min_length": min_length,
+        "passes": passes,
+        "points": points,
+        "crossings": crossings,
+        "interpolation": interpolation,
+        "max_points": max_points,
+    }
+    return Densify._of(call("densify", [points_of(curve, "curve"), *([] if against is None else [points_of(against, "against")])], settings, threads, progress)[0])
 
 
 @dataclass(frozen=True)
@@ -114,7 +333,74 @@ def levels(
         "box": box,
         "grid": grid,
     }
-    return Levels._of(call("levels", system, settings, threads, progress)[0])
+    return Levels._of(call("levels", [system_input(system)], settings, threads, progress)[0])
+
+
+@dataclass(frozen=True)
+class SimplifyResult:
+    """The curve that comes out."""
+
+    #: Number of points.
+    points: int
+    #: Whether the last one is joined to the first.
+    closed: bool
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "SimplifyResult":
+        return cls(
+            points=v["points"],
+            closed=v["closed"],
+        )
+
+
+@dataclass(frozen=True)
+class Simplify:
+    """What `simplify` returns."""
+
+    #: Number of points of the curve given.
+    given: int
+    #: The curve that comes out.
+    result: SimplifyResult | None
+    #: Of the result, positive for a counter-clockwise curve; of an open one that of the polygon that its ends close
+    #: (unit: area).
+    signed_area: float
+    #: Of the result (unit: length).
+    points: NDArray[np.float64]
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "Simplify":
+        return cls(
+            given=v["given"],
+            result=None if v["result"] is None else SimplifyResult._of(v["result"]),
+            signed_area=v["signed_area"],
+            points=v["points"],
+        )
+
+
+def simplify(
+    curve: Any,
+    *,
+    tolerance: float,
+    max_length: float | None = None,
+    closed: bool = True,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Simplify:
+    """Removes the vertices of a curve without which it stays within a tolerance of what it was.
+
+    `curve`: a curve; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
+
+    tolerance: maximum distance of a removed vertex from the curve that remains, in units of the coordinates
+    max_length: maximum length of the segments that come into being, in units of the coordinates; default: no
+        maximum
+    closed: whether to join the last vertex of the curve to the first
+    """
+    settings = {
+        "tolerance": tolerance,
+        "max_length": max_length,
+        "closed": closed,
+    }
+    return Simplify._of(call("simplify", [points_of(curve, "curve")], settings, threads, progress)[0])
 
 
 @dataclass(frozen=True)
@@ -296,4 +582,4 @@ def sweep(
         "s_direction": s_direction,
         "bip": bip,
     }
-    return Sweep._of(*call("sweep", system, settings, threads, progress))
+    return Sweep._of(*call("sweep", [system_input(system)], settings, threads, progress))

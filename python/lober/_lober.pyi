@@ -128,30 +128,6 @@ class Regions:
     def pieces(self, rule: str, pairing: str) -> RegionPieces: ...
 
 def regions(c1: _Points, c2: _Points | None, index: str, threads: int, progress: _Progress) -> Regions: ...
-def densify(
-    curve: _Points,
-    closed: bool,
-    max_length: float,
-    angle: float,
-    distance_angle: float,
-    min_length: float,
-    interpolation: str,
-    max_points: int,
-    threads: int,
-) -> tuple[_Points, list[tuple[int, int, str]]]: ...
-def densify_near(
-    curve: _Points,
-    closed: bool,
-    other: _Points,
-    other_closed: bool,
-    passes: int,
-    points: int,
-    interpolation: str,
-    max_points: int,
-    threads: int,
-) -> tuple[_Points, list[tuple[int, int, str]]]: ...
-def hobson_criteria(curve: _Points, closed: bool) -> tuple[float, float, float, float]: ...
-def simplify(curve: _Points, closed: bool, tolerance: float, max_length: float, threads: int) -> _Points: ...
 def signed_area(curve: _Points) -> float: ...
 
 class Tangle:

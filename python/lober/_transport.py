@@ -12,7 +12,7 @@ from . import _lober
 from ._agreement import Agreement, agreement_of
 from ._areas import html_table
 from ._arrays import Points
-from ._call import call
+from ._call import call, system_input
 from ._measured import Measured
 from ._progress import Progress, watching
 from ._systems import Connection, Pair, System, connection_of, is_own, system_of
@@ -210,7 +210,7 @@ def transport(
         # That of a connection of the caller's is insisted on.
         "bip": connection.bip if connection is not None and not is_own(made, connection) else None,
     }
-    found, comparisons = call("transport", made, settings, threads, progress, connection)
+    found, comparisons = call("transport", [system_input(made, connection)], settings, threads, progress)
     steps = found["steps"]
     counted = steps["T_ij_by_particles"]
     return Transport(
@@ -308,7 +308,7 @@ def escape(
         "budget": budget,
         "monte_carlo": monte_carlo,
     }
-    found, comparisons = call("escape", made, settings, threads, progress)
+    found, comparisons = call("escape", [system_input(made)], settings, threads, progress)
     names = [one["name"] for one in found["bottlenecks"]]
     stop = found["stop"]
     return Escape(

@@ -39,7 +39,7 @@ def test_regions_of_two_curves(squares):
 def test_densify_keeps_vertices():
     square = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
     fine = lober.densify(square, max_length=0.1)
-    assert len(fine.points) == 40 and fine.diagnostics == [] and fine.closed
+    assert len(fine.points) == 40 and len(fine.diagnostics.list.segment) == 0 and fine.result.closed
     assert {tuple(p) for p in square} <= {tuple(p) for p in fine.points}
     assert lober.area(fine.points) == pytest.approx(1, rel=1e-14)
     circle = lober.densify(ring(32), hobson=True, interpolation="spline")
@@ -47,24 +47,24 @@ def test_densify_keeps_vertices():
     open_ = lober.densify(square, closed=False, max_length=0.5)
     assert len(open_.points) == 7
     with pytest.raises(lober.UsageError):
-        lober.densify(square, angle=0.1, min_length=1e-3)
+        lober.densify(square, alpha=0.1, min_length=1e-3, interpolation="linear")
     with pytest.raises(lober.UsageError, match="linear, dritschel, spline"):
         lober.densify(square, max_length=0.1, interpolation="cubic")
 
 
 def test_densify_near_another_curve(squares):
-    near = lober.densify_near(*squares, passes=2, points=4)
+    near = lober.densify(*squares, passes=2, points=4)
     assert len(near.points) == 4 + 2 * 8
     assert lober.area(near.points) == 4
 
 
 def test_simplify():
     fine = ring(10000)
-    coarse = lober.simplify(fine, 1e-4)
+    coarse = lober.simplify(fine, tolerance=1e-4).points
     assert 3 < len(coarse) < 500
     assert lober.area(coarse) == pytest.approx(math.pi, abs=1e-3)
     with pytest.raises(lober.UsageError):
-        lober.simplify(fine, -1)
+        lober.simplify(fine, tolerance=-1)
 
 
 def manifolds(count: int = 4000) -> tuple[np.ndarray, np.ndarray]:

@@ -4,7 +4,10 @@
 
 #include "engine/base/text.hpp"
 #include "engine/batch/operations/named_system.hpp"
+#include "engine/batch/operations/output_folder.hpp"
+#include "engine/batch/operations/output_name.hpp"
 #include "lober/error.hpp"
+#include "lober/files.hpp"
 
 namespace lober::detail {
 namespace {
@@ -39,7 +42,7 @@ bool has_option(const operations::Operation& entry, std::string_view key) {
 Requirements requirements_of(const operations::Operation& entry, const Options& options) {
   using Kind = operations::InputKind;
   Requirements wanted;
-  if (is_on_system(entry)) return wanted;
+  if (is_on_system(entry) || entry.inputs.front().kind == Kind::curve) return wanted;
   wanted.index = true;
   wanted.closed = entry.inputs.front().kind == Kind::closed_curve;
   wanted.simple = has_option(entry, "check_simple") && options.flag("check_simple");
@@ -57,11 +60,22 @@ std::vector<operations::Input> inputs_of(const operations::Operation& entry, con
     if (entry.inputs[k].kind == operations::InputKind::points) {
       inputs.emplace_back(std::span<const Point>(one.curve().points));
     } else {
-      inputs.emplace_back(operations::CurveInput{one.curve(), one.curve().name, &one.index(),
+      inputs.emplace_back(operations::CurveInput{one.curve(), one.curve().name, known.index ? &one.index() : nullptr,
                                                  known.discretisation ? &one.sums() : nullptr, known.simple});
     }
   }
   return inputs;
+}
+
+std::string output_of(const Options& options, std::string_view first, std::string_view second) {
+  return output_name(options.text("output"), options, first, second);
+}
+
+void write_output(const JobCurves& curves, const Options& options, std::span<const Point> points) {
+  if (options.text("output").empty()) return;
+  const std::string name =
+      output_of(options, curves[0]->curve().name, curves.size() > 1 ? curves[1]->curve().name : std::string_view());
+  write_npy(curves.outputs() != nullptr ? curves.outputs()->accept(name) : name, points);
 }
 
 // What a job runs, with all ways to its numbers.
@@ -69,6 +83,7 @@ struct Runner {
   const operations::Operation* entry;
   std::vector<operations::NumberPath> columns, lists;
   std::string lists_if;  // the option that asks for the lists
+  std::function<std::span<const Point>(const operations::Outcome&)> points;
 
   Result operator()(const JobCurves& curves, const Options& options) const {
     operations::Context context;
@@ -77,6 +92,7 @@ struct Runner {
       curves.allowance().check();
       return true;
     };
+    context.holds = [&](std::size_t bytes) { curves.allowance().book(bytes); };
     context.on_part = [](const void*) {};  // orbits, which would be kept where nobody takes them
     const operations::Outcome found = entry->run(inputs_of(*entry, curves, options), options, context);
     if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
@@ -85,6 +101,7 @@ struct Runner {
                       ", more than their error bars " + format_number(apart.front().bar));
     }
     if (!found.incomplete.empty()) throw DataError(found.incomplete);
+    if (points) write_output(curves, options, points(found));
     Result record;
     record.values.reserve(columns.size());
     for (const operations::NumberPath& path : columns) record.values.push_back(path.first(found.value.get()));
@@ -141,7 +158,14 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     required.push_back(spec);
     spec.required = false;
   }
-  Runner runner{&entry, {}, {}, job.lists_if ? job.lists_if->key : ""};
+  if (job.points) {
+    operation.options.push_back(
+        {"output", "",
+         "file for the curve, in NPY, below the folder of the manifest; {name} and {second} stand for the names of the "
+         "curves given, {max_length} and the like for options; empty: no file"});
+    operation.output = output_of;
+  }
+  Runner runner{&entry, {}, {}, job.lists_if ? job.lists_if->key : "", job.points};
   for (const auto& [name, path] : job.columns) {
     operation.columns.push_back({name, kind_at(runner.columns.emplace_back(entry.result, path), name)});
   }
@@ -162,6 +186,11 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     return constant + rate * static_cast<double>(points);
   };
   operation.memory = job.memory;
+  if (entry.result_bytes) {
+    operation.result_bytes = [&entry](const Curve& curve, const Options& options) {
+      return entry.result_bytes(operations::CurveInput{curve, curve.name}, options);
+    };
+  }
   return operation;
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +26,8 @@ struct TableJob {
   std::size_t memory = 0;  ///< as Operation::memory
   /// An option of jobs alone, a flag: whether to keep the lists.
   std::optional<OptionSpec> lists_if{};
+  /// The curve that comes out, for a file that the option "output" of the job names; empty: there are no files.
+  std::function<std::span<const Point>(const operations::Outcome&)> points{};
 };
 
 /// An operation on a system: the system, its parameters and the tolerance of its integration are options of the job. Or

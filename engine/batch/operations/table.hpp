@@ -14,6 +14,7 @@ namespace lober::detail {
 [[nodiscard]] Operation densify_operation();
 [[nodiscard]] Operation regions_operation();
 [[nodiscard]] Operation section_operation();
+[[nodiscard]] Operation simplify_operation();
 [[nodiscard]] Operation sweep_operation();
 [[nodiscard]] Operation tangle_operation();
 [[nodiscard]] Operation transport_operation();

@@ -101,7 +101,7 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(
       refusal("operation = \"overly\"\ncurves = \"separ.*\""),
       "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, regions, "
-      "winding, tangle, densify, transport, sweep, escape, fixed_points, levels, section, grow");
+      "winding, tangle, densify, simplify, transport, sweep, escape, fixed_points, levels, section, grow");
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");
   EXPECT_EQ(refusal("operation = \"densify\"\ncurves = \"separ.*\"\nwith = \"other.*\"\noptions.max_length = 1"),
@@ -158,7 +158,7 @@ TEST_F(ManifestTest, GridsTakeRanges) {
     EXPECT_NE(refused(bad).find("needs a step that leads from the first value to the last"), std::string::npos) << bad;
   }
   EXPECT_NE(refused("\"0.5:1.5:200\"").find("the third number is the step"), std::string::npos);
-  EXPECT_NE(refused("\"-1:2:1\"").find("has to be at least 0"), std::string::npos);
+  EXPECT_NE(refused("\"-1:2:1\"").find("has to be above 0"), std::string::npos);
 }
 
 TEST_F(ManifestTest, ShardsThatDoNotExistAreRefused) {

@@ -159,14 +159,15 @@ TEST(CInterface, LimitsOfDensifyHaveAStatus) {
     return lober_densify(coarse.data(), 40, "max_length=0.001 max_points=100", to);
   });
   EXPECT_LE(array_of(full, "points").rows, 100U);
-  EXPECT_GE(array_of(full, "diagnostics").rows, 1U);
-  EXPECT_TRUE(std::string_view(static_cast<const char*>(array_of(full, "causes").data)).starts_with("max_points"));
+  EXPECT_GE(array_of(full, "diagnostics.list.segment").rows, 1U);
+  EXPECT_TRUE(std::string_view(static_cast<const char*>(array_of(full, "diagnostics.list.cause").data))
+                  .starts_with("max_points"));
   // A shortest length is what was asked for.
   const Result coarser =
       made([&](lober_result** to) { return lober_densify(coarse.data(), 40, "max_length=0.001 min_length=0.01", to); });
-  EXPECT_EQ(array_of(coarser, "diagnostics").columns, 2U);
+  EXPECT_GE(array_of(coarser, "diagnostics.list.count").rows, 1U);
   const Result done = made([&](lober_result** to) { return lober_densify(coarse.data(), 40, "max_length=0.05", to); });
-  EXPECT_EQ(array_of(done, "diagnostics").rows, 0U);
+  EXPECT_EQ(array_of(done, "diagnostics.list.segment").rows, 0U);
 }
 
 TEST(CInterface, LimitsOfManifoldsAndImagesHaveAStatus) {
