@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.." || exit
 export LOBER_CI_CORES=${LOBER_CI_CORES:-$(nproc)}
 all=${LOBER_CI_ALL:-}
 record=.ci/passed
-watching_minutes=16  # of all steps that watch something together
+watching_minutes=9  # of all steps that watch something together
 passed=0 failed=0 skipped=0 summary=() left_out=() limits_only=
 [ "${1:-}" = --limits ] && limits_only=1
 log=$(mktemp)
@@ -88,7 +88,7 @@ make_test() {
 export -f make_test
 export log
 
-step "make test" 18 bash -c make_test
+step "make test" 20 bash -c make_test
 if [ -z "$limits_only" ]; then
   # The tests count one by one.
   counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$log" | tail -n 1)
@@ -106,12 +106,12 @@ step "the Python module, its tests and types" 5 make -s python
 step "commands and code of README and documents" 3 scripts/check-readme.sh
 # Without the program: operations_test runs all operations, and clang-tidy below compiles what has changed of it.
 instrumented=(lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
-sanitized_minutes=9
+sanitized_minutes=10
 if [ -n "$all" ]; then
   instrumented=()
   sanitized_minutes=30  # of all tests, not a chosen part
 fi
-if step "clang with ASan and UBSan, warnings as errors" 18 scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
+if step "clang with ASan and UBSan, warnings as errors" 22 scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
   step "tests under ASan and UBSan" "$sanitized_minutes" scripts/ci-sanitized.sh build-asan
 fi
 if [ -n "$limits_only" ]; then

@@ -291,8 +291,8 @@ void run(const ImageRequest& request) {
   if (!request.curve.empty()) inputs.push_back(request.curve);
   check_outputs(outputs, inputs);
   ImageReport report;
-  report.system = system_of({request.system, request.parameters, request.integration, {}, {}, {}, {}, {}},
-                            parameter_values(request.parameters));
+  report.system =
+      system_of({request.system, request.parameters, request.integration}, parameter_values(request.parameters));
   report.integration = request.integration;
   report.first = request.first;
   report.last = request.last;

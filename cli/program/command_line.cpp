@@ -131,16 +131,6 @@ void add_threads_option(OptionParser& parser, int& threads) {
       .range(1, max_threads);
 }
 
-void add_index_option(OptionParser& parser, IndexKind& kind) {
-  parser
-      .add_call(
-          "--index", [&kind](const std::string& name) { kind = index_kind(name); },
-          "The index by which crossings are searched: auto, tree, grid or kd (default: auto). The results are the same "
-          "bits for any index.")
-      .value("KIND")
-      .one_of({"auto", "tree", "grid", "kd"});
-}
-
 void add_verbose_option(OptionParser& parser, bool& verbose) {
   parser.add_flag("-v,--verbose", verbose, "Print the time that each phase took, in seconds, on standard error.");
 }

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "cli/program/option_parser.hpp"
-#include "lober/index.hpp"
 #include "lober/point.hpp"
 #include "lober/tangle.hpp"
 
@@ -55,8 +54,6 @@ Option add_window_option(OptionParser& parser, std::vector<double>& window, Opti
 [[nodiscard]] std::optional<Rectangle> window_of(const std::vector<double>& window);
 /// --threads N, for run_with_threads (lober/threads.hpp).
 void add_threads_option(OptionParser& parser, int& threads);
-/// --index KIND.
-void add_index_option(OptionParser& parser, IndexKind& kind);
 /// --verbose.
 void add_verbose_option(OptionParser& parser, bool& verbose);
 /// --tolerance LENGTH, of curves.

@@ -5,18 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/operations/connection_choice.hpp"
 #include "lober/error.hpp"
 
 namespace lober::cli {
-namespace {
-
-Point point_of(const std::vector<double>& numbers) {
-  return {numbers[0], numbers[1]};
-}
-
-}  // namespace
-
 void add_system_option(OptionParser& parser, std::string& name, bool positional) {
   parser
       .add(positional ? "SYSTEM,--system" : "--system", name,
@@ -37,28 +28,6 @@ void add_integration_option(OptionParser& parser, IntegrationOptions& integratio
            "The error that one step of the integration of a flow may have, absolute and relative (default: 1e-12).")
       .positive()
       .value("T");
-}
-
-void add_system_options(OptionParser& parser, SystemRequest& request, bool positional) {
-  const auto add_point = [&](const char* name, std::vector<double>& point, const char* meaning) {
-    parser.add(name, point, meaning).comma_separated().count(2).value("X,Y");
-  };
-  add_system_option(parser, request.name, positional);
-  add_parameter_option(parser, request.parameters);
-  add_point("--from", request.from,
-            "A point near the saddle of the unstable manifold, in the coordinates of the map (default: the system's).");
-  add_point("--to", request.to,
-            "A point near the saddle of the stable manifold, in the coordinates of the map (default: that of --from, "
-            "a period of the plane farther where that is the system's own saddle and its tangle leads there, or the "
-            "system's).");
-  add_point("--u-direction", request.u_direction,
-            "A vector roughly along the unstable manifold, away from its saddle (default: the system's).");
-  add_point("--s-direction", request.s_direction,
-            "A vector roughly along the stable manifold, away from its saddle (default: the system's).");
-  add_point("--bip", request.bip,
-            "A point near the boundary intersection point, the pip at which the boundary passes from U to S (default: "
-            "the system's, or the middle pip).");
-  add_integration_option(parser, request.integration);
 }
 
 std::vector<std::string> files_of_system(const std::string& name) {
@@ -92,15 +61,6 @@ System system_of(const SystemRequest& request, const ParameterValues& values) {
 
 operations::SystemInput system_input_of(const SystemRequest& request) {
   return operations::system_input(request.name, parameter_values(request.parameters), request.integration);
-}
-
-Connection connection_of(const SystemRequest& request, const System& system) {
-  const auto given = [](const std::vector<double>& numbers) {
-    return numbers.empty() ? std::nullopt : std::optional(point_of(numbers));
-  };
-  return detail::table::chosen_connection({given(request.from), given(request.to), given(request.u_direction),
-                                           given(request.s_direction), given(request.bip)},
-                                          system);
 }
 
 std::string system_text(const System& system) {

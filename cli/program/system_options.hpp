@@ -15,16 +15,7 @@ struct SystemRequest {
   std::string name;
   std::vector<std::string> parameters;  ///< NAME=VALUE
   IntegrationOptions integration;
-  // Two numbers each when given.
-  std::vector<double> from, to, u_direction, s_direction, bip;
 };
-
-// Help of --tolerance and --max-points where manifolds are grown for a tangle.
-inline constexpr const char* manifold_tolerance_help =
-    "The maximum distance between a manifold and its polygon, in units of the coordinates (default: 1e-5). Errors of "
-    "areas are far smaller.";
-inline constexpr const char* manifold_points_help =
-    "The maximum number of points of each manifold (default: 20000000).";
 
 /// SYSTEM, as an argument or by --system, which `positional` decides.
 void add_system_option(OptionParser& parser, std::string& name, bool positional);
@@ -32,8 +23,6 @@ void add_system_option(OptionParser& parser, std::string& name, bool positional)
 void add_parameter_option(OptionParser& parser, std::vector<std::string>& parameters);
 /// --integration-tolerance T.
 void add_integration_option(OptionParser& parser, IntegrationOptions& integration);
-/// These three, --from, --to, --u-direction, --s-direction and --bip.
-void add_system_options(OptionParser& parser, SystemRequest& request, bool positional);
 
 /// Whether an argument that could name a file names a system: a built-in one, no file being called that, or a
 /// library (.so).
@@ -49,9 +38,6 @@ void add_system_options(OptionParser& parser, SystemRequest& request, bool posit
 
 /// As operations take it. Throws UsageError.
 [[nodiscard]] operations::SystemInput system_input_of(const SystemRequest& request);
-
-/// What the system brings, with what the user gives in its place. Throws UsageError with what is missing.
-[[nodiscard]] Connection connection_of(const SystemRequest& request, const System& system);
 
 /// "ovp  gamma = 0.5, eps = 0.1".
 [[nodiscard]] std::string system_text(const System& system);

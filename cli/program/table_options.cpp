@@ -35,7 +35,14 @@ std::string help_of(const OptionSpec& spec) {
                                                                                  : "The ";
   std::string text = article + spec.meaning.substr(0, aside);
   if (!otherwise.empty()) text += " (default: " + otherwise + ")";
-  return text + spec.meaning.substr(aside) + ".";
+  text += spec.meaning.substr(aside) + ".";
+  const bool says = std::all_of(spec.choices.begin(), spec.choices.end(), [&](const std::string& choice) {
+    return spec.meaning.find(choice) != std::string::npos;
+  });
+  for (std::size_t k = 0; !says && k < spec.choices.size(); ++k) {
+    text += (k == 0 ? " It is " : k + 1 == spec.choices.size() ? " or " : ", ") + spec.choices[k];
+  }
+  return text + (says ? "" : ".");
 }
 
 void limit(Option option, const OptionSpec& spec) {
@@ -83,6 +90,7 @@ void TableOptions::add(OptionParser& parser, const OptionSpec& spec) {
   if (std::holds_alternative<Rectangle>(spec.fallback)) option.comma_separated().count(4).value("X0,Y0,X1,Y1");
   if (std::holds_alternative<std::vector<double>>(spec.fallback)) option.comma_separated().count(1, 1000);
   if (!spec.value.empty()) option.value(spec.value.c_str());
+  if (spec.value.empty() && !spec.choices.empty()) option.value("KIND");
   if (is_on(spec)) on_.insert(spec.key);
   limit(option, spec);
   if (!spec.choices.empty()) option.one_of(spec.choices);

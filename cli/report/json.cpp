@@ -25,20 +25,6 @@ Json input_json(const NamedCurve& input, double area, Orientation orientation) {
   return object;
 }
 
-Json counts_json(const ContactCounts& counts) {
-  return {{"boxes_tested", counts.search.boxes_tested},
-          {"pairs_tested", counts.search.pairs_proposed},
-          {"filter_failures", counts.predicates.filter_failures},
-          {"exact_calls", counts.predicates.exact_calls},
-          {"exact_parameters", counts.exact_parameters},
-          {"exact_orders", counts.exact_orders},
-          {"skipped", {{"blocks", counts.search.blocks_skipped}, {"shared_vertices", counts.shared_vertices}}}};
-}
-
-Json simple_check_json(const SearchCounts& search, std::uint64_t pairs) {
-  return {{"boxes_tested", search.boxes_tested}, {"pairs_tested", pairs}, {"skipped_blocks", search.blocks_skipped}};
-}
-
 Json program_json() {
   return {{"name", "lober"}, {"version", version()}};
 }

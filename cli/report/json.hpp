@@ -16,9 +16,6 @@ using Json = nlohmann::ordered_json;
 /// Null for a number that is not finite, as one that is not known and a limit that is off, which JSON cannot say.
 [[nodiscard]] Json number_json(double value);
 [[nodiscard]] Json input_json(const NamedCurve& input, double area, Orientation orientation);
-/// Members of `statistics`: what the search and its predicates did.
-[[nodiscard]] Json counts_json(const ContactCounts& counts);
-[[nodiscard]] Json simple_check_json(const SearchCounts& search, std::uint64_t pairs);
 [[nodiscard]] Json program_json();
 /// The head of the member `crossings`.
 [[nodiscard]] Json meetings_json(const Crossings& nodes);

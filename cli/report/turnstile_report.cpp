@@ -5,19 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "cli/program/system_options.hpp"
 #include "cli/report/report.hpp"
 
 namespace lober::cli {
-namespace {
-
-Json manifold_json(const LocalManifold& local, const GrownManifold& grown) {
-  return {{"at", point_json(local.saddle)}, {"eigenvalue", local.multiplier}, {"tangent", point_json(local.tangent)},
-          {"reach", local.reach},           {"defect", local.defect},         {"points", grown.points.size()}};
-}
-
-}  // namespace
-
 std::vector<TurnstileLobe> turnstile_lobes(const ManifoldTangle& manifolds) {
   std::vector<TurnstileLobe> lobes;
   for (std::size_t k = 0; k < manifolds.period(); ++k) {
@@ -61,30 +51,6 @@ std::string turnstile_text(const ManifoldTangle& manifolds) {
   }
   if (!with_action) text += "        (no area by action: the map does not preserve area, or its action is not known)\n";
   return text;
-}
-
-Json saddles_json(const ManifoldTangle& manifolds) {
-  return {{"unstable", manifold_json(manifolds.local_u, manifolds.u)},
-          {"stable", manifold_json(manifolds.local_s, manifolds.s)}};
-}
-
-Json turnstile_json(const ManifoldTangle& manifolds) {
-  Json lobes = Json::array(), pips = Json::array();
-  for (const TurnstileLobe& lobe : turnstile_lobes(manifolds)) {
-    lobes.push_back({{"index", lobe.number},
-                     {"label", lober::text(manifolds.tangle.images.labels[lobe.number])},
-                     {"area", lobe.area},
-                     {"error", lobe.error},
-                     {"action", lobe.action},
-                     {"action_error", lobe.action_error},
-                     {"difference", lobe.difference}});
-  }
-  for (const ConnectingOrbit& orbit : manifolds.orbits) {
-    pips.push_back({{"at", point_json(orbit.at)},
-                    {"residual", orbit.residual},
-                    {"action", orbit.action ? Json(static_cast<double>(*orbit.action)) : Json()}});
-  }
-  return {{"period", manifolds.period()}, {"pips", std::move(pips)}, {"lobes", std::move(lobes)}};
 }
 
 }  // namespace lober::cli

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/report/json.hpp"
 #include "lober/manifold_tangle.hpp"
 
 namespace lober::cli {
@@ -25,7 +24,5 @@ struct TurnstileLobe {
 [[nodiscard]] std::string saddles_text(const ManifoldTangle& manifolds);
 /// A line each for the lobes of the turnstile: by geometry, by action, difference.
 [[nodiscard]] std::string turnstile_text(const ManifoldTangle& manifolds);
-[[nodiscard]] Json saddles_json(const ManifoldTangle& manifolds);
-[[nodiscard]] Json turnstile_json(const ManifoldTangle& manifolds);
 
 }  // namespace lober::cli

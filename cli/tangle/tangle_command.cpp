@@ -1,4 +1,4 @@
-// `lober tangle U S`: reads the manifolds, calls the engine, and hands what it found to those who show it.
+// `lober tangle U S`: reads the manifolds, runs the operation, and hands what it found to those who show it.
 
 #include "cli/tangle/tangle_command.hpp"
 
@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -13,6 +14,7 @@
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
+#include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/tangle/system_tangle_command.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
@@ -27,7 +29,7 @@ struct TangleRequest {
   std::array<std::string, 2> curves;
   std::array<bool, 2> reverse{};
   TangleOutputs outputs;
-  TangleOptions options;
+  std::vector<operations::OptionSetting> settings;
   int threads = 0;
   bool verbose = false;
 };
@@ -41,18 +43,14 @@ std::optional<Number> parse_number(std::string_view text) {
 }
 
 // K, the number of a pip, or X,Y, a point near it.
-void set_bip(const std::string& text, TangleOptions& options) {
+operations::OptionSetting bip_of(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) {
-    options.bip = parse_number<std::uint32_t>(text);
-    if (options.bip) return;
+    if (const auto number = parse_number<std::uint32_t>(text)) return {"bip", std::int64_t{*number}};
   } else {
     const std::string_view view(text);
     const auto x = parse_number<double>(view.substr(0, comma)), y = parse_number<double>(view.substr(comma + 1));
-    if (x && y && std::isfinite(*x) && std::isfinite(*y)) {
-      options.bip_near = Point{*x, *y};
-      return;
-    }
+    if (x && y && std::isfinite(*x) && std::isfinite(*y)) return {"bip_near", Point{*x, *y}};
   }
   throw UsageError("--bip takes the number of a pip, from 0, or a point X,Y near it, not \"" + text + "\"");
 }
@@ -60,7 +58,6 @@ void set_bip(const std::string& text, TangleOptions& options) {
 // Nothing when the arguments asked for help, which is printed.
 std::optional<TangleRequest> parse_tangle(const std::vector<std::string>& arguments) {
   TangleRequest request;
-  bool no_check = false;
   std::string bip;
   OptionParser parser(
       "Finds the tangle of an unstable manifold U and a stable manifold S, open curves ordered outward from their "
@@ -79,23 +76,14 @@ std::optional<TangleRequest> parse_tangle(const std::vector<std::string>& argume
           "The boundary intersection point, the pip at which the boundary passes from U to S: its number K, from 0, or "
           "a point X,Y near it (default: the middle pip).")
       .value("K|X,Y");
-  add_period_option(parser, request.options.period);
-  std::vector<double> closure;
-  add_closure_option(parser, closure);
-  parser.add_flag(
-      "--smooth", request.options.smooth,
-      "Compute the pips and areas of smooth curves through the points, with error bars, instead of those of "
-      "the polygons.");
+  const TableOptions options(parser, operations::named("tangle"), {"bip", "bip_near"});
   request.outputs.add_options(parser);
   add_reverse_option(parser, request.reverse);
-  add_index_option(parser, request.options.index);
   add_threads_option(parser, request.threads);
-  add_manifold_check_option(parser, no_check);
   add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
-  if (!bip.empty()) set_bip(bip, request.options);
-  request.options.closure = closure_of(closure);
-  request.options.check_simple = !no_check;
+  request.settings = options.settings();
+  if (!bip.empty()) request.settings.push_back(bip_of(bip));
   return request;
 }
 
@@ -134,21 +122,23 @@ void read_inputs(const TangleRequest& request, Progress& progress, TangleReport&
 
 TangleReport compute(const TangleRequest& request, Progress& progress) {
   TangleReport report;
-  report.options = request.options;
+  const operations::Options options = checked_options(report.operation(), request.settings);
   const detail::Stopwatch read_watch;
   read_inputs(request, progress, report);
-  report.timing.read = read_watch.seconds();
-
-  progress.of(static_cast<double>(report.inputs[0].curve.points.size() + report.inputs[1].curve.points.size()),
-              "points");
-  progress.phase("tangle", 0.3, 0.8);
-  TangleOptions options = request.options;
-  options.progress = [&](double fraction) { return progress.advance(fraction); };
-  report.result = tangle_of(report.inputs[0], report.inputs[1], options);
-  require_period_fits(report.result.images);
-  progress.phase("measuring lobes", 0.8, 0.9);
-  measure_lobes(request.outputs, report);
-  report.agreement = agreement_of_images(report);
+  report.read_seconds = read_watch.seconds();
+  std::vector<operations::Input> inputs;
+  double points = 0;
+  for (const NamedCurve& input : report.inputs) {
+    inputs.emplace_back(operations::CurveInput{input.curve, spec_of(input)});
+    points += static_cast<double>(input.curve.points.size());
+  }
+  progress.of(points, "points");
+  progress.phase("tangle", 0.3, 0.9);
+  operations::Context context;
+  context.progress = [&](double fraction, const std::string&) { return progress.advance(fraction); };
+  with_names_of(report.inputs[0], report.inputs[1],
+                [&] { report.outcome = report.operation().run(inputs, options, context); });
+  for (const std::string& remark : report.outcome.remarks) log_warning(fmt::format("warning: {}", remark));
   return report;
 }
 
@@ -165,13 +155,14 @@ void run(const TangleRequest& request) {
     write_tangle(request.outputs, report, [&] { return watch.seconds(); });
   }
   print_tangle(request.outputs, report);
-  const TangleTiming& timing = report.result.timing;
+  const operations::CurveTangle& found = report.result();
+  const TangleTiming& timing = found.timing;
   log_info(fmt::format(
       "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, pips {:.4f}, areas {:.4f}, "
       "measures {:.4f}, overlaps {:.4f}, write {:.4f}, total {:.4f}",
-      report.timing.read, timing.index, timing.check, timing.crossings, timing.order, timing.pips, timing.areas,
-      report.timing.measures, report.timing.overlaps, report.timing.write, watch.seconds()));
-  require_agreement(report.agreement);
+      report.read_seconds, timing.index, timing.check, timing.crossings, timing.order, timing.pips, timing.areas,
+      found.measures_seconds, found.overlaps_seconds, report.write_seconds, watch.seconds()));
+  require_agreement(report.outcome.agreement);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace lober::cli {
 
 void write_tangle_lobes(const std::string& path, const TangleReport& report) {
-  const Tangle& result = report.result;
+  const Tangle& result = report.result();
   std::vector<Zone> zones(result.lobes.size());
   detail::for_each_block(zones.size(), 1, [&](std::size_t k, std::size_t) {
     append_all(zones[k].title, "lobe ", k);
@@ -21,13 +21,13 @@ void write_tangle_lobes(const std::string& path, const TangleReport& report) {
 
 void write_tangle_boundary(const std::string& path, const TangleReport& report) {
   std::vector<Zone> zones;
-  if (report.result.boundary) zones.push_back({"boundary", boundary_outline(report.result)});
+  if (report.result().boundary) zones.push_back({"boundary", boundary_outline(report.result())});
   write_tecplot(path, zones);
 }
 
 void write_tangle_pips(const std::string& path, const TangleReport& report) {
   std::vector<Zone> zones;
-  if (!report.result.pips.empty()) zones.push_back({"pips", pips_of(report.result)});
+  if (!report.result().pips.empty()) zones.push_back({"pips", pips_of(report.result())});
   write_tecplot(path, zones);
 }
 

@@ -42,7 +42,7 @@ void write_nodes(detail::OutputFile& file, const Tangle& result) {
 }  // namespace
 
 void write_tangle_graph(const std::string& path, const TangleReport& report) {
-  const Tangle& result = report.result;
+  const Tangle& result = report.result();
   JsonFile json(path, "tangle --graph");
   Json inputs = Json::array();
   for (const NamedCurve& input : report.inputs) {

@@ -12,7 +12,6 @@ void TangleOutputs::add_options(OptionParser& parser) {
       .value("FILE");
   parser.add("--pips", pips, "Write the pips to FILE as the points of a Tecplot zone (default: no file).")
       .value("FILE");
-  parser.add_flag("--overlaps", overlaps, "Compute the area that each pair of lobes has in common, too.");
   parser
       .add("--graph", graph,
            "Write every crossing with its order along both manifolds to FILE as JSON, for topological tools (default: "
@@ -45,16 +44,6 @@ std::vector<Output> TangleOutputs::files() const {
   return outputs;
 }
 
-void measure_lobes(const TangleOutputs& outputs, TangleReport& report) {
-  const detail::Stopwatch measure_watch;
-  report.shapes = lobe_shapes(report.result);
-  report.timing.measures = measure_watch.seconds();
-  if (!outputs.overlaps) return;
-  const detail::Stopwatch overlap_watch;
-  report.overlaps = overlaps(report.result);
-  report.timing.overlaps = overlap_watch.seconds();
-}
-
 void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std::function<double()>& seconds_so_far) {
   const detail::Stopwatch watch;
   if (!outputs.lobes.empty()) write_tangle_lobes(outputs.lobes, report);
@@ -64,7 +53,7 @@ void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std:
   if (!outputs.svg.empty()) {
     write_tangle_picture(outputs.svg, report, {outputs.labels, window_of(outputs.window)});
   }
-  report.timing.write = watch.seconds();
+  report.write_seconds = watch.seconds();
   if (!outputs.json.empty()) write_tangle_json(outputs.json, report, seconds_so_far);
 }
 

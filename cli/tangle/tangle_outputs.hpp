@@ -12,18 +12,14 @@ namespace lober::cli {
 
 struct TangleOutputs {
   std::string lobes, boundary, pips, graph, json, svg;
-  bool overlaps = false;
   bool labels = false;         ///< in the picture
   std::vector<double> window;  ///< of the picture
 
-  /// Adds --lobes, --boundary, --pips, --overlaps, --json, --svg, --labels, --window.
+  /// Adds --lobes, --boundary, --pips, --json, --svg, --labels, --window.
   void add_options(OptionParser& parser);
   /// The files that were asked for.
   [[nodiscard]] std::vector<Output> files() const;
 };
-
-/// Measures the lobes, and their overlaps if they are asked for.
-void measure_lobes(const TangleOutputs& outputs, TangleReport& report);
 
 /// Writes the files; `seconds_so_far` gives the time since the program began.
 void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std::function<double()>& seconds_so_far);

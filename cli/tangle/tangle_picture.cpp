@@ -182,7 +182,7 @@ std::string labels_of(const View& view, const Tangle& tangle, std::span<const Po
 }  // namespace
 
 void write_tangle_picture(const std::string& path, const TangleReport& report, const TanglePicture& options) {
-  const Tangle& tangle = report.result;
+  const Tangle& tangle = report.result();
   const View view(options.window ? *options.window : tangle_window(tangle));
   const std::vector<Point> sips = options.labels ? sips_of(tangle) : std::vector<Point>{};
   std::string svg;

@@ -27,17 +27,17 @@ std::string manifolds_text(const TangleReport& report) {
 }
 
 void add_boundary(std::string& text, const TangleReport& report) {
-  const Tangle& result = report.result;
+  const operations::CurveTangle& result = report.result();
   if (!result.boundary) return;
   const Boundary& boundary = *result.boundary;
   const Point bip = result.pips[boundary.bip].at;
-  text += fmt::format("boundary   area {:.16g} +- {:.1e} rounding{}, bip {} at ({:.8g}, {:.8g})\n", boundary.area,
-                      result.rounding(boundary.area),
-                      report.options.smooth
-                          ? fmt::format(", {:.1e} {}", boundary.smooth_error,
-                                        report.origin ? "growth and integration" : "against the smooth curves")
-                          : std::string(),
-                      boundary.bip, bip.x, bip.y);
+  text +=
+      fmt::format("boundary   area {:.16g} +- {:.1e} rounding{}, bip {} at ({:.8g}, {:.8g})\n", boundary.area,
+                  result.rounding(boundary.area),
+                  result.smooth ? fmt::format(", {:.1e} {}", boundary.smooth_error,
+                                              report.origin ? "growth and integration" : "against the smooth curves")
+                                : std::string(),
+                  boundary.bip, bip.x, bip.y);
   if (boundary.crosses_itself) {
     text += "           the path that closes it meets the manifolds: inside is where it winds\n";
   }
@@ -70,7 +70,7 @@ std::string reflection_text(const ManifoldTangle& manifolds) {
 }
 
 void add_lobes(std::string& text, const TangleReport& report) {
-  const Tangle& result = report.result;
+  const operations::CurveTangle& result = report.result();
   const std::size_t count = result.lobes.size();
   if (count == 0) return;
   text += fmt::format("\n{:>6}  {:<8} {:>23} {:>12} {:>12} {:>11} {:>11}\n", "lobe", "label", "signed area", "inside",
@@ -80,22 +80,24 @@ void add_lobes(std::string& text, const TangleReport& report) {
   if (first > 0) text += fmt::format("{:>6}  {} before\n", "...", first);
   for (std::size_t k = first; k < first + most; ++k) {
     const Lobe& lobe = result.lobes[k];
-    const LobeShape& shape = report.shapes[k];
+    const LobeShape& shape = result.shapes[k];
     const std::string label = lober::text(result.images.labels[k]);
     text += fmt::format("{:>6}  {:<8} {:>23.16g} {:>12.6g} {:>12.6g} {:>11.5g} {:>11.5g}{}\n", k,
                         label.empty() ? "-" : label, lobe.area, lobe.inside, lobe.outside, shape.perimeter, shape.width,
                         lobe.simple ? "" : "  not simple");
   }
   if (first + most < count) text += fmt::format("{:>6}  {} more\n", "...", count - first - most);
-  const TangleErrors errors = errors_of(report);
+  const auto worst = [&](const char* of) {
+    return operations::NumberPath(report.operation().result, of).first(report.outcome.value.get());
+  };
   text +=
-      fmt::format("        +- {:.1e} rounding, {:.1e} {} at most\n", errors.lobe_rounding, errors.lobe_discretisation,
-                  report.options.smooth ? "against the smooth curves" : "discretisation");
+      fmt::format("        +- {:.1e} rounding, {:.1e} {} at most\n", worst("error.rounding.lobe"),
+                  worst("error.discretisation.lobe"), result.smooth ? "against the smooth curves" : "discretisation");
 }
 
 void add_overlaps(std::string& text, const TangleReport& report) {
-  if (!report.overlaps) return;
-  const std::vector<LobeOverlap>& all = *report.overlaps;
+  if (!report.result().overlaps) return;
+  const std::vector<LobeOverlap>& all = *report.result().overlaps;
   text += fmt::format("\n{} of lobes overlap\n", counted(all.size(), "pair", "pairs"));
   if (all.empty()) return;
   text += fmt::format("{:>6} {:>6} {:>23}\n", "lobe", "lobe", "area");
@@ -111,16 +113,16 @@ void add_overlaps(std::string& text, const TangleReport& report) {
 }  // namespace
 
 std::string tangle_table(const TangleReport& report) {
-  const Tangle& result = report.result;
-  std::string text = agreement_text(report.agreement);
-  text += report.origin ? system_text(report.origin->system) + "\n" + saddles_text(*report.origin->manifolds)
+  const operations::CurveTangle& result = report.result();
+  std::string text = agreement_text(report.outcome.agreement);
+  text += report.origin ? system_text(*report.origin->system) + "\n" + saddles_text(*report.manifolds())
                         : manifolds_text(report);
   text += fmt::format("\n{}; {}, {}\n", meetings_text(result.nodes), counted(result.pips.size(), "pip", "pips"),
                       counted(result.lobes.size(), "lobe", "lobes"));
   add_boundary(text, report);
-  if (report.origin) text += reflection_text(*report.origin->manifolds);
+  if (report.origin) text += reflection_text(*report.manifolds());
   if (!result.lobes.empty()) add_turnstile(text, result.images);
-  if (report.origin) text += turnstile_text(*report.origin->manifolds);
+  if (report.origin) text += turnstile_text(*report.manifolds());
   add_lobes(text, report);
   add_overlaps(text, report);
   return text;

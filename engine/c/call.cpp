@@ -76,16 +76,6 @@ ClosedCurve closed_curve(const double* points, std::size_t count, const char* na
   return ClosedCurve::borrow(points_of(points, count, name));
 }
 
-ClosedCurve kept_closed_curve(const double* points, std::size_t count, const char* name) {
-  const std::span<const Point> given = points_of(points, count, name);
-  return ClosedCurve(std::vector<Point>(given.begin(), given.end()));
-}
-
-OpenCurve open_curve(const double* points, std::size_t count, const char* name) {
-  const std::span<const Point> given = points_of(points, count, name);
-  return OpenCurve(std::vector<Point>(given.begin(), given.end()));
-}
-
 }  // namespace lober::detail::c
 
 const char* lober_message(void) {

@@ -31,8 +31,5 @@ struct WithResult {
 [[nodiscard]] std::span<const Point> points_of(const double* points, std::size_t count, const char* name);
 /// With the points of the caller, checked as a curve.
 [[nodiscard]] ClosedCurve closed_curve(const double* points, std::size_t count, const char* name);
-[[nodiscard]] OpenCurve open_curve(const double* points, std::size_t count, const char* name);
-/// The same, with a copy: for results that outlive the call.
-[[nodiscard]] ClosedCurve kept_closed_curve(const double* points, std::size_t count, const char* name);
 
 }  // namespace lober::detail::c

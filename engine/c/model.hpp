@@ -13,7 +13,5 @@ namespace lober::detail::c {
 
 /// Throws UsageError for a null pointer, DataError for a system without a map.
 [[nodiscard]] const PlanarMap& map_of(const lober_model* model);
-/// Throws DataError, with the reason, where the system has none.
-[[nodiscard]] const Connection& connection_of(const lober_model* model);
 
 }  // namespace lober::detail::c

@@ -87,14 +87,6 @@ const PlanarMap& map_of(const lober_model* model) {
   return *model->system().map;
 }
 
-const Connection& connection_of(const lober_model* model) {
-  (void)map_of(model);
-  const System& system = model->system();
-  if (system.connection) return *system.connection;
-  throw DataError("system " + system.info.name + " has no connection of its own" +
-                  (system.no_connection.empty() ? "" : ": " + system.no_connection));
-}
-
 }  // namespace lober::detail::c
 
 int lober_model_open(const char* name, const char* parameters, const char* options, lober_model** model) {
@@ -137,11 +129,6 @@ int lober_iterate(const lober_model* model, double* points, size_t n, int iterat
   return guarded([&] {
     iterate(*model, map_of(model), points_of(points, n, "points"), reinterpret_cast<lober::Point*>(points), iterates);
   });
-}
-
-int lober_grow(const lober_model* model, const char* options, lober_result** result) {
-  const lober_input input{nullptr, 0, model};
-  return lober_call("grow", &input, 1, options, result);
 }
 
 int lober_image(const lober_model* model, const double* curve, size_t n, const char* options, lober_result** result) {

@@ -2,6 +2,9 @@
 #include "lober/operations.hpp"
 
 #include <algorithm>
+#include <deque>
+#include <functional>
+#include <initializer_list>
 
 #include "engine/c/call.hpp"
 #include "engine/c/disagreements.hpp"
@@ -19,6 +22,7 @@ namespace ops = operations;
 struct Settings {
   ops::Options options;
   int threads = 0;
+  bool outlines = false;
 };
 
 Settings settings_of(const ops::Operation& operation, const char* text) {
@@ -26,9 +30,10 @@ Settings settings_of(const ops::Operation& operation, const char* text) {
   std::vector<ops::OptionSetting> settings;
   Options given(text);
   made.threads = given.threads();
+  made.outlines = given.flag("outlines", false);
   for (const auto& word : words_of(text)) {
     const std::string &key = word.first, &value = word.second;
-    if (key == "threads") continue;
+    if (key == "threads" || key == "outlines") continue;
     const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
                                    [&](const ops::OptionSpec& one) { return one.is_for(key); });
     // Options says what there is where there is no such one.
@@ -41,7 +46,9 @@ Settings settings_of(const ops::Operation& operation, const char* text) {
 
 // ----------------------------------------------------------------------------------------------------------- inputs
 
-std::vector<ops::Input> inputs_of(const ops::Operation& operation, const lober_input* given, std::size_t count) {
+// With `kept`, of copies that it holds.
+std::vector<ops::Input> inputs_of(const ops::Operation& operation, const lober_input* given, std::size_t count,
+                                  std::deque<std::vector<Point>>* kept) {
   const std::size_t most = operation.inputs.size();
   const auto needed = static_cast<std::size_t>(
       std::count_if(operation.inputs.begin(), operation.inputs.end(), [](const auto& spec) { return !spec.optional; }));
@@ -56,7 +63,9 @@ std::vector<ops::Input> inputs_of(const ops::Operation& operation, const lober_i
       (void)map_of(given[k].model);  // throws for a null pointer
       inputs.emplace_back(given[k].model->input);
     } else {
-      inputs.emplace_back(points_of(given[k].points, given[k].n, spec.name.c_str()));
+      std::span<const Point> points = points_of(given[k].points, given[k].n, spec.name.c_str());
+      if (kept != nullptr) points = kept->emplace_back(points.begin(), points.end());
+      inputs.emplace_back(points);
     }
   }
   return inputs;
@@ -69,6 +78,7 @@ struct Rows {
   lober_result::Doubles doubles;
   lober_result::Integers integers;
   std::vector<std::string> texts;
+  lober_result::Integers sizes;  // of fields that have several numbers for one object
   std::size_t columns = 1;
 
   void add(const ops::FieldValue& value, bool bar) {
@@ -87,10 +97,10 @@ struct Rows {
       texts.insert(texts.end(), lines->begin(), lines->end());
     } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
       doubles.insert(doubles.end(), numbers->begin(), numbers->end());
-      columns = std::max<std::size_t>(numbers->size(), 1);
+      sizes.push_back(std::ssize(*numbers));
     } else if (const auto* wholes = std::get_if<std::vector<std::int64_t>>(&value)) {
       integers.insert(integers.end(), wholes->begin(), wholes->end());
-      columns = std::max<std::size_t>(wholes->size(), 1);
+      sizes.push_back(std::ssize(*wholes));
     } else if (const auto* point = std::get_if<Point>(&value)) {
       doubles.insert(doubles.end(), {point->x, point->y});
     } else if (const auto* points = std::get_if<std::vector<Point>>(&value)) {
@@ -113,6 +123,13 @@ bool has_lists(const std::vector<ops::Field>& fields) {
 
 void add_rows(lober_result& result, const std::string& name, const ops::Field& field, Rows rows) {
   using Kind = ops::FieldKind;
+  // As many columns as numbers, where all objects have as many; else they follow each other.
+  if (!rows.sizes.empty() && field.in_json) {
+    const bool alike =
+        std::adjacent_find(rows.sizes.begin(), rows.sizes.end(), std::not_equal_to<>()) == rows.sizes.end();
+    if (alike) rows.columns = std::max<std::size_t>(static_cast<std::size_t>(rows.sizes.front()), 1);
+    if (!alike) result.add(name + ".sizes", rows.sizes);
+  }
   if (field.kind == Kind::text || field.kind == Kind::lines) return result.add(name, lines_of(rows.texts));
   if (field.kind == Kind::whole || field.kind == Kind::flag || field.kind == Kind::wholes)
     return result.add(name, std::move(rows.integers), rows.columns);
@@ -150,7 +167,14 @@ void add_columns(lober_result& result, const std::string& prefix, const std::vec
   }
 }
 
-void call(const ops::Operation& operation, const std::vector<ops::Input>& inputs, const ops::Options& options,
+// What lober_outline needs to know.
+void keep_outlines(lober_result& result, const ops::Operation& operation, const ops::Outcome& found) {
+  if (operation.name == "overlay") result.overlay = {found.value, &found.as<ops::CurveOverlay>()};
+  if (operation.name == "tangle") result.tangle = {found.value, &found.as<ops::CurveTangle>()};
+  if (operation.name == "manifold_tangle") result.tangle = {found.value, &found.as<ops::SystemTangle>()};
+}
+
+void call(const ops::Operation& operation, const std::vector<ops::Input>& inputs, const Settings& settings,
           lober_result& result) {
   ops::Context context;
   if (const std::function<bool(double)> function = progress()) {
@@ -158,10 +182,21 @@ void call(const ops::Operation& operation, const std::vector<ops::Input>& inputs
       return function(fraction >= 0 ? fraction : -1);
     };
   }
-  const ops::Outcome found = operation.run(inputs, options, context);
+  const ops::Outcome found = operation.run(inputs, settings.options, context);
+  if (settings.outlines) keep_outlines(result, operation, found);
   add_columns(result, "", operation.result, [&](const ops::Field::Use& use) { use(found.value.get()); });
   require_agreement(result, found.agreement);
   if (!found.incomplete.empty()) throw WithResult{LOBER_INCOMPLETE, found.incomplete};
+}
+
+int call_on_curves(const char* operation, std::initializer_list<lober_input> curves, const char* options,
+                   lober_result** result) {
+  return lober_call(operation, curves.begin(), curves.size(), options, result);
+}
+
+int call_on_model(const char* operation, const lober_model* model, const char* options, lober_result** result) {
+  const lober_input input{nullptr, 0, model};
+  return lober_call(operation, &input, 1, options, result);
 }
 
 }  // namespace
@@ -175,10 +210,10 @@ int lober_call(const char* operation, const lober_input* inputs, size_t count, c
     if (!operation || !result) throw lober::UsageError("operation or result is a null pointer");
     const lober::operations::Operation& entry = lober::operations::named(operation);
     const Settings settings = settings_of(entry, options);
-    const auto given = inputs_of(entry, inputs, count);
     auto made = std::make_unique<lober_result>();
+    const auto given = inputs_of(entry, inputs, count, settings.outlines ? &made->inputs : nullptr);
     try {
-      lober::run_with_threads(settings.threads, [&] { call(entry, given, settings.options, *made); });
+      lober::run_with_threads(settings.threads, [&] { call(entry, given, settings, *made); });
     } catch (const WithResult&) {
       *result = made.release();
       throw;
@@ -187,24 +222,53 @@ int lober_call(const char* operation, const lober_input* inputs, size_t count, c
   });
 }
 
+int lober_overlay(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
+                  lober_result** result) {
+  return lober::detail::c::call_on_curves("overlay", {{curve1, n1, nullptr}, {curve2, n2, nullptr}}, options, result);
+}
+
+int lober_interior(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
+                   lober_result** result) {
+  return lober::detail::c::call_on_curves("interior", {{curve1, n1, nullptr}, {curve2, n2, nullptr}}, options, result);
+}
+
+int lober_regions(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
+                  lober_result** result) {
+  const lober_input inputs[] = {{curve1, n1, nullptr}, {curve2, n2, nullptr}};
+  return lober_call("regions", inputs, n2 == 0 ? 1 : 2, options, result);
+}
+
+int lober_winding(const double* curve, size_t n, const double* points, size_t count, const char* options,
+                  lober_result** result) {
+  return lober::detail::c::call_on_curves("winding", {{curve, n, nullptr}, {points, count, nullptr}}, options, result);
+}
+
+int lober_tangle(const double* u, size_t nu, const double* s, size_t ns, const char* options, lober_result** result) {
+  return lober::detail::c::call_on_curves("tangle", {{u, nu, nullptr}, {s, ns, nullptr}}, options, result);
+}
+
 int lober_densify(const double* curve, size_t n, const char* options, lober_result** result) {
-  const lober_input input{curve, n, nullptr};
-  return lober_call("densify", &input, 1, options, result);
+  return lober::detail::c::call_on_curves("densify", {{curve, n, nullptr}}, options, result);
 }
 
 int lober_simplify(const double* curve, size_t n, const char* options, lober_result** result) {
-  const lober_input input{curve, n, nullptr};
-  return lober_call("simplify", &input, 1, options, result);
+  return lober::detail::c::call_on_curves("simplify", {{curve, n, nullptr}}, options, result);
 }
 
 int lober_fixed_points(const lober_model* model, const char* options, lober_result** result) {
-  const lober_input input{nullptr, 0, model};
-  return lober_call("fixed_points", &input, 1, options, result);
+  return lober::detail::c::call_on_model("fixed_points", model, options, result);
+}
+
+int lober_grow(const lober_model* model, const char* options, lober_result** result) {
+  return lober::detail::c::call_on_model("grow", model, options, result);
+}
+
+int lober_model_tangle(const lober_model* model, const char* options, lober_result** result) {
+  return lober::detail::c::call_on_model("manifold_tangle", model, options, result);
 }
 
 int lober_transport(const lober_model* model, const char* options, lober_result** result) {
-  const lober_input input{nullptr, 0, model};
-  return lober_call("transport", &input, 1, options, result);
+  return lober::detail::c::call_on_model("transport", model, options, result);
 }
 
 int lober_operations(lober_result** result) {

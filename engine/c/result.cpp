@@ -44,16 +44,6 @@ void lober_result::add_points(std::string name, lober::Buffer<Point> points) {
   add_points(std::move(name), *kept, kept);
 }
 
-void lober_result::add(const std::string& group, const lober::Areas& areas) {
-  add(group + ".c1", areas.c1);
-  add(group + ".c2", areas.c2);
-  add(group + ".intersection", areas.intersection);
-  add(group + ".union", areas.union_);
-  add(group + ".c1_minus_c2", areas.c1_minus_c2);
-  add(group + ".c2_minus_c1", areas.c2_minus_c1);
-  add(group + ".symmetric_difference", areas.symmetric_difference);
-}
-
 const lober_array* lober_result::find(std::string_view name) const {
   for (const lober_array& array : arrays_) {
     if (name == array.name) return &array;

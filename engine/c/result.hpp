@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "lober/areas.hpp"
 #include "lober/buffer.hpp"
 #include "lober/lober.h"
 #include "lober/overlay.hpp"
@@ -31,13 +30,12 @@ struct lober_result {
   void add_points(std::string name, lober::Buffer<lober::Point> points);
   /// Points that `owner` keeps.
   void add_points(std::string name, std::span<const lober::Point> points, std::shared_ptr<const void> owner);
-  /// areas.NAME or the like, for all seven.
-  void add(const std::string& group, const lober::Areas& areas);
 
   [[nodiscard]] const std::deque<lober_array>& arrays() const { return arrays_; }
   [[nodiscard]] const lober_array* find(std::string_view name) const;
 
-  /// For lober_outline: what the pieces are of.
+  /// For lober_outline: what the pieces are of, and the curves given.
+  std::deque<std::vector<lober::Point>> inputs;
   std::shared_ptr<const lober::Overlay> overlay;
   std::shared_ptr<const lober::Tangle> tangle;
 

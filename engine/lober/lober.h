@@ -98,29 +98,33 @@ LOBER_C_API double lober_number(const lober_result* result, const char* name);
 LOBER_C_API void lober_result_free(lober_result* result);
 
 /* Polygons of one piece of a result of lober_overlay ("intersection", "union", "c1_minus_c2", "c2_minus_c1"), or of a
-   lobe of a tangle ("lobes"; "boundary" has the piece 0). Arrays: points (n x 2), begin: the row where each polygon
-   begins; the outer one first, counter-clockwise, then its holes, clockwise. */
+   lobe of a tangle ("lobes"; "boundary" has the piece 0), with the option outlines=1. Arrays: points (n x 2), begin: the
+   row where each polygon begins; the outer one first, counter-clockwise, then its holes, clockwise. */
 LOBER_C_API int lober_outline(const lober_result* of, const char* kind, size_t piece, lober_result** result);
 
 /* ------------------------------------------------------------------------------------------------------------- curves
  */
 
-/* Areas, pieces and crossings of two simple closed curves (lober/overlay.hpp). Options: pieces=0|1, check_simple=0|1,
-   outlines=0|1: keep both curves for lober_outline. Arrays: areas.NAME and rounding.NAME of c1, c2, intersection,
-   union, c1_minus_c2, c2_minus_c1, symmetric_difference; pieces.PAIRING: areas; crossings (n x 6): x, y, rho, shared,
-   segment of curve 1, of curve 2; classes. */
+/* These are calls of the operations of their names; lober_call says what all of them have in common. Each has the
+   option outlines=0|1 (0): the result keeps the curves given, for lober_outline. */
+
+/* Areas, pieces and crossings of two simple closed curves (lober/overlay.hpp). Options: areas_only=0|1,
+   check_simple=0|1 and more. Among its arrays: areas.NAME and error.rounding.NAME of c1, c2, intersection, union,
+   c1_minus_c2, c2_minus_c1, symmetric_difference; pieces.PAIRING.area; crossings.list.x, .y, .rho, .segment1,
+   .segment2, .class. */
 LOBER_C_API int lober_overlay(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                               lober_result** result);
 /* The same areas by way of the interior function (lober/interior.hpp). Options: method=split|ends, passes=N, points=N,
-   check_simple=0|1. Arrays: areas.NAME, rounding.NAME, q1, q2, q3, delta. */
+   check_simple=0|1 and more. Among its arrays: areas.NAME, error.rounding.NAME, q1, q2, q3, delta. */
 LOBER_C_API int lober_interior(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                                lober_result** result);
 /* Of closed curves that may cross themselves (lober/regions.hpp); n2 = 0: of one. Options:
-   rule=nonzero|evenodd|positive| negative. Arrays: windings (n x 2): w1, w2; winding_areas; areas.NAME, rounding.NAME
-   by the rule; pieces.PAIRING. */
+   rule=nonzero|evenodd|positive|negative and more. Among its arrays: winding.c1, winding.c2, winding.area; areas.NAME,
+   error.rounding.NAME by the rule; pieces.PAIRING.area. */
 LOBER_C_API int lober_regions(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                               lober_result** result);
-/* Winding numbers of a closed curve about points. Arrays: number, on (0 or 1), j: the interior function. */
+/* Winding numbers of a closed curve about points. Arrays: points.winding, points.on (0 or 1), points.j: the interior
+   function. */
 LOBER_C_API int lober_winding(const double* curve, size_t n, const double* points, size_t count, const char* options,
                               lober_result** result);
 /* Signed area of a closed curve, positive counter-clockwise. */
@@ -135,9 +139,9 @@ LOBER_C_API int lober_densify(const double* curve, size_t n, const char* options
    arrays: points. */
 LOBER_C_API int lober_simplify(const double* curve, size_t n, const char* options, lober_result** result);
 /* Pips, lobes and overlaps of two manifolds, outward from their saddles (lober/tangle.hpp). Options: bip=N,
-   bip_near=X,Y, period=N, smooth=0|1, check_simple=0|1. Arrays: pips (n x 6): x, y, rho, node, segment of U, of S;
-   lobes (n x 4): area (signed), inside, outside, error; labels (n x 3): from, to, n, zeros without a boundary; overlaps
-   (n x 2): i, j; overlap_areas (n x 2): area, error; period, bip, boundary_area. */
+   bip_near=X,Y, period=N, smooth=0|1, overlaps=0|1, check_simple=0|1 and more. Among its arrays: pips.x, pips.y,
+   pips.rho; lobes.area (signed), lobes.inside, lobes.outside, lobes.discretisation, lobes.label: a line each;
+   overlaps.i, overlaps.j, overlaps.area; bip.index, boundary.area, images.period. */
 LOBER_C_API int lober_tangle(const double* u, size_t nu, const double* s, size_t ns, const char* options,
                              lober_result** result);
 
@@ -177,9 +181,9 @@ LOBER_C_API int lober_grow(const lober_model* model, const char* options, lober_
    tolerance=D, max_length=D, max_points=N. Arrays: points, parameters, stop. LOBER_INCOMPLETE as lober_grow. */
 LOBER_C_API int lober_image(const lober_model* model, const double* curve, size_t n, const char* options,
                             lober_result** result);
-/* The tangle of the system's saddles. Options: tolerance=D, before=N, after=N, smooth=0|1, max_points=N, bip_near=X,Y.
-   Arrays: those of lober_tangle, and u, s: points of both; areas_by_action, action_errors; saddles (2 x 2),
-   multipliers. */
+/* The tangle of the system's saddles: lober_call of "manifold_tangle". Options: tolerance=D, before=N, after=N,
+   smooth=0|1, max_points=N, bip=X,Y and more. Arrays: those of lober_tangle, and among others u, s: points of both;
+   turnstile_by_action.lobes.action (n x 2): area and error; saddles.unstable.at, saddles.unstable.eigenvalue. */
 LOBER_C_API int lober_model_tangle(const lober_model* model, const char* options, lober_result** result);
 /* Transport between the regions of the system: lober_call of "transport". Among its arrays: regions.area (n x 2): area,
    error; turnstile.flux12, turnstile.flux21 (1 x 2): of the first boundary in one iterate; steps.a_ij and steps.T_ij
@@ -197,9 +201,11 @@ typedef struct lober_input {
   const lober_model* model;
 } lober_input;
 /* Runs an operation of the table (lober/operations.hpp) by its name. Options are those of the table, 1 or 0 for true or
-   false, X,Y for points, numbers with commas between for boxes and lists. Each field of the result is an array: NAME of a member, "OBJECT.MEMBER", "LIST.MEMBER" with a
-   row for each element; "LIST.K.MEMBER" where elements hold lists. Numbers with an error bar have two columns. Where
-   routes disagree, LOBER_DISAGREEMENT with a result, and disagreements: a line each. */
+   false, X,Y for points, numbers with commas between for boxes and lists; threads=N; outlines=1 keeps a copy of the
+   curves given, for lober_outline. Each field of the result is an array: NAME of a member, "OBJECT.MEMBER",
+   "LIST.MEMBER" with a row for each element; "LIST.K.MEMBER" where elements hold lists. Numbers with an error bar have
+   two columns; fields of several numbers as many columns, or NAME.sizes beside them where elements have different
+   numbers of them. Where routes disagree, LOBER_DISAGREEMENT with a result, and disagreements: a line each. */
 LOBER_C_API int lober_call(const char* operation, const lober_input* inputs, size_t count, const char* options,
                            lober_result** result);
 /* Arrays: names, summaries, schemas (JSON Schema of the members of each result): a line each. */

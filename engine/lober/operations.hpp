@@ -23,6 +23,7 @@
 #include "lober/index.hpp"
 #include "lober/interior.hpp"
 #include "lober/levels.hpp"
+#include "lober/manifold_tangle.hpp"
 #include "lober/melnikov.hpp"
 #include "lober/monte_carlo.hpp"
 #include "lober/orbits.hpp"
@@ -32,6 +33,7 @@
 #include "lober/smooth.hpp"
 #include "lober/sweep.hpp"
 #include "lober/systems.hpp"
+#include "lober/tangle.hpp"
 #include "lober/transport.hpp"
 
 namespace lober::operations {
@@ -189,6 +191,7 @@ struct Field {
   /// Of a list. May be looked at from several threads at the same time.
   struct Elements {
     std::size_t size = 0;
+    bool known = true;  ///< false where it was not asked for
     std::function<void(std::size_t element, const Use& use)> at{};
   };
   std::function<FieldValue(const void* whole)> get{};             ///< empty for objects and lists
@@ -297,6 +300,26 @@ struct CurveWinding {
   double difference = 0;              ///< the largest |J / 2 pi - winding number|
   double bar = 0;                     ///< what it may be
   Agreement agreement;                ///< points where it is more
+};
+/// Of "tangle".
+struct CurveTangle : Tangle {
+  bool smooth = false;              ///< areas are those of smooth curves
+  std::vector<LobeShape> shapes{};  ///< by lobe
+  double boundary_discretisation = 0;
+  std::optional<std::vector<LobeOverlap>> overlaps{};  ///< where they were asked for
+  Agreement agreement{};
+  double measures_seconds = 0, overlaps_seconds = 0;
+
+  /// What the area of a lobe loses against the smooth curves through the points: estimated from the polygon, or, when
+  /// areas are those of smooth curves, by how far these can be trusted.
+  [[nodiscard]] double discretisation(std::size_t lobe) const {
+    return smooth ? lobes[lobe].smooth_error : shapes[lobe].discretisation;
+  }
+};
+/// Of "manifold_tangle".
+struct SystemTangle : CurveTangle {
+  std::shared_ptr<const ManifoldTangle> manifolds{};
+  double growth_seconds = 0;
 };
 /// Lobes of a turnstile to first order in the parameter that is the size of the system's perturbation, beside their
 /// areas.

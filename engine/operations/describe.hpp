@@ -112,6 +112,11 @@ class Schema {
     fields_.back().null = false;
     return *this;
   }
+  /// The field before is in JSON although it is points.
+  Schema& in_json() {
+    fields_.back().in_json = true;
+    return *this;
+  }
   /// The field before is too long for JSON.
   Schema& not_in_json() {
     fields_.back().in_json = false;
@@ -134,23 +139,23 @@ class Schema {
     fields_.push_back(std::move(made));
     return *this;
   }
-  /// The getter returns what has a size and elements by number, each a U or a reference to one; or a reference to it.
+  /// The getter returns what has a size and elements by number, each a U or a reference to one; or a reference to it,
+  /// or to an optional one, which is null in JSON where it is not there.
   template <typename U, typename Get>
   Schema& list(std::string name, std::string meaning, const Schema<U>& members, Get get) {
     Field made{std::move(name), FieldKind::list, {}, std::move(meaning), {}, members.fields()};
+    made.null = is_optional<std::remove_cvref_t<std::invoke_result_t<const Get&, const T&>>>::value;
     made.elements = [get = std::move(get)](const void* whole) -> Field::Elements {
       decltype(auto) found = std::invoke(get, *static_cast<const T*>(whole));
       using Range = std::remove_cvref_t<decltype(found)>;
-      std::shared_ptr<const Range> kept;  // nothing is owned of what is part of the result
-      if constexpr (std::is_reference_v<decltype(found)>) {
-        kept = std::shared_ptr<const Range>(std::shared_ptr<const void>(), &found);
+      if constexpr (is_optional<Range>::value) {
+        static_assert(std::is_reference_v<decltype(found)>, "a list that may not be there is part of the result");
+        return found ? elements_of<U>(part_of_result(*found)) : Field::Elements{.known = false};
+      } else if constexpr (std::is_reference_v<decltype(found)>) {
+        return elements_of<U>(part_of_result(found));
       } else {
-        kept = std::make_shared<const Range>(std::move(found));
+        return elements_of<U>(std::make_shared<const Range>(std::move(found)));
       }
-      return {kept->size(), [kept](std::size_t k, const Field::Use& use) {
-                const U& element = (*kept)[k];
-                use(&element);
-              }};
     };
     fields_.push_back(std::move(made));
     return *this;
@@ -176,6 +181,20 @@ class Schema {
   [[nodiscard]] const std::vector<Field>& fields() const { return fields_; }
 
  private:
+  // Owns nothing.
+  template <typename Range>
+  static std::shared_ptr<const Range> part_of_result(const Range& range) {
+    return {std::shared_ptr<const void>(), &range};
+  }
+  template <typename U, typename Range>
+  static Field::Elements elements_of(std::shared_ptr<const Range> range) {
+    const std::size_t size = range->size();
+    return {size, true, [range = std::move(range)](std::size_t k, const Field::Use& use) {
+              const U& element = (*range)[k];
+              use(&element);
+            }};
+  }
+
   std::vector<Field> fields_;
 };
 

@@ -21,6 +21,13 @@ void append_part(std::string& text, std::int64_t number) {
 void append_part(std::string& text, const std::string& string) {
   text += json_string(string);
 }
+void append_part(std::string& text, Point point) {
+  text += '[';
+  append_json_number(text, point.x);
+  text += ',';
+  append_json_number(text, point.y);
+  text += ']';
+}
 
 template <typename Each>
 void append_array(std::string& text, std::size_t size, const Each& each) {
@@ -80,8 +87,6 @@ void append_members(std::string& text, const Field& field, const FieldValue& val
           using Value = std::decay_t<decltype(any)>;
           if constexpr (std::is_same_v<Value, bool>) {
             text += any ? "true" : "false";
-          } else if constexpr (std::is_same_v<Value, Point>) {
-            append_array(text, 2, [&](std::size_t k) { append_json_number(text, k == 0 ? any.x : any.y); });
           } else if constexpr (requires { append_part(text, any[0]); } && !std::is_same_v<Value, std::string>) {
             append_array(text, any.size(), [&](std::size_t k) { append_part(text, any[k]); });
           } else if constexpr (requires { append_part(text, any); }) {
@@ -121,6 +126,10 @@ void append_object(std::string& text, std::span<const Field> fields, const void*
     } else {
       append_name(text, field.name, "", first);
       const Elements all = field.elements(whole);
+      if (!all.known) {
+        text += "null";
+        continue;
+      }
       append_array(text, all.size, [&](std::size_t k) {
         all.at(k, [&](const void* element) { append_object(text, field.members, element); });
       });
@@ -162,6 +171,10 @@ class Stream {
   static constexpr std::size_t much = std::size_t{1} << 20;
 
   void list(const Field& field, const Elements& all) {
+    if (!all.known) {
+      text_ += "null";
+      return;
+    }
     constexpr std::size_t block = 2048;
     struct Slot {
       std::size_t begin = 0, end = 0;

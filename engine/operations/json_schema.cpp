@@ -28,10 +28,21 @@ std::string type_of(FieldKind kind) {
 
 std::string schema_of(const Field& field) {
   const std::string about = ",\"description\":" + json_string(field.meaning);
-  if (field.kind == FieldKind::list)
-    return R"({"type":"array","items":{)" + properties_of(field.members) + "}" + about + "}";
   const std::string unit = field.unit.empty() ? "" : ",\"unit\":" + json_string(field.unit);
-  std::string type = field.kind == FieldKind::object ? properties_of(field.members) : type_of(field.kind);
+  std::string type;
+  switch (field.kind) {
+    case FieldKind::object:
+      type = properties_of(field.members);
+      break;
+    case FieldKind::list:
+      type = R"("type":"array","items":{)" + properties_of(field.members) + "}";
+      break;
+    case FieldKind::points:
+      type = R"("type":"array","items":{)" + type_of(FieldKind::point) + "}";
+      break;
+    default:
+      type = type_of(field.kind);
+  }
   if (field.null) type = R"("anyOf":[{)" + type + R"(},{"type":"null"}])";
   return "{" + type + about + unit + "}";
 }

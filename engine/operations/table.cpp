@@ -11,9 +11,10 @@ namespace lober::operations {
 std::span<const Operation> all() {
   using namespace detail::table;
   static const std::array table{
-      densify_operation(), escape_operation(),    fixed_points_operation(), grow_operation(),    interior_operation(),
-      levels_operation(),  overlay_operation(),   regions_operation(),      section_operation(), simplify_operation(),
-      sweep_operation(),   transport_operation(), winding_operation()};
+      densify_operation(),  escape_operation(),    fixed_points_operation(),    grow_operation(),
+      interior_operation(), levels_operation(),    manifold_tangle_operation(), overlay_operation(),
+      regions_operation(),  section_operation(),   simplify_operation(),        sweep_operation(),
+      tangle_operation(),   transport_operation(), winding_operation()};
   return table;
 }
 

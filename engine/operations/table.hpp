@@ -12,11 +12,13 @@ using namespace operations;
 [[nodiscard]] Operation grow_operation();
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation levels_operation();
+[[nodiscard]] Operation manifold_tangle_operation();
 [[nodiscard]] Operation overlay_operation();
 [[nodiscard]] Operation regions_operation();
 [[nodiscard]] Operation section_operation();
 [[nodiscard]] Operation simplify_operation();
 [[nodiscard]] Operation sweep_operation();
+[[nodiscard]] Operation tangle_operation();
 [[nodiscard]] Operation transport_operation();
 [[nodiscard]] Operation winding_operation();
 

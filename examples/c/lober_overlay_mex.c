@@ -12,7 +12,7 @@ void mexFunction(int outputs, mxArray* output[], int inputs, const mxArray* inpu
   output[0] = mxCreateDoubleScalar(lober_number(result, "areas.c1_minus_c2"));
   if (outputs > 1) {
     lober_array lobes;
-    lober_array_named(result, "pieces.c1_minus_c2", &lobes);
+    lober_array_named(result, "pieces.c1_minus_c2.area", &lobes);
     output[1] = mxCreateDoubleMatrix(lobes.rows, 1, mxREAL);
     memcpy(mxGetPr(output[1]), lobes.data, lobes.rows * sizeof(double));
   }

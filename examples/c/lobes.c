@@ -24,7 +24,7 @@ int main(void) {
   lober_result* result = NULL;
   check(lober_overlay(circle, n, wave, n, NULL, &result));
   lober_array lobes;
-  check(lober_array_named(result, "pieces.c1_minus_c2", &lobes));
+  check(lober_array_named(result, "pieces.c1_minus_c2.area", &lobes));
   printf("%zu lobes of area %.12f in all\n", lobes.rows, lober_number(result, "areas.c1_minus_c2"));
   lober_result_free(result);
 

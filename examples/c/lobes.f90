@@ -65,7 +65,7 @@ program lobes
     wave(:, k) = radius * circle(:, k)
   end do
   if (lober_overlay(circle, int(n, c_size_t), wave, int(n, c_size_t), c_null_char, result) /= 0) stop 1
-  if (lober_array_named(result, 'pieces.c1_minus_c2' // c_null_char, array) /= 0) stop 1
+  if (lober_array_named(result, 'pieces.c1_minus_c2.area' // c_null_char, array) /= 0) stop 1
   write (*, '(i0, a, f0.12, a)') array%rows, ' lobes of area ', &
     lober_number(result, 'areas.c1_minus_c2' // c_null_char), ' in all'
   call lober_result_free(result)

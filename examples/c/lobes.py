@@ -44,7 +44,7 @@ circle = points(np.cos(angle), np.sin(angle))
 wave = points(radius * np.cos(angle), radius * np.sin(angle))
 result = call(lober.lober_overlay, *circle[1:], *wave[1:], None)
 total = lober.lober_number(result, b"areas.c1_minus_c2")
-print(f"{len(doubles(result, 'pieces.c1_minus_c2'))} lobes of area {total:.12f} in all")
+print(f"{len(doubles(result, 'pieces.c1_minus_c2.area'))} lobes of area {total:.12f} in all")
 lober.lober_result_free(result)
 
 model = call(lober.lober_model_open, b"standard", b"K=1.2", None)

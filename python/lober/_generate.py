@@ -12,7 +12,19 @@ from typing import Any
 from . import _lober
 
 #: Those whose functions are written by hand, with conveniences of their own.
-BY_HAND = {"escape", "fixed_points", "grow", "interior", "overlay", "regions", "section", "transport", "winding"}
+BY_HAND = {
+    "escape",
+    "fixed_points",
+    "grow",
+    "interior",
+    "manifold_tangle",
+    "overlay",
+    "regions",
+    "section",
+    "tangle",
+    "transport",
+    "winding",
+}
 
 HEAD = '''"""Functions of operations, written by _generate.py from the engine's table. Not to be edited."""
 

@@ -57,7 +57,7 @@ TEST_F(Batch, AllPairsInThreeLines) {
 
 TEST_F(Batch, OperationsAreListedWithTheirOptions) {
   const auto list = nlohmann::json::parse(run({"batch", "operations", "--json", "-"}).out)["operations"];
-  ASSERT_EQ(list.size(), 14U);
+  ASSERT_EQ(list.size(), 15U);
   const std::string table = run({"batch", "operations"}).out;
   for (const nlohmann::json& operation : list) {
     const std::string name = operation["name"];
@@ -75,7 +75,8 @@ TEST_F(Batch, OperationsAreListedWithTheirOptions) {
   EXPECT_EQ(list[4]["options"][1]["max"], 1e6);         // tangle: period
   const Outcome unknown = run({"batch", "operations", "nosuch"});
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_NE(unknown.err.find("there are overlay, interior, regions, winding, tangle, densify, simplify, transport"),
+  EXPECT_NE(unknown.err.find(
+                "there are overlay, interior, regions, winding, tangle, manifold_tangle, densify, simplify, transport"),
             std::string::npos);
   EXPECT_NE(run({"batch", "manifest"}).out.find("image_of"), std::string::npos);
 }

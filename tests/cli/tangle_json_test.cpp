@@ -36,8 +36,8 @@ TEST_F(TangleJson, HasTheMembersOfTheContract) {
   EXPECT_EQ(members(result["bip"]), (Names{"index", "x", "y"}));
   EXPECT_EQ(members(result["boundary"]), (Names{"area", "points", "orientation", "crosses_itself", "closure"}));
   EXPECT_EQ(members(result["turnstile"]), (Names{"lobes", "lobe_area12", "lobe_area21", "reason"}));
-  EXPECT_EQ(members(result["overlaps"][0]), (Names{"i", "j", "area"}));
-  EXPECT_EQ(members(result["error"]), (Names{"rounding", "discretisation", "consistency", "meaning"}));
+  EXPECT_EQ(members(result["overlaps"][0]), (Names{"i", "j", "area", "error", "perimeter"}));
+  EXPECT_EQ(members(result["error"]), (Names{"rounding", "discretisation", "consistency"}));
   for (const char* name : {"index", "boxes_tested", "pairs_tested", "filter_failures", "exact_calls", "skipped"}) {
     EXPECT_TRUE(result["statistics"].contains(name)) << name;
   }

@@ -7,10 +7,11 @@
 namespace lober::detail {
 
 std::span<const Operation> all_operations() {
-  static const std::array table{
-      overlay_operation(),      interior_operation(), regions_operation(),   winding_operation(), tangle_operation(),
-      densify_operation(),      simplify_operation(), transport_operation(), sweep_operation(),   escape_operation(),
-      fixed_points_operation(), levels_operation(),   section_operation(),   grow_operation()};
+  static const std::array table{overlay_operation(), interior_operation(), regions_operation(),
+                                winding_operation(), tangle_operation(),   manifold_tangle_operation(),
+                                densify_operation(), simplify_operation(), transport_operation(),
+                                sweep_operation(),   escape_operation(),   fixed_points_operation(),
+                                levels_operation(),  section_operation(),  grow_operation()};
   return table;
 }
 
@@ -32,17 +33,6 @@ const Operation* find_operation(std::string_view name) {
   const std::span<const Operation> table = all_operations();
   const auto found = std::find_if(table.begin(), table.end(), [&](const Operation& any) { return any.name == name; });
   return found == table.end() ? nullptr : &*found;
-}
-
-OptionSpec index_option() {
-  return {"index",
-          "auto",
-          "the index that proposes which segments can meet; the results do not depend on it",
-          {"auto", "tree", "grid", "kd"}};
-}
-
-IndexKind index_kind(const Options& options) {
-  return lober::index_kind(options.text("index"));
 }
 
 }  // namespace lober::detail

@@ -12,6 +12,7 @@ namespace lober::detail {
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation levels_operation();
 [[nodiscard]] Operation densify_operation();
+[[nodiscard]] Operation manifold_tangle_operation();
 [[nodiscard]] Operation regions_operation();
 [[nodiscard]] Operation section_operation();
 [[nodiscard]] Operation simplify_operation();
@@ -19,9 +20,5 @@ namespace lober::detail {
 [[nodiscard]] Operation tangle_operation();
 [[nodiscard]] Operation transport_operation();
 [[nodiscard]] Operation winding_operation();
-
-/// The option `index` that operations on two curves have.
-[[nodiscard]] OptionSpec index_option();
-[[nodiscard]] IndexKind index_kind(const Options& options);
 
 }  // namespace lober::detail

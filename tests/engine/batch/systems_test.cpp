@@ -86,14 +86,16 @@ TEST_F(SystemJobs, TangleOfFilesIsTheTangle) {
       EXPECT_EQ(record.lists[0][i], direct.lobes[i].area);
       EXPECT_EQ(record.lists[1][i], direct.lobes[i].inside);
     }
-    std::vector<double> flat;
+    std::array<std::vector<double>, 3> both_lobes;
     for (const LobeOverlap& both : overlaps(direct)) {
-      flat.insert(flat.end(), {static_cast<double>(both.i), static_cast<double>(both.j), both.area});
+      both_lobes[0].push_back(both.i);
+      both_lobes[1].push_back(both.j);
+      both_lobes[2].push_back(both.area);
     }
-    EXPECT_EQ(record.lists[3], flat);
+    for (std::size_t column = 0; column < 3; ++column) EXPECT_EQ(record.lists[3 + column], both_lobes[column]);
     lobes += direct.lobes.size();
   }
-  EXPECT_GT(found.at(0).lists[3].size(), 3U);
+  EXPECT_GT(found.at(0).lists[3].size(), 1U);
   EXPECT_GT(lobes, 10U);
 }
 

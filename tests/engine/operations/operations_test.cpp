@@ -42,6 +42,15 @@ std::vector<Point> wavy(int points, int waves, Point centre) {
   }
   return curve;
 }
+// With y = 0, lobes of area 2.
+std::vector<Point> sine(int points) {
+  std::vector<Point> curve;
+  for (int k = 0; k <= points; ++k) {
+    const double x = -0.5 + 7 * std::numbers::pi * k / points;
+    curve.push_back({x, std::sin(x)});
+  }
+  return curve;
+}
 const std::vector<Point> eight{{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
 
 const std::vector<Case>& cases() {
@@ -69,6 +78,12 @@ const std::vector<Case>& cases() {
        {},
        {{"method", "ends"}, {"passes", std::int64_t{2}}, {"points", std::int64_t{3}}, {"verify", true}},
        {wavy(200, 5, {0, 0}), wavy(150, 3, {0.1, 0.2})}},
+      {"tangle",
+       "",
+       {},
+       {{"period", std::int64_t{2}}, {"overlaps", true}, {"bip_near", Point{6, 0}}},
+       {sine(700), {{7 * std::numbers::pi, 0.0}, {-0.5, 0.0}}}},
+      {"manifold_tangle", "standard", {{"K", 1.2}}, {{"tolerance", 1e-4}, {"overlaps", true}}},
       {"densify", "", {}, {{"hobson", true}, {"crossings", true}, {"simplify", 1e-3}}, {wavy(90, 5, {0, 0}), eight}},
       {"simplify", "", {}, {{"tolerance", 1e-3}}, {wavy(900, 5, {0, 0})}},
       {"regions", "", {}, {{"rule", "evenodd"}}, {eight, wavy(150, 3, {0.1, 0.2})}},
@@ -250,7 +265,7 @@ TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
     std::vector<const detail::PreparedCurve*> curves;
     for (const std::vector<Point>& points : one.curves) {
       prepared.push_back(std::make_unique<detail::PreparedCurve>(
-          std::make_shared<const Curve>(Curve{points, true, "c"}), job->requirements(options)));
+          std::make_shared<const Curve>(Curve{points, !job->open, "c"}), job->requirements(options)));
       curves.push_back(prepared.back().get());
     }
     const detail::Result record = job->run(detail::JobCurves(curves, allowance), options);
@@ -309,6 +324,15 @@ TEST(OperationsTable, BatchesHaveTheNumbersOfTheResult) {
       expect_same_bits({record.values[0]}, {regions.regions.areas(FillRule::evenodd).c1}, "columns");
       for (const WindingArea& entry : regions.regions.table()) expected.push_back(entry.area);
       expect_same_bits(list("winding_areas"), expected, "winding areas");
+    } else if (one.operation == "tangle" || one.operation == "manifold_tangle") {
+      const CurveTangle& tangle = one.operation == "tangle" ? found.as<CurveTangle>()
+                                                            : static_cast<const CurveTangle&>(found.as<SystemTangle>());
+      expect_same_bits({record.values[0], record.values[3], record.values[8]},
+                       {static_cast<double>(tangle.nodes.crossings()), static_cast<double>(tangle.pips.size()),
+                        tangle.boundary->area},
+                       "columns");
+      for (const Lobe& lobe : tangle.lobes) expected.push_back(lobe.area);
+      expect_same_bits(list("areas"), expected, "areas of lobes");
     } else if (one.operation == "densify" || one.operation == "simplify") {
       const auto& refined = found.as<RefinedCurve>();
       expect_same_bits({record.values[0], record.values[2]},
