@@ -39,16 +39,13 @@ std::string image_path(const std::string& path, int iterate, std::size_t curve, 
 void write_images(const std::string& path, const ImageReport& report) {
   if (path.find(iterate_placeholder) == std::string::npos) {
     std::vector<Zone> zones;
-    for (std::size_t k = 0; k < report.images.size(); ++k) {
-      add_zones(zones, image_name(report.images[k].iterate, report.curve_of(k)), report.parts[k]);
-    }
+    for (const auto& one : report.found().images) add_zones(zones, one.name(), one.parts);
     return write_tecplot(path, zones, ZoneLines::always);
   }
-  for (std::size_t k = 0; k < report.images.size(); ++k) {
-    const std::vector<ImagePart>& parts = report.parts[k];
-    for (std::size_t part = 0; part < parts.size(); ++part) {
-      write_points(image_path(path, report.images[k].iterate, report.curve_of(k), parts.size() == 1 ? 0 : part + 1),
-                   parts[part].points);
+  for (const auto& one : report.found().images) {
+    for (std::size_t part = 0; part < one.parts.size(); ++part) {
+      write_points(image_path(path, one.image.iterate, one.curve, one.parts.size() == 1 ? 0 : part + 1),
+                   one.parts[part].points);
     }
   }
 }

@@ -33,10 +33,11 @@ std::string parts_path(const View& view, const std::vector<ImagePart>& parts) {
 
 void write_image_picture(const std::string& path, const ImageReport& report, const std::optional<Rectangle>& given) {
   // What lies in the box, where the curves meet the tolerance.
-  const Rectangle& box = report.options.box;
+  const operations::CurveImages& found = report.found();
+  const Rectangle& box = found.box;
   Rectangle window;
-  for (const std::vector<ImagePart>& parts : report.parts) {
-    for (const ImagePart& part : parts) {
+  for (const auto& one : found.images) {
+    for (const ImagePart& part : one.parts) {
       for (const Point& point : part.points) {
         if (point.x >= box.min_x && point.x <= box.max_x && point.y >= box.min_y && point.y <= box.max_y) {
           window.add(point);
@@ -48,25 +49,25 @@ void write_image_picture(const std::string& path, const ImageReport& report, con
   if (window.empty()) window = box;
   const View view(window);
   std::string svg;
-  begin_picture(svg, view, "A curve, its images and pre-images", static_cast<int>(1 + (report.images.size() + 1) / 2),
+  begin_picture(svg, view, "A curve, its images and pre-images", static_cast<int>(1 + (found.images.size() + 1) / 2),
                 given.has_value());
   // The outermost first, so that the curve itself is on top.
   int furthest = 0;
-  for (const CurveImage& image : report.images) furthest = std::max(furthest, std::abs(image.iterate));
+  for (const auto& one : found.images) furthest = std::max(furthest, std::abs(one.image.iterate));
   for (int distance = furthest; distance >= 0; --distance) {
-    for (std::size_t k = 0; k < report.images.size(); ++k) {
-      const int iterate = report.images[k].iterate;
+    for (const auto& one : found.images) {
+      const int iterate = one.image.iterate;
       if (std::abs(iterate) != distance) continue;
-      add_stroked(svg, iterate_colour(iterate), iterate_width(iterate), parts_path(view, report.parts[k]));
+      add_stroked(svg, iterate_colour(iterate), iterate_width(iterate), parts_path(view, one.parts));
     }
   }
   begin_legend(svg);
-  add_legend_entry(svg, view, 0, 0, line_swatch(iterate_colour(0), iterate_width(0)), report.curve);
-  for (std::size_t k = 0; k < report.images.size(); ++k) {
-    const int iterate = report.images[k].iterate;
-    std::string text =
-        image_name(iterate, report.curve_of(k)) + ": " + std::to_string(report.images[k].points.size()) + " points";
-    if (report.parts[k].size() > 1) text += " in " + std::to_string(report.parts[k].size()) + " parts";
+  add_legend_entry(svg, view, 0, 0, line_swatch(iterate_colour(0), iterate_width(0)), report.curve());
+  for (std::size_t k = 0; k < found.images.size(); ++k) {
+    const auto& one = found.images[k];
+    const int iterate = one.image.iterate;
+    std::string text = one.name() + ": " + std::to_string(one.image.points.size()) + " points";
+    if (one.parts.size() > 1) text += " in " + std::to_string(one.parts.size()) + " parts";
     add_legend_entry(svg, view, static_cast<int>(k % 2), static_cast<int>(1 + k / 2),
                      line_swatch(iterate_colour(iterate), iterate_width(iterate)), text);
   }

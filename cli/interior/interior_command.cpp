@@ -78,8 +78,7 @@ void log_timing(const CurvesReport& report, double total) {
 }
 
 std::string areas_by_rule(const CurvesReport& report) {
-  const auto& found = report.outcome.as<operations::CurveRegions>();
-  const Areas areas = found.regions.areas(found.rule);
+  const Areas& areas = report.outcome.as<operations::CurveRegions>().areas;
   return fmt::format("\nQ1 {:.16g}, Q2 {:.16g}, Q3 {:.16g}\n", areas.symmetric_difference, areas.union_,
                      areas.intersection);
 }

@@ -85,12 +85,6 @@ void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curve
   parser.add("C2", curves[1], "The second curve, in the same form.").required();
 }
 
-void add_manifold_check_option(OptionParser& parser, bool& no_check) {
-  parser.add_flag("--no-check-simple", no_check,
-                  "Do not check that the manifolds are simple, and accept those that cross themselves, as coarse ones "
-                  "may do far out.");
-}
-
 void add_points_option(OptionParser& parser, std::string& path, bool required) {
   std::string help =
       "Write the points to FILE, whose ending .npy, .csv, .txt, .dat (Tecplot) or .raw is its format; - is text on "
@@ -133,48 +127,6 @@ void add_threads_option(OptionParser& parser, int& threads) {
 
 void add_verbose_option(OptionParser& parser, bool& verbose) {
   parser.add_flag("-v,--verbose", verbose, "Print the time that each phase took, in seconds, on standard error.");
-}
-
-Option add_tolerance_option(OptionParser& parser, double& tolerance, const char* help) {
-  return parser.add("--tolerance", tolerance, help).positive().value("LENGTH");
-}
-
-void add_max_points_option(OptionParser& parser, std::size_t& points, const char* help) {
-  parser.add("--max-points", points, help).range(std::size_t{2}, std::size_t{2'147'483'646}).value("N");
-}
-
-void add_period_option(OptionParser& parser, std::uint32_t& period) {
-  parser
-      .add("--period", period,
-           "The number of pips from a pip to its image under the map, at most that of the lobes, and even where the "
-           "lobes alternate (default: inferred from the areas of the lobes).")
-      .value("P")
-      .range(1, 1'000'000);
-}
-
-void add_closure_option(OptionParser& parser, std::vector<double>& coordinates) {
-  constexpr int max_coordinates = 2000;
-  parser
-      .add("--closure", coordinates,
-           "The corners of the path that closes the boundary, from where S begins to where U begins, such as walls or "
-           "an axis that the map keeps (default: the straight line).")
-      .comma_separated()
-      .count(2, max_coordinates)
-      .value("X,Y,...");
-}
-
-std::vector<Point> closure_of(const std::vector<double>& coordinates) {
-  if (coordinates.size() % 2 != 0) {
-    throw UsageError("--closure takes two coordinates for each corner, not " + std::to_string(coordinates.size()) +
-                     " numbers");
-  }
-  std::vector<Point> corners;
-  for (std::size_t k = 0; k < coordinates.size(); k += 2) corners.push_back({coordinates[k], coordinates[k + 1]});
-  return corners;
-}
-
-void require_period_fits(const Images& images) {
-  if (!images.misfit.empty()) throw UsageError("--period: " + images.misfit);
 }
 
 Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help) {

@@ -44,8 +44,6 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
 void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves);
 /// -o FILE, of points.
 void add_points_option(OptionParser& parser, std::string& path, bool required);
-/// --no-check-simple, of manifolds.
-void add_manifold_check_option(OptionParser& parser, bool& no_check);
 /// --json FILE. `what` is written to it.
 void add_json_option(OptionParser& parser, std::string& path, const std::string& what = "the results");
 /// --window X0,Y0,X1,Y1 of a picture, which `svg` asks for; and that window, none where it was not given (UsageError
@@ -56,21 +54,6 @@ Option add_window_option(OptionParser& parser, std::vector<double>& window, Opti
 void add_threads_option(OptionParser& parser, int& threads);
 /// --verbose.
 void add_verbose_option(OptionParser& parser, bool& verbose);
-/// --tolerance LENGTH, of curves.
-Option add_tolerance_option(OptionParser& parser, double& tolerance, const char* help);
-/// --max-points N, of a manifold.
-void add_max_points_option(OptionParser& parser, std::size_t& points, const char* help);
-/// The largest number of iterates, images or crossings that tables may be asked for. Manifolds get longer by the
-/// multiplier in each, so that points and work end every table long before: the limit catches mistyped numbers.
-inline constexpr int max_iterates = 1000;
-/// --period P, of pips.
-void add_period_option(OptionParser& parser, std::uint32_t& period);
-/// --closure X1,Y1,X2,Y2,...: corners of the path that closes a boundary, and those points (UsageError for an odd
-/// number of coordinates).
-void add_closure_option(OptionParser& parser, std::vector<double>& coordinates);
-[[nodiscard]] std::vector<Point> closure_of(const std::vector<double>& coordinates);
-/// Throws UsageError where the period that was given cannot be that of the lobes.
-void require_period_fits(const Images& images);
 /// --memory SIZE: "4G", "500M", "64k" or bytes.
 Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help);
 /// --reverse u|s|both, of two manifolds U and S.

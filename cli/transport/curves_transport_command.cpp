@@ -5,8 +5,11 @@
 #include <algorithm>
 
 #include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
+#include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
+#include "cli/report/outcome_json.hpp"
 #include "cli/tangle/tangle_report.hpp"
 #include "cli/transport/transport_report.hpp"
 #include "engine/base/stopwatch.hpp"
@@ -18,25 +21,27 @@ namespace {
 
 struct CurvesTransportRequest {
   std::vector<std::string> files;
-  std::vector<double> bip;
-  std::uint32_t period = 0;
-  int iterates = max_iterates, threads = 0;
-  bool iterates_given = false;
   std::array<bool, 2> reverse{};
-  std::vector<double> closure;
-  bool no_check = false;
+  std::vector<operations::OptionSetting> settings;
   std::string json;
+  int threads = 0;
 };
+
+Json inputs_json(const CurvesTransportReport& report) {
+  Json inputs = Json::array();
+  for (const NamedCurve& input : report.inputs)
+    inputs.push_back({{"file", spec_of(input)}, {"points", input.curve.points.size()}});
+  return inputs;
+}
 
 void run(const CurvesTransportRequest& request) {
   const detail::Stopwatch watch;
-  std::vector<Output> outputs;
-  if (!request.json.empty()) outputs.push_back({"--json", request.json});
-  check_outputs(outputs, request.files);
+  const std::vector<Output> outputs = checked_outputs({{"--json", request.json}}, request.files);
+  const operations::Operation& operation = operations::named("curve_transport");
+  const operations::Options options = checked_options(operation, request.settings);
   std::array<std::string, 2> specs{request.files[0] + "#0", request.files[0] + "#1"};
   if (request.files.size() == 2) specs = {request.files[0], request.files[1]};
   CurvesTransportReport report;
-  Tangle found;
   {
     Progress progress;
     progress.phase("reading", 0, 0.3);
@@ -45,24 +50,23 @@ void run(const CurvesTransportRequest& request) {
       throw DataError(request.files[0] + ": has " + counted(report.inputs[0].zones, "zone", "zones") +
                       "; alone it has to have two, U and S");
     }
-    progress.phase("tangle", 0.3, 0.8);
-    TangleOptions options;
-    options.smooth = true;
-    options.period = request.period;
-    options.check_simple = !request.no_check;
-    options.closure = closure_of(request.closure);
-    if (!request.bip.empty()) options.bip_near = Point{request.bip[0], request.bip[1]};
-    options.progress = [&](double fraction) { return progress.advance(fraction); };
-    found = tangle_of(report.inputs[0], report.inputs[1], options);
-    require_period_fits(found.images);
-    report.tangle = &found;
-    if (request.iterates_given) report.iterates = request.iterates;
-    progress.phase("transport", 0.8, 1);
-    report.result = transport(found, request.iterates);
-    if (!request.json.empty()) write_transport_json(request.json, report, [&] { return watch.seconds(); });
+    progress.phase("tangle", 0.3, 1);
+    std::vector<operations::Input> inputs;
+    for (const NamedCurve& input : report.inputs)
+      inputs.emplace_back(operations::CurveInput{input.curve, spec_of(input)});
+    operations::Context context;
+    context.progress = [&](double fraction, const std::string&) { return progress.advance(fraction); };
+    with_names_of(report.inputs[0], report.inputs[1],
+                  [&] { report.outcome = operation.run(inputs, options, context); });
+    for (const std::string& remark : report.outcome.remarks) log_warning("warning: " + remark);
+    if (!request.json.empty()) {
+      write_outcome_json(request.json, "transport", {{"inputs", inputs_json(report)}}, operation, report.outcome, [&] {
+        return Json{{"total", watch.seconds()}};
+      });
+    }
   }
   if (!takes_standard_output(outputs)) print(transport_table(report));
-  require_agreement(report.result.agreement);
+  require_agreement(report.outcome.agreement);
 }
 
 }  // namespace
@@ -85,29 +89,21 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
       .required()
       .count(1, 2)
       .value("FILE");
-  add_period_option(parser, request.period);
-  parser
-      .add("--bip", request.bip,
-           "A point near the boundary intersection point, the pip at which the boundary passes from U to S (default: "
-           "the middle pip).")
-      .comma_separated()
-      .count(2)
-      .value("X,Y");
-  const Option iterates =
-      parser
-          .add(
-              "--iterates", request.iterates,
-              "The number of iterates n up to which the table goes, or as far as the curves reach: n takes n images of "
-              "the bip on them (default: as far as the curves reach).")
-          .range(1, max_iterates)
-          .value("N");
-  add_closure_option(parser, request.closure);
+  const TableOptions options(parser, operations::named("curve_transport"), {"bip", "bip_near"});
+  std::vector<double> bip;
+  const Option near = parser
+                          .add("--bip", bip,
+                               "A point near the boundary intersection point, the pip at which the boundary passes "
+                               "from U to S (default: the middle pip).")
+                          .comma_separated()
+                          .count(2)
+                          .value("X,Y");
   add_reverse_option(parser, request.reverse);
-  add_manifold_check_option(parser, request.no_check);
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
-  request.iterates_given = iterates.given();
+  request.settings = options.settings();
+  if (near.given()) request.settings.push_back({"bip_near", bip});
   run_with_threads(request.threads, [&] { run(request); });
 }
 

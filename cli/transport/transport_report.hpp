@@ -31,16 +31,12 @@ struct TransportReport {
 /// The same from two curves of files.
 struct CurvesTransportReport {
   std::array<NamedCurve, 2> inputs;
-  const Tangle* tangle = nullptr;
-  std::optional<int> iterates;  ///< asked for; none: as far as the curves reach
-  TransportOfCurves result;
+  operations::Outcome outcome;
 };
 
 /// The short aligned table for people.
 [[nodiscard]] std::string transport_table(const TransportReport& report);
 [[nodiscard]] std::string transport_table(const CurvesTransportReport& report);
-/// "n = 1 to 4 of 20".
-[[nodiscard]] std::string rows_text(const CurvesTransportReport& report);
 
 /// One line for a row that is ready before the others.
 [[nodiscard]] std::string transport_row_text(const TransportStep& step);
@@ -50,10 +46,6 @@ struct CurvesTransportReport {
 
 /// What Melnikov's function says, beside the exact areas.
 [[nodiscard]] std::string melnikov_text(const operations::MelnikovComparison& report);
-
-/// Writes the JSON object; `seconds_so_far` is asked when all but the timing is written.
-void write_transport_json(const std::string& path, const CurvesTransportReport& report,
-                          const std::function<double()>& seconds_so_far);
 
 /// a(n) and T(n) over n as SVG.
 void write_transport_curve(const std::string& path, const TransportReport& report);

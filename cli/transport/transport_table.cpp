@@ -108,22 +108,16 @@ std::string transport_table(const TransportReport& report) {
   return text;
 }
 
-std::string rows_text(const CurvesTransportReport& report) {
-  const std::string all = report.iterates ? fmt::format(" of {}", *report.iterates) : "";
-  const std::size_t rows = report.result.steps.size();
-  return rows == 0 ? "no n" + all : fmt::format("n = 1 to {}{}", rows, all);
-}
-
 std::string transport_table(const CurvesTransportReport& report) {
-  const TransportOfCurves& result = report.result;
+  const auto& result = report.outcome.as<operations::CurveTransport>();
   std::string text = agreement_text(result.agreement);
   text += fmt::format("turnstile  {} a period; L12(1) {:.15g} +- {:.1e}, L21(1) {:.15g} +- {:.1e}\n",
-                      counted(report.tangle->images.period, "lobe", "lobes"), result.flux12.value, result.flux12.error,
+                      counted(result.period, "lobe", "lobes"), result.flux12.value, result.flux12.error,
                       result.flux21.value, result.flux21.error);
   text += regions_text(result.regions);
   text += result.steps.empty() ? std::string("no row: the curves do not reach f(q)\n")
                                : transport_steps_table(result.steps);
-  if (!result.limit.empty()) text += rows_text(report) + ": " + with_option_names(result.limit) + "\n";
+  if (!result.why.empty()) text += with_option_names(result.why) + "\n";
   return text;
 }
 

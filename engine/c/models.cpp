@@ -1,4 +1,4 @@
-// Systems, their points and manifolds, for C.
+// Systems and images of points, for C.
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -9,31 +9,9 @@
 #include "engine/c/model.hpp"
 #include "lober/cancellation.hpp"
 #include "lober/error.hpp"
-#include "lober/manifolds.hpp"
 
 namespace lober::detail::c {
 namespace {
-
-using Work = std::function<void(lober_result&)>;
-
-std::function<bool(const GrowthProgress&)> growth_progress() {
-  const std::function<bool(double)> function = progress();
-  if (!function) return {};
-  return [function](const GrowthProgress&) { return function(-1); };
-}
-
-std::vector<double> doubles_of(const Buffer<double>& values) {
-  return {values.begin(), values.end()};
-}
-
-// Throws where a limit, or orbits that are lost, ended the curve early.
-void require_done(GrowthStop stop, const char* what, std::size_t points) {
-  if (stop != GrowthStop::points && stop != GrowthStop::failed) return;
-  throw WithResult{LOBER_INCOMPLETE,
-                   std::string(what) + " ends early, with " + std::to_string(points) + " points, " +
-                       (stop == GrowthStop::points ? "since max_points allows no more; give a larger max_points"
-                                                   : "since no point has an image near by")};
-}
 
 // Images of `from` into `to`, which may be the same and stays as it is where the work is cancelled. Integrations ask by
 // themselves whether it is; a formula does not, so it takes some steps at a time.
@@ -56,27 +34,6 @@ void iterate(const lober_model& model, const PlanarMap& map, std::span<const Poi
     });
   });
   std::copy(points.begin(), points.end(), to);
-}
-
-Work image_work(const lober_model* model, const double* curve, std::size_t n, Options& given) {
-  const PlanarMap& map = map_of(model);
-  const CurveView view{points_of(curve, n, "curve"), given.flag("closed", true)};
-  const int iterates = static_cast<int>(given.integer("iterates", 1, -1'000'000));
-  ImageOptions options;
-  options.tolerance = given.number("tolerance", options.tolerance);
-  options.max_length = given.number("max_length", options.max_length);
-  options.max_points = given.count("max_points", options.max_points);
-  options.progress = growth_progress();
-  return [=, &map](lober_result& result) {
-    validate(view, "curve");
-    CurveImage image = image_of(map, iterates, view, options);
-    if (image.stop == GrowthStop::cancelled) throw Cancelled();
-    result.add("parameters", doubles_of(image.parameters));
-    result.add("stop", std::string(name(image.stop)));
-    const std::size_t count = image.points.size();
-    result.add_points("points", std::move(image.points));
-    require_done(image.stop, "the image", count);
-  };
 }
 
 }  // namespace
@@ -129,9 +86,4 @@ int lober_iterate(const lober_model* model, double* points, size_t n, int iterat
   return guarded([&] {
     iterate(*model, map_of(model), points_of(points, n, "points"), reinterpret_cast<lober::Point*>(points), iterates);
   });
-}
-
-int lober_image(const lober_model* model, const double* curve, size_t n, const char* options, lober_result** result) {
-  using namespace lober::detail::c;
-  return operation(options, result, [=](Options& given) { return image_work(model, curve, n, given); });
 }

@@ -49,16 +49,13 @@ Settings settings_of(const ops::Operation& operation, const char* text) {
 // With `kept`, of copies that it holds.
 std::vector<ops::Input> inputs_of(const ops::Operation& operation, const lober_input* given, std::size_t count,
                                   std::deque<std::vector<Point>>* kept) {
-  const std::size_t most = operation.inputs.size();
-  const auto needed = static_cast<std::size_t>(
-      std::count_if(operation.inputs.begin(), operation.inputs.end(), [](const auto& spec) { return !spec.optional; }));
-  if (count < needed || count > most || (count > 0 && given == nullptr)) {
-    throw UsageError(operation.name + " takes " + (needed < most ? std::to_string(needed) + " to " : "") +
-                     std::to_string(most) + " inputs, not " + std::to_string(count));
-  }
+  if (count > 0 && given == nullptr) throw UsageError("inputs is a null pointer");
   std::vector<ops::Input> inputs;
   for (std::size_t k = 0; k < count; ++k) {
-    const ops::InputSpec& spec = operation.inputs[k];
+    // The operation says itself how many it takes.
+    ops::InputSpec spec;
+    spec.kind = ops::InputKind::points;
+    if (k < operation.inputs.size()) spec = operation.inputs[k];
     if (spec.kind == ops::InputKind::system) {
       (void)map_of(given[k].model);  // throws for a null pointer
       inputs.emplace_back(given[k].model->input);
@@ -189,14 +186,9 @@ void call(const ops::Operation& operation, const std::vector<ops::Input>& inputs
   if (!found.incomplete.empty()) throw WithResult{LOBER_INCOMPLETE, found.incomplete};
 }
 
-int call_on_curves(const char* operation, std::initializer_list<lober_input> curves, const char* options,
-                   lober_result** result) {
-  return lober_call(operation, curves.begin(), curves.size(), options, result);
-}
-
-int call_on_model(const char* operation, const lober_model* model, const char* options, lober_result** result) {
-  const lober_input input{nullptr, 0, model};
-  return lober_call(operation, &input, 1, options, result);
+int call_on(const char* operation, std::initializer_list<lober_input> inputs, const char* options,
+            lober_result** result) {
+  return lober_call(operation, inputs.begin(), inputs.size(), options, result);
 }
 
 }  // namespace
@@ -224,12 +216,12 @@ int lober_call(const char* operation, const lober_input* inputs, size_t count, c
 
 int lober_overlay(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                   lober_result** result) {
-  return lober::detail::c::call_on_curves("overlay", {{curve1, n1, nullptr}, {curve2, n2, nullptr}}, options, result);
+  return lober::detail::c::call_on("overlay", {{curve1, n1, nullptr}, {curve2, n2, nullptr}}, options, result);
 }
 
 int lober_interior(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                    lober_result** result) {
-  return lober::detail::c::call_on_curves("interior", {{curve1, n1, nullptr}, {curve2, n2, nullptr}}, options, result);
+  return lober::detail::c::call_on("interior", {{curve1, n1, nullptr}, {curve2, n2, nullptr}}, options, result);
 }
 
 int lober_regions(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
@@ -240,35 +232,39 @@ int lober_regions(const double* curve1, size_t n1, const double* curve2, size_t 
 
 int lober_winding(const double* curve, size_t n, const double* points, size_t count, const char* options,
                   lober_result** result) {
-  return lober::detail::c::call_on_curves("winding", {{curve, n, nullptr}, {points, count, nullptr}}, options, result);
+  return lober::detail::c::call_on("winding", {{curve, n, nullptr}, {points, count, nullptr}}, options, result);
 }
 
 int lober_tangle(const double* u, size_t nu, const double* s, size_t ns, const char* options, lober_result** result) {
-  return lober::detail::c::call_on_curves("tangle", {{u, nu, nullptr}, {s, ns, nullptr}}, options, result);
+  return lober::detail::c::call_on("tangle", {{u, nu, nullptr}, {s, ns, nullptr}}, options, result);
 }
 
 int lober_densify(const double* curve, size_t n, const char* options, lober_result** result) {
-  return lober::detail::c::call_on_curves("densify", {{curve, n, nullptr}}, options, result);
+  return lober::detail::c::call_on("densify", {{curve, n, nullptr}}, options, result);
 }
 
 int lober_simplify(const double* curve, size_t n, const char* options, lober_result** result) {
-  return lober::detail::c::call_on_curves("simplify", {{curve, n, nullptr}}, options, result);
+  return lober::detail::c::call_on("simplify", {{curve, n, nullptr}}, options, result);
 }
 
 int lober_fixed_points(const lober_model* model, const char* options, lober_result** result) {
-  return lober::detail::c::call_on_model("fixed_points", model, options, result);
+  return lober::detail::c::call_on("fixed_points", {{nullptr, 0, model}}, options, result);
 }
 
 int lober_grow(const lober_model* model, const char* options, lober_result** result) {
-  return lober::detail::c::call_on_model("grow", model, options, result);
+  return lober::detail::c::call_on("grow", {{nullptr, 0, model}}, options, result);
+}
+
+int lober_image(const lober_model* model, const double* curve, size_t n, const char* options, lober_result** result) {
+  return lober::detail::c::call_on("image", {{nullptr, 0, model}, {curve, n, nullptr}}, options, result);
 }
 
 int lober_model_tangle(const lober_model* model, const char* options, lober_result** result) {
-  return lober::detail::c::call_on_model("manifold_tangle", model, options, result);
+  return lober::detail::c::call_on("manifold_tangle", {{nullptr, 0, model}}, options, result);
 }
 
 int lober_transport(const lober_model* model, const char* options, lober_result** result) {
-  return lober::detail::c::call_on_model("transport", model, options, result);
+  return lober::detail::c::call_on("transport", {{nullptr, 0, model}}, options, result);
 }
 
 int lober_operations(lober_result** result) {

@@ -177,8 +177,10 @@ LOBER_C_API int lober_fixed_points(const lober_model* model, const char* options
    result.generations, local_manifold.saddle, local_manifold.multiplier, result.length, result.stop. LOBER_INCOMPLETE
    with a result where max_points ends it, or no point has an image. */
 LOBER_C_API int lober_grow(const lober_model* model, const char* options, lober_result** result);
-/* Image of a curve under the map, with as many points as it needs. Options: closed=0|1 (1), iterates=N (1),
-   tolerance=D, max_length=D, max_points=N. Arrays: points, parameters, stop. LOBER_INCOMPLETE as lober_grow. */
+/* Images of a curve under the map, with as many points as they need: lober_call of "image". Options: closed=0|1 (1),
+   first=N (1), last=N (first), tolerance=D, max_length=D, max_points=N and more. Among its arrays: images.0.polygon: the
+   points, and images.0.parameters of the first; images.0.area (1 x 2): area and error. LOBER_INCOMPLETE as
+   lober_grow. */
 LOBER_C_API int lober_image(const lober_model* model, const double* curve, size_t n, const char* options,
                             lober_result** result);
 /* The tangle of the system's saddles: lober_call of "manifold_tangle". Options: tolerance=D, before=N, after=N,

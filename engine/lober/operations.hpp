@@ -24,6 +24,7 @@
 #include "lober/interior.hpp"
 #include "lober/levels.hpp"
 #include "lober/manifold_tangle.hpp"
+#include "lober/manifolds.hpp"
 #include "lober/melnikov.hpp"
 #include "lober/monte_carlo.hpp"
 #include "lober/orbits.hpp"
@@ -278,6 +279,7 @@ struct RefinedCurve : DensifiedCurve {
 struct CurveRegions {
   Regions regions;
   FillRule rule = FillRule::nonzero;
+  Areas areas{}, rounding{};                            ///< by the rule
   std::optional<std::array<RegionPieces, 4>> pieces{};  ///< in the order of all_pairings
 };
 /// Of "grow".
@@ -300,6 +302,27 @@ struct CurveWinding {
   double difference = 0;              ///< the largest |J / 2 pi - winding number|
   double bar = 0;                     ///< what it may be
   Agreement agreement;                ///< points where it is more
+};
+/// Of "image".
+struct CurveImages {
+  struct One {
+    CurveImage image{};
+    std::size_t curve = 0;  ///< 1: of the second boundary of a cylinder
+    std::vector<ImagePart> parts{};
+    double length = 0;  ///< of all parts together
+    /// Signed, of an image that is whole and meets the tolerance everywhere; the error is what a polygon may leave out:
+    /// the tolerance times its length.
+    std::optional<Measured> area{};
+
+    [[nodiscard]] LOBER_API std::string name() const;  ///< "f^-2", of a second curve "f^-2 boundary 2"
+  };
+  std::string what{};           ///< "circle of radius 0.1 about (1, 0)"; empty where a curve was given
+  bool closed = true;           ///< the curve
+  std::vector<One> images{};    ///< in the order of iterates; of two curves, first those of the one
+  Rectangle box{};              ///< in which the tolerance holds
+  bool preserves_area = false;  ///< the map has an action
+  Agreement agreement{};        ///< of areas of images with that of the first
+  double curve_seconds = 0, image_seconds = 0;
 };
 /// Of "tangle".
 struct CurveTangle : Tangle {
@@ -332,6 +355,11 @@ struct MelnikovComparison {
 /// Of "transport".
 struct SystemTransport : Transport {
   std::optional<MelnikovComparison> melnikov{};  ///< where it was asked for
+};
+/// Of "curve_transport".
+struct CurveTransport : TransportOfCurves {
+  std::size_t period = 0;  ///< number of pips from one to its image
+  std::string why{};       ///< the limit, with the rows that there are
 };
 /// Of "escape".
 struct SystemEscape : Escape {

@@ -37,9 +37,14 @@ std::string takes(const Operation& operation) {
 
 void require_inputs(const Operation& operation, std::span<const Input> inputs) {
   const std::vector<InputSpec>& specs = operation.inputs;
-  for (std::size_t k = 0; k < std::max(specs.size(), inputs.size()); ++k) {
-    const bool fits = k >= inputs.size() ? specs[k].optional : k < specs.size() && is_of_kind(inputs[k], specs[k].kind);
-    if (!fits) throw UsageError(takes(operation));
+  const auto needed = static_cast<std::size_t>(
+      std::count_if(specs.begin(), specs.end(), [](const InputSpec& spec) { return !spec.optional; }));
+  if (inputs.size() < needed || inputs.size() > specs.size()) {
+    throw UsageError(operation.name + " takes " + (needed < specs.size() ? std::to_string(needed) + " to " : "") +
+                     std::to_string(specs.size()) + " inputs, not " + std::to_string(inputs.size()));
+  }
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    if (!is_of_kind(inputs[k], specs[k].kind)) throw UsageError(takes(operation));
   }
 }
 
@@ -60,6 +65,11 @@ IndexedCurve indexed_curve(const Operation& operation, std::span<const Input> in
 bool known_simple(std::span<const Input> inputs, std::size_t k) {
   const CurveInput* const curve = given_curve(inputs[k]);
   return curve != nullptr && curve->simple;
+}
+
+const DiscretisationSums* known_sums(std::span<const Input> inputs, std::size_t k) {
+  const CurveInput* const curve = given_curve(inputs[k]);
+  return curve != nullptr ? curve->sums : nullptr;
 }
 
 std::span<const Point> points_at(const Operation& operation, std::span<const Input> inputs, std::size_t k) {

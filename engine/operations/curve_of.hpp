@@ -4,11 +4,19 @@
 #include <functional>
 #include <span>
 
-#include "lober/operations.hpp"
+#include "engine/operations/describe.hpp"
 
 namespace lober::detail::table {
 
-/// Throws UsageError unless there are as many inputs as the operation takes, each of its kind.
+/// How::index.
+template <typename How>
+OptionList<How>& add_index_option(OptionList<How>& list) {
+  return list.choice("index", &How::index, all_index_kinds,
+                     "index that proposes which segments can meet; the results do not depend on it");
+}
+
+/// Throws UsageError unless there are as many inputs as the operation takes, each of its kind. Operations are called
+/// with such inputs only (table.cpp).
 void require_inputs(const operations::Operation& operation, std::span<const operations::Input> inputs);
 
 /// Input number k, which is a curve or points, as a curve; one that may be open (InputKind::curve) stays so. Throws
@@ -21,6 +29,8 @@ void require_inputs(const operations::Operation& operation, std::span<const oper
                                          std::span<const operations::Input> inputs, std::size_t k);
 /// Whether input number k is known to be simple.
 [[nodiscard]] bool known_simple(std::span<const operations::Input> inputs, std::size_t k);
+/// The sums of input number k for the estimate of the discretisation, where they are known; else null.
+[[nodiscard]] const DiscretisationSums* known_sums(std::span<const operations::Input> inputs, std::size_t k);
 /// Input number k, which is points. Throws DataError for one that is not finite.
 [[nodiscard]] std::span<const Point> points_at(const operations::Operation& operation,
                                                std::span<const operations::Input> inputs, std::size_t k);

@@ -238,7 +238,6 @@ std::string unmet(const RefinedCurve& found) {
 
 Outcome run_densify(std::span<const Input> inputs, const Options& options, const Context& context) {
   const Operation& operation = named("densify");
-  require_inputs(operation, inputs);
   const DensifyHow how = densify_options().how(options);
   check(how, inputs.size() > 1);
   const CurveView given = curve_at(operation, inputs, 0, how.closed);
@@ -293,7 +292,6 @@ Outcome run_densify(std::span<const Input> inputs, const Options& options, const
 
 Outcome run_simplify(std::span<const Input> inputs, const Options& options, const Context&) {
   const Operation& operation = named("simplify");
-  require_inputs(operation, inputs);
   SimplifyHow how = simplify_options().how(options);
   how.tolerance = *how.tolerance_given;
   if (how.max_length_given) how.max_length = *how.max_length_given;

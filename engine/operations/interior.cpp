@@ -25,9 +25,8 @@ const OptionList<InteriorHow>& interior_options() {
                 "number of passes that insert points where the ends of a segment differ; with ends",
                 {.min = 0, .max = 1'000'000, .value = "P"})
         .option("points", &InteriorHow::points, "number of points that a pass inserts into such a segment; with ends",
-                {.min = 0, .max = 1'000'000, .value = "N"})
-        .choice("index", &InteriorHow::index, all_index_kinds,
-                "index that proposes which segments can meet; the results do not depend on it")
+                {.min = 0, .max = 1'000'000, .value = "N"});
+    add_index_option(list)
         .option("check_simple", &InteriorHow::check_simple, "whether to refuse curves that are not simple")
         .option("verify", &InteriorHow::verify,
                 "whether to compute the areas by the overlay too, and report how far the two results differ");
@@ -73,7 +72,6 @@ std::vector<Field> interior_fields() {
 
 Outcome run_interior(std::span<const Input> inputs, const Options& options, const Context& context) {
   const Operation& operation = named("interior");
-  require_inputs(operation, inputs);
   const IndexedCurve c1 = indexed_curve(operation, inputs, 0), c2 = indexed_curve(operation, inputs, 1);
   InteriorHow how = interior_options().how(options);
   if (how.method == InteriorMethod::split && (how.passes > 0 || how.points > 0)) {

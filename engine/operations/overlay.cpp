@@ -24,9 +24,8 @@ const OptionList<OverlayHow>& overlay_options() {
     list.option("areas_only", &OverlayHow::areas_only,
                 "whether to compute the total areas but not the pieces, which is faster")
         .option("discretisation", &OverlayHow::discretisation,
-                "whether to estimate how far areas of polygons are from those between smooth curves")
-        .choice("index", &OverlayHow::index, all_index_kinds,
-                "index that proposes which segments can meet; the results do not depend on it")
+                "whether to estimate how far areas of polygons are from those between smooth curves");
+    add_index_option(list)
         .option("check_simple", &OverlayHow::check_simple, "whether to refuse curves that are not simple")
         .option("verify", &OverlayHow::verify,
                 "whether to compute the areas by the interior method too, and report how far the two results differ")
@@ -69,14 +68,8 @@ void add_classes(CurveOverlay& found) {
   }
 }
 
-const DiscretisationSums* known_sums(const Input& input) {
-  const auto* const curve = std::get_if<CurveInput>(&input);
-  return curve != nullptr ? curve->sums : nullptr;
-}
-
 Outcome run_overlay(std::span<const Input> inputs, const Options& options, const Context& context) {
   const Operation& operation = named("overlay");
-  require_inputs(operation, inputs);
   const IndexedCurve c1 = indexed_curve(operation, inputs, 0), c2 = indexed_curve(operation, inputs, 1);
   OverlayHow how = overlay_options().how(options);
   how.pieces = !how.areas_only;
@@ -85,7 +78,7 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
   CurveOverlay found{overlay(c1, c2, how)};
   found.has_pieces = how.pieces;
   if (how.discretisation) {
-    const DiscretisationSums *const first = known_sums(inputs[0]), *const second = known_sums(inputs[1]);
+    const DiscretisationSums *const first = known_sums(inputs, 0), *const second = known_sums(inputs, 1);
     found.discretisation = first != nullptr && second != nullptr ? discretisation_error(found, *first, *second)
                                                                  : discretisation_error(found);
   }

@@ -19,9 +19,8 @@ const OptionList<RegionsHow>& region_options() {
     OptionList<RegionsHow> list;
     list.choice("rule", &RegionsHow::rule, all_fill_rules, "rule that says which winding numbers are inside")
         .option("areas_only", &RegionsHow::areas_only,
-                "whether to compute the total areas but not the pieces, which is faster")
-        .choice("index", &RegionsHow::index, all_index_kinds,
-                "index that proposes which segments can meet; the results do not depend on it");
+                "whether to compute the total areas but not the pieces, which is faster");
+    add_index_option(list);
     return list;
   }();
   return options;
@@ -89,8 +88,7 @@ std::vector<Field> region_fields() {
       .field("area", "area", "where they wind so", &WindingArea::area);
   Schema<CurveRegions> error;
   error.object("rounding", "bounds on |area - exact area of the region of the polygons as given|", areas_schema(),
-               [](const CurveRegions& r) { return r.regions.rounding(r.rule); });
-  const auto areas = [](const CurveRegions& r) { return r.regions.areas(r.rule); };
+               &CurveRegions::rounding);
   const auto counts = [](const CurveRegions& r) { return r.regions.counts(); };
   Schema<CurveRegions> made;
   made.field("rule", "", "that says which winding numbers are inside",
@@ -101,10 +99,10 @@ std::vector<Field> region_fields() {
       .object("signed_areas", "sums of winding number times area", signed_schema(),
               [](const CurveRegions& r) { return &r; })
       .field("q1", "area", "Q1, the symmetric difference",
-             [areas](const CurveRegions& r) { return areas(r).symmetric_difference; })
-      .field("q2", "area", "Q2, the union", [areas](const CurveRegions& r) { return areas(r).union_; })
-      .field("q3", "area", "Q3, the intersection", [areas](const CurveRegions& r) { return areas(r).intersection; })
-      .object("areas", "by the rule", areas_schema(), areas)
+             [](const CurveRegions& r) { return r.areas.symmetric_difference; })
+      .field("q2", "area", "Q2, the union", [](const CurveRegions& r) { return r.areas.union_; })
+      .field("q3", "area", "Q3, the intersection", [](const CurveRegions& r) { return r.areas.intersection; })
+      .object("areas", "by the rule", areas_schema(), &CurveRegions::areas)
       .object("pieces", "of each pairing, where they were asked for", region_pieces(),
               [](const CurveRegions& r) { return r.pieces ? &r : nullptr; })
       .if_asked_for()
@@ -115,13 +113,14 @@ std::vector<Field> region_fields() {
 
 Outcome run_regions(std::span<const Input> inputs, const Options& options, const Context& context) {
   const Operation& operation = named("regions");
-  require_inputs(operation, inputs);
   RegionsHow how = region_options().how(options);
   how.progress = fraction_to(context);
   const IndexedCurve c1 = indexed_curve(operation, inputs, 0);
   CurveRegions found;
   found.rule = how.rule;
   found.regions = inputs.size() == 1 ? regions(c1, how) : regions(c1, indexed_curve(operation, inputs, 1), how);
+  found.areas = found.regions.areas(how.rule);
+  found.rounding = found.regions.rounding(how.rule);
   if (!how.areas_only) {
     found.pieces.emplace();
     for (const Pairing pairing : all_pairings) {

@@ -145,9 +145,8 @@ void add(SystemSection& found, std::span<const Point> orbit, bool reached) {
 }
 
 Outcome run_section(std::span<const Input> inputs, const Options& options, const Context& context) {
-  const System& system = *system_of(inputs.first(std::min<std::size_t>(inputs.size(), 1))).system;
+  const System& system = *system_of(inputs).system;
   const auto* given = inputs.size() == 2 ? std::get_if<std::span<const Point>>(&inputs[1]) : nullptr;
-  if (inputs.size() > 1 && given == nullptr) throw UsageError("the second input has to be the first points of orbits");
   const SectionHow how = section_options().how(options);
   if (how.exit_times && given != nullptr) {
     throw UsageError("option \"exit_times\" and points to start from cannot be given together: orbits begin in cells");

@@ -7,9 +7,7 @@
 namespace lober::detail::table {
 
 const SystemInput& system_input_of(std::span<const Input> inputs) {
-  const auto* const input = inputs.size() == 1 ? std::get_if<SystemInput>(&inputs[0]) : nullptr;
-  if (input == nullptr || !input->system) throw UsageError("the operation takes one system and nothing else");
-  return *input;
+  return std::get<SystemInput>(inputs[0]);
 }
 
 const SystemInput& system_of(std::span<const Input> inputs) {

@@ -10,9 +10,9 @@
 namespace lober::detail::table {
 using namespace operations;
 
-/// Throws UsageError unless the inputs are one system.
+/// The first input.
 [[nodiscard]] const SystemInput& system_input_of(std::span<const Input> inputs);
-/// Also unless it has a planar map.
+/// Throws UsageError unless it has a planar map.
 [[nodiscard]] const SystemInput& system_of(std::span<const Input> inputs);
 
 /// For options whose progress takes a line; empty where nobody listens.

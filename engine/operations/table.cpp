@@ -3,18 +3,36 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "engine/operations/curve_of.hpp"
 #include "lober/error.hpp"
 
 namespace lober::operations {
+namespace {
+
+// Operations run with inputs of their kinds only.
+template <std::size_t size>
+std::array<Operation, size> checked(std::array<Operation, size> table) {
+  for (Operation& one : table) {
+    one.run = [name = one.name, run = std::move(one.run)](std::span<const Input> inputs, const Options& options,
+                                                          const Context& context) {
+      detail::table::require_inputs(named(name), inputs);
+      return run(inputs, options, context);
+    };
+  }
+  return table;
+}
+
+}  // namespace
 
 std::span<const Operation> all() {
   using namespace detail::table;
-  static const std::array table{
-      densify_operation(),  escape_operation(),    fixed_points_operation(),    grow_operation(),
-      interior_operation(), levels_operation(),    manifold_tangle_operation(), overlay_operation(),
-      regions_operation(),  section_operation(),   simplify_operation(),        sweep_operation(),
-      tangle_operation(),   transport_operation(), winding_operation()};
+  static const std::array table = checked(std::array{
+      curve_transport_operation(), densify_operation(), escape_operation(), fixed_points_operation(), grow_operation(),
+      image_operation(), interior_operation(), levels_operation(), manifold_tangle_operation(), overlay_operation(),
+      regions_operation(), section_operation(), simplify_operation(), sweep_operation(), tangle_operation(),
+      transport_operation(), winding_operation()});
   return table;
 }
 

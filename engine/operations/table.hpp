@@ -6,10 +6,12 @@
 namespace lober::detail::table {
 using namespace operations;
 
+[[nodiscard]] Operation curve_transport_operation();
 [[nodiscard]] Operation densify_operation();
 [[nodiscard]] Operation escape_operation();
 [[nodiscard]] Operation fixed_points_operation();
 [[nodiscard]] Operation grow_operation();
+[[nodiscard]] Operation image_operation();
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation levels_operation();
 [[nodiscard]] Operation manifold_tangle_operation();

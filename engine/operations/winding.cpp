@@ -82,7 +82,6 @@ void compare_with_turns(CurveWinding& found, std::size_t vertices) {
 
 Outcome run_winding(std::span<const Input> inputs, const Options& options, const Context& context) {
   const Operation& operation = named("winding");
-  require_inputs(operation, inputs);
   const IndexedCurve curve = indexed_curve(operation, inputs, 0);
   CurveWinding found;
   found.points = points_at(operation, inputs, 1);

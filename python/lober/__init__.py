@@ -45,7 +45,18 @@ from ._regions import RegionPieces, Regions, regions
 from ._symbolic import equations, hamiltonian
 from ._systems import Connection, Parameter, System, SystemInfo, system, systems
 from ._tangle import Boundary, Lobes, Tangle, TangleErrors, tangle
-from ._generated import Densify, Levels, Simplify, Sweep, densify, levels, simplify, sweep
+from ._generated import (
+    CurveTransport,
+    Densify,
+    Levels,
+    Simplify,
+    Sweep,
+    curve_transport,
+    densify,
+    levels,
+    simplify,
+    sweep,
+)
 from ._measured import Measured
 from ._transport import (
     Bottleneck,
@@ -71,6 +82,7 @@ __all__ = [
     "Connection",
     "CurveFile",
     "DataError",
+    "CurveTransport",
     "Densify",
     "DisagreementError",
     "Error",
@@ -107,6 +119,7 @@ __all__ = [
     "Zone",
     "__version__",
     "area",
+    "curve_transport",
     "densify",
     "equations",
     "escape",

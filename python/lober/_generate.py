@@ -16,6 +16,7 @@ BY_HAND = {
     "escape",
     "fixed_points",
     "grow",
+    "image",
     "interior",
     "manifold_tangle",
     "overlay",
@@ -157,7 +158,8 @@ def function(operation: dict[str, Any]) -> str:
         otherwise = f"; default: {option['otherwise']}" if option["otherwise"] else ""
         about += "\n    " + wrapped(f"{member}: {option['meaning']}{otherwise}", 8)
     classes = Classes()
-    result = classes.add(name.capitalize(), operation["result"], False, f"What `{name}` returns", operation["compares"])
+    title = "".join(part.capitalize() for part in name.split("_"))
+    result = classes.add(title, operation["result"], False, f"What `{name}` returns", operation["compares"])
     given, passed, what = inputs(operation["inputs"])
     made = f'call("{name}", {passed}, settings, threads, progress)'
     arguments = f"*{made}" if operation["compares"] else f"{made}[0]"

@@ -17,6 +17,249 @@ from ._systems import Box, Pair
 
 
 @dataclass(frozen=True)
+class CurveTransportRegions:
+    """R1, R2. A column each."""
+
+    #: Whether it is.
+    bounded: NDArray[Any]
+    #: Not known where it is not bounded (unit: area).
+    area: Measured
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "CurveTransportRegions":
+        return cls(
+            bounded=v["bounded"],
+            area=Measured(*(v["area"] or (np.nan, np.nan))),
+        )
+
+
+@dataclass(frozen=True)
+class CurveTransportTurnstile:
+    """Lobes and fluxes."""
+
+    #: Of what leaves the region inside in one step (unit: area).
+    flux12: Measured
+    #: Of what enters it in one step (unit: area).
+    flux21: Measured
+    #: Sum of the lobes that leave, each counted fully (unit: area).
+    lobe_area12: Measured
+    #: Sum of the lobes that enter, each counted fully (unit: area).
+    lobe_area21: Measured
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "CurveTransportTurnstile":
+        return cls(
+            flux12=Measured(*(v["flux12"] or (np.nan, np.nan))),
+            flux21=Measured(*(v["flux21"] or (np.nan, np.nan))),
+            lobe_area12=Measured(*(v["lobe_area12"] or (np.nan, np.nan))),
+            lobe_area21=Measured(*(v["lobe_area21"] or (np.nan, np.nan))),
+        )
+
+
+@dataclass(frozen=True)
+class CurveTransportStepsOverlaps:
+    """Of the lobes of the first turnstile with images of its lobes. A column each."""
+
+    #: Of L12(1) and f^(n-1) L12(1) (unit: area).
+    L12_L12: NDArray[np.float64]
+    #: Of L12(1) and f^(n-1) L21(1) (unit: area).
+    L12_L21: NDArray[np.float64]
+    #: Of L21(1) and f^(n-1) L12(1) (unit: area).
+    L21_L12: NDArray[np.float64]
+    #: Of L21(1) and f^(n-1) L21(1) (unit: area).
+    L21_L21: NDArray[np.float64]
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "CurveTransportStepsOverlaps":
+        return cls(
+            L12_L12=v["L12_L12"],
+            L12_L21=v["L12_L21"],
+            L21_L12=v["L21_L12"],
+            L21_L21=v["L21_L21"],
+        )
+
+
+@dataclass(frozen=True)
+class CurveTransportSteps:
+    """N = 1, 2, ... A column each."""
+
+    #: Iterates.
+    n: NDArray[Any]
+    #: A21(n) (unit: area).
+    a: Measured
+    #: T21(n) by lobes (unit: area).
+    T: Measured
+    #: Of L12(1) and f^(n-1) L21(1) (unit: area).
+    overlap: NDArray[np.float64]
+    #: T21(n) by boundaries (unit: area).
+    T_by_boundaries: Measured
+    #: |T21(n) by lobes - by boundaries| (unit: area).
+    consistency: NDArray[np.float64]
+    #: A12(n) = T12(n) - T12(n - 1) (unit: area).
+    a12: Measured
+    #: A21(n) = T21(n) - T21(n - 1) (unit: area).
+    a21: Measured
+    #: Area of what was in R1 and is in R2 after n iterates, by lobes (unit: area).
+    T12: Measured
+    #: Area of what was in R2 and is in R1 after n iterates, by lobes (unit: area).
+    T21: Measured
+    #: Of the lobes of the first turnstile with images of its lobes.
+    overlaps: CurveTransportStepsOverlaps
+    #: T21(n) counted, with one standard deviation (unit: area).
+    T_by_particles: Measured
+    #: A_ij(n) of all regions, by lobes (unit: area).
+    a_ij: Measured
+    #: T_ij(n) of all regions, by lobes (unit: area).
+    T_ij: Measured
+    #: T_ij(n) of all regions, by boundaries (unit: area).
+    T_ij_by_boundaries: Measured
+    #: T_ij(n) counted, with one standard deviation (unit: area).
+    T_ij_by_particles: Measured
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "CurveTransportSteps":
+        return cls(
+            n=v["n"],
+            a=Measured(*(v["a"] or (np.nan, np.nan))),
+            T=Measured(*(v["T"] or (np.nan, np.nan))),
+            overlap=v["overlap"],
+            T_by_boundaries=Measured(*(v["T_by_boundaries"] or (np.nan, np.nan))),
+            consistency=v["consistency"],
+            a12=Measured(*(v["a12"] or (np.nan, np.nan))),
+            a21=Measured(*(v["a21"] or (np.nan, np.nan))),
+            T12=Measured(*(v["T12"] or (np.nan, np.nan))),
+            T21=Measured(*(v["T21"] or (np.nan, np.nan))),
+            overlaps=CurveTransportStepsOverlaps._of(v["overlaps"]),
+            T_by_particles=Measured(*(v["T_by_particles"] or (np.nan, np.nan))),
+            a_ij=Measured(*(v["a_ij"] or (np.nan, np.nan))),
+            T_ij=Measured(*(v["T_ij"] or (np.nan, np.nan))),
+            T_ij_by_boundaries=Measured(*(v["T_ij_by_boundaries"] or (np.nan, np.nan))),
+            T_ij_by_particles=Measured(*(v["T_ij_by_particles"] or (np.nan, np.nan))),
+        )
+
+
+@dataclass(frozen=True)
+class CurveTransportStop:
+    """Why there are fewer rows than were asked for."""
+
+    #: Curves: they reach no farther.
+    reason: str | None
+    #: In words.
+    why: str | None
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "CurveTransportStop":
+        return cls(
+            reason=v["reason"],
+            why=v["why"],
+        )
+
+
+@dataclass(frozen=True)
+class CurveTransportError:
+    """Error bars of T21(n) and what speaks for them."""
+
+    #: Estimate of |T - true T| by lobes, integration and rounding included; worst step (unit: area).
+    discretisation: float
+    #: The same by boundaries (unit: area).
+    boundaries: float
+    #: |T by lobes - T by boundaries|; worst step (unit: area).
+    consistency: float
+    #: |flux12 - flux21| of the turnstile, by geometry (unit: area).
+    area_conservation: float
+
+    @classmethod
+    def _of(cls, v: dict[str, Any]) -> "CurveTransportError":
+        return cls(
+            discretisation=v["discretisation"],
+            boundaries=v["boundaries"],
+            consistency=v["consistency"],
+            area_conservation=v["area_conservation"],
+        )
+
+
+@dataclass(frozen=True)
+class CurveTransport:
+    """What `curve_transport` returns."""
+
+    #: Number of pips from one to its image.
+    period: int
+    #: R1, R2.
+    regions: CurveTransportRegions
+    #: Of what the boundary encloses (unit: area).
+    enclosed: Measured
+    #: Lobes and fluxes.
+    turnstile: CurveTransportTurnstile | None
+    #: N = 1, 2, ...
+    steps: CurveTransportSteps
+    #: Why there are fewer rows than were asked for.
+    stop: CurveTransportStop | None
+    #: What to know of the result.
+    remarks: list[str]
+    #: Error bars of T21(n) and what speaks for them.
+    error: CurveTransportError | None
+    #: By independent routes.
+    agreement: Agreement
+
+    @classmethod
+    def _of(cls, v: dict[str, Any], comparisons: list[tuple[Any, ...]]) -> "CurveTransport":
+        return cls(
+            period=v["period"],
+            regions=CurveTransportRegions._of(v["regions"]),
+            enclosed=Measured(*(v["enclosed"] or (np.nan, np.nan))),
+            turnstile=None if v["turnstile"] is None else CurveTransportTurnstile._of(v["turnstile"]),
+            steps=CurveTransportSteps._of(v["steps"]),
+            stop=None if v["stop"] is None else CurveTransportStop._of(v["stop"]),
+            remarks=v["remarks"],
+            error=None if v["error"] is None else CurveTransportError._of(v["error"]),
+            agreement=agreement_of(comparisons),
+        )
+
+
+def curve_transport(
+    u: Any,
+    s: Any,
+    *,
+    iterates: int | None = None,
+    bip: int | None = None,
+    period: int | None = None,
+    bip_near: Pair | None = None,
+    closure: Sequence[float] | None = None,
+    index: str = 'auto',
+    check_simple: bool = True,
+    threads: int = 0,
+    progress: Progress = None,
+) -> CurveTransport:
+    """Computes the transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n)
+    by lobes and by boundaries, for as many n as there are images of the bip on the curves. No map is needed.
+
+    `u`: the unstable manifold, outward from its fixed point; `s`: the stable manifold, likewise; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
+
+    iterates: number of iterates n up to which the table goes, or as far as the curves reach; n takes n images
+        of the bip on them; default: as far as the curves reach
+    bip: number of the boundary intersection point, the pip at which the boundary passes from U to S, from 0;
+        default: that nearest to bip_near, or the middle one
+    period: number of pips from one to its image, at most that of lobes, even where lobes alternate; default:
+        inferred from the areas
+    bip_near: point near it; default: none
+    closure: corners of the path that closes the boundary, from the fixed point of S to that of U; default: the
+        straight line
+    index: index that proposes which segments can meet; the results do not depend on it
+    check_simple: whether to refuse manifolds that cross or touch themselves
+    """
+    settings = {
+        "iterates": iterates,
+        "bip": bip,
+        "period": period,
+        "bip_near": bip_near,
+        "closure": closure,
+        "index": index,
+        "check_simple": check_simple,
+    }
+    return CurveTransport._of(*call("curve_transport", [points_of(u, "u"), points_of(s, "s")], settings, threads, progress))
+
+
+@dataclass(frozen=True)
 class DensifySteps:
     """What was done, in order. A column each."""
 

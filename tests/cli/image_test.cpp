@@ -151,7 +151,7 @@ TEST_F(ImageProgram, RefusesWhatMakesNoSense) {
   refused({"henon", "nowhere", "--tolerance", "1e-3"}, 1, "nowhere: ");
   refused({"henon", "square.dat", "--circle", "0,0,1", "--tolerance", "1e-3"}, 2, "cannot be given together");
   refused({"henon", "--circle", "0,0,0", "--tolerance", "1e-3"}, 2, "R has to be above 0");
-  refused({"henon", "--rectangle", "0,0,0,1", "--tolerance", "1e-3"}, 2, "X0 < X1");
+  refused({"henon", "--rectangle", "0,0,0,1", "--tolerance", "1e-3"}, 2, "x0 < x1");
   refused({"henon", "square.dat", "--iterates", "3:1", "--tolerance", "1e-3"}, 2, "FIRST has to come before LAST");
   refused({"henon", "square.dat", "--iterates", "1.5", "--tolerance", "1e-3"}, 2, "not a whole number");
   refused({"henon", "square.dat", "--iterates", "1:2", "--tolerance", "1e-3", "-o", "x.npy"}, 2, "{n}");

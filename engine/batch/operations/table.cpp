@@ -7,11 +7,11 @@
 namespace lober::detail {
 
 std::span<const Operation> all_operations() {
-  static const std::array table{overlay_operation(), interior_operation(), regions_operation(),
-                                winding_operation(), tangle_operation(),   manifold_tangle_operation(),
-                                densify_operation(), simplify_operation(), transport_operation(),
-                                sweep_operation(),   escape_operation(),   fixed_points_operation(),
-                                levels_operation(),  section_operation(),  grow_operation()};
+  static const std::array table{
+      overlay_operation(),      interior_operation(),        regions_operation(), winding_operation(),
+      tangle_operation(),       manifold_tangle_operation(), densify_operation(), simplify_operation(),
+      transport_operation(),    curve_transport_operation(), sweep_operation(),   escape_operation(),
+      fixed_points_operation(), levels_operation(),          section_operation(), grow_operation()};
   return table;
 }
 

@@ -11,6 +11,7 @@ namespace lober::detail {
 [[nodiscard]] Operation grow_operation();
 [[nodiscard]] Operation interior_operation();
 [[nodiscard]] Operation levels_operation();
+[[nodiscard]] Operation curve_transport_operation();
 [[nodiscard]] Operation densify_operation();
 [[nodiscard]] Operation manifold_tangle_operation();
 [[nodiscard]] Operation regions_operation();

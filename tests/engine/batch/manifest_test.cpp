@@ -101,7 +101,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(
       refusal("operation = \"overly\"\ncurves = \"separ.*\""),
       "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, regions, "
-      "winding, tangle, manifold_tangle, densify, simplify, transport, sweep, escape, fixed_points, levels, section, "
+      "winding, tangle, manifold_tangle, densify, simplify, transport, curve_transport, sweep, escape, fixed_points, "
+      "levels, section, "
       "grow");
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");

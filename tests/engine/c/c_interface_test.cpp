@@ -179,9 +179,9 @@ TEST(CInterface, LimitsOfManifoldsAndImagesHaveAStatus) {
   EXPECT_GE(array_of(grown, "points").rows, 2U);
   const std::vector<double> box{0.1, 0.1, 3, 0.1, 3, 3, 0.1, 3};
   const Result image = made_with(LOBER_INCOMPLETE, "give a larger max_points", [&](lober_result** to) {
-    return lober_image(standard.get(), box.data(), 4, "iterates=9 max_points=100", to);
+    return lober_image(standard.get(), box.data(), 4, "first=9 max_points=100", to);
   });
-  EXPECT_LE(array_of(image, "points").rows, 100U);
+  EXPECT_LE(array_of(image, "images.0.polygon").rows, 100U);
 }
 
 TEST(CInterface, ZonesAreNamedAsInTheHeader) {
@@ -280,9 +280,11 @@ TEST(CInterface, SystemsGiveWhatCppGives) {
   EXPECT_EQ(array_of(grown, "points").rows, array_of(grown, "parameters").rows);
   const std::vector<double> box{0.1, 0.1, 0.2, 0.1, 0.2, 0.2, 0.1, 0.2};
   const Result image =
-      made([&](lober_result** to) { return lober_image(standard.get(), box.data(), 4, "iterates=2", to); });
+      made([&](lober_result** to) { return lober_image(standard.get(), box.data(), 4, "first=2", to); });
   double area = 0;
-  ASSERT_EQ(lober_signed_area(doubles_of(image, "points").data(), array_of(image, "points").rows, &area), LOBER_OK);
+  ASSERT_EQ(
+      lober_signed_area(doubles_of(image, "images.0.polygon").data(), array_of(image, "images.0.polygon").rows, &area),
+      LOBER_OK);
   EXPECT_NEAR(area, 0.01, 1e-6);
 
   const Result tangle = made([&](lober_result** to) { return lober_model_tangle(standard.get(), "outlines=1", to); });

@@ -1,0 +1,360 @@
+// Images and pre-images of a curve under a system's map.
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/stopwatch.hpp"
+#include "engine/base/text.hpp"
+#include "engine/operations/curve_of.hpp"
+#include "engine/operations/describe.hpp"
+#include "engine/operations/growth_fields.hpp"
+#include "engine/operations/system_of.hpp"
+#include "engine/operations/table.hpp"
+#include "lober/drawing.hpp"
+#include "lober/error.hpp"
+#include "lober/manifold_tangle.hpp"
+#include "lober/manifolds.hpp"
+
+namespace lober::operations {
+
+std::string CurveImages::One::name() const {
+  return "f^" + std::to_string(image.iterate) + (curve > 0 ? " boundary " + std::to_string(curve + 1) : "");
+}
+
+}  // namespace lober::operations
+
+namespace lober::detail::table {
+using namespace operations;
+namespace {
+
+using FollowedImage = CurveImages::One;
+
+// Some take the place of what ImageOptions has for them.
+struct ImageHow : ImageOptions {
+  bool closed = true, boundary = false;
+  std::optional<std::vector<double>> circle{};
+  std::optional<Rectangle> rectangle{}, box_given{};
+  int first = 1;
+  std::optional<std::int64_t> last{};
+  std::optional<double> max_segment{};
+};
+
+const OptionList<ImageHow>& image_options() {
+  static const OptionList<ImageHow> options = [] {
+    using How = ImageHow;
+    OptionList<How> list;
+    list.option("closed", &How::closed, "whether to join the last vertex of the curve to the first")
+        .option(
+            "circle", &How::circle,
+            "circle about X,Y of radius R, in the coordinates of the map, counter-clockwise, which is followed as a "
+            "circle, not as a polygon",
+            {.otherwise = "the curve given", .value = "X,Y,R"})
+        .option("rectangle", &How::rectangle, "corners of a rectangle, which is followed counter-clockwise",
+                {.otherwise = "the curve given"})
+        .option(
+            "boundary", &How::boundary,
+            "whether to follow the boundary that the system's tangle makes, from its manifolds: U up to the boundary "
+            "intersection point and S from there; on a cylinder the upper and the lower one")
+        .option("first", &How::first, "number of iterates of the first image; negative ones are pre-images",
+                {.min = -1000, .max = 1000, .value = "N"})
+        .option("last", &How::last, "number of iterates of the last image",
+                {.min = -1000, .max = 1000, .otherwise = "that of the first", .value = "N"})
+        .option("tolerance", &How::tolerance,
+                "maximum distance between an image and its polygon, in units of the coordinates",
+                {.min = 0, .above_min = true, .value = "LENGTH"})
+        .option("max_length", &How::max_segment, "maximum length of a segment, in units of the coordinates",
+                {.min = 0, .above_min = true, .otherwise = "no maximum", .value = "LENGTH"})
+        .option("box", &How::box_given,
+                "corners of the box in which the tolerance holds; outside it images are followed coarsely",
+                {.otherwise = "the box of the curve and of the system's window, three times as wide and high"})
+        .option("max_points", &How::max_points, "maximum number of points of an image, at which it ends",
+                {.min = 2, .max = 2'147'483'646, .value = "N"});
+    return list;
+  }();
+  return options;
+}
+
+// ---------------------------------------------------------------------------------------------------------- result
+
+struct ImageDiagnostics {
+  const CurveImage* image;
+  GrowthDiagnosticCause cause;
+
+  [[nodiscard]] std::size_t count() const {
+    std::size_t sum = 0;
+    for (const GrowthDiagnostic& one : image->diagnostics) sum += one.cause == cause ? one.count : 0;
+    return sum;
+  }
+  [[nodiscard]] Point first_at() const {
+    for (const GrowthDiagnostic& one : image->diagnostics) {
+      if (one.cause == cause) return image->points[one.first];
+    }
+    return {};
+  }
+};
+
+std::vector<ImageDiagnostics> diagnostics_by_cause(const FollowedImage& one) {
+  std::vector<ImageDiagnostics> found;
+  for (const GrowthDiagnosticCause cause : all_growth_causes) {
+    if (const ImageDiagnostics of_it{&one.image, cause}; of_it.count() > 0) found.push_back(of_it);
+  }
+  return found;
+}
+
+std::vector<Field> image_fields() {
+  Schema<ImagePart> part;
+  part.field("points", "", "number of points", [](const ImagePart& p) { return p.points.size(); })
+      .field("closed", "", "whether the last one is joined to the first", &ImagePart::closed);
+  Schema<ImageDiagnostics> diagnostic;
+  diagnostic
+      .field("cause", "", "failed: gaps, where points have no image; spacing, max_rounds or left-box",
+             [](const ImageDiagnostics& d) { return std::string(name(d.cause)); })
+      .field("count", "", "number of segments", &ImageDiagnostics::count)
+      .field("first_at", "length", "where the first one begins", &ImageDiagnostics::first_at);
+  Schema<FollowedImage> image;
+  image
+      .field("iterate", "", "number of iterates; negative of pre-images",
+             [](const FollowedImage& o) { return o.image.iterate; })
+      .field("curve", "", "0; 1 of the second boundary of a cylinder", &FollowedImage::curve)
+      .field("points", "", "number of points", [](const FollowedImage& o) { return o.image.points.size(); })
+      .field("length", "length", "of all parts", &FollowedImage::length)
+      .field("area", "area", "signed, of an image that is whole and meets the tolerance everywhere",
+             &FollowedImage::area)
+      .or_null()
+      .field("complete", "", "whether max_points left all of it",
+             [](const FollowedImage& o) { return o.image.stop != GrowthStop::points; })
+      .list("parts", "curves between gaps", part, &FollowedImage::parts)
+      .list("diagnostics", "segments that do not meet the tolerance, by cause", diagnostic, diagnostics_by_cause)
+      .field("polygon", "length", "the points",
+             [](const FollowedImage& o) { return std::vector<Point>(o.image.points.begin(), o.image.points.end()); })
+      .field("parameters", "", "of each point: the number of a segment of the curve and a fraction of it",
+             [](const FollowedImage& o) {
+               return std::vector<double>(o.image.parameters.begin(), o.image.parameters.end());
+             })
+      .not_in_json();
+  Schema<CurveImages> made;
+  made.field("what", "", "the curve, in words, where none was given", &CurveImages::what)
+      .not_in_json()
+      .field("closed", "", "whether the curve is", &CurveImages::closed)
+      .not_in_json()
+      .list("images", "in the order of iterates; of two curves, first those of the one", image, &CurveImages::images);
+  return made.fields();
+}
+
+// ------------------------------------------------------------------------------------------------------------- run
+
+// The curve as points, or as a function with the parameters of its corners.
+struct FollowedCurve {
+  std::vector<Point> own{};
+  std::span<const Point> points{};
+  CurveFunction function{};
+  std::vector<double> corners{};
+  std::vector<Point> second{};  // the other boundary of a strip
+};
+
+std::string in_words(Point point) {
+  return "(" + format_rounded(point.x, 10) + ", " + format_rounded(point.y, 10) + ")";
+}
+
+FollowedCurve circle(const std::vector<double>& numbers, CurveImages& found) {
+  if (numbers.size() != 3) throw UsageError("option \"circle\" takes three numbers X,Y,R");
+  const Point centre{numbers[0], numbers[1]};
+  const double radius = numbers[2];
+  if (!(radius > 0)) throw UsageError("option \"circle\" X,Y,R: R has to be above 0");
+  found.what = "circle of radius " + format_rounded(radius, 10) + " about " + in_words(centre);
+  FollowedCurve given;
+  given.function = [centre, radius](std::span<const double> parameters, std::span<Point> points) {
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const double turn = parameters[k] == 1 ? 0 : parameters[k], angle = 2 * std::numbers::pi * turn;
+      points[k] = {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
+    }
+  };
+  given.corners = {0, 1};
+  given.own = {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}};
+  given.points = given.own;
+  return given;
+}
+
+FollowedCurve rectangle(const Rectangle& r, CurveImages& found) {
+  found.what = "rectangle [" + format_rounded(r.min_x, 10) + ", " + format_rounded(r.max_x, 10) + "] x [" +
+               format_rounded(r.min_y, 10) + ", " + format_rounded(r.max_y, 10) + "]";
+  FollowedCurve given;
+  given.own = {{r.min_x, r.min_y}, {r.max_x, r.min_y}, {r.max_x, r.max_y}, {r.min_x, r.max_y}};
+  given.points = given.own;
+  return given;
+}
+
+// On a cylinder the region lies between two boundaries, each from a saddle to its copy.
+FollowedCurve boundary(const System& system, double tolerance, const Context& context, CurveImages& found) {
+  if (!system.connection) {
+    throw UsageError("system " + system.info.name + " names no tangle whose boundary could be taken; give a curve");
+  }
+  ManifoldTangleOptions options;
+  options.tolerance = tolerance;
+  options.progress = lines_to(context);
+  found.closed = !system.further_needed;
+  std::vector<Connection> connections{*system.connection};
+  if (system.further_needed) connections.insert(connections.end(), system.further.begin(), system.further.end());
+  FollowedCurve given;
+  for (const Connection& connection : connections) {
+    const auto tangle = grow_tangle(*system.map, connection, options);
+    found.what += (found.what.empty() ? "" : " and ") + std::string("boundary with the bip ") +
+                  in_words(tangle->tangle.pips[tangle->bip].at);
+    (given.own.empty() ? given.own : given.second) = boundary_curve(*tangle);
+  }
+  given.points = given.own;
+  return given;
+}
+
+FollowedCurve followed(const ImageHow& how, std::span<const Input> inputs, const Context& context, CurveImages& found) {
+  const int ways =
+      (inputs.size() > 1 ? 1 : 0) + (how.circle ? 1 : 0) + (how.rectangle ? 1 : 0) + (how.boundary ? 1 : 0);
+  if (ways == 0) {
+    throw UsageError(
+        "the curve is missing; give one, or option \"circle\", option \"rectangle\" or option \"boundary\"");
+  }
+  if (ways > 1) {
+    throw UsageError(
+        "a curve, option \"circle\", option \"rectangle\" and option \"boundary\" cannot be given together");
+  }
+  if (how.circle) return circle(*how.circle, found);
+  if (how.rectangle) return rectangle(*how.rectangle, found);
+  const System& system = *std::get<SystemInput>(inputs[0]).system;
+  if (how.boundary) return boundary(system, how.tolerance, context, found);
+  const CurveView curve = curve_at(named("image"), inputs, 1, how.closed);
+  found.closed = curve.closed;
+  FollowedCurve given;
+  given.points = curve.points;
+  return given;
+}
+
+// A single image ends early where points run out; of several those that do are left out.
+std::vector<CurveImage> followed_images(const PlanarMap& map, int first, int last, const FollowedCurve& given,
+                                        bool closed, const ImageOptions& options) {
+  const CurveView curve{given.points, closed};
+  if (first < last) {
+    return given.function ? images_of(map, first, last, given.function, given.corners, options)
+                          : images_of(map, first, last, curve, options);
+  }
+  std::vector<CurveImage> one;
+  one.push_back(given.function ? image_of(map, first, given.function, given.corners, options)
+                               : image_of(map, first, curve, options));
+  one.back().iterate = first;
+  return one;
+}
+
+double length_of(const ImagePart& part) {
+  double length = 0;
+  for (std::size_t k = 0; k + 1 < part.points.size(); ++k) {
+    length += std::hypot(part.points[k + 1].x - part.points[k].x, part.points[k + 1].y - part.points[k].y);
+  }
+  if (part.closed) {
+    length += std::hypot(part.points.front().x - part.points.back().x, part.points.front().y - part.points.back().y);
+  }
+  return length;
+}
+
+FollowedImage measured(CurveImage&& image, std::size_t curve, double tolerance) {
+  FollowedImage one{std::move(image), curve};
+  one.parts = parts_of(one.image);
+  for (const ImagePart& part : one.parts) one.length += length_of(part);
+  if (one.parts.size() == 1 && one.parts[0].closed && one.image.diagnostics.empty()) {
+    one.area = {signed_area(CurveView{one.parts[0].points, true}), tolerance * one.length};
+  }
+  return one;
+}
+
+// A map that preserves area keeps that of the curve, as far as both polygons meet their tolerance.
+void compare_image_areas(CurveImages& found, const PlanarMap& map) {
+  Point image = found.images.empty() || found.images.front().image.points.empty()
+                    ? Point{}
+                    : found.images.front().image.points[0];
+  const Point from = image;
+  map.iterate({&image, 1}, 1);
+  found.preserves_area = map.action(from, image).has_value();
+  if (!found.preserves_area || !found.closed) return;
+  const FollowedImage* base = nullptr;
+  for (const FollowedImage& one : found.images) {
+    if (!one.area) continue;
+    if (base == nullptr) {
+      base = &one;
+      continue;
+    }
+    found.agreement.compare({"area enclosed by the curve", base->name(), one.name(), base->area->value, one.area->value,
+                             base->area->error + one.area->error});
+  }
+}
+
+Outcome run_image(std::span<const Input> inputs, const Options& options, const Context& context) {
+  const System& system = *system_of(inputs).system;
+  ImageHow how = image_options().how(options);
+  const int last = static_cast<int>(how.last.value_or(how.first));
+  if (how.first > last) throw UsageError("option \"first\" has to come before option \"last\"");
+  if (how.max_segment) how.max_length = *how.max_segment;
+  how.max_points = std::min(how.max_points, std::max<std::size_t>(context.memory / (4 * sizeof(Point)), 1000));
+  CurveImages found;
+  const Stopwatch curve_watch;
+  const FollowedCurve given = followed(how, inputs, context, found);
+  found.curve_seconds = curve_watch.seconds();
+  how.box = system.window;
+  for (const Point& point : given.points) how.box.add(point);
+  for (const Point& point : given.second) how.box.add(point);
+  how.box = how.box_given.value_or(widened(how.box, 1));
+  found.box = how.box;
+  how.progress = [&](const GrowthProgress& at) {
+    if (context.count) context.count(static_cast<double>(at.images), "images of points");
+    return !context.progress || context.progress(std::numeric_limits<double>::quiet_NaN(), {});
+  };
+  const Stopwatch image_watch;
+  const auto add = [&](std::vector<CurveImage>&& images, std::size_t curve) {
+    for (CurveImage& image : images) {
+      if (image.stop == GrowthStop::cancelled) throw Cancelled();
+      found.images.push_back(measured(std::move(image), curve, how.tolerance));
+    }
+  };
+  add(followed_images(*system.map, how.first, last, given, found.closed, how), 0);
+  if (!given.second.empty()) {
+    FollowedCurve second;
+    second.points = given.second;
+    add(followed_images(*system.map, how.first, last, second, found.closed, how), 1);
+  }
+  found.image_seconds = image_watch.seconds();
+  compare_image_areas(found, *system.map);
+  const std::size_t wanted = static_cast<std::size_t>(last - how.first + 1) * (given.second.empty() ? 1 : 2);
+  const bool left_out = found.images.size() < wanted;
+  Outcome outcome = outcome_of(std::move(found), options);
+  for (const FollowedImage& one : outcome.as<CurveImages>().images) {
+    if (one.image.stop == GrowthStop::points) {
+      outcome.incomplete = one.name() + " ends early, with " + std::to_string(one.image.points.size()) +
+                           " points, since max_points allows no more; give a larger max_points";
+    } else if (one.image.stop == GrowthStop::failed) {
+      outcome.incomplete = one.name() + " ends early: no point has an image near by";
+    }
+  }
+  if (left_out && outcome.incomplete.empty()) {
+    outcome.incomplete = "images are left out, since max_points allows no more; give a larger max_points";
+  }
+  outcome.chosen = {{"last", std::int64_t{last}}, {"box", outcome.as<CurveImages>().box}};
+  return outcome;
+}
+
+}  // namespace
+
+Operation image_operation() {
+  Operation operation;
+  operation.name = "image";
+  operation.title = "images and pre-images of a curve under a system's map";
+  operation.summary =
+      "Computes images and pre-images of a curve under a map, or a flow's Poincare map, to a tolerance.";
+  operation.inputs = {{"system", InputKind::system, "the system whose map it is"},
+                      {"curve", InputKind::curve, "a curve, in place of a circle, a rectangle or the boundary", true}};
+  operation.options = image_options().specs();
+  operation.result = image_fields();
+  operation.examples = {{{"standard K=1.2"},
+                         {{"circle", std::vector<double>{3.14159, 0, 1}}, {"last", std::int64_t{3}}},
+                         "three images of a circle"},
+                        {{"ovp"}, {{"boundary", true}}, "of the boundary of the vortex pair"}};
+  operation.run = run_image;
+  return operation;
+}
+
+}  // namespace lober::detail::table
