@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.." || exit
 export LOBER_CI_CORES=${LOBER_CI_CORES:-$(nproc)}
 all=${LOBER_CI_ALL:-}
 record=.ci/passed
-watching_minutes=9  # of all steps that watch something together
+watching_minutes=7  # of all steps that watch something together
 passed=0 failed=0 skipped=0 summary=() left_out=() limits_only=
 [ "${1:-}" = --limits ] && limits_only=1
 log=$(mktemp)
@@ -106,7 +106,7 @@ step "the Python module, its tests and types" 5 make -s python
 step "commands and code of README and documents" 3 scripts/check-readme.sh
 # Without the program: operations_test runs all operations, and clang-tidy below compiles what has changed of it.
 instrumented=(lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
-sanitized_minutes=10
+sanitized_minutes=12
 if [ -n "$all" ]; then
   instrumented=()
   sanitized_minutes=30  # of all tests, not a chosen part
