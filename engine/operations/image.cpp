@@ -9,6 +9,7 @@
 #include "engine/operations/growth_fields.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/drawing.hpp"
 #include "lober/error.hpp"
 #include "lober/manifold_tangle.hpp"
@@ -165,7 +166,7 @@ FollowedCurve circle(const std::vector<double>& numbers, CurveImages& found) {
   given.function = [centre, radius](std::span<const double> parameters, std::span<Point> points) {
     for (std::size_t k = 0; k < parameters.size(); ++k) {
       const double turn = parameters[k] == 1 ? 0 : parameters[k], angle = 2 * std::numbers::pi * turn;
-      points[k] = {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
+      points[k] = {centre.x + radius * elementary::cos(angle), centre.y + radius * elementary::sin(angle)};
     }
   };
   given.corners = {0, 1};
