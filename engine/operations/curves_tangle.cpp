@@ -11,7 +11,7 @@ std::vector<InputSpec> manifold_inputs() {
           {"s", InputKind::open_curve, "the stable manifold, likewise"}};
 }
 
-Tangle tangle_of_curves(const Operation& operation, std::span<const Input> inputs, CurvesHow how,
+Tangle tangle_of_curves(const Operation& operation, std::span<const Input> inputs, CurvesHow& how,
                         const Context& context) {
   if (how.bip_number) how.bip = static_cast<std::size_t>(*how.bip_number);
   if (how.period_given) how.period = static_cast<std::uint32_t>(*how.period_given);

@@ -37,8 +37,9 @@ OptionList<How>& add_curves_options(OptionList<How>& list) {
 /// The two inputs of such an operation.
 [[nodiscard]] std::vector<InputSpec> manifold_inputs();
 
-/// The tangle of the inputs. Throws what `tangle` throws, and UsageError for a period that does not fit.
-[[nodiscard]] Tangle tangle_of_curves(const Operation& operation, std::span<const Input> inputs, CurvesHow how,
+/// The tangle of the inputs; completes `how`. Throws what `tangle` throws, and UsageError for a period that does not
+/// fit.
+[[nodiscard]] Tangle tangle_of_curves(const Operation& operation, std::span<const Input> inputs, CurvesHow& how,
                                       const Context& context);
 
 }  // namespace lober::detail::table

@@ -47,7 +47,7 @@ void compare_images(CurveTangle& found) {
 
 Outcome run_tangle(std::span<const Input> inputs, const Options& options, const Context& context) {
   const Operation& operation = named("tangle");
-  const TangleHow how = tangle_options().how(options);
+  TangleHow how = tangle_options().how(options);
   CurveTangle found{tangle_of_curves(operation, inputs, how, context)};
   found.smooth = how.smooth;
   measure_lobes(found, how.overlaps);
