@@ -8,6 +8,7 @@
 #include "lober/error.hpp"
 
 namespace lober::cli {
+
 void add_system_option(OptionParser& parser, std::string& name, bool positional) {
   parser
       .add(positional ? "SYSTEM,--system" : "--system", name,
@@ -51,12 +52,6 @@ ParameterValues parameter_values(const std::vector<std::string>& texts) {
     values.emplace_back(text.substr(0, equals), *value);
   }
   return values;
-}
-
-System system_of(const SystemRequest& request, const ParameterValues& values) {
-  System system = make_system(request.name, values, request.integration);
-  if (!system.map) throw UsageError("system " + system.info.name + " has no planar map, which this command needs");
-  return system;
 }
 
 operations::SystemInput system_input_of(const SystemRequest& request) {

@@ -33,9 +33,6 @@ void add_integration_option(OptionParser& parser, IntegrationOptions& integratio
 /// Throws UsageError for a text that is not NAME=VALUE.
 [[nodiscard]] ParameterValues parameter_values(const std::vector<std::string>& texts);
 
-/// Throws UsageError, also for a system that has no planar map.
-[[nodiscard]] System system_of(const SystemRequest& request, const ParameterValues& values);
-
 /// As operations take it. Throws UsageError.
 [[nodiscard]] operations::SystemInput system_input_of(const SystemRequest& request);
 

@@ -71,14 +71,6 @@ bool Options::flag(const std::string& name, bool otherwise) {
   return given ? *given == "1" : otherwise;
 }
 
-std::optional<Point> Options::point(const std::string& name) {
-  const std::optional<std::string> given = text(name);
-  if (!given) return std::nullopt;
-  const std::size_t comma = given->find(',');
-  if (comma == std::string::npos) refuse(name, *given, "2 numbers with commas between");
-  return Point{number_of(name, given->substr(0, comma)), number_of(name, given->substr(comma + 1))};
-}
-
 void Options::require_all_known() const {
   const auto unknown =
       std::find_if(words_.begin(), words_.end(), [&](const auto& word) { return !known_.contains(word.first); });

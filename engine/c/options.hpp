@@ -4,13 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "lober/point.hpp"
 #include "lober/threads.hpp"
 
 namespace lober::detail::c {
@@ -29,25 +27,7 @@ class Options {
   [[nodiscard]] std::int64_t integer(const std::string& name, std::int64_t otherwise, std::int64_t least = 0,
                                      std::int64_t most = 2'000'000'000);
   [[nodiscard]] bool flag(const std::string& name, bool otherwise);
-  [[nodiscard]] std::optional<Point> point(const std::string& name);
   [[nodiscard]] std::optional<std::string> text(const std::string& name);
-  /// A number of points or the like.
-  [[nodiscard]] std::size_t count(const std::string& name, std::size_t otherwise) {
-    return static_cast<std::size_t>(integer(name, static_cast<std::int64_t>(otherwise)));
-  }
-  /// One of some values, by the names that `word_of` gives them.
-  template <typename Value, typename WordOf>
-  [[nodiscard]] Value choice(const std::string& name, Value otherwise, std::span<const Value> values,
-                             const WordOf& word_of) {
-    const std::optional<std::string> given = text(name);
-    if (!given) return otherwise;
-    std::string names;
-    for (const Value value : values) {
-      if (*given == word_of(value)) return value;
-      names += (names.empty() ? "" : ", ") + std::string(word_of(value));
-    }
-    refuse(name, *given, "one of " + names);
-  }
   [[nodiscard]] int threads() { return static_cast<int>(integer("threads", 0, 0, max_threads)); }
   void require_all_known() const;
 

@@ -39,11 +39,6 @@ void lober_result::add_points(std::string name, std::vector<Point> points) {
   add_points(std::move(name), *kept, kept);
 }
 
-void lober_result::add_points(std::string name, lober::Buffer<Point> points) {
-  const auto kept = std::make_shared<const lober::Buffer<Point>>(std::move(points));
-  add_points(std::move(name), *kept, kept);
-}
-
 const lober_array* lober_result::find(std::string_view name) const {
   for (const lober_array& array : arrays_) {
     if (name == array.name) return &array;

@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "lober/buffer.hpp"
 #include "lober/lober.h"
 #include "lober/overlay.hpp"
 #include "lober/tangle.hpp"
@@ -27,7 +26,6 @@ struct lober_result {
   void add(std::string name, std::string text);
   /// Points that the result keeps.
   void add_points(std::string name, std::vector<lober::Point> points);
-  void add_points(std::string name, lober::Buffer<lober::Point> points);
   /// Points that `owner` keeps.
   void add_points(std::string name, std::span<const lober::Point> points, std::shared_ptr<const void> owner);
 
