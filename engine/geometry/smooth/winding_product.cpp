@@ -9,6 +9,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/curve/scaled.hpp"
+#include "engine/geometry/curve/thinned_outside.hpp"
 #include "engine/geometry/smooth/smooth_curve.hpp"
 #include "kernels/box.hpp"
 #include "lober/error.hpp"
@@ -50,12 +51,11 @@ class AlongAnother {
         const double from = numbers_[k], to = numbers_[k + 1 == size ? 0 : k + 1];
         if (from == 0 && to == 0 && first == next) continue;
         const SmoothSegment segment = smooth_.segment(static_cast<std::int64_t>(k));
-        sum.error += std::max(std::fabs(from), std::fabs(to)) * segment.error;
         if (!add_parts(segment, k, first, next, sum)) {
           // Each common point may count one winding more or less for most of the segment.
           const double jumps = std::max(std::fabs(from - to), static_cast<double>(next - first));
           sum.area += (from + to) / 2 * segment.chord_area(1);
-          sum.error += jumps / 2 * std::fabs(segment.chord_area(1));
+          sum.error += jumps / 2 * std::fabs(segment.chord_area(1)) + (std::fabs(from) + jumps) * segment.error;
         }
       }
     });
@@ -110,18 +110,24 @@ class AlongAnother {
     const double to = numbers_[k + 1 == along_.size() ? 0 : k + 1];
     double number = numbers_[k], begin = 0;
     CommonArea parts;
+    // Of the error of a whole arc a part has no more than a parabola over the segment has there.
+    const auto add_part = [&](double end) {
+      parts.area += number * between(segment, begin, end);
+      parts.error += std::fabs(number) * std::min(1.5 * (end - begin), 1.0) * segment.error;
+      begin = end;
+    };
     for (Points point = first; point != last; ++point) {
       if (point->vertex1 || point->vertex2) return false;
       const Segment of_other = other_.segment(point->second.segment);
       const Point across{of_other.b.x - of_other.a.x, of_other.b.y - of_other.a.y};
-      parts.area += number * between(segment, begin, point->first.t);
+      add_part(point->first.t);
       parts.error += hidden_at(segment, *point);
-      begin = point->first.t;
       // To the left of a curve its winding number is one more than to the right.
       number += across.x * segment.chord.y - across.y * segment.chord.x > 0 ? 1 : -1;
     }
     if (number != to) return false;
-    sum.area += parts.area + number * between(segment, begin, 1);
+    add_part(1);
+    sum.area += parts.area;
     sum.error += parts.error;
     return true;
   }
@@ -162,8 +168,11 @@ class AlongAnother {
   std::vector<double> numbers_;  // by vertex
 };
 
-// Cut to the box that both share: what lies elsewhere brings nothing, however coarse or far away it is. With a margin,
-// so that no curve touches what the other one is cut to.
+// Vertices on either side of a segment that its arc is fitted to, kernels/smooth_segment.hpp.
+constexpr std::size_t fitted_beside = 3;
+
+// Thinned outside of the box that both share: what lies elsewhere brings nothing, however coarse or far away it is.
+// With a margin, so that no curve touches the sides of the box that the other one runs along.
 CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
   const Box box1 = box_of(whole1.points()), box2 = box_of(whole2.points());
   Rectangle both{std::max(box1.min_x(), box2.min_x()), std::max(box1.min_y(), box2.min_y()),
@@ -175,7 +184,7 @@ CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
     const bool inside = box.min_x() >= both.min_x && box.max_x() <= both.max_x && box.min_y() >= both.min_y &&
                         box.max_y() <= both.max_y;
     if (inside) return whole;
-    return ClosedCurve(clipped({whole.points().begin(), whole.points().end()}, both));
+    return ClosedCurve(thinned_outside(whole.points(), both, fitted_beside));
   };
   const ClosedCurve first = cut(whole1, box1), second = cut(whole2, box2);
   if (!bounds_something(first.points()) || !bounds_something(second.points())) return {};

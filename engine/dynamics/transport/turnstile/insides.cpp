@@ -128,6 +128,10 @@ std::vector<Measured> InsidesInCommon::of(std::span<const Barrier* const> barrie
     const double curve_error = curve_error_of(*barriers[pair.c], pair.m, *barriers[pair.d], pair.n);
     const Change *const w = change_of(pair.c, pair.m), *const v = change_of(pair.d, pair.n);
     common[k] = pair.at_rest;
+    for (const auto& [barrier, image] : {std::pair(pair.c, pair.m), std::pair(pair.d, pair.n)}) {
+      if (image == 0) continue;
+      for (const int corner : {0, image}) common[k].error += error_at_corner(*barriers[barrier], corner);
+    }
     if (w) common[k] = common[k] + w->sign * find(taken, *w, pair.d)->product.with(curve_error);
     if (v) common[k] = common[k] + v->sign * find(taken, *v, pair.c)->product.with(curve_error);
     if (w && v) common[k] = common[k] + (w->sign * v->sign) * of_both[k].with(curve_error);

@@ -59,6 +59,33 @@ TEST(WindingProduct, OfCurvesThatCross) {
   }
 }
 
+// What leads out of the box that both share is cut there, whatever its direction: arcs must not be fitted across the cut.
+TEST(WindingProduct, BarsCoverWhereACurveLeavesTheBoxOfTheOther) {
+  int cases = 0;
+  double largest = 0;
+  for (const double turn : {0.1, 0.4, 0.785, 1.1, 1.5, 2.2, 3.0}) {
+    const auto turned = [&](std::size_t points) {
+      std::vector<Point> curve;
+      const ClosedCurve straight = limacon(points);
+      for (const Point p : straight.points()) {
+        curve.push_back({p.x * std::cos(turn) - p.y * std::sin(turn), p.x * std::sin(turn) + p.y * std::cos(turn)});
+      }
+      return ClosedCurve(std::move(curve));
+    };
+    for (const double x : {-2.5, -1.7, -0.9, 0.6, 1.3, 2.6}) {
+      const double exact = winding_product(turned(32'000), circle(32'000, x, 0.8)).area;
+      for (const std::size_t points : {60U, 90U, 150U}) {
+        const CommonArea found = winding_product(turned(points), circle(40, x, 0.8));
+        EXPECT_LE(std::fabs(found.area - exact), found.error) << turn << ' ' << x << ' ' << points;
+        largest = std::max(largest, std::fabs(found.area - exact));
+        ++cases;
+      }
+    }
+  }
+  EXPECT_EQ(cases, 126);
+  EXPECT_LT(largest, 1e-3);
+}
+
 TEST(WindingProduct, OfCurvesThatShareNothing) {
   EXPECT_EQ(winding_product(limacon(100), circle(100, 50, 1)).area, 0);
   EXPECT_EQ(winding_product(circle(100, 0, 1), circle(100, 50, 1)).area, 0);
