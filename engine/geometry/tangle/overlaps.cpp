@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/tangle/bounded_overlap.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
 #include "engine/geometry/tangle/running_sums.hpp"
 
@@ -31,6 +32,7 @@ struct Sum {
   std::uint32_t i, j;
   DD twice{};
   double error = 0, length = 0;
+  int rho = 0;
 };
 
 DD twice_area(const Tangle& tangle, std::size_t lobe) {
@@ -64,6 +66,7 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
     for (; k < terms.size() && terms[k].i == sum.i && terms[k].j == sum.j; ++k) {
       const SumsToNode& here = along[terms[k].node];
       const int rho = tangle.nodes.rho(nodes[terms[k].node]);
+      sum.rho += rho;
       sum.twice = rho > 0 ? sum.twice + here.gap : sum.twice - here.gap;
       // The crossing is one of U_j with S_i: U leaves lobe i if rho o_i = 1, S leaves lobe j if -rho o_j = 1.
       sum.error += rho * (o_i * here.error_u - o_j * here.error_s) + here.uncertainty;
@@ -73,6 +76,7 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
     sums.push_back(sum);
   }
   // Lobes that hold a fixed point hold whole lobes; there are hardly ever any.
+  const std::size_t of_crossings = sums.size();
   for (std::uint32_t m = 0; m < lobes; ++m) {
     const auto add = [&](std::uint32_t i, std::uint32_t j, std::uint32_t whole) {
       sums.push_back({i, j, twice_area(tangle, whole), 2 * tangle.lobes[whole].smooth_error,
@@ -85,6 +89,7 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
       for (std::uint32_t j = m + 1; j < lobes; ++j) add(m, j, j);
     }
   }
+  const bool fixed_points_held = sums.size() > of_crossings;
   std::stable_sort(sums.begin(), sums.end(),
                    [](const Sum& x, const Sum& y) { return x.i != y.i ? x.i < y.i : x.j < y.j; });
   std::vector<LobeOverlap> result;
@@ -94,12 +99,14 @@ std::vector<LobeOverlap> overlaps(const Tangle& tangle) {
       total.twice += sums[k].twice;
       total.error += sums[k].error;
       total.length += sums[k].length;
+      total.rho += sums[k].rho;
     }
-    const double area = std::max(0.0, tangle.curves->area(total.twice));
+    const double area = tangle.curves->area(total.twice);
     // Infinite where a whole lobe is added whose area is not known.
     const double of_arcs = std::isinf(total.error) ? total.error : tangle.curves->area({std::max(0.0, total.error), 0});
     const double error = of_arcs + tangle.rounding(area);
-    result.push_back({total.i, total.j, area, error, std::max(0.0, total.length)});
+    const LobeOverlap found{total.i, total.j, 0, error, std::max(0.0, total.length)};
+    result.push_back(bounded(tangle, found, area, fixed_points_held || total.rho == 0));
   }
   return result;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/tangle/bounded_overlap.hpp"
 #include "engine/geometry/tangle/running_sums.hpp"
 #include "kernels/box.hpp"
 #include "lober/error.hpp"
@@ -26,6 +27,7 @@ struct CopyTerm {
   std::uint32_t i, j;
   DD twice{};
   double error = 0, length = 0;
+  int rho = 0;
 };
 
 // Which pips crossings lie before, on both curves.
@@ -125,6 +127,7 @@ void add_terms(const Tangle& tangle, Point translation, bool copy_is_of_s, std::
     term.twice = rho * o_u * o_s > 0 ? sums[k].gap : -sums[k].gap;
     term.error = rho * (o_s * sums[k].error_u - o_u * sums[k].error_s) + sums[k].uncertainty;
     term.length = rho * (o_s * sums[k].length_u - o_u * sums[k].length_s);
+    term.rho = rho;
     terms.push_back(term);
   }
 }
@@ -176,7 +179,9 @@ CopyOverlaps overlaps_with_copy(const Tangle& tangle, Point translation) {
   std::vector<CopyTerm> terms;
   HiddenPips hidden(tangle.pips.size());
   for (const bool copy_is_of_s : {true, false}) add_terms(tangle, translation, copy_is_of_s, terms, hidden);
+  const std::size_t of_crossings = terms.size();
   add_whole_lobes(tangle, translation, terms);
+  const bool fixed_points_held = terms.size() > of_crossings;
   result.hidden_pips = hidden.numbers();
   std::stable_sort(terms.begin(), terms.end(),
                    [](const CopyTerm& x, const CopyTerm& y) { return x.i != y.i ? x.i < y.i : x.j < y.j; });
@@ -188,10 +193,12 @@ CopyOverlaps overlaps_with_copy(const Tangle& tangle, Point translation) {
       sum.twice += terms[k].twice;
       sum.error += terms[k].error;
       sum.length += terms[k].length;
+      sum.rho += terms[k].rho;
     }
-    const double area = std::max(0.0, tangle.curves->area(sum.twice)), length_of_both = std::max(0.0, sum.length);
+    const double area = tangle.curves->area(sum.twice), length_of_both = std::max(0.0, sum.length);
     const double error = tangle.curves->area({std::max(0.0, sum.error), 0}) + tangle.rounding(area);
-    result.overlaps.push_back({sum.i, sum.j, area, error + rounded * length_of_both, length_of_both});
+    const LobeOverlap found{sum.i, sum.j, 0, error + rounded * length_of_both, length_of_both};
+    result.overlaps.push_back(bounded(tangle, found, area, fixed_points_held || sum.rho == 0));
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/dynamics/transport/tangles/along_lattice.hpp"
 #include "kernels/box.hpp"
 #include "kernels/point.hpp"
 #include "lober/tangle.hpp"
@@ -55,25 +56,6 @@ struct Barrier {
 [[nodiscard]] int turns_of(const Barrier& barrier);
 /// +1 where what is inside lies on the left of U and S as B(q) follows them, from p- to p+.
 [[nodiscard]] int sign_of(const Barrier& barrier);
-/// Where points are: along a lattice, and above the line along it through the origin.
-class AlongLattice {
- public:
-  explicit AlongLattice(Point lattice) : lattice_(lattice), period_(length(lattice)) {}
-  [[nodiscard]] Point operator()(Point plane) const {
-    return {(lattice_.x * plane.x + lattice_.y * plane.y) / period_,
-            (lattice_.x * plane.y - lattice_.y * plane.x) / period_};
-  }
-  [[nodiscard]] double period() const { return period_; }
-
- private:
-  Point lattice_;
-  double period_;
-};
-/// The same of one point.
-[[nodiscard]] inline Point along_and_above(Point lattice, Point plane) {
-  return AlongLattice(lattice)(plane);
-}
-
 /// f^k(B(q)) as a closed polygon; as an open one where it runs round a cylinder, from p- to p+. O(its vertices).
 [[nodiscard]] std::vector<Point> outline_of(const Barrier& barrier, int k);
 

@@ -10,6 +10,7 @@
 #include "engine/base/text.hpp"
 #include "engine/dynamics/manifolds/saddle.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/transport/tangles/along_lattice.hpp"
 #include "engine/dynamics/transport/tangles/point_errors.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
 #include "lober/error.hpp"
@@ -272,6 +273,7 @@ bool TangleGrowth::grow_to(int before, int after) {
   before = std::max(before, before_);
   after = std::max(after, after_);
   limit_.clear();
+  if ((before > before_ || after > after_) && compares_too_much(segments_expected())) return false;
   lend();
   const bool grown = grow_between(before, after);
   if (grown) {
@@ -283,6 +285,39 @@ bool TangleGrowth::grow_to(int before, int after) {
   finish();
   rest();
   return grown;
+}
+
+double TangleGrowth::segments_to_compare() const {
+  double segments = 0;
+  Reach both;
+  for (const Side* const side : {&u_, &s_}) {
+    const Buffer<Point>& points = side->growth->grown().points;
+    const Reach reach = reach_of(points, options_.lattice);
+    both = side == &u_ ? reach : Reach{std::min(both.from, reach.from), std::max(both.to, reach.to)};
+    segments += static_cast<double>(points.size() - 1);
+  }
+  return segments * (1 + 2 * std::floor(both.to - both.from));
+}
+
+// Whether so many segments are more work than is allowed: by their number, or by the clock as long as those before
+// took.
+bool TangleGrowth::compares_too_much(double segments) {
+  // A segment that is compared takes as long as this number of evaluations of a map.
+  constexpr double evaluations_a_segment = 4;
+  const bool by_clock = options_.budget > 0;
+  const double seconds = watch_.seconds() + seconds_a_segment_ * segments;
+  if (by_clock ? seconds <= options_.budget : evaluations_a_segment * segments <= options_.max_work) return false;
+  limit_ = "the manifolds run round the cylinder so often that those of the next row, with all their translates " +
+           format_rounded(segments) + " segments or more, " +
+           (by_clock ? "would take longer than the " + std::string(quantity::seconds)
+                     : "are more work than is done unasked; a " + std::string(quantity::seconds) + " allows more");
+  return true;
+}
+
+// Of one more growth, cautiously.
+double TangleGrowth::segments_expected() const {
+  constexpr double caution = 2;
+  return compared_before_ > 0 ? compared_ * compared_ / compared_before_ / caution : 0;
 }
 
 bool TangleGrowth::grow_between(int before, int after) {
@@ -299,6 +334,10 @@ bool TangleGrowth::grow_between(int before, int after) {
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
   refine_near(u_, s_.local.saddle, distance_at(s_, bip.s - after));
   refine_near(s_, u_.local.saddle, distance_at(u_, bip.u - before));
+  const bool on_cylinder = !(options_.lattice == Point{});
+  const double segments = on_cylinder ? segments_to_compare() : 0;
+  if (before > 1 && on_cylinder && compares_too_much(segments)) return false;
+  const double compare_from = watch_.seconds();
   for (Side* const side : {&u_, &s_}) {
     const std::optional<Point> crosses = refine_until_simple(*side);
     // Overlaps of images of lobes that polygons do not keep apart may be wrong by as much as the lobes.
@@ -308,6 +347,11 @@ bool TangleGrowth::grow_between(int before, int after) {
              ": arcs lie closer to each other there than it shows; a " + std::string(quantity::tolerance) +
              " may go farther";
     return false;
+  }
+  if (on_cylinder) {
+    compared_before_ = compared_;
+    compared_ = segments_to_compare();
+    seconds_a_segment_ = (watch_.seconds() - compare_from) / compared_;
   }
   look();
   // Times of pips that are nearer to a saddle than the tolerance are rough, but they are counted too.

@@ -83,6 +83,7 @@ class TangleGrowth {
   void find_pips();
   bool refine(Side& side, std::vector<std::uint32_t> segments, const Box& box);
   bool refine_flat_pips();
+  [[nodiscard]] std::vector<std::uint32_t> segments_that_cross(Side& side) const;
   std::optional<Point> refine_until_simple(Side& side);
   void refine_near(Side& side, Point saddle, double apart);
   [[nodiscard]] static double distance_at(const Side& side, double time);
@@ -109,6 +110,10 @@ class TangleGrowth {
   [[nodiscard]] bool lobes_are_thin() const;
   [[nodiscard]] std::string by_action() const;
   [[nodiscard]] bool grow_between(int before, int after);
+  // Segments of both manifolds, with all translates that they may meet.
+  [[nodiscard]] double segments_to_compare() const;
+  [[nodiscard]] bool compares_too_much(double segments);
+  [[nodiscard]] double segments_expected() const;
   void lend();
   void finish();
   void rest();
@@ -128,6 +133,8 @@ class TangleGrowth {
   double begun_ = 0;              // when growth did, by watch_, later by what was not growth
   std::uint64_t work_after_ = 0;  // when it ended for now
   double ended_ = 0;
+  // Segments that were compared with translates, lately and before that, and how long one took.
+  double compared_ = 0, compared_before_ = 0, seconds_a_segment_ = 0;
   bool out_of_work_ = false;
   std::uint64_t images_before_ = 0;  // taken by manifolds that were given up
   int before_ = 1, after_ = 0;       // that are there

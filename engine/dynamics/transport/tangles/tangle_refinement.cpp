@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/dynamics/maps/plane.hpp"
+#include "engine/dynamics/transport/tangles/along_lattice.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
 #include "kernels/elementary.hpp"
 #include "lober/tangle.hpp"
@@ -93,33 +94,51 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
   }
 }
 
-// Refines a manifold where its polygon crosses itself, and only there. A place where it still does, near by.
+// Segments of a manifold that cross others of it or, where the plane repeats itself, of its translates.
+std::vector<std::uint32_t> TangleGrowth::segments_that_cross(Side& side) const {
+  constexpr std::size_t at_once = 20'000;
+  const CurveView curve(side.growth->grown());
+  const IndexedCurve index(curve);
+  std::vector<std::uint32_t> segments;
+  const SelfMeetings meetings = self_meetings(index, at_once);
+  for (const SegmentPair& pair : meetings.pairs) {
+    segments.push_back(pair.first);
+    segments.push_back(pair.second);
+  }
+  if (segments.empty()) side.check = meetings.check;
+  if (options_.lattice == Point{}) return segments;
+  const Reach reach = reach_of(curve.points, options_.lattice);
+  std::vector<Point> copy(curve.points.size());
+  for (int k = 1; k <= reach.to - reach.from; ++k) {
+    std::transform(curve.points.begin(), curve.points.end(), copy.begin(),
+                   [&](Point point) { return moved(point, options_.lattice, k); });
+    for (const CommonPoint& point : common_points(index, IndexedCurve(CurveView{copy, false}))) {
+      segments.push_back(point.first.segment);
+      segments.push_back(point.second.segment);
+    }
+  }
+  return segments;
+}
+
+// Refines a manifold where its polygon crosses itself or a translate, and only there. A place where it still does, near
+// by.
 std::optional<Point> TangleGrowth::refine_until_simple(Side& side) {
   constexpr int max_rounds = 8;
-  constexpr std::size_t at_once = 20'000;
-  if (side.simple == side.growth->grown().points.size()) return std::nullopt;
-  for (int round = 0; round < max_rounds; ++round) {
-    const IndexedCurve index{CurveView(side.growth->grown())};
-    std::vector<std::uint32_t> segments;
-    const SelfMeetings meetings = self_meetings(index, at_once);
-    for (const SegmentPair& pair : meetings.pairs) {
-      segments.push_back(pair.first);
-      segments.push_back(pair.second);
-    }
+  const Buffer<Point>& points = side.growth->grown().points;
+  if (side.simple == points.size()) return std::nullopt;
+  std::vector<std::uint32_t> segments;
+  for (int round = 0; round <= max_rounds; ++round) {
+    segments = segments_that_cross(side);
     // Also far outside, as long as distances are true: what crosses itself there has lobes in common with others that
     // are not.
     if (segments.empty()) {
-      side.simple = side.growth->grown().points.size();
-      side.check = meetings.check;
+      side.simple = points.size();
       return std::nullopt;
     }
-    if (!refine(side, std::move(segments), true_size(followed()))) break;
+    if (round == max_rounds || !refine(side, segments, true_size(followed()))) break;
   }
-  const Buffer<Point>& points = side.growth->grown().points;
-  const IndexedCurve index{CurveView(side.growth->grown())};
-  const SelfMeetings meetings = self_meetings(index, at_once);
-  for (const SegmentPair& pair : meetings.pairs) {
-    if (meet(Box::of(points[pair.first], points[pair.first + 1]), followed())) return points[pair.first];
+  for (const std::uint32_t k : segments) {
+    if (meet(Box::of(points[k], points[k + 1]), followed())) return points[k];
   }
   return std::nullopt;
 }

@@ -13,23 +13,6 @@
 namespace lober::detail {
 namespace {
 
-// How far points reach along the lattice, in units of it.
-struct Reach {
-  double from = 0, to = 0;
-};
-
-Reach reach_of(std::span<const Point> points, Point lattice) {
-  const AlongLattice along(lattice);
-  Reach reach{along(points.front()).x / along.period(), 0};
-  reach.to = reach.from;
-  for (const Point point : points) {
-    const double at = along(point).x / along.period();
-    reach.from = std::min(reach.from, at);
-    reach.to = std::max(reach.to, at);
-  }
-  return reach;
-}
-
 // Translates to one side that a tangle may meet.
 std::size_t copies_in_reach(const Barrier& barrier) {
   if (barrier.lattice == Point{}) return 0;
@@ -41,7 +24,7 @@ std::size_t copies_in_reach(const Barrier& barrier) {
 std::vector<Point> moved(const std::vector<Point>& points, Point lattice, int times) {
   std::vector<Point> result;
   result.reserve(points.size());
-  for (const Point point : points) result.push_back({point.x + times * lattice.x, point.y + times * lattice.y});
+  for (const Point point : points) result.push_back(detail::moved(point, lattice, times));
   return result;
 }
 

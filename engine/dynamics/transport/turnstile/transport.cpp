@@ -115,22 +115,16 @@ class TransportBuilder {
     return false;
   }
 
-  // Whether the overlaps of row n are no more work than is allowed: by their number of segments, or by the clock as
-  // long as the row before took for its own.
+  // Whether the clock allows the overlaps of row n, as long as the row before took for its own.
   bool may_overlap(int n) {
     double segments = 0;
     for (const Barrier& barrier : barriers()) segments += segments_to_read(barrier);
     const double now = watch_.seconds();
     const double a_segment = segments_before_ > 0 ? (now - row_begun_) / segments_before_ : 0;
-    const bool too_long = options_.budget > 0 && n > 1 && now + a_segment * segments > options_.budget;
-    const bool too_much = !(options_.budget > 0) && n > 1 && segments > options_.max_work;
     row_begun_ = now;
     segments_before_ = segments;
-    if (!too_long && !too_much) return true;
-    note_limit(n, too_long ? "the overlaps of the next row would take longer than the " + std::string(quantity::seconds)
-                           : "the manifolds run round the cylinder so often that the overlaps of the next row, of " +
-                                 format_rounded(segments) + " segments in all, are more work than is done unasked; a " +
-                                 std::string(quantity::seconds) + " allows more");
+    if (!(options_.budget > 0) || n == 1 || now + a_segment * segments <= options_.budget) return true;
+    note_limit(n, "the overlaps of the next row would take longer than the " + std::string(quantity::seconds));
     return false;
   }
 

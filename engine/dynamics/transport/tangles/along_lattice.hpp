@@ -1,0 +1,52 @@
+// Where points of a plane that repeats itself are: along the lattice and across it (private to transport/).
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "kernels/point.hpp"
+
+namespace lober::detail {
+
+/// Where points are: along a lattice, and above the line along it through the origin.
+class AlongLattice {
+ public:
+  explicit AlongLattice(Point lattice) : lattice_(lattice), period_(length(lattice)) {}
+  [[nodiscard]] Point operator()(Point plane) const {
+    return {(lattice_.x * plane.x + lattice_.y * plane.y) / period_,
+            (lattice_.x * plane.y - lattice_.y * plane.x) / period_};
+  }
+  [[nodiscard]] double period() const { return period_; }
+
+ private:
+  Point lattice_;
+  double period_;
+};
+/// The same of one point.
+[[nodiscard]] inline Point along_and_above(Point lattice, Point plane) {
+  return AlongLattice(lattice)(plane);
+}
+
+/// How far points reach along the lattice, in units of it.
+struct Reach {
+  double from = 0, to = 0;
+};
+/// Of one point or more.
+[[nodiscard]] inline Reach reach_of(std::span<const Point> points, Point lattice) {
+  const AlongLattice along(lattice);
+  Reach reach{along(points.front()).x / along.period(), 0};
+  reach.to = reach.from;
+  for (const Point point : points) {
+    const double at = along(point).x / along.period();
+    reach.from = std::min(reach.from, at);
+    reach.to = std::max(reach.to, at);
+  }
+  return reach;
+}
+
+/// Points of the copy that lies so many periods along the lattice.
+[[nodiscard]] inline Point moved(Point point, Point lattice, int times) {
+  return {point.x + times * lattice.x, point.y + times * lattice.y};
+}
+
+}  // namespace lober::detail
