@@ -304,8 +304,10 @@ double TangleGrowth::segments_to_compare() const {
 bool TangleGrowth::compares_too_much(double segments) {
   // A segment that is compared takes as long as this number of evaluations of a map.
   constexpr double evaluations_a_segment = 4;
+  // A segment takes longer among more of them, and overlaps as long again.
+  constexpr double times_looked_at = 5;
   const bool by_clock = options_.budget > 0;
-  const double seconds = watch_.seconds() + seconds_a_segment_ * segments;
+  const double seconds = watch_.seconds() + times_looked_at * seconds_a_segment_ * segments;
   if (by_clock ? seconds <= options_.budget : evaluations_a_segment * segments <= options_.max_work) return false;
   limit_ = "the manifolds run round the cylinder so often that those of the next row, with all their translates " +
            format_rounded(segments) + " segments or more, " +
@@ -314,10 +316,11 @@ bool TangleGrowth::compares_too_much(double segments) {
   return true;
 }
 
-// Of one more growth, cautiously.
+// Of one more growth; by number cautiously, so that no row is refused which may be done.
 double TangleGrowth::segments_expected() const {
-  constexpr double caution = 2;
-  return compared_before_ > 0 ? compared_ * compared_ / compared_before_ / caution : 0;
+  if (!(compared_before_ > 0)) return 0;
+  const double caution = options_.budget > 0 ? 1 : 2;
+  return compared_ * compared_ / compared_before_ / caution;
 }
 
 bool TangleGrowth::grow_between(int before, int after) {
@@ -348,7 +351,7 @@ bool TangleGrowth::grow_between(int before, int after) {
              " may go farther";
     return false;
   }
-  if (on_cylinder) {
+  if (on_cylinder && segments != compared_) {
     compared_before_ = compared_;
     compared_ = segments_to_compare();
     seconds_a_segment_ = (watch_.seconds() - compare_from) / compared_;

@@ -133,8 +133,9 @@ class TangleGrowth {
   double begun_ = 0;              // when growth did, by watch_, later by what was not growth
   std::uint64_t work_after_ = 0;  // when it ended for now
   double ended_ = 0;
-  // Segments that were compared with translates, lately and before that, and how long one took.
-  double compared_ = 0, compared_before_ = 0, seconds_a_segment_ = 0;
+  // Segments that were compared with translates, lately and before that, and how long one took; the latter until then
+  // as on a slow machine.
+  double compared_ = 0, compared_before_ = 0, seconds_a_segment_ = 3e-8;
   bool out_of_work_ = false;
   std::uint64_t images_before_ = 0;  // taken by manifolds that were given up
   int before_ = 1, after_ = 0;       // that are there

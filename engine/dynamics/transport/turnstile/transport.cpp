@@ -61,6 +61,7 @@ class TransportBuilder {
         series.emplace(barriers());
       }
       TransportStep step = series->next();
+      note_row_taken();
       Agreement agreement;
       compare_routes(agreement, series->partition(), step);
       result_.steps.push_back(std::move(step));
@@ -115,17 +116,23 @@ class TransportBuilder {
     return false;
   }
 
-  // Whether the clock allows the overlaps of row n, as long as the row before took for its own.
+  // Whether the clock allows the overlaps of row n. They take longer than those of the row before by as much as there
+  // are more segments, or as that took longer than the one before it.
   bool may_overlap(int n) {
-    double segments = 0;
-    for (const Barrier& barrier : barriers()) segments += segments_to_read(barrier);
-    const double now = watch_.seconds();
-    const double a_segment = segments_before_ > 0 ? (now - row_begun_) / segments_before_ : 0;
-    row_begun_ = now;
-    segments_before_ = segments;
-    if (!(options_.budget > 0) || n == 1 || now + a_segment * segments <= options_.budget) return true;
+    segments_before_ = segments_;
+    segments_ = 0;
+    for (const Barrier& barrier : barriers()) segments_ += segments_to_read(barrier);
+    row_begun_ = watch_.seconds();
+    if (!(options_.budget > 0) || n == 1) return true;
+    double times = segments_ / segments_before_;
+    if (n > 2) times = std::max(times, row_seconds_ / row_seconds_before_);
+    if (row_begun_ + times * row_seconds_ <= options_.budget) return true;
     note_limit(n, "the overlaps of the next row would take longer than the " + std::string(quantity::seconds));
     return false;
+  }
+  void note_row_taken() {
+    row_seconds_before_ = row_seconds_;
+    row_seconds_ = watch_.seconds() - row_begun_;
   }
 
   // Why n is not reached.
@@ -244,7 +251,8 @@ class TransportBuilder {
   const TransportOptions& options_;
   std::vector<std::unique_ptr<TangleGrowth>> growths_;
   Stopwatch watch_;
-  double row_begun_ = 0, segments_before_ = 0;  // of the row before
+  // Of the overlaps of a row, and of those of the row before.
+  double row_begun_ = 0, row_seconds_ = 0, row_seconds_before_ = 0, segments_ = 0, segments_before_ = 0;
   Transport result_;
 };
 
