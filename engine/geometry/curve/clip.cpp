@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/curve/thinned_outside.hpp"
+#include "engine/geometry/curve/cut_outside.hpp"
 #include "kernels/box.hpp"
 #include "lober/curve.hpp"
 
@@ -79,8 +79,7 @@ std::vector<Point> clipped(const std::vector<Point>& polygon, const Rectangle& r
   return left == &polygon ? polygon : rest;
 }
 
-std::vector<Point> detail::thinned_outside(std::span<const Point> polygon, const Rectangle& rectangle,
-                                           std::size_t beside) {
+std::vector<Point> detail::cut_outside(std::span<const Point> polygon, const Rectangle& rectangle, std::size_t beside) {
   const std::size_t size = polygon.size();
   const Box inside = box_of(rectangle);
   std::vector<bool> kept(size);

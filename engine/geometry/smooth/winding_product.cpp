@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/curve/cut_outside.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/curve/scaled.hpp"
-#include "engine/geometry/curve/thinned_outside.hpp"
 #include "engine/geometry/smooth/smooth_curve.hpp"
 #include "kernels/box.hpp"
 #include "lober/error.hpp"
@@ -171,7 +171,7 @@ class AlongAnother {
 // Vertices on either side of a segment that its arc is fitted to, kernels/smooth_segment.hpp.
 constexpr std::size_t fitted_beside = 3;
 
-// Thinned outside of the box that both share: what lies elsewhere brings nothing, however coarse or far away it is.
+// Cut outside of the box that both share: what lies elsewhere brings nothing, however coarse or far away it is.
 // With a margin, so that no curve touches the sides of the box that the other one runs along.
 CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
   const Box box1 = box_of(whole1.points()), box2 = box_of(whole2.points());
@@ -184,7 +184,7 @@ CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
     const bool inside = box.min_x() >= both.min_x && box.max_x() <= both.max_x && box.min_y() >= both.min_y &&
                         box.max_y() <= both.max_y;
     if (inside) return whole;
-    return ClosedCurve(thinned_outside(whole.points(), both, fitted_beside));
+    return ClosedCurve(cut_outside(whole.points(), both, fitted_beside));
   };
   const ClosedCurve first = cut(whole1, box1), second = cut(whole2, box2);
   if (!bounds_something(first.points()) || !bounds_something(second.points())) return {};

@@ -44,7 +44,7 @@ struct Reach {
   return reach;
 }
 
-/// Points of the copy that lies so many periods along the lattice.
+/// Points of the copy that lies `times` periods along the lattice.
 [[nodiscard]] inline Point moved(Point point, Point lattice, int times) {
   return {point.x + times * lattice.x, point.y + times * lattice.y};
 }

@@ -299,8 +299,8 @@ double TangleGrowth::segments_to_compare() const {
   return segments * (1 + 2 * std::floor(both.to - both.from));
 }
 
-// Whether so many segments are more work than is allowed: by their number, or by the clock as long as those before
-// took.
+// Whether this number of segments is more work than is allowed: by their number, or by the clock as long as those
+// before took.
 bool TangleGrowth::compares_too_much(double segments) {
   // A segment that is compared takes as long as this number of evaluations of a map.
   constexpr double evaluations_a_segment = 4;

@@ -81,19 +81,19 @@ TEST(OverlapsWithCopy, TheOtherWayRoundForTheOtherTranslation) {
 
 // Of manifolds that hardly stand apart from their translates every sixth point: polygons cross where manifolds do not,
 // which sums over crossings do not allow for. Two lobes have nothing less than nothing in common, and not more than one
-// of them; bars say what is unknown, but for slivers between strands as fine as the polygons.
+// of them; bars say what is unknown, but for slivers between arcs as fine as the polygons.
 TEST(OverlapsWithCopy, BarsCoverWherePolygonsCrossTranslates) {
   const System system = make_system("pendulum", {{"eps", 0.6}});
   ManifoldTangleOptions growth;
   growth.lattice = system.lattice;
   growth.before = growth.after = 2;
   const auto found = grow_tangle(*system.map, *system.connection, growth);
-  const auto thinned = [](const Buffer<Point>& points) {
+  const auto every_sixth = [](const Buffer<Point>& points) {
     std::vector<Point> some;
     for (std::size_t k = 0; k < points.size(); k += 6) some.push_back(points[k]);
     return some;
   };
-  const std::vector<Point> u = thinned(found->u.points), s = thinned(found->s.points);
+  const std::vector<Point> u = every_sixth(found->u.points), s = every_sixth(found->s.points);
   TangleOptions options;
   options.check_simple = false;
   const Tangle tangle = lober::tangle(OpenCurve::borrow(u), OpenCurve::borrow(s), options);
@@ -109,7 +109,7 @@ TEST(OverlapsWithCopy, BarsCoverWherePolygonsCrossTranslates) {
 }
 
 // Manifolds are grown until their polygons do not cross translates either: where they did, T by lobes was wrong.
-TEST(TransportOnCylinder, StrandsThatLieNextToTranslatesAreToldApart) {
+TEST(TransportOnCylinder, ArcsThatLieNextToTranslatesAreToldApart) {
   TransportOptions options;
   options.iterates = 4;
   const Transport result = transport(make_system("pendulum", {{"eps", 0.6}}), options);

@@ -1,4 +1,4 @@
-// Polygons cut to a rectangle, and thinned outside of it.
+// Polygons cut to a rectangle, and cut_out outside of it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/geometry/curve/thinned_outside.hpp"
+#include "engine/geometry/curve/cut_outside.hpp"
 #include "lober/curve.hpp"
 #include "lober/interior.hpp"
 
@@ -46,13 +46,13 @@ TEST(Clip, WindingNumbersInsideStay) {
   int asked = 0, turned = 0;
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     const std::vector<Point> whole = wanderer(seed, 40 + seed);
-    const std::vector<Point> cut = clipped(whole, window), thinned = detail::thinned_outside(whole, window, 3);
-    const Windings of_whole(whole), of_cut(cut), of_thinned(thinned);
+    const std::vector<Point> cut = clipped(whole, window), cut_out = detail::cut_outside(whole, window, 3);
+    const Windings of_whole(whole), of_cut(cut), of_outside(cut_out);
     for (double x = -0.97; x < 1; x += 0.11) {
       for (double y = -0.47; y < 0.75; y += 0.13) {
         const int number = of_whole.about({x, y});
         EXPECT_EQ(of_cut.about({x, y}), number) << seed << ' ' << x << ' ' << y;
-        EXPECT_EQ(of_thinned.about({x, y}), number) << seed << ' ' << x << ' ' << y;
+        EXPECT_EQ(of_outside.about({x, y}), number) << seed << ' ' << x << ' ' << y;
         ++asked;
         turned += number != 0;
       }
@@ -62,27 +62,27 @@ TEST(Clip, WindingNumbersInsideStay) {
 }
 
 // A circle of many points of which the window sees a few.
-TEST(Clip, ThinningKeepsSegmentsThatMeetTheWindowAndTheirNeighbours) {
+TEST(Clip, KeepsWholeSegmentsThatMeetTheWindowAndTheirNeighbours) {
   std::vector<Point> circle;
   for (int k = 0; k < 1000; ++k) {
     const double t = 2 * 3.141592653589793 * k / 1000;
     circle.push_back({10 * std::cos(t) - 10.5, 10 * std::sin(t)});
   }
-  const std::vector<Point> thinned = detail::thinned_outside(circle, window, 3);
-  EXPECT_LT(thinned.size(), 60U);
-  const auto at = [&](std::size_t k) { return std::find(thinned.begin(), thinned.end(), circle[k]); };
+  const std::vector<Point> cut_out = detail::cut_outside(circle, window, 3);
+  EXPECT_LT(cut_out.size(), 60U);
+  const auto at = [&](std::size_t k) { return std::find(cut_out.begin(), cut_out.end(), circle[k]); };
   const auto first = at(997);  // the window ends at y = 0.75, after 12 segments
-  ASSERT_NE(first, thinned.end());
+  ASSERT_NE(first, cut_out.end());
   for (std::size_t k = 0; k < 3 + 12 + 3; ++k) {
-    ASSERT_NE(at((997 + k) % 1000), thinned.end()) << k;
+    ASSERT_NE(at((997 + k) % 1000), cut_out.end()) << k;
   }
-  EXPECT_EQ(at(500), thinned.end());
+  EXPECT_EQ(at(500), cut_out.end());
 }
 
-TEST(Clip, ThinningClipsWhatGoesRoundTheWindow) {
+TEST(Clip, ClipsWholeWhatGoesRoundTheWindow) {
   const std::vector<Point> round{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}};
-  const std::vector<Point> thinned = detail::thinned_outside(round, window, 3);
-  const ClosedCurve whole = ClosedCurve::borrow(thinned);
+  const std::vector<Point> cut_out = detail::cut_outside(round, window, 3);
+  const ClosedCurve whole = ClosedCurve::borrow(cut_out);
   EXPECT_EQ(signed_area(whole), 2 * 1.25);
 }
 
