@@ -1,5 +1,7 @@
 // The program: finds out which command is wanted, and turns each error into one line and an exit status.
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -22,6 +24,7 @@
 #include "cli/program/edit_distance.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/program/log.hpp"
+#include "cli/program/operation_command.hpp"
 #include "cli/published/published_form.hpp"
 #include "cli/published/published_tangle.hpp"
 #include "cli/schema/schema_command.hpp"
@@ -136,16 +139,25 @@ understood; 3 two independent routes to one quantity disagree beyond their error
 130 the command was interrupted
 )";
 
-std::string program_usage() {
-  std::string text(usage_before);
-  for (const Command& command : commands) text += command.usage;
-  return text += usage_after;
-}
-
 const Command* find_command(std::string_view name) {
   const auto found =
       std::find_if(commands.begin(), commands.end(), [&](const Command& any) { return any.name == name; });
   return found == commands.end() ? nullptr : &*found;
+}
+
+// Whether an operation of the table has a command that shows more than its numbers.
+bool has_command(const operations::Operation& operation) {
+  return find_command(command_name(operation)) != nullptr;
+}
+
+std::string program_usage() {
+  std::string text(usage_before);
+  for (const Command& command : commands) text += command.usage;
+  for (const operations::Operation& operation : operations::all()) {
+    if (has_command(operation)) continue;
+    text += fmt::format("  {:<38} {}\n", call_of(operation), operation.title);
+  }
+  return text += usage_after;
 }
 
 // A misspelt name would quietly run the best copies.
@@ -162,10 +174,13 @@ void check_instruction_set() {
 std::string command_meant(const std::string& word) {
   std::error_code ignored;
   if (word.empty() || word.front() == '-' || std::filesystem::exists(detail::file_of_curve(word), ignored)) return {};
-  for (const Command& command : commands) {
-    const std::size_t most = command.name.size() > 4 ? 2 : 1;
-    const bool begun = word.size() > 2 && command.name.starts_with(word);
-    if (begun || edit_distance(word, command.name) <= most) return std::string(command.name);
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.emplace_back(command.name);
+  for (const operations::Operation& operation : operations::all()) names.push_back(command_name(operation));
+  for (const std::string& name : names) {
+    const std::size_t most = name.size() > 4 ? 2 : 1;
+    const bool begun = word.size() > 2 && name.starts_with(word);
+    if (begun || edit_distance(word, name) <= most) return name;
   }
   return {};
 }
@@ -178,7 +193,7 @@ void run_program(const std::vector<std::string>& arguments) {
   if (first == "--help" || first == "-h" || (first == "help" && arguments.size() == 1)) {
     print(program_usage());
   } else if (first == "help" && !std::filesystem::exists(first)) {  // a file could be meant, in a published form
-    if (find_command(arguments[1]) == nullptr) {
+    if (find_command(arguments[1]) == nullptr && operation_called(arguments[1]) == nullptr) {
       throw UsageError("there is no command \"" + arguments[1] + "\" (see lober --help)");
     }
     std::vector<std::string> command(arguments.begin() + 1, arguments.end());
@@ -188,6 +203,8 @@ void run_program(const std::vector<std::string>& arguments) {
     print(std::string("lober ") + version() + "\n");
   } else if (const Command* const command = find_command(first)) {
     command->run({arguments.begin() + 1, arguments.end()});
+  } else if (const operations::Operation* const operation = operation_called(first)) {
+    run_operation(*operation, {arguments.begin() + 1, arguments.end()});
   } else if (const std::string meant = command_meant(first); !meant.empty()) {
     throw UsageError("\"" + first + "\" is neither a command nor a file; did you mean " + meant +
                      "? (see lober --help)");

@@ -1,4 +1,4 @@
-// All operations. A new one is a file beside this one and a line in the list below.
+// All operations, of the list in table.hpp.
 #include "engine/operations/table.hpp"
 
 #include <algorithm>
@@ -28,11 +28,9 @@ std::array<Operation, size> checked(std::array<Operation, size> table) {
 
 std::span<const Operation> all() {
   using namespace detail::table;
-  static const std::array table = checked(std::array{
-      curve_transport_operation(), densify_operation(), escape_operation(), fixed_points_operation(), grow_operation(),
-      image_operation(), interior_operation(), levels_operation(), manifold_tangle_operation(), overlay_operation(),
-      regions_operation(), section_operation(), simplify_operation(), sweep_operation(), tangle_operation(),
-      transport_operation(), winding_operation()});
+#define LOBER_MAKE(name) name##_operation(),
+  static const std::array table = checked(std::array{LOBER_OPERATIONS(LOBER_MAKE)});
+#undef LOBER_MAKE
   return table;
 }
 

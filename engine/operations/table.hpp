@@ -1,27 +1,20 @@
-// The makers of the operations in the table (private to operations/).
+// The operations of the table, by name (private to operations/). A new one is a file beside this one, which defines
+// NAME_operation(), and its name in this list.
 #pragma once
 
 #include "lober/operations.hpp"
 
+// clang-format off
+#define LOBER_OPERATIONS(X)                                                                                     \
+  X(curve_transport) X(densify) X(escape) X(fixed_points) X(grow) X(image) X(interior) X(levels)                \
+  X(manifold_tangle) X(overlay) X(regions) X(section) X(simplify) X(sweep) X(tangle) X(transport) X(winding)
+// clang-format on
+
 namespace lober::detail::table {
 using namespace operations;
 
-[[nodiscard]] Operation curve_transport_operation();
-[[nodiscard]] Operation densify_operation();
-[[nodiscard]] Operation escape_operation();
-[[nodiscard]] Operation fixed_points_operation();
-[[nodiscard]] Operation grow_operation();
-[[nodiscard]] Operation image_operation();
-[[nodiscard]] Operation interior_operation();
-[[nodiscard]] Operation levels_operation();
-[[nodiscard]] Operation manifold_tangle_operation();
-[[nodiscard]] Operation overlay_operation();
-[[nodiscard]] Operation regions_operation();
-[[nodiscard]] Operation section_operation();
-[[nodiscard]] Operation simplify_operation();
-[[nodiscard]] Operation sweep_operation();
-[[nodiscard]] Operation tangle_operation();
-[[nodiscard]] Operation transport_operation();
-[[nodiscard]] Operation winding_operation();
+#define LOBER_DECLARE(name) [[nodiscard]] Operation name##_operation();
+LOBER_OPERATIONS(LOBER_DECLARE)
+#undef LOBER_DECLARE
 
 }  // namespace lober::detail::table

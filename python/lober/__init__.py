@@ -119,6 +119,7 @@ __all__ = [
     "Zone",
     "__version__",
     "area",
+    "call",
     "curve_transport",
     "densify",
     "equations",

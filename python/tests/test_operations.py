@@ -70,3 +70,21 @@ def test_what_makes_no_sense_is_refused():
         lober.transport("henon", iterates=1.5)
     with pytest.raises(lober.UsageError, match="whose parameters can be changed"):
         lober.sweep(lober.map(lambda x, y: (x + y, y), name="shear"), range="k=1:2:1")
+
+
+def test_call_runs_any_operation():
+    square = np.array([[0, 0], [2, 0], [2, 2], [0, 2]], dtype=float)
+    found = lober.call("regions", square, square + 1, rule="nonzero")
+    assert found["areas"]["union"] == 7 and found["areas"]["intersection"] == 1 and found["agreement"]
+    made = lober.call("transport", "henon", iterates=2, tolerance=1e-4)
+    same = lober.transport("henon", iterates=2, tolerance=1e-4)
+    assert made["turnstile"]["flux12"] == same.boundaries[0].flux12
+    for operation in _lober.table():
+        with pytest.raises(lober.UsageError, match="has no option 'none'"):
+            lober.call(operation["name"], none=1)
+    with pytest.raises(lober.UsageError, match="there is no operation 'areas'; there are curve_transport, densify"):
+        lober.call("areas", square)
+    with pytest.raises(lober.UsageError, match="takes 2 inputs or fewer, not 3"):
+        lober.call("regions", square, square, square)
+    with pytest.raises(lober.UsageError):
+        lober.call("regions")

@@ -57,7 +57,7 @@ TEST_F(Batch, AllPairsInThreeLines) {
 
 TEST_F(Batch, OperationsAreListedWithTheirOptions) {
   const auto list = nlohmann::json::parse(run({"batch", "operations", "--json", "-"}).out)["operations"];
-  ASSERT_EQ(list.size(), 16U);
+  ASSERT_EQ(list.size(), 17U);
   const std::string table = run({"batch", "operations"}).out;
   for (const nlohmann::json& operation : list) {
     const std::string name = operation["name"];

@@ -121,6 +121,28 @@ Column::Kind kind_at(const operations::NumberPath& path, const std::string& name
   throw UsageError("a column of a batch has no numbers: " + name);
 }
 
+// The paths of all numbers, with their bars; those of lists apart, and none of lists within lists.
+void add_numbers(std::span<const operations::Field> fields, const std::string& prefix, TableJob::Names& columns,
+                 TableJob::Names* lists) {
+  using Kind = operations::FieldKind;
+  const auto add = [&](const std::string& path) {
+    std::string name = path;
+    std::replace(name.begin(), name.end(), '.', '_');
+    columns.emplace_back(std::move(name), path);
+  };
+  for (const operations::Field& field : fields) {
+    const std::string path = prefix + field.name;
+    if (field.kind == Kind::object) {
+      add_numbers(field.members, path + ".", columns, lists);
+    } else if (field.kind == Kind::list) {
+      if (lists != nullptr) add_numbers(field.members, path + ".", *lists, nullptr);
+    } else if (field.kind == Kind::number || field.kind == Kind::whole || field.kind == Kind::flag) {
+      add(path);
+      if (!field.bar.empty()) add(prefix + field.bar);
+    }
+  }
+}
+
 Arity arity_of(const operations::Operation& entry) {
   if (is_on_system(entry)) return Arity::none;
   if (entry.inputs.size() == 1) return Arity::one;
@@ -192,6 +214,16 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     };
   }
   return operation;
+}
+
+TableJob job_as_described(const operations::Operation& entry) {
+  TableJob job;
+  job.view = entry.name + "s";
+  job.needs_tangle = false;
+  job.microseconds = 1e5;
+  job.microseconds_a_point = 1;
+  add_numbers(entry.result, "", job.columns, &job.lists);
+  return job;
 }
 
 void add_areas(TableJob::Names& columns, const std::string& prefix, const std::string& path) {

@@ -34,6 +34,10 @@ struct TableJob {
 /// on curves: they are simple where the option check_simple asks for it.
 [[nodiscard]] Operation operation_of(const operations::Operation& entry, const TableJob& job);
 
+/// For an operation of which a batch knows no more than its description: the numbers of the result are columns, those
+/// of lists are lists, named as their paths with underscores; the view is its name with an s.
+[[nodiscard]] TableJob job_as_described(const operations::Operation& entry);
+
 /// The names of the seven areas, `prefix` before each, with the paths of the members of the object at `path`.
 void add_areas(TableJob::Names& columns, const std::string& prefix, const std::string& path);
 /// Other names with their paths.

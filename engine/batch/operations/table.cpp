@@ -1,17 +1,32 @@
-// All operations. A new one is a file beside this one and a line in the list below.
+// All operations. One that a batch has to know more of than its description is a file beside this one and a line in the
+// list below; the others follow from the engine's table.
 #include "engine/batch/operations/table.hpp"
 
 #include <algorithm>
-#include <array>
+#include <vector>
+
+#include "engine/batch/operations/of_table.hpp"
 
 namespace lober::detail {
+namespace {
 
-std::span<const Operation> all_operations() {
-  static const std::array table{
+std::vector<Operation> every_operation() {
+  std::vector<Operation> table{
       overlay_operation(),      interior_operation(),        regions_operation(), winding_operation(),
       tangle_operation(),       manifold_tangle_operation(), densify_operation(), simplify_operation(),
       transport_operation(),    curve_transport_operation(), sweep_operation(),   escape_operation(),
       fixed_points_operation(), levels_operation(),          section_operation(), grow_operation()};
+  for (const operations::Operation& entry : operations::all()) {
+    if (std::any_of(table.begin(), table.end(), [&](const Operation& any) { return any.name == entry.name; })) continue;
+    table.push_back(operation_of(entry, job_as_described(entry)));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::span<const Operation> all_operations() {
+  static const std::vector<Operation> table = every_operation();
   return table;
 }
 

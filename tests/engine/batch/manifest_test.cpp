@@ -103,7 +103,7 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
       "job.toml:1: operation: there is no operation \"overly\" in this version; there are overlay, interior, regions, "
       "winding, tangle, manifold_tangle, densify, simplify, transport, curve_transport, sweep, escape, fixed_points, "
       "levels, section, "
-      "grow");
+      "grow, image");
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");
   EXPECT_EQ(refusal("operation = \"densify\"\ncurves = \"separ.*\"\nwith = \"other.*\"\noptions.max_length = 1"),

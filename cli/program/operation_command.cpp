@@ -1,0 +1,146 @@
+#include "cli/program/operation_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
+#include "cli/program/progress.hpp"
+#include "cli/program/system_options.hpp"
+#include "cli/program/table_options.hpp"
+#include "cli/report/agreement_report.hpp"
+#include "cli/report/outcome_json.hpp"
+#include "cli/report/outcome_table.hpp"
+#include "engine/base/stopwatch.hpp"
+#include "lober/error.hpp"
+#include "lober/files.hpp"
+#include "lober/threads.hpp"
+
+namespace lober::cli {
+namespace {
+
+using operations::InputKind;
+
+// "C1" of "c1".
+std::string argument_name(const operations::InputSpec& input) {
+  std::string name = input.name;
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return name;
+}
+
+struct OperationRequest {
+  SystemRequest system;
+  std::deque<std::string> files;  // in the order of the inputs; in place, because they are parsed into
+  std::string json;
+  std::vector<operations::OptionSetting> settings;
+  int threads = 0;
+};
+
+// What the inputs are views of, and what the JSON says of them.
+struct OperationInputs {
+  std::deque<NamedCurve> curves;
+  std::vector<operations::Input> inputs;
+  std::vector<std::pair<std::string, Json>> members;
+};
+
+OperationInputs read_inputs(const operations::Operation& operation, const OperationRequest& request) {
+  OperationInputs read;
+  Json names = Json::array();
+  auto file = request.files.begin();
+  for (const operations::InputSpec& spec : operation.inputs) {
+    if (spec.kind == InputKind::system) {
+      const operations::SystemInput system = system_input_of(request.system);
+      read.members.emplace_back("system", system_json(*system.system, system.integration));
+      read.inputs.emplace_back(system);
+      continue;
+    }
+    const std::string& path = *file++;
+    if (path.empty()) continue;
+    const Curve& curve = read.curves.emplace_back(read_curve(path, spec.kind == InputKind::closed_curve)).curve;
+    names.push_back(path);
+    if (spec.kind == InputKind::points) {
+      read.inputs.emplace_back(std::span<const Point>(curve.points));
+    } else {
+      read.inputs.emplace_back(operations::CurveInput{curve, path});
+    }
+  }
+  if (!names.empty()) read.members.emplace_back("inputs", std::move(names));
+  return read;
+}
+
+void run(const operations::Operation& operation, const OperationRequest& request) {
+  const detail::Stopwatch watch;
+  std::vector<std::string> named(request.files.begin(), request.files.end());
+  for (const std::string& file : files_of_system(request.system.name)) named.push_back(file);
+  const std::vector<Output> outputs = checked_outputs({{"--json", request.json}}, named);
+  const operations::Options options = checked_options(operation, request.settings);
+  const OperationInputs read = read_inputs(operation, request);
+  const double read_seconds = watch.seconds();
+  operations::Outcome outcome;
+  {
+    Progress progress;
+    progress.phase(operation.name, 0, 1);
+    operations::Context context;
+    context.progress = told_to(progress);
+    outcome = operation.run(read.inputs, options, context);
+  }
+  if (!request.json.empty()) {
+    write_outcome_json(request.json, command_name(operation), read.members, operation, outcome, [&] {
+      return Json{{"read", read_seconds}, {"total", watch.seconds()}};
+    });
+  }
+  if (!takes_standard_output(outputs)) {
+    print(agreement_text(outcome.agreement) + outcome_table(operation.result, outcome.value.get()));
+  }
+  for (const std::string& remark : outcome.remarks) log_warning(remark);
+  if (!outcome.incomplete.empty()) log_warning(outcome.incomplete);
+  require_agreement(outcome.agreement);
+}
+
+}  // namespace
+
+std::string command_name(const operations::Operation& operation) {
+  std::string name = operation.name;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+const operations::Operation* operation_called(std::string_view word) {
+  const std::span<const operations::Operation> table = operations::all();
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const operations::Operation& any) { return command_name(any) == word; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string call_of(const operations::Operation& operation) {
+  std::string call = "lober " + command_name(operation);
+  for (const operations::InputSpec& input : operation.inputs)
+    call += input.optional ? " [" + argument_name(input) + "]" : " " + argument_name(input);
+  return call + " [options]";
+}
+
+void run_operation(const operations::Operation& operation, const std::vector<std::string>& arguments) {
+  OperationRequest request;
+  OptionParser parser(operation.summary.c_str(), ("lober " + command_name(operation)).c_str());
+  for (const operations::InputSpec& input : operation.inputs) {
+    if (input.kind == InputKind::system) {
+      add_system_option(parser, request.system.name, true);
+      add_parameter_option(parser, request.system.parameters);
+      add_integration_option(parser, request.system.integration);
+      continue;
+    }
+    const std::string help = "A file of points, FILE or FILE#ZONE: " + input.meaning + ".";
+    Option argument = parser.add(argument_name(input).c_str(), request.files.emplace_back(), help.c_str());
+    if (!input.optional) argument.required();
+  }
+  const TableOptions options(parser, operation);
+  add_json_option(parser, request.json);
+  add_threads_option(parser, request.threads);
+  if (!parser.parse(arguments)) return;
+  request.settings = options.settings();
+  run_with_threads(request.threads, [&] { run(operation, request); });
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,148 @@
+#include "cli/report/outcome_table.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace lober::cli {
+namespace {
+
+using operations::Field;
+using operations::FieldKind;
+using operations::FieldValue;
+
+constexpr std::size_t rows_shown = 50;
+
+std::string number_and(std::size_t count, const char* one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+// A value in a word or two; "-" where nothing is known.
+struct Text {
+  std::string operator()(std::monostate) const { return "-"; }
+  std::string operator()(double value) const { return fmt::format("{:.15g}", value); }
+  std::string operator()(const Measured& value) const { return fmt::format("{:.15g}", value.value); }
+  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(bool value) const { return value ? "yes" : "no"; }
+  std::string operator()(const std::string& value) const { return value.empty() ? "-" : value; }
+  std::string operator()(const std::vector<std::string>& value) const {
+    return fmt::format("{}", fmt::join(value, "; "));
+  }
+  std::string operator()(const std::vector<double>& value) const { return number_and(value.size(), "number"); }
+  std::string operator()(const std::vector<std::int64_t>& value) const { return number_and(value.size(), "number"); }
+  std::string operator()(Point value) const { return fmt::format("({:.15g}, {:.15g})", value.x, value.y); }
+  std::string operator()(const std::vector<Point>& value) const { return number_and(value.size(), "point"); }
+  std::string operator()(const operations::Matrix& value) const {
+    return fmt::format("{} x {} numbers", value.rows, value.columns);
+  }
+};
+
+std::string bar_of(const FieldValue& value) {
+  const auto* const measured = std::get_if<Measured>(&value);
+  return measured == nullptr ? "" : fmt::format("{:.1e}", measured->error);
+}
+
+// Of a list: what stands in one column.
+bool is_column(const Field& field) {
+  return field.kind != FieldKind::object && field.kind != FieldKind::list;
+}
+
+using Row = std::vector<std::string>;
+
+// Right-aligned, as wide as the widest cell.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) text += fmt::format("  {:>{}}", row[k], widths[k]);
+    text += '\n';
+  }
+  return text;
+}
+
+class Table {
+ public:
+  void add(std::span<const Field> fields, const void* whole, const std::string& prefix) {
+    for (const Field& field : fields) {
+      const std::string name = prefix + field.name;
+      if (field.kind == FieldKind::object) {
+        field.part(whole, [&](const void* part) { add(field.members, part, name + "."); });
+      } else if (field.kind == FieldKind::list) {
+        add_list(field, whole, name);
+      } else {
+        add_line(field, whole, name);
+      }
+    }
+  }
+  [[nodiscard]] std::string text() const {
+    std::size_t name = 0, value = 0;
+    for (const Line& line : lines_) {
+      name = std::max(name, line.name.size());
+      value = std::max(value, std::min<std::size_t>(line.value.size(), 24));
+    }
+    std::string all;
+    for (const Line& line : lines_) {
+      std::string written = fmt::format("{:<{}}  {:>{}}", line.name, name, line.value, value);
+      if (!line.bar.empty()) written += "  +- " + line.bar;
+      if (!line.unit.empty()) written += "  " + line.unit;
+      all += written + '\n';
+    }
+    return all + lists_;
+  }
+
+ private:
+  struct Line {
+    std::string name, value, bar, unit;
+  };
+
+  void add_line(const Field& field, const void* whole, const std::string& name) {
+    const FieldValue value = field.get(whole);
+    if (std::holds_alternative<std::monostate>(value) && !field.null) return;
+    lines_.push_back({name, std::visit(Text{}, value), bar_of(value), field.unit});
+  }
+
+  void add_list(const Field& field, const void* whole, const std::string& name) {
+    const Field::Elements all = field.elements(whole);
+    if (!all.known) return;
+    lines_.push_back({name, std::to_string(all.size), "", ""});
+    if (all.size == 0) return;
+    std::vector<Row> rows(1);
+    for (const Field& member : field.members) {
+      if (!is_column(member)) continue;
+      rows[0].push_back(member.name);
+      if (!member.bar.empty()) rows[0].emplace_back("+-");
+    }
+    for (std::size_t k = 0; k < std::min(all.size, rows_shown); ++k) {
+      all.at(k, [&](const void* element) {
+        Row& row = rows.emplace_back();
+        for (const Field& member : field.members) {
+          if (!is_column(member)) continue;
+          const FieldValue value = member.get(element);
+          row.push_back(std::visit(Text{}, value));
+          if (!member.bar.empty()) row.push_back(bar_of(value));
+        }
+      });
+    }
+    lists_ += '\n' + name + '\n' + aligned(rows);
+    if (all.size > rows_shown) lists_ += fmt::format("  and {} more (--json has all)\n", all.size - rows_shown);
+  }
+
+  std::vector<Line> lines_;
+  std::string lists_;
+};
+
+}  // namespace
+
+std::string outcome_table(std::span<const Field> fields, const void* whole) {
+  Table table;
+  table.add(fields, whole, "");
+  return table.text();
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,37 @@
+"""Any operation of the engine's table by its name."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import _call, _lober
+from ._agreement import agreement_of
+from ._arrays import points_of
+from ._progress import Progress
+from .errors import UsageError
+
+
+def call(operation: str, *inputs: Any, threads: int = 0, progress: Progress = None, **options: Any) -> dict[str, Any]:
+    """Runs an operation of the engine's table, which `lober schema` lists, and returns its result: a dictionary of the
+    fields that `lober schema OPERATION` describes, lists as dictionaries of columns, with `agreement` beside them.
+
+    `inputs`: in the order of the operation, a System or its name, and curves or points, as arrays of N x 2 numbers or
+    complex vectors. `options`: those of the operation; None stands for the default. Raises UsageError, DataError,
+    Cancelled.
+    """
+    table = {one["name"]: one for one in _lober.table()}
+    if operation not in table:
+        raise UsageError(f"there is no operation {operation!r}; there are {', '.join(sorted(table))}")
+    specs = table[operation]["inputs"]
+    if len(inputs) > len(specs):
+        raise UsageError(f"{operation} takes {len(specs)} inputs or fewer, not {len(inputs)}")
+    given = [
+        _call.system_input(value) if spec["system"] else points_of(value, spec["name"])
+        for spec, value in zip(specs, inputs)
+    ]
+    known = {option["key"] for option in table[operation]["options"]}
+    for key in options:
+        if key not in known:
+            raise UsageError(f"{operation} has no option {key!r}; it has {', '.join(sorted(known))}")
+    value, comparisons = _call.call(operation, given, options, threads, progress)
+    return {**value, "agreement": agreement_of(comparisons)}

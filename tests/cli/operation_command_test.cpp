@@ -1,0 +1,84 @@
+// Operations of the table that have no command of their own, and that every operation can be run from the command line.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lober/operations.hpp"
+#include "tests/cli/program.hpp"
+
+namespace lober::cli {
+namespace {
+
+class OperationCommand : public ProgramTest {
+ protected:
+  void SetUp() override {
+    write_curve("eight", std::vector<Point>{{-2, -1}, {2, 1}, {2, -1}, {-2, 1}});
+    write_curve("box", box(1, -2, 3, 2));
+  }
+};
+
+std::string as_command(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+TEST_F(OperationCommand, EveryOperationHasOne) {
+  const std::string usage = run({"--help"}).out;
+  for (const operations::Operation& operation : operations::all()) {
+    SCOPED_TRACE(operation.name);
+    const Outcome help = run({as_command(operation.name), "--help"});
+    EXPECT_EQ(help.status, 0) << help.err;
+    EXPECT_NE(help.out.find("Usage: lober " + as_command(operation.name)), std::string::npos) << help.out;
+    EXPECT_NE(usage.find("  lober " + as_command(operation.name) + " "), std::string::npos);
+  }
+}
+
+TEST_F(OperationCommand, OptionsAreThoseOfTheTable) {
+  for (const char* const name : {"regions", "curve_transport", "manifold_tangle", "sweep", "simplify"}) {
+    const std::string help = run({as_command(name), "--help"}).out;
+    for (const operations::OptionSpec& option : operations::named(name).options) {
+      EXPECT_NE(help.find(as_command(option.key)), std::string::npos) << name << ": " << option.key;
+    }
+  }
+}
+
+TEST_F(OperationCommand, NumbersAreThoseOfTheOperation) {
+  const Json whole = Json::parse(run({"regions", "eight", "box", "--json", "-"}).out);
+  const Json by_rule = overlay({"eight", "box", "--rule", "nonzero"});
+  for (const char* const member : {"areas", "winding", "pieces", "arrangement", "q1", "q2", "q3", "error"}) {
+    EXPECT_EQ(whole[member], by_rule[member]) << member;
+  }
+  EXPECT_EQ(whole["command"], "regions");
+  EXPECT_EQ(whole["inputs"], (Json{"eight", "box"}));
+  const Outcome text = run({"regions", "eight", "box"});
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("areas.c2                                                8  area"), std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find("\nwinding\n  c1  c2  area\n"), std::string::npos) << text.out;
+  EXPECT_EQ(run({"regions", "eight"}).status, 0);  // the second curve is optional
+}
+
+TEST_F(OperationCommand, TakesSystems) {
+  const Outcome found = run({"sweep", "henon", "--range", "k=1:1.2:0.1", "--tolerance", "1e-3"});
+  EXPECT_EQ(found.status, 0) << found.err;
+  EXPECT_NE(found.out.find("\nrows\n"), std::string::npos) << found.out;
+  const Json json =
+      Json::parse(run({"manifold-tangle", "standard", "--param", "K=1.5", "--tolerance", "1e-4", "--json", "-"}).out);
+  EXPECT_EQ(json["system"]["name"], "standard");
+  EXPECT_EQ(json["system"]["parameters"]["K"], 1.5);
+  EXPECT_EQ(json["agreement"], true);
+  EXPECT_GT(json["turnstile"]["lobe_area12"].get<double>(), 0);
+}
+
+TEST_F(OperationCommand, RefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(run({"regions"}).status, 2);
+  EXPECT_EQ(run({"regions", "eight", "box", "--passes", "3"}).status, 2);
+  EXPECT_EQ(run({"regions", "none"}).status, 1);
+  const Outcome misspelt = run({"regoins", "eight", "box"});
+  EXPECT_EQ(misspelt.status, 2);
+  EXPECT_NE(misspelt.err.find("did you mean regions?"), std::string::npos) << misspelt.err;
+  EXPECT_EQ(run({"regions", "eight", "--json", "eight"}).status, 2);  // an input
+}
+
+}  // namespace
+}  // namespace lober::cli
