@@ -58,6 +58,7 @@ from ._generated import (
     sweep,
 )
 from ._measured import Measured
+from ._operation import call
 from ._transport import (
     Bottleneck,
     Escape,

@@ -13,7 +13,8 @@ from .errors import UsageError
 
 def call(operation: str, *inputs: Any, threads: int = 0, progress: Progress = None, **options: Any) -> dict[str, Any]:
     """Runs an operation of the engine's table, which `lober schema` lists, and returns its result: a dictionary of the
-    fields that `lober schema OPERATION` describes, lists as dictionaries of columns, with `agreement` beside them.
+    fields that `lober schema OPERATION` describes, lists as dictionaries of columns, numbers with error bars as pairs of
+    both, and `agreement`.
 
     `inputs`: in the order of the operation, a System or its name, and curves or points, as arrays of N x 2 numbers or
     complex vectors. `options`: those of the operation; None stands for the default. Raises UsageError, DataError,
