@@ -45,7 +45,14 @@ struct OperationInputs {
   std::vector<std::pair<std::string, Json>> members;
 };
 
-OperationInputs read_inputs(const operations::Operation& operation, const OperationRequest& request) {
+// Whether a curve is read as closed: as its kind has it, or as an option says.
+bool is_closed(InputKind kind, const operations::Options& options) {
+  if (kind != InputKind::curve) return kind == InputKind::closed_curve;
+  return options.find("closed") != nullptr && options.flag("closed");
+}
+
+OperationInputs read_inputs(const operations::Operation& operation, const OperationRequest& request,
+                            const operations::Options& options) {
   OperationInputs read;
   Json names = Json::array();
   auto file = request.files.begin();
@@ -58,7 +65,7 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
     }
     const std::string& path = *file++;
     if (path.empty()) continue;
-    const Curve& curve = read.curves.emplace_back(read_curve(path, spec.kind == InputKind::closed_curve)).curve;
+    const Curve& curve = read.curves.emplace_back(read_curve(path, is_closed(spec.kind, options))).curve;
     names.push_back(path);
     if (spec.kind == InputKind::points) {
       read.inputs.emplace_back(std::span<const Point>(curve.points));
@@ -72,11 +79,14 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
 
 void run(const operations::Operation& operation, const OperationRequest& request) {
   const detail::Stopwatch watch;
-  std::vector<std::string> named(request.files.begin(), request.files.end());
+  std::vector<std::string> named;
+  for (const std::string& file : request.files) {
+    if (!file.empty()) named.push_back(file);
+  }
   for (const std::string& file : files_of_system(request.system.name)) named.push_back(file);
   const std::vector<Output> outputs = checked_outputs({{"--json", request.json}}, named);
   const operations::Options options = checked_options(operation, request.settings);
-  const OperationInputs read = read_inputs(operation, request);
+  const OperationInputs read = read_inputs(operation, request, options);
   const double read_seconds = watch.seconds();
   operations::Outcome outcome;
   {

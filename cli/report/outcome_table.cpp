@@ -13,7 +13,7 @@ using operations::Field;
 using operations::FieldKind;
 using operations::FieldValue;
 
-constexpr std::size_t rows_shown = 50;
+constexpr std::size_t rows_shown = 50, numbers_shown = 4;
 
 std::string number_and(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
@@ -30,8 +30,13 @@ struct Text {
   std::string operator()(const std::vector<std::string>& value) const {
     return fmt::format("{}", fmt::join(value, "; "));
   }
-  std::string operator()(const std::vector<double>& value) const { return number_and(value.size(), "number"); }
-  std::string operator()(const std::vector<std::int64_t>& value) const { return number_and(value.size(), "number"); }
+  std::string operator()(const std::vector<double>& value) const {
+    return value.size() > numbers_shown ? number_and(value.size(), "number")
+                                        : fmt::format("{:.12g}", fmt::join(value, " "));
+  }
+  std::string operator()(const std::vector<std::int64_t>& value) const {
+    return value.size() > numbers_shown ? number_and(value.size(), "number") : fmt::format("{}", fmt::join(value, " "));
+  }
   std::string operator()(Point value) const { return fmt::format("({:.15g}, {:.15g})", value.x, value.y); }
   std::string operator()(const std::vector<Point>& value) const { return number_and(value.size(), "point"); }
   std::string operator()(const operations::Matrix& value) const {

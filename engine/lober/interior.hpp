@@ -13,7 +13,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -24,6 +23,7 @@
 #include "lober/curve.hpp"
 #include "lober/export.hpp"
 #include "lober/index.hpp"
+#include "lober/progress.hpp"
 
 namespace lober {
 
@@ -135,8 +135,7 @@ struct InteriorOptions {
   std::size_t max_points = 100'000'000;  ///< of one curve with what is inserted; DataError beyond
   IndexKind index = IndexKind::automatic;
   bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
-  /// Called between phases with the fraction done, from the calling thread; return false to cancel.
-  std::function<bool(double)> progress = {};
+  Progress progress{};       ///< told the fraction done, between phases
 };
 
 struct InteriorStatistics {

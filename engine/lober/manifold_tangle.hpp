@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include "lober/agreement.hpp"
 #include "lober/connecting_orbit.hpp"
 #include "lober/export.hpp"
+#include "lober/progress.hpp"
 #include "lober/systems.hpp"
 #include "lober/tangle.hpp"
 
@@ -34,8 +34,7 @@ struct ManifoldTangleOptions {
   /// more of built-in systems. Not with `budget`.
   double max_work = 1e8;
   double budget = 0;  ///< seconds that growing may take, by the clock: results then depend on the machine; 0: max_work
-  /// Called with a line of what is being done; return false to cancel.
-  std::function<bool(const std::string&)> progress{};
+  Progress progress{};  ///< told lines of what is being done
 };
 
 /// The two manifolds, their tangle with the period of the map known, and the orbits of the pips of one period. Beyond

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "lober/escape.hpp"
 #include "lober/export.hpp"
+#include "lober/progress.hpp"
 
 namespace lober {
 
@@ -14,7 +14,7 @@ struct MonteCarloOptions {
   std::uint64_t trajectories = 1'000'000;  ///< from each entry
   std::uint64_t seed = 1;
   IntegrationOptions integration{.tolerance = 1e-9, .max_time = 200};
-  std::function<bool(double)> progress;  ///< fraction done; false cancels. Called by one thread at a time
+  Progress progress{};  ///< told the fraction done
 };
 
 /// For one row of Escape::table.

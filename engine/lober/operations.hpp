@@ -30,6 +30,7 @@
 #include "lober/orbits.hpp"
 #include "lober/overlay.hpp"
 #include "lober/point.hpp"
+#include "lober/progress.hpp"
 #include "lober/regions.hpp"
 #include "lober/smooth.hpp"
 #include "lober/sweep.hpp"
@@ -424,9 +425,7 @@ struct SystemSweep : Sweep {
 
 /// What an operation is run with. All of it may be left out.
 struct Context {
-  /// Called several times a second with the fraction done, NaN where it is not known, and a line of what is being done;
-  /// false cancels.
-  std::function<bool(double fraction, const std::string& line)> progress{};
+  Progress progress{};
   /// Called with `progress`, where what is done can be counted: "points".
   std::function<void(double amount, std::string_view unit)> count{};
   /// Called from the calling thread with each element of a list that takes long as soon as it is ready, and with all

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -25,6 +24,7 @@
 #include "lober/element_iterator.hpp"
 #include "lober/export.hpp"
 #include "lober/index.hpp"
+#include "lober/progress.hpp"
 
 namespace lober {
 
@@ -150,8 +150,7 @@ struct OverlayOptions {
   IndexKind index = IndexKind::automatic;
   bool pieces = true;        ///< false: totals only, no polygon is ever formed
   bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
-  /// Called between phases with the fraction done, from the calling thread; return false to cancel.
-  std::function<bool(double)> progress;
+  Progress progress{};       ///< told the fraction done, between phases
 };
 
 struct Overlay {

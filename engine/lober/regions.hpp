@@ -16,7 +16,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -26,6 +25,7 @@
 #include "lober/element_iterator.hpp"
 #include "lober/export.hpp"
 #include "lober/overlay.hpp"
+#include "lober/progress.hpp"
 
 namespace lober {
 
@@ -67,8 +67,7 @@ struct RegionTiming {
 
 struct RegionOptions {
   IndexKind index = IndexKind::automatic;
-  /// Called between phases with the fraction done, from the calling thread; return false to cancel.
-  std::function<bool(double)> progress;
+  Progress progress{};  ///< told the fraction done, between phases
 };
 
 namespace detail {

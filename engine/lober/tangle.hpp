@@ -22,7 +22,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +31,7 @@
 #include "lober/curve.hpp"
 #include "lober/export.hpp"
 #include "lober/index.hpp"
+#include "lober/progress.hpp"
 
 namespace lober {
 
@@ -110,8 +110,7 @@ struct TangleOptions {
   /// Areas, of lobes, boundary and overlaps, and pips are those of smooth curves through the points, with errors of
   /// order h^6 (engine/lober/smooth.hpp). Which crossings there are the polygons decide.
   bool smooth = false;
-  /// Called between phases with the fraction done, from the calling thread; return false to cancel.
-  std::function<bool(double)> progress{};
+  Progress progress{};  ///< told the fraction done, between phases
 };
 
 /// Seconds of wall time of each phase.

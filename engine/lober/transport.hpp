@@ -31,6 +31,7 @@
 #include "lober/agreement.hpp"
 #include "lober/export.hpp"
 #include "lober/manifold_tangle.hpp"
+#include "lober/progress.hpp"
 
 namespace lober {
 
@@ -89,7 +90,7 @@ struct TransportOptions {
   Point lattice{};              ///< as in System: the plane repeats itself after it; (0, 0) if it does not
   std::uint64_t particles = 0;  ///< counted in each bounded region; 0: none
   std::uint64_t seed = 1;
-  std::function<bool(const std::string&)> progress{};
+  Progress progress{};  ///< told lines of what is being done
   /// Called with each row, without particles, when it is ready, and with all comparisons so far; from the calling
   /// thread.
   std::function<void(const TransportStep&, const Agreement&)> on_step{};

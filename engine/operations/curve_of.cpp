@@ -81,9 +81,4 @@ std::span<const Point> points_at(const Operation& operation, std::span<const Inp
   return points;
 }
 
-std::function<bool(double)> fraction_to(const Context& context) {
-  if (!context.progress) return {};
-  return [&context](double fraction) { return context.progress(fraction, {}); };
-}
-
 }  // namespace lober::detail::table

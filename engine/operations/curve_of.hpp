@@ -1,7 +1,6 @@
 // The curves that an operation is given (private to operations/).
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "engine/operations/describe.hpp"
@@ -34,8 +33,5 @@ void require_inputs(const operations::Operation& operation, std::span<const oper
 /// Input number k, which is points. Throws DataError for one that is not finite.
 [[nodiscard]] std::span<const Point> points_at(const operations::Operation& operation,
                                                std::span<const operations::Input> inputs, std::size_t k);
-
-/// For options of the engine that tell how far they are by the fraction done; empty where nobody asks.
-[[nodiscard]] std::function<bool(double)> fraction_to(const operations::Context& context);
 
 }  // namespace lober::detail::table

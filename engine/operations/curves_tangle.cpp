@@ -20,7 +20,7 @@ Tangle tangle_of_curves(const Operation& operation, std::span<const Input> input
     if (numbers.size() % 2 != 0) throw UsageError("option \"closure\" needs two coordinates of each corner");
     for (std::size_t k = 0; k < numbers.size(); k += 2) how.closure.push_back({numbers[k], numbers[k + 1]});
   }
-  how.progress = fraction_to(context);
+  how.progress = context.progress;
   if (known_simple(inputs, 0) && known_simple(inputs, 1)) how.check_simple = false;
   Tangle found = tangle(indexed_curve(operation, inputs, 0), indexed_curve(operation, inputs, 1), how);
   if (!found.images.misfit.empty()) throw UsageError("option \"period\": " + found.images.misfit);

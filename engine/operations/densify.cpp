@@ -251,7 +251,7 @@ Outcome run_densify(std::span<const Input> inputs, const Options& options, const
     static_cast<DensifiedCurve&>(found) = std::move(curve);
     found.steps.push_back({step, found.points.size(), found.rounds});
     const double fraction = std::min(1.0, static_cast<double>(found.steps.size()) / steps);
-    if (context.progress && !context.progress(fraction, {})) throw Cancelled();
+    if (!context.progress(fraction, {})) throw Cancelled();
   };
   if (how.simplify) {
     done("simplify", simplify(found, {*how.simplify, how.max_length.value_or(Criteria::off)}));

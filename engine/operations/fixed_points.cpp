@@ -143,9 +143,8 @@ Outcome run_fixed_points(std::span<const Input> inputs, const Options& options, 
   how.shift = {how.turns * system.lattice.x, how.turns * system.lattice.y};
   if (how.seconds) how.budget = *how.seconds;
   const Rectangle box = how.box.value_or(system.window);
-  const auto tell = lines_to(context);
   const auto each_grid = [&](int grid) {
-    return !tell || tell("grid of " + std::to_string(grid) + " x " + std::to_string(grid));
+    return context.progress("grid of " + std::to_string(grid) + " x " + std::to_string(grid));
   };
   SystemFixedPoints found{search_fixed_points(*system.map, box, how, how.max_grid, each_grid)};
   found.box = box;

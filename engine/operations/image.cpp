@@ -191,7 +191,7 @@ FollowedCurve boundary(const System& system, double tolerance, const Context& co
   }
   ManifoldTangleOptions options;
   options.tolerance = tolerance;
-  options.progress = lines_to(context);
+  options.progress = context.progress;
   found.closed = !system.further_needed;
   std::vector<Connection> connections{*system.connection};
   if (system.further_needed) connections.insert(connections.end(), system.further.begin(), system.further.end());
@@ -303,7 +303,7 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
   found.box = how.box;
   how.progress = [&](const GrowthProgress& at) {
     if (context.count) context.count(static_cast<double>(at.images), "images of points");
-    return !context.progress || context.progress(std::numeric_limits<double>::quiet_NaN(), {});
+    return context.progress(std::string());
   };
   const Stopwatch image_watch;
   const auto add = [&](std::vector<CurveImage>&& images, std::size_t curve) {

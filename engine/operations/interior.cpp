@@ -77,7 +77,7 @@ Outcome run_interior(std::span<const Input> inputs, const Options& options, cons
   if (how.method == InteriorMethod::split && (how.passes > 0 || how.points > 0)) {
     throw UsageError("option \"passes\" and option \"points\" are of the method ends");
   }
-  how.progress = fraction_to(context);
+  how.progress = context.progress;
   if (known_simple(inputs, 0) && known_simple(inputs, 1)) how.check_simple = false;
   CurveInterior found{interior_areas(c1, c2, how)};
   if (how.method == InteriorMethod::ends) {

@@ -223,7 +223,7 @@ Outcome run_levels(std::span<const Input> inputs, const Options& options, const 
   for (std::size_t k = 0; k < found.levels.size(); ++k) {
     found.levels[k].curves = found.grid->curves(found.levels[k].value);
     const double done = static_cast<double>(k + 1) / static_cast<double>(found.levels.size());
-    if (context.progress && !context.progress(done, "levels")) throw Cancelled();
+    if (!context.progress(done, "levels")) throw Cancelled();
   }
   Outcome outcome = outcome_of(std::move(found), options);
   outcome.chosen.push_back({"box", box});

@@ -30,7 +30,7 @@ const OptionList<ManifoldsHow>& manifolds_options() {
                 {.min = 1, .max = 1000, .value = "N"})
         .option("after", &How::after, "number of images of the bip up to which manifolds are grown",
                 {.min = 0, .max = 1000, .value = "N"})
-        .option("smooth", &How::smooth, "whether areas are those of smooth curves through the points")
+        .option("smooth", &How::smooth, "whether to take the areas of smooth curves through the points")
         .option("max_iterates", &How::max_iterates, "maximum number of images of the local manifolds",
                 {.min = 1, .max = 100'000, .value = "N"})
         .option("max_work", &How::max_work,
@@ -79,7 +79,7 @@ Outcome run_manifold_tangle(std::span<const Input> inputs, const Options& option
   if (how.seconds) how.budget = *how.seconds;
   constexpr std::size_t bytes_per_point = 240;  // of two manifolds that are grown, and what is made of them
   how.max_points = std::min(how.max_points, std::max<std::size_t>(context.memory / bytes_per_point, 1000));
-  how.progress = lines_to(context);
+  how.progress = context.progress;
   const Stopwatch watch;
   const std::shared_ptr<const ManifoldTangle> grown = grow_tangle(*system.map, connection, how);
   SystemTangle found{{grown->tangle}, grown};

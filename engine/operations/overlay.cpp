@@ -73,7 +73,7 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
   const IndexedCurve c1 = indexed_curve(operation, inputs, 0), c2 = indexed_curve(operation, inputs, 1);
   OverlayHow how = overlay_options().how(options);
   how.pieces = !how.areas_only;
-  how.progress = fraction_to(context);
+  how.progress = context.progress;
   if (known_simple(inputs, 0) && known_simple(inputs, 1)) how.check_simple = false;
   CurveOverlay found{overlay(c1, c2, how)};
   found.has_pieces = how.pieces;

@@ -114,7 +114,7 @@ std::vector<Field> region_fields() {
 Outcome run_regions(std::span<const Input> inputs, const Options& options, const Context& context) {
   const Operation& operation = named("regions");
   RegionsHow how = region_options().how(options);
-  how.progress = fraction_to(context);
+  how.progress = context.progress;
   const IndexedCurve c1 = indexed_curve(operation, inputs, 0);
   CurveRegions found;
   found.rule = how.rule;

@@ -189,7 +189,7 @@ Outcome run_section(std::span<const Input> inputs, const Options& options, const
       found.kept.insert(found.kept.end(), points.begin(), points.end());
     }
     const double done = static_cast<double>(first + count) / static_cast<double>(starts.size());
-    return !context.progress || context.progress(done, "orbits");
+    return context.progress(done, "orbits");
   });
   found.block = {};
   Outcome outcome = outcome_of(std::move(found), options);

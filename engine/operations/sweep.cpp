@@ -228,7 +228,6 @@ class Sweeper {
   }
 
   [[nodiscard]] bool tell(double before, double share, std::size_t done, const char* what) const {
-    if (!context_.progress) return true;
     const double part = static_cast<double>(done) / static_cast<double>(range_.values.size());
     return context_.progress(before + share * part, what);
   }

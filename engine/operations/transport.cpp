@@ -179,7 +179,7 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
   if (choice.bip) how.bip_near = choice.bip;
   constexpr std::size_t bytes_per_point = 240;  // of two manifolds that are grown, and what is made of them
   how.max_points = std::min(how.max_points, std::max<std::size_t>(context.memory / bytes_per_point, 1000));
-  how.progress = lines_to(context);
+  how.progress = context.progress;
   if (context.on_element) {
     how.on_step = [&](const TransportStep& step, const Agreement& agreement) {
       context.on_element(steps, &step, agreement);

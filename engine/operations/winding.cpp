@@ -94,8 +94,7 @@ Outcome run_winding(std::span<const Input> inputs, const Options& options, const
     const std::vector<InteriorValue> values = interior_function(curve, block);
     found.windings.insert(found.windings.end(), numbers.begin(), numbers.end());
     found.values.insert(found.values.end(), values.begin(), values.end());
-    if (context.progress && !context.progress(static_cast<double>(found.values.size()) / static_cast<double>(size), {}))
-      throw Cancelled();
+    if (!context.progress(static_cast<double>(found.values.size()) / static_cast<double>(size), {})) throw Cancelled();
   }
   count(found);
   compare_with_turns(found, curve.view().points.size());

@@ -70,6 +70,23 @@ TEST_F(OperationCommand, TakesSystems) {
   EXPECT_GT(json["turnstile"]["lobe_area12"].get<double>(), 0);
 }
 
+TEST_F(OperationCommand, TakesCurvesAsClosedOrOpen) {
+  const std::vector<Point> square{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 1}};
+  write_curve("square", square);
+  const Json closed = Json::parse(run({"simplify", "square", "--tolerance", "0.1", "--json", "-"}).out);
+  EXPECT_EQ(closed["result"]["closed"], true);
+  EXPECT_EQ(closed["result"]["points"], 4);
+  const Json open = Json::parse(run({"simplify", "square", "--tolerance", "0.1", "--no-closed", "--json", "-"}).out);
+  EXPECT_EQ(open["result"]["closed"], false);
+  EXPECT_EQ(open["result"]["points"], 5);
+}
+
+TEST_F(OperationCommand, PolygonsOfManifoldsAreOffByTheirTolerance) {
+  const Outcome found = run({"manifold-tangle", "henon", "--no-smooth", "--json", "-"});
+  EXPECT_EQ(found.status, 0) << found.err;
+  EXPECT_NE(run({"manifold-tangle", "--help"}).out.find("Do not take the areas of smooth curves"), std::string::npos);
+}
+
 TEST_F(OperationCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(run({"regions"}).status, 2);
   EXPECT_EQ(run({"regions", "eight", "box", "--passes", "3"}).status, 2);
@@ -78,6 +95,9 @@ TEST_F(OperationCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(misspelt.status, 2);
   EXPECT_NE(misspelt.err.find("did you mean regions?"), std::string::npos) << misspelt.err;
   EXPECT_EQ(run({"regions", "eight", "--json", "eight"}).status, 2);  // an input
+  const Outcome nowhere = run({"regions", "eight", "--json", "none/x.json"});
+  EXPECT_EQ(nowhere.status, 1);
+  EXPECT_NE(nowhere.err.find("none/x.json: cannot be written"), std::string::npos) << nowhere.err;
 }
 
 }  // namespace

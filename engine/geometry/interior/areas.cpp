@@ -66,7 +66,7 @@ class InteriorBuilder {
 
  private:
   void report(double fraction) const {
-    if (options_.progress && !options_.progress(fraction)) throw Cancelled();
+    if (!options_.progress(fraction)) throw Cancelled();
   }
 
   void find_crossings() {

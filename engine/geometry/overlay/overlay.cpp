@@ -95,7 +95,7 @@ class OverlayBuilder {
   }
 
   void report(double fraction) const {
-    if (options_.progress && !options_.progress(fraction)) throw Cancelled();
+    if (!options_.progress(fraction)) throw Cancelled();
   }
 
   void measure_curves() {

@@ -125,7 +125,7 @@ class RegionBuilder {
 
  private:
   void report(double fraction) const {
-    if (options_.progress && !options_.progress(fraction)) throw Cancelled();
+    if (!options_.progress(fraction)) throw Cancelled();
   }
 
   // Shoelace sums of all edges about one origin. Also bounds what areas lose: the gap at each node

@@ -91,7 +91,7 @@ void remark_direction(Tangle& tangle) {
 template <typename Given>
 Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptions& options) {
   const auto report = [&](double fraction) {
-    if (options.progress && !options.progress(fraction)) throw Cancelled();
+    if (!options.progress(fraction)) throw Cancelled();
   };
   const Stopwatch watch;
   Tangle result;

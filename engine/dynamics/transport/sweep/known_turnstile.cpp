@@ -60,6 +60,27 @@ bool order(KnownTurnstile& known) {
   return true;
 }
 
+// Whether each orbit has moved by so little, in images along U, that it cannot be another pip's: by a quarter of what
+// lies between it and the pips next to it, or, where they were lost, between pips at even distances. Newton's method
+// converges to any of them.
+bool are_the_same(const KnownTurnstile& known, const KnownTurnstile& before, double images) {
+  constexpr double part_of_gap = 0.25;
+  const std::size_t last = before.orbits.size() - 1;
+  for (std::size_t k = 1; k <= last; ++k) {
+    if (before.is_lost(k) || known.is_lost(k)) continue;
+    const double here = time_of_orbit(before, k);
+    double gap = 1 / static_cast<double>(last);
+    const std::size_t next = k < last ? k + 1 : 1;
+    if (!before.is_lost(k - 1) && !before.is_lost(next)) {
+      // The one after the last is the image of the first one.
+      const double after = time_of_orbit(before, next) + (k < last ? 0 : 1);
+      gap = std::min(here - time_of_orbit(before, k - 1), after - here);
+    }
+    if (std::fabs(time_of_orbit(known, k) - here - images) > part_of_gap * gap) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<double> KnownTurnstile::difference() const {
@@ -126,7 +147,7 @@ std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Co
     }
   }
   known.orbits.front() = preimage(map, known, known.orbits.back());
-  return order(known) ? std::optional(std::move(known)) : std::nullopt;
+  return are_the_same(known, from, images) && order(known) ? std::optional(std::move(known)) : std::nullopt;
 }
 
 }  // namespace lober::detail

@@ -184,7 +184,7 @@ class SweepOfValues {
 
   // The turnstile of value k from that of another one, in smaller steps where one is too large.
   [[nodiscard]] std::optional<KnownTurnstile> continued(std::size_t k, std::size_t from) const {
-    constexpr int halvings = 3;
+    constexpr int halvings = 4;
     return followed(values_[from], *known_[from], values_[k], halvings);
   }
 

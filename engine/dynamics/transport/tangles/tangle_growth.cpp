@@ -10,7 +10,6 @@
 #include "engine/base/text.hpp"
 #include "engine/dynamics/manifolds/saddle.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "engine/dynamics/transport/tangles/along_lattice.hpp"
 #include "engine/dynamics/transport/tangles/point_errors.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
 #include "lober/error.hpp"
@@ -150,7 +149,7 @@ void TangleGrowth::begin(double tolerance) {
     side->options.progress = [this](const GrowthProgress&) {
       // Where orbits are wild a piece may cost far more than those before.
       out_of_work_ = out_of_work_ || images_left() <= 0;
-      return !out_of_work_ && (!options_.progress || options_.progress({}));
+      return !out_of_work_ && options_.progress(std::string());
     };
     side->growth.emplace(map_, side->local, side->branch, side->options);
     side->compressed = side->simple = 0;
@@ -266,6 +265,8 @@ void TangleGrowth::report() {
 }
 
 bool TangleGrowth::grow_to(int before, int after) {
+  if ((before > before_ || after > after_) && compared_before_ > 0 && compares_too_much(segments_expected()))
+    return false;
   // What was done with the map since the last call, such as laying curves on a cylinder or growing another tangle, is
   // not growing: the next piece costs none of it.
   work_before_ += map_.work() - work_after_;
@@ -273,7 +274,6 @@ bool TangleGrowth::grow_to(int before, int after) {
   before = std::max(before, before_);
   after = std::max(after, after_);
   limit_.clear();
-  if ((before > before_ || after > after_) && compares_too_much(segments_expected())) return false;
   lend();
   const bool grown = grow_between(before, after);
   if (grown) {
@@ -285,42 +285,6 @@ bool TangleGrowth::grow_to(int before, int after) {
   finish();
   rest();
   return grown;
-}
-
-double TangleGrowth::segments_to_compare() const {
-  double segments = 0;
-  Reach both;
-  for (const Side* const side : {&u_, &s_}) {
-    const Buffer<Point>& points = side->growth->grown().points;
-    const Reach reach = reach_of(points, options_.lattice);
-    both = side == &u_ ? reach : Reach{std::min(both.from, reach.from), std::max(both.to, reach.to)};
-    segments += static_cast<double>(points.size() - 1);
-  }
-  return segments * (1 + 2 * std::floor(both.to - both.from));
-}
-
-// Whether this number of segments is more work than is allowed: by their number, or by the clock as long as those
-// before took.
-bool TangleGrowth::compares_too_much(double segments) {
-  // A segment that is compared takes as long as this number of evaluations of a map.
-  constexpr double evaluations_a_segment = 4;
-  // A segment takes longer among more of them, and overlaps as long again.
-  constexpr double times_looked_at = 5;
-  const bool by_clock = options_.budget > 0;
-  const double seconds = watch_.seconds() + times_looked_at * seconds_a_segment_ * segments;
-  if (by_clock ? seconds <= options_.budget : evaluations_a_segment * segments <= options_.max_work) return false;
-  limit_ = "the manifolds run round the cylinder so often that those of the next row, with all their translates " +
-           format_rounded(segments) + " segments or more, " +
-           (by_clock ? "would take longer than the " + std::string(quantity::seconds)
-                     : "are more work than is done unasked; a " + std::string(quantity::seconds) + " allows more");
-  return true;
-}
-
-// Of one more growth; by number cautiously, so that no row is refused which may be done.
-double TangleGrowth::segments_expected() const {
-  if (!(compared_before_ > 0)) return 0;
-  const double caution = options_.budget > 0 ? 1 : 2;
-  return compared_ * compared_ / compared_before_ / caution;
 }
 
 bool TangleGrowth::grow_between(int before, int after) {
@@ -337,10 +301,8 @@ bool TangleGrowth::grow_between(int before, int after) {
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
   refine_near(u_, s_.local.saddle, distance_at(s_, bip.s - after));
   refine_near(s_, u_.local.saddle, distance_at(u_, bip.u - before));
-  const bool on_cylinder = !(options_.lattice == Point{});
-  const double segments = on_cylinder ? segments_to_compare() : 0;
-  if (before > 1 && on_cylinder && compares_too_much(segments)) return false;
-  const double compare_from = watch_.seconds();
+  const double segments = segments_to_compare(), compare_from = watch_.seconds();
+  if (before > 1 && segments > 0 && compares_too_much(segments)) return false;
   for (Side* const side : {&u_, &s_}) {
     const std::optional<Point> crosses = refine_until_simple(*side);
     // Overlaps of images of lobes that polygons do not keep apart may be wrong by as much as the lobes.
@@ -351,7 +313,7 @@ bool TangleGrowth::grow_between(int before, int after) {
              " may go farther";
     return false;
   }
-  if (on_cylinder && segments != compared_) {
+  if (segments != compared_) {
     compared_before_ = compared_;
     compared_ = segments_to_compare();
     seconds_a_segment_ = (watch_.seconds() - compare_from) / compared_;
@@ -422,10 +384,16 @@ void TangleGrowth::finish() {
   for (std::size_t k = 0; k + 1 < orbits_.size(); ++k) {
     if (const auto area = lobe_area_by_action(orbits_[k], orbits_[k + 1])) {
       result->areas_by_action.push_back(*area);
-      result->action_errors.push_back(orbits_[k].action_error + orbits_[k + 1].action_error);
+      // The area is rounded to double.
+      result->action_errors.push_back(orbits_[k].action_error + orbits_[k + 1].action_error +
+                                      0x1p-53 * std::fabs(*area));
     }
   }
   add_point_errors(map_, followed(), *result);
+  if (!options_.smooth) {  // polygons, which lie within the tolerance of the manifolds
+    for (std::size_t k = 0; k < result->tangle.lobes.size(); ++k)
+      result->tangle.lobes[k].smooth_error += tolerance_ * perimeter(lobe_outline(result->tangle, k));
+  }
   result->fine = followed();
   result->true_size = true_size(followed());
   add_errors_far_outside(*result);

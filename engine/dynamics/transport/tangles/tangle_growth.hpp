@@ -110,7 +110,7 @@ class TangleGrowth {
   [[nodiscard]] bool lobes_are_thin() const;
   [[nodiscard]] std::string by_action() const;
   [[nodiscard]] bool grow_between(int before, int after);
-  // Segments of both manifolds, with all translates that they may meet.
+  // Segments of both manifolds, with all translates that they may meet; 0 in a plane that does not repeat itself.
   [[nodiscard]] double segments_to_compare() const;
   [[nodiscard]] bool compares_too_much(double segments);
   [[nodiscard]] double segments_expected() const;

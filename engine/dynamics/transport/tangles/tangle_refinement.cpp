@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/quantities.hpp"
+#include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangles/along_lattice.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
@@ -92,6 +94,42 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
     }
     if (segments.empty() || !refine(side, std::move(segments), followed())) return;
   }
+}
+
+double TangleGrowth::segments_to_compare() const {
+  if (options_.lattice == Point{}) return 0;
+  double segments = 0;
+  Reach both;
+  for (const Side* const side : {&u_, &s_}) {
+    const Buffer<Point>& points = side->growth->grown().points;
+    const Reach reach = reach_of(points, options_.lattice);
+    both = side == &u_ ? reach : Reach{std::min(both.from, reach.from), std::max(both.to, reach.to)};
+    segments += static_cast<double>(points.size() - 1);
+  }
+  return segments * (1 + 2 * std::floor(both.to - both.from));
+}
+
+// Whether this number of segments is more work than is allowed: by their number, or by the clock as long as those
+// before took.
+bool TangleGrowth::compares_too_much(double segments) {
+  // A segment that is compared takes as long as this number of evaluations of a map.
+  constexpr double evaluations_a_segment = 4;
+  // A segment takes longer among more of them, and overlaps as long again.
+  constexpr double times_looked_at = 5;
+  const bool by_clock = options_.budget > 0;
+  const double seconds = watch_.seconds() + times_looked_at * seconds_a_segment_ * segments;
+  if (by_clock ? seconds <= options_.budget : evaluations_a_segment * segments <= options_.max_work) return false;
+  limit_ = "the manifolds run round the cylinder so often that those of the next row, with all their translates " +
+           format_rounded(segments) + " segments or more, " +
+           (by_clock ? "would take longer than the " + std::string(quantity::seconds)
+                     : "are more work than is done unasked; a " + std::string(quantity::seconds) + " allows more");
+  return true;
+}
+
+// Of one more growth, where two have been compared; by number cautiously, so that no row is refused which may be done.
+double TangleGrowth::segments_expected() const {
+  const double caution = options_.budget > 0 ? 1 : 2;
+  return compared_ * compared_ / compared_before_ / caution;
 }
 
 // Segments of a manifold that cross others of it or, where the plane repeats itself, of its translates.

@@ -148,7 +148,7 @@ class ParticleCounter {
     for (const auto& here : counts) {
       for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += here[i];
     }
-    if (options_.progress && !options_.progress(static_cast<double>(++runs_) / all_runs_)) throw Cancelled();
+    if (!options_.progress(static_cast<double>(++runs_) / all_runs_)) throw Cancelled();
     return sums;
   }
   [[nodiscard]] std::size_t outside() const {

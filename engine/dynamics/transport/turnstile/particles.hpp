@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "engine/dynamics/transport/turnstile/partition.hpp"
 #include "lober/planar_map.hpp"
+#include "lober/progress.hpp"
 
 namespace lober::detail {
 
@@ -15,7 +15,7 @@ struct ParticleOptions {
   std::uint64_t count = 0;  ///< in each bounded region
   std::uint64_t seed = 1;
   /// Called with the fraction done; return false to cancel.
-  std::function<bool(double)> progress{};
+  Progress progress{};
 };
 
 /// T_ij(n) for n = 1 ... iterates, with one standard deviation as error. Of species from regions without an area by

@@ -75,7 +75,7 @@ class TransportBuilder {
 
  private:
   void report(const std::string& line) const {
-    if (options_.progress && !options_.progress(line)) throw Cancelled();
+    if (!options_.progress(line)) throw Cancelled();
   }
 
   void begin(const Connection& connection) {
@@ -235,7 +235,7 @@ class TransportBuilder {
       ParticleOptions how;
       how.count = options_.particles;
       how.seed = options_.seed;
-      how.progress = [&](double) { return !options_.progress || options_.progress("particles"); };
+      how.progress = [&](double) { return options_.progress("particles"); };
       const auto stride = static_cast<std::size_t>(result_.iterates_a_step);
       const std::vector<RegionMatrix> counted =
           count_particles(map_, last, partition, static_cast<int>(result_.steps.size() * stride), how);

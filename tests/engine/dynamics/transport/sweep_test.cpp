@@ -42,6 +42,27 @@ TEST(Sweep, FindsTheZeroFromEitherSide) {
   }
 }
 
+// Newton's method converges to another pip where a step is too large: the flux of the standard map at K = 10 was 12.40
+// after K = 5, and the difference had changed its sign.
+TEST(Sweep, FollowsOnePipOverLargeSteps) {
+  SweepOptions options;
+  options.tangle.tolerance = 1e-3;
+  const auto standard = [](double K) {
+    const System system = make_system("standard", {{"K", K}});
+    return FamilyMember{system.map, *system.connection, system.lattice};
+  };
+  const std::array values{5.0, 10.0};
+  const Sweep coarse = sweep(standard, values, options);
+  const std::array steps{5.0, 6.0, 7.0, 8.0, 9.0, 10.0};
+  const Sweep fine = sweep(standard, steps, options);
+  ASSERT_EQ(coarse.failures() + fine.failures(), 0U);
+  EXPECT_TRUE(coarse.zeros.empty());
+  EXPECT_TRUE(fine.zeros.empty());
+  EXPECT_NEAR(coarse.rows[1].flux21.value, fine.rows[5].flux21.value, 1e-5);
+  EXPECT_NEAR(coarse.rows[1].flux21.value, 10.360804, 1e-5);
+  EXPECT_EQ(coarse.rows[1].difference > 0, fine.rows[5].difference > 0);
+}
+
 TEST(Sweep, SaysWhyAZeroIsNotRefined) {
   SweepOptions options;
   options.tangle.tolerance = 1e-3;
