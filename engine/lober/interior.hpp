@@ -135,7 +135,7 @@ struct InteriorOptions {
   std::size_t max_points = 100'000'000;  ///< of one curve with what is inserted; DataError beyond
   IndexKind index = IndexKind::automatic;
   bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
-  Progress progress{};       ///< told the fraction done, between phases
+  Progress progress{};       ///< called with the fraction done, between phases
 };
 
 struct InteriorStatistics {

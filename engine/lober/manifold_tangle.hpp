@@ -34,7 +34,7 @@ struct ManifoldTangleOptions {
   /// more of built-in systems. Not with `budget`.
   double max_work = 1e8;
   double budget = 0;  ///< seconds that growing may take, by the clock: results then depend on the machine; 0: max_work
-  Progress progress{};  ///< told lines of what is being done
+  Progress progress{};  ///< called with lines of what is being done
 };
 
 /// The two manifolds, their tangle with the period of the map known, and the orbits of the pips of one period. Beyond

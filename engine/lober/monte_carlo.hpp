@@ -14,7 +14,7 @@ struct MonteCarloOptions {
   std::uint64_t trajectories = 1'000'000;  ///< from each entry
   std::uint64_t seed = 1;
   IntegrationOptions integration{.tolerance = 1e-9, .max_time = 200};
-  Progress progress{};  ///< told the fraction done
+  Progress progress{};  ///< called with the fraction done
 };
 
 /// For one row of Escape::table.

@@ -150,7 +150,7 @@ struct OverlayOptions {
   IndexKind index = IndexKind::automatic;
   bool pieces = true;        ///< false: totals only, no polygon is ever formed
   bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
-  Progress progress{};       ///< told the fraction done, between phases
+  Progress progress{};       ///< called with the fraction done, between phases
 };
 
 struct Overlay {

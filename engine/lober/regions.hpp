@@ -67,7 +67,7 @@ struct RegionTiming {
 
 struct RegionOptions {
   IndexKind index = IndexKind::automatic;
-  Progress progress{};  ///< told the fraction done, between phases
+  Progress progress{};  ///< called with the fraction done, between phases
 };
 
 namespace detail {

@@ -110,7 +110,7 @@ struct TangleOptions {
   /// Areas, of lobes, boundary and overlaps, and pips are those of smooth curves through the points, with errors of
   /// order h^6 (engine/lober/smooth.hpp). Which crossings there are the polygons decide.
   bool smooth = false;
-  Progress progress{};  ///< told the fraction done, between phases
+  Progress progress{};  ///< called with the fraction done, between phases
 };
 
 /// Seconds of wall time of each phase.

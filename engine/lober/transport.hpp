@@ -90,7 +90,7 @@ struct TransportOptions {
   Point lattice{};              ///< as in System: the plane repeats itself after it; (0, 0) if it does not
   std::uint64_t particles = 0;  ///< counted in each bounded region; 0: none
   std::uint64_t seed = 1;
-  Progress progress{};  ///< told lines of what is being done
+  Progress progress{};  ///< called with lines of what is being done
   /// Called with each row, without particles, when it is ready, and with all comparisons so far; from the calling
   /// thread.
   std::function<void(const TransportStep&, const Agreement&)> on_step{};
