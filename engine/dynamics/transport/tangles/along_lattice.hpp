@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <span>
 
 #include "kernels/point.hpp"
@@ -42,6 +44,13 @@ struct Reach {
     reach.to = std::max(reach.to, at);
   }
   return reach;
+}
+
+/// Translates to one side that two curves may meet.
+[[nodiscard]] inline std::size_t translates_in_reach(std::span<const Point> u, std::span<const Point> s,
+                                                     Point lattice) {
+  const Reach of_u = reach_of(u, lattice), of_s = reach_of(s, lattice);
+  return static_cast<std::size_t>(std::floor(std::max(of_u.to, of_s.to) - std::min(of_u.from, of_s.from)));
 }
 
 /// Points of the copy that lies `times` periods along the lattice.

@@ -98,15 +98,9 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
 
 double TangleGrowth::segments_to_compare() const {
   if (options_.lattice == Point{}) return 0;
-  double segments = 0;
-  Reach both;
-  for (const Side* const side : {&u_, &s_}) {
-    const Buffer<Point>& points = side->growth->grown().points;
-    const Reach reach = reach_of(points, options_.lattice);
-    both = side == &u_ ? reach : Reach{std::min(both.from, reach.from), std::max(both.to, reach.to)};
-    segments += static_cast<double>(points.size() - 1);
-  }
-  return segments * (1 + 2 * std::floor(both.to - both.from));
+  const Buffer<Point>&u = u_.growth->grown().points, &s = s_.growth->grown().points;
+  const auto translates = static_cast<double>(translates_in_reach(u, s, options_.lattice));
+  return static_cast<double>(u.size() + s.size() - 2) * (1 + 2 * translates);
 }
 
 // Whether this number of segments is more work than is allowed: by their number, or by the clock as long as those

@@ -16,9 +16,7 @@ namespace {
 // Translates to one side that a tangle may meet.
 std::size_t copies_in_reach(const Barrier& barrier) {
   if (barrier.lattice == Point{}) return 0;
-  const Reach u = reach_of(barrier.tangle->u().points, barrier.lattice);
-  const Reach s = reach_of(barrier.tangle->s().points, barrier.lattice);
-  return static_cast<std::size_t>(std::floor(std::max(u.to, s.to) - std::min(u.from, s.from)));
+  return translates_in_reach(barrier.tangle->u().points, barrier.tangle->s().points, barrier.lattice);
 }
 
 std::vector<Point> moved(const std::vector<Point>& points, Point lattice, int times) {
