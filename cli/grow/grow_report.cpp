@@ -63,9 +63,9 @@ std::string grow_summary(const System& system, const operations::SystemManifold&
         std::abs(local.image().steps));
   }
   text += fmt::format("local manifold       reach {:.4g}, defect {:.2g}\n", local.reach, local.defect);
-  text +=
-      fmt::format("grown                {} points, length {:.10g}: the local manifold and {}\n", manifold.points.size(),
-                  manifold.length, counted(manifold.generation_begin.size() - 2, "image of it", "images of it"));
+  text += fmt::format("grown                {} points, length {:.10g} in the box: the local manifold and {}\n",
+                      manifold.points.size(), manifold.length,
+                      counted(manifold.generation_begin.size() - 2, "image of it", "images of it"));
   text += fmt::format("growing ended        {}\n", end_of_growth(manifold));
   for (const GrowthDiagnosticCause cause : all_growth_causes) {
     const std::size_t count = segments_with(manifold.diagnostics, cause);

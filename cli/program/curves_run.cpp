@@ -40,6 +40,7 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
     throw DataError(curves[curve] + ": " + error.what() + " (--rule takes such curves)" +
                     (remark.empty() ? "" : "; the curve " + remark));
   }
+  for (const std::string& remark : report.outcome.remarks) log_warning(remark);
   return report;
 }
 

@@ -7,12 +7,14 @@
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
+#include "cli/program/output_names.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "cli/report/outcome_table.hpp"
+#include "cli/report/point_file.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/error.hpp"
 #include "lober/files.hpp"
@@ -33,7 +35,7 @@ std::string argument_name(const operations::InputSpec& input) {
 struct OperationRequest {
   SystemRequest system;
   std::deque<std::string> files;  // in the order of the inputs; in place, because they are parsed into
-  std::string json;
+  std::string output, json;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
 };
@@ -44,6 +46,14 @@ struct OperationInputs {
   std::vector<operations::Input> inputs;
   std::vector<std::pair<std::string, Json>> members;
 };
+
+// A result that is a curve; null if it is none.
+const operations::Field* curve_of_result(const operations::Operation& operation) {
+  const auto found = std::find_if(operation.result.begin(), operation.result.end(), [](const operations::Field& field) {
+    return field.kind == operations::FieldKind::points;
+  });
+  return found == operation.result.end() ? nullptr : &*found;
+}
 
 // Whether a curve is read as closed: as its kind has it, or as an option says.
 bool is_closed(InputKind kind, const operations::Options& options) {
@@ -84,7 +94,8 @@ void run(const operations::Operation& operation, const OperationRequest& request
     if (!file.empty()) named.push_back(file);
   }
   for (const std::string& file : files_of_system(request.system.name)) named.push_back(file);
-  const std::vector<Output> outputs = checked_outputs({{"--json", request.json}}, named);
+  const std::vector<Output> outputs = checked_outputs({{"-o", request.output}, {"--json", request.json}}, named);
+  if (!request.output.empty()) (void)format_of(request.output);
   const operations::Options options = checked_options(operation, request.settings);
   const OperationInputs read = read_inputs(operation, request, options);
   const double read_seconds = watch.seconds();
@@ -94,7 +105,16 @@ void run(const operations::Operation& operation, const OperationRequest& request
     progress.phase(operation.name, 0, 1);
     operations::Context context;
     context.progress = told_to(progress);
-    outcome = operation.run(read.inputs, options, context);
+    try {
+      outcome = operation.run(read.inputs, options, context);
+    } catch (const NotSimpleError& error) {
+      const bool may_cross = options.find("check_simple") != nullptr;
+      throw DataError(named[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what() +
+                      (may_cross ? " (--no-check-simple takes such curves)" : ""));
+    }
+  }
+  if (!request.output.empty()) {
+    write_points(request.output, std::get<std::vector<Point>>(curve_of_result(operation)->get(outcome.value.get())));
   }
   if (!request.json.empty()) {
     write_outcome_json(request.json, command_name(operation), read.members, operation, outcome, [&] {
@@ -105,8 +125,9 @@ void run(const operations::Operation& operation, const OperationRequest& request
     print(agreement_text(outcome.agreement) + outcome_table(operation.result, outcome.value.get()));
   }
   for (const std::string& remark : outcome.remarks) log_warning(remark);
-  if (!outcome.incomplete.empty()) log_warning(outcome.incomplete);
   require_agreement(outcome.agreement);
+  if (!outcome.incomplete.empty()) throw DataError(outcome.incomplete);
+  if (!outcome.failed.empty()) throw DataError(outcome.failed);
 }
 
 }  // namespace
@@ -146,6 +167,7 @@ void run_operation(const operations::Operation& operation, const std::vector<std
     if (!input.optional) argument.required();
   }
   const TableOptions options(parser, operation);
+  if (curve_of_result(operation) != nullptr) add_points_option(parser, request.output, false);
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace lober::cli {
@@ -21,8 +22,8 @@ std::string number_and(std::size_t count, const char* one) {
 // A value in a word or two; "-" where nothing is known.
 struct Text {
   std::string operator()(std::monostate) const { return "-"; }
-  std::string operator()(double value) const { return fmt::format("{:.15g}", value); }
-  std::string operator()(const Measured& value) const { return fmt::format("{:.15g}", value.value); }
+  std::string operator()(double value) const { return std::isnan(value) ? "-" : fmt::format("{:.15g}", value); }
+  std::string operator()(const Measured& value) const { return (*this)(value.value); }
   std::string operator()(std::int64_t value) const { return std::to_string(value); }
   std::string operator()(bool value) const { return value ? "yes" : "no"; }
   std::string operator()(const std::string& value) const { return value.empty() ? "-" : value; }
@@ -45,12 +46,12 @@ struct Text {
 
 std::string bar_of(const FieldValue& value) {
   const auto* const measured = std::get_if<Measured>(&value);
-  return measured == nullptr ? "" : fmt::format("{:.1e}", measured->error);
+  return measured == nullptr || std::isnan(measured->value) ? "" : fmt::format("{:.1e}", measured->error);
 }
 
-// Of a list: what stands in one column.
+// Of a list: what a cell has room for.
 bool is_column(const Field& field) {
-  return field.kind != FieldKind::object && field.kind != FieldKind::list;
+  return field.kind != FieldKind::object && field.kind != FieldKind::list && field.kind != FieldKind::matrix;
 }
 
 using Row = std::vector<std::string>;

@@ -5,7 +5,7 @@
 
 namespace lober::cli {
 
-void write_points(const std::string& path, const Buffer<Point>& points) {
+void write_points(const std::string& path, std::span<const Point> points) {
   switch (format_of(path)) {
     case PointFormat::npy:
       return write_npy(path, points);

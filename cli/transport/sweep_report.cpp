@@ -62,6 +62,19 @@ std::string breaks_text(const SweepReport& report) {
       report.result().parameter, text);
 }
 
+// Of which pip the lobes are: from the first value to the last, on whose way it may become an image of itself.
+std::string bip_text(const SweepReport& report) {
+  const auto& rows = report.result().rows;
+  const auto known = [](const SweepRow& row) { return row.failure.empty(); };
+  const auto first = std::find_if(rows.begin(), rows.end(), known);
+  const auto last = std::find_if(rows.rbegin(), rows.rend(), known);
+  if (first == rows.end()) return {};
+  const auto text = [&](const SweepRow& row) {
+    return fmt::format("({:.12g}, {:.12g}) at {} = {:.6g}", row.bip.x, row.bip.y, report.result().parameter, row.value);
+  };
+  return "bip " + text(*first) + (&*first == &*last ? "" : " to " + text(*last)) + "\n";
+}
+
 }  // namespace
 
 std::string sweep_table(const SweepReport& report) {
@@ -87,6 +100,7 @@ std::string sweep_table(const SweepReport& report) {
       text += fmt::format(" {:>18}", estimate ? fmt::format("{:.13g}", (*report.result().first_order)[k]) : "-");
     text += "\n";
   }
+  text += bip_text(report);
   text += remarks_text(report);
   text += breaks_text(report);
   for (const SweepZero& zero : report.result().zeros) {

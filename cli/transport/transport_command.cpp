@@ -145,14 +145,7 @@ void run_sweep(const TransportRequest& request) {
     }
   }
   if (!takes_standard_output(outputs)) print(sweep_table(report));
-  const operations::SystemSweep& found = report.result();
-  if (const std::size_t failures = found.failures(); failures > 0) {
-    const auto first =
-        std::find_if(found.rows.begin(), found.rows.end(), [](const SweepRow& row) { return !row.failure.empty(); });
-    throw DataError(std::to_string(failures) + " of " + std::to_string(found.rows.size()) +
-                    " values failed, the first at " + found.parameter + " = " + rounded(first->value) + ": " +
-                    first->failure);
-  }
+  if (!report.outcome.failed.empty()) throw DataError(report.outcome.failed);
 }
 
 }  // namespace

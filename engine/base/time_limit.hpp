@@ -5,8 +5,11 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "engine/base/stopwatch.hpp"
+#include "lober/cancellation.hpp"
+#include "lober/error.hpp"
 
 namespace lober::detail {
 
@@ -29,5 +32,21 @@ class TimeLimit {
   std::condition_variable ends_;
   std::thread thread_;
 };
+
+/// Does work until the watch shows more than `seconds`: false when that ended it. Throws what `work` throws, and
+/// Cancelled when something else than the limit cancelled it.
+template <typename Work>
+bool done_within(const Stopwatch& watch, double seconds, Work&& work) {
+  const TimeLimit limit(watch, seconds);
+  try {
+    const CancellationScope limited(limit.flag());
+    std::forward<Work>(work)();
+    return true;
+  } catch (const Cancelled&) {
+    if (!limit.passed()) throw;
+  }
+  throw_if_cancelled();  // by a scope around it
+  return false;
+}
 
 }  // namespace lober::detail

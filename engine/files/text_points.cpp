@@ -88,7 +88,12 @@ std::string parse_point_line(std::string_view line, Point& point) {
         return "not a finite number: " + quoted_text(fields[i]);
     }
   }
-  return columns == 2 ? std::string{} : "expected two columns, found " + std::to_string(columns);
+  if (columns == 2) return {};
+  std::string error = "expected two columns, found " + std::to_string(columns);
+  if (line.find(';') != line.npos && line.find(',') != line.npos) {
+    error += "; commas separate columns here, and decimals begin with a point";
+  }
+  return error;
 }
 
 bool has_number(std::string_view line) {

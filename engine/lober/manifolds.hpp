@@ -94,7 +94,7 @@ struct GrownManifold {
   std::vector<std::size_t> generation_begin;  ///< of each generation its first vertex, and the number of points
   std::vector<GrowthDiagnostic> diagnostics;  ///< in order
   GrowthStop stop = GrowthStop::iterates;
-  double length = 0;         ///< of the polygon
+  double length = 0;         ///< of the polygon, not counting what is outside the box
   std::uint64_t images = 0;  ///< steps of the map taken in all
 
   operator CurveView() const& { return {points, false}; }  // NOLINT(google-explicit-constructor)

@@ -446,6 +446,7 @@ struct Outcome {
   Agreement agreement;                ///< of all routes that were compared
   std::vector<std::string> remarks;   ///< what a user should read
   std::string incomplete;             ///< why less came than was asked for; empty if nothing is missing
+  std::string failed;                 ///< which of many independent parts failed and why; empty if none did
   Options options;                    ///< with which it was computed
   std::vector<OptionSetting> chosen;  ///< in place of some of them: what followed from them and the inputs
 
@@ -478,6 +479,9 @@ struct Operation {
   std::vector<Example> examples;
   /// Bytes of what it makes of its first input, roughly, where options decide that; else empty.
   std::function<double(const Input& first, const Options& options)> result_bytes{};
+  /// Throws UsageError for options that do not go together, with this number of inputs; `run` asks it first. May be
+  /// empty.
+  std::function<void(const Options& options, std::size_t inputs)> check{};
   /// Throws UsageError for inputs that are not those of `inputs`; what the functions that it calls throw.
   std::function<Outcome(std::span<const Input> inputs, const Options& options, const Context& context)> run;
 };

@@ -29,6 +29,7 @@ struct SweepRow {
   double value = 0;
   std::string failure;                  ///< why there is no result; empty if there is one
   Point from, to;                       ///< the saddles
+  Point bip;                            ///< q
   double multiplier = 0;                ///< of the unstable manifold
   std::size_t period = 0;               ///< pips an iterate: the number of lobes of the turnstile
   std::vector<double> areas;            ///< of the lobes from f^-1(q) to q by geometry, signed as in Lobe::area

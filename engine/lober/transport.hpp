@@ -85,10 +85,10 @@ struct TransportOptions {
   std::optional<Point> bip_near{};  ///< of q, of the first tangle
   std::size_t max_points = 20'000'000;
   double max_work = ManifoldTangleOptions{}.max_work;  ///< for each tangle, as in ManifoldTangleOptions
-  double budget = 0;                                   ///< likewise
-  std::vector<Connection> further{};                   ///< whose boundaries bound more regions
-  Point lattice{};              ///< as in System: the plane repeats itself after it; (0, 0) if it does not
-  std::uint64_t particles = 0;  ///< counted in each bounded region; 0: none
+  double budget = 0;  ///< seconds for all of it, by the clock: results then depend on the machine; 0: max_work
+  std::vector<Connection> further{};  ///< whose boundaries bound more regions
+  Point lattice{};                    ///< as in System: the plane repeats itself after it; (0, 0) if it does not
+  std::uint64_t particles = 0;        ///< counted in each bounded region; 0: none
   std::uint64_t seed = 1;
   Progress progress{};  ///< called with lines of what is being done
   /// Called with each row, without particles, when it is ready, and with all comparisons so far; from the calling

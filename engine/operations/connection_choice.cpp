@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantities.hpp"
 #include "lober/error.hpp"
 #include "lober/orbits.hpp"
 
@@ -35,7 +36,8 @@ void require_complete(const ConnectionChoice& choice, const System& system) {
     throw UsageError("system " + system.info.name + " has no tangle of its own at these parameters: " +
                      system.no_connection + "; give other parameters, or " + missing);
   }
-  throw UsageError("system " + system.info.name + " does not name the saddles of a tangle; give " + missing);
+  throw UsageError("system " + system.info.name + " does not name the saddles of a tangle; give " + missing +
+                   ", with saddles that " + std::string(quantity::search) + " finds");
 }
 
 }  // namespace

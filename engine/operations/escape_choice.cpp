@@ -82,6 +82,10 @@ System system_with_energy(const SystemInput& input, const EscapeChoice& choice) 
   System system = choice.energy && input.with && has_energy(*input.system) ? input.with({{"energy", *choice.energy}})
                                                                            : *input.system;
   if (!system.flow) throw UsageError("an escape needs a flow, and system " + system.info.name + " is a map");
+  if (system.flow->dimension() != 4 || system.flow->period() != 0) {
+    throw UsageError("an escape needs an autonomous Hamiltonian flow of two degrees of freedom, and system " +
+                     system.info.name + " is of another kind");
+  }
   return system;
 }
 

@@ -44,7 +44,9 @@ const OptionList<GrowHow>& grow_options() {
         .option("iterates", &GrowHow::iterates, "number of images of the local manifold after which growing ends",
                 {.min = 0, .max = 100'000, .otherwise = "no limit, and there has to be a length", .value = "N"})
         .option(
-            "length", &GrowHow::length, "arc length of the manifold at which growing ends, in units of the coordinates",
+            "length", &GrowHow::length,
+            "arc length of the manifold, without what lies outside the box, at which growing ends, in units of the "
+            "coordinates",
             {.min = 0, .above_min = true, .otherwise = "no limit, and there have to be iterates", .value = "LENGTH"})
         .option(
             "max_length", &GrowHow::max_length, "maximum length of a segment, in units of the coordinates",
@@ -84,7 +86,7 @@ Schema<LocalManifold> local_schema() {
 Schema<GrownManifold> growth_schema() {
   Schema<GrownManifold> made;
   made.field("points", "", "number of points", [](const GrownManifold& m) { return m.points.size(); })
-      .field("length", "length", "of the polygon", &GrownManifold::length)
+      .field("length", "length", "of the polygon, without what lies outside the box", &GrownManifold::length)
       .field("iterates", "", "images of the local manifold",
              [](const GrownManifold& m) { return m.generation_begin.size() - 2; })
       .field("stop", "", "why growing ended: iterates, length, points, ended or failed",
@@ -126,8 +128,9 @@ Point saddle_of(const GrowHow& how, const System& system) {
   std::vector<Point> saddles;
   std::string positions;
   for (const FixedPoint& point : find_fixed_points(*system.map, system.window, {.period = how.period})) {
-    if (point.kind != FixedPointKind::saddle && point.kind != FixedPointKind::inverse_saddle) continue;
-    if (point.period != how.period) continue;
+    const bool is_saddle = point.kind == FixedPointKind::saddle || point.kind == FixedPointKind::inverse_saddle ||
+                           point.kind == FixedPointKind::reversing_saddle;
+    if (!is_saddle || point.period != how.period) continue;
     saddles.push_back(point.at);
     positions += (positions.empty() ? "" : ", ") + to_string(OptionValue(point.at));
   }

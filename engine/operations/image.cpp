@@ -1,4 +1,5 @@
 // Images and pre-images of a curve under a system's map.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -157,10 +158,8 @@ std::string in_words(Point point) {
 }
 
 FollowedCurve circle(const std::vector<double>& numbers, CurveImages& found) {
-  if (numbers.size() != 3) throw UsageError("option \"circle\" takes three numbers X,Y,R");
   const Point centre{numbers[0], numbers[1]};
   const double radius = numbers[2];
-  if (!(radius > 0)) throw UsageError("option \"circle\" X,Y,R: R has to be above 0");
   found.what = "circle of radius " + format_rounded(radius, 10) + " about " + in_words(centre);
   FollowedCurve given;
   given.function = [centre, radius](std::span<const double> parameters, std::span<Point> points) {
@@ -169,6 +168,12 @@ FollowedCurve circle(const std::vector<double>& numbers, CurveImages& found) {
       points[k] = {centre.x + radius * elementary::cos(angle), centre.y + radius * elementary::sin(angle)};
     }
   };
+  // Else all of its points are one, or two.
+  const double largest = std::max(std::fabs(centre.x), std::fabs(centre.y));
+  if (!(largest + radius / 4 > largest)) {
+    throw UsageError("option \"circle\": the radius " + format_number(radius) + " is lost in the rounding of " +
+                     in_words(centre));
+  }
   given.corners = {0, 1};
   given.own = {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}};
   given.points = given.own;
@@ -206,17 +211,27 @@ FollowedCurve boundary(const System& system, double tolerance, const Context& co
   return given;
 }
 
-FollowedCurve followed(const ImageHow& how, std::span<const Input> inputs, const Context& context, CurveImages& found) {
-  const int ways =
-      (inputs.size() > 1 ? 1 : 0) + (how.circle ? 1 : 0) + (how.rectangle ? 1 : 0) + (how.boundary ? 1 : 0);
+// What images are taken of has to be said once.
+void check_image(const Options& options, std::size_t inputs) {
+  const ImageHow how = image_options().how(options);
+  const int ways = (inputs > 1 ? 1 : 0) + (how.circle ? 1 : 0) + (how.rectangle ? 1 : 0) + (how.boundary ? 1 : 0);
   if (ways == 0) {
     throw UsageError(
-        "the curve is missing; give one, or option \"circle\", option \"rectangle\" or option \"boundary\"");
+        "the curve is missing; option \"circle\", option \"rectangle\" or option \"boundary\" takes its place");
   }
   if (ways > 1) {
     throw UsageError(
         "a curve, option \"circle\", option \"rectangle\" and option \"boundary\" cannot be given together");
   }
+  if (!how.closed && inputs < 2) throw UsageError("option \"closed\" is for a curve that is given");
+  if (how.circle && how.circle->size() != 3) throw UsageError("option \"circle\" takes three numbers X,Y,R");
+  if (how.circle && !((*how.circle)[2] > 0)) throw UsageError("option \"circle\" X,Y,R: R has to be above 0");
+  if (how.first > how.last.value_or(how.first)) {
+    throw UsageError("option \"first\" has to come before option \"last\"");
+  }
+}
+
+FollowedCurve followed(const ImageHow& how, std::span<const Input> inputs, const Context& context, CurveImages& found) {
   if (how.circle) return circle(*how.circle, found);
   if (how.rectangle) return rectangle(*how.rectangle, found);
   const System& system = *std::get<SystemInput>(inputs[0]).system;
@@ -289,7 +304,6 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
   const System& system = *system_of(inputs).system;
   ImageHow how = image_options().how(options);
   const int last = static_cast<int>(how.last.value_or(how.first));
-  if (how.first > last) throw UsageError("option \"first\" has to come before option \"last\"");
   if (how.max_segment) how.max_length = *how.max_segment;
   how.max_points = std::min(how.max_points, std::max<std::size_t>(context.memory / (4 * sizeof(Point)), 1000));
   CurveImages found;
@@ -354,6 +368,7 @@ Operation image_operation() {
                          {{"circle", std::vector<double>{3.14159, 0, 1}}, {"last", std::int64_t{3}}},
                          "three images of a circle"},
                         {{"ovp"}, {{"boundary", true}}, "of the boundary of the vortex pair"}};
+  operation.check = check_image;
   operation.run = run_image;
   return operation;
 }

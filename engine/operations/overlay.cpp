@@ -74,7 +74,8 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
   OverlayHow how = overlay_options().how(options);
   how.pieces = !how.areas_only;
   how.progress = context.progress;
-  if (known_simple(inputs, 0) && known_simple(inputs, 1)) how.check_simple = false;
+  const bool known = known_simple(inputs, 0) && known_simple(inputs, 1), unchecked = !known && !how.check_simple;
+  if (known) how.check_simple = false;
   CurveOverlay found{overlay(c1, c2, how)};
   found.has_pieces = how.pieces;
   if (how.discretisation) {
@@ -97,7 +98,13 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
     compare_with_smooth(found);
     found.smooth_seconds = watch.seconds();
   }
-  return outcome_of(std::move(found), options);
+  Outcome outcome = outcome_of(std::move(found), options);
+  if (unchecked) {
+    outcome.remarks.emplace_back(
+        "it was not checked whether the curves are simple: where one crosses itself, areas and pieces mean nothing, "
+        "and error bars hold for neither");
+  }
+  return outcome;
 }
 
 }  // namespace

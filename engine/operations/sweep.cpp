@@ -107,6 +107,7 @@ Schema<Row> sweep_row_schema() {
       .field("to", "length", "saddle of S", where_known(&SweepRow::to))
       .field("eigenvalue", "", "multiplier of U at its saddle", where_known(&SweepRow::multiplier))
       .field("period", "", "number of pips from one to its image", where_known(&SweepRow::period))
+      .field("bip", "length", "boundary intersection point (q)", where_known(&SweepRow::bip))
       .field("areas", "area", "of the lobes of the turnstile by geometry, signed", where_known(&SweepRow::areas))
       .field("errors", "area", "their error bars", where_known(&SweepRow::errors))
       .field("areas_by_action", "area", "of the lobes of the turnstile by action, signed; empty where the map has none",
@@ -181,6 +182,15 @@ std::string no_zero_text(const SystemSweep& found) {
   const bool gaps = !std::all_of(first, last.base(), is_known);
   return "no zero of " + quantity + " was found: it does not change sign between " + at(*first) + ", and " + at(*last) +
          (gaps ? ", as far as it is known in between" : "") + "; give another range, or a smaller step";
+}
+
+std::string failures_text(const SystemSweep& found) {
+  const auto first =
+      std::find_if(found.rows.begin(), found.rows.end(), [](const SweepRow& row) { return !row.failure.empty(); });
+  if (first == found.rows.end()) return {};
+  return std::to_string(found.failures()) + " of " + std::to_string(found.rows.size()) +
+         " values failed, the first at " + found.parameter + " = " + format_rounded(first->value) + ": " +
+         first->failure;
 }
 
 class Sweeper {
@@ -283,7 +293,9 @@ Operation sweep_operation() {
                          {{"range", "gamma=1.4:1.41:0.01"}, {"find_zeros", true}},
                          "where the two sides of a turnstile change places"}};
   operation.run = [](std::span<const Input> inputs, const Options& options, const Context& context) {
-    return outcome_of(Sweeper(system_of(inputs), options, context).run(), options);
+    Outcome outcome = outcome_of(Sweeper(system_of(inputs), options, context).run(), options);
+    outcome.failed = failures_text(outcome.as<SystemSweep>());
+    return outcome;
   };
   return operation;
 }

@@ -17,7 +17,9 @@ std::array<Operation, size> checked(std::array<Operation, size> table) {
   for (Operation& one : table) {
     one.run = [name = one.name, run = std::move(one.run)](std::span<const Input> inputs, const Options& options,
                                                           const Context& context) {
-      detail::table::require_inputs(named(name), inputs);
+      const Operation& operation = named(name);
+      detail::table::require_inputs(operation, inputs);
+      if (operation.check) operation.check(options, inputs.size());
       return run(inputs, options, context);
     };
   }

@@ -33,8 +33,7 @@ const OptionList<How>& transport_options() {
             "work that growing the manifolds of one boundary may take, in evaluations of the vector field, where no "
             "time is given",
             {.min = 0, .above_min = true, .value = "N"})
-        .option("budget", &How::seconds,
-                "wall-clock time that growing the manifolds of one boundary may take, in seconds",
+        .option("budget", &How::seconds, "wall-clock time that all of it may take, in seconds",
                 {.min = 0,
                  .above_min = true,
                  .otherwise = "a limit on the work instead, which gives the same table on every machine",

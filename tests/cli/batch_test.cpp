@@ -196,6 +196,23 @@ TEST_F(Batch, FailuresAreRecordedAndTheRestGoesOn) {
   EXPECT_EQ(report({"job.toml"}, 1)["failed"], 5);  // the self-crossing one fails again
 }
 
+// What cannot be read is known by its content too: the second run forgot that it had failed.
+TEST_F(Batch, UnreadableInputsStayFailures) {
+  write_curves(3);
+  write("separ.bad", "0,0\n1,0\nnan,1\n");
+  EXPECT_EQ(report({"job.toml"}, 1)["failed"], 3);
+  const std::string first = run({"batch", "status", "job.results"}).out, table = exported("job.results");
+  EXPECT_NE(first.find("3 done, 3 failed, 0 to do"), std::string::npos) << first;
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_EQ(report({"job.toml"}, 1)["failed"], 3);
+    const std::string status = run({"batch", "status", "job.results"}).out;
+    EXPECT_NE(status.find("3 done, 3 failed, 0 to do"), std::string::npos) << status;
+    EXPECT_EQ(exported("job.results"), table);
+  }
+  write("separ.bad", "0,0\n2,0\n0,2\n");
+  EXPECT_EQ(report({"job.toml"})["failed"], 0);
+}
+
 TEST_F(Batch, SeveralOperationsGridsAndZones) {
   write_curves(3);
   write("job.toml", R"(curves = "separ.*"

@@ -87,6 +87,36 @@ TEST_F(OperationCommand, PolygonsOfManifoldsAreOffByTheirTolerance) {
   EXPECT_NE(run({"manifold-tangle", "--help"}).out.find("Do not take the areas of smooth curves"), std::string::npos);
 }
 
+TEST_F(OperationCommand, WritesTheCurveThatComesOut) {
+  const std::vector<Point> square{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}};
+  write_curve("square", square);
+  const Outcome found = run({"simplify", "square", "--tolerance", "0.1", "-o", "less.csv"});
+  EXPECT_EQ(found.status, 0) << found.err;
+  EXPECT_EQ(read("less.csv"), "0,0\n2,0\n2,2\n0,2\n");
+  EXPECT_EQ(run({"simplify", "square", "--tolerance", "0.1", "-o", "square"}).status, 2);  // the input
+  EXPECT_EQ(run({"simplify", "square", "--tolerance", "0.1", "-o", "less.xyz"}).status, 2);
+  EXPECT_EQ(run({"regions", "square", "-o", "x.csv"}).status, 2);  // there is no such curve
+}
+
+// Both forms of a sweep end alike.
+TEST_F(OperationCommand, ValuesThatFailAreInTheStatus) {
+  const std::string range = "k=-2:1:3";  // at -2 there is no saddle
+  const Outcome table = run({"sweep", "henon", "--range", range}), own = run({"transport", "henon", "--sweep", range});
+  EXPECT_EQ(table.status, 1);
+  EXPECT_EQ(own.status, 1);
+  EXPECT_NE(table.err.find("1 of 2 values failed, the first at k = -2"), std::string::npos) << table.err;
+  EXPECT_NE(table.out.find("\nrows\n"), std::string::npos) << table.out;
+}
+
+TEST_F(OperationCommand, NamesTheFileOfACurveThatCrossesItself) {
+  const std::vector<Point> bow{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, line{{0, 1}, {3, 1}};
+  write_curve("bow", bow);
+  write_curve("line", line);
+  const Outcome found = run({"curve-transport", "line", "bow"});
+  EXPECT_EQ(found.status, 1);
+  EXPECT_NE(found.err.find("bow: curve 2 is not simple"), std::string::npos) << found.err;
+}
+
 TEST_F(OperationCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(run({"regions"}).status, 2);
   EXPECT_EQ(run({"regions", "eight", "box", "--passes", "3"}).status, 2);

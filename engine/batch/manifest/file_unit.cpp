@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
+#include <span>
 
 #include "lober/curve.hpp"
 #include "lober/files.hpp"
@@ -31,6 +33,21 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
   return loaded;
 }
 
+// Of a file that cannot be read: known by its content all the same, so that a later run knows the failures again.
+std::vector<LoadedCurve> unreadable(const std::string& path, std::span<const CurveSource> zones, bool digests,
+                                    const std::string& error) {
+  std::string sha256;
+  try {
+    if (digests) sha256 = file_sha256(path);
+  } catch (const DataError&) {  // there is no content
+  }
+  std::vector<LoadedCurve> loaded;
+  for (const CurveSource& zone : zones) {
+    loaded.push_back({nullptr, sha256.empty() ? std::string() : zone_digest(sha256, zone), error});
+  }
+  return loaded;
+}
+
 }  // namespace
 
 CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
@@ -41,8 +58,15 @@ CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
   const auto size = std::filesystem::file_size(path, ignored);
   if (!ignored) unit.reading_memory = size + unit.points * sizeof(Point);  // the bytes, and chunks being joined
   unit.load = [path = std::move(path), zones = std::move(zones)](const Loading& loading) {
-    require_regular(path);
-    CurveFile file = read_curve_file(path, {.hash = loading.digests});
+    CurveFile file;
+    try {
+      require_regular(path);
+      file = read_curve_file(path, {.hash = loading.digests});
+    } catch (const DataError& error) {
+      return unreadable(path, zones, loading.digests, error.what());
+    } catch (const std::bad_alloc&) {
+      return unreadable(path, zones, loading.digests, "out of memory");
+    }
     std::vector<LoadedCurve> loaded;
     for (std::size_t k = 0; k < zones.size(); ++k) {
       const bool last_use = std::none_of(zones.begin() + static_cast<std::ptrdiff_t>(k) + 1, zones.end(),

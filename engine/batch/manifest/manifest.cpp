@@ -310,14 +310,18 @@ class Reader {
     return options;
   }
 
-  // Says where an option "key: message" stands.
+  // Says where an option stands: "key: message", or a message that names options as option "key".
   void explained(const toml::node& node, const std::function<void()>& function) const {
     try {
       function();
     } catch (const UsageError& error) {
-      const std::string text = error.what();
-      const std::size_t colon = text.find(':');
-      manifest_.fail(line_of(node), "options." + text.substr(0, colon), text.substr(colon + 2));
+      std::string text = error.what();
+      const std::size_t colon = text.find(": ");
+      if (colon < text.find(' '))
+        manifest_.fail(line_of(node), "options." + text.substr(0, colon), text.substr(colon + 2));
+      const std::string_view word = "option \"";
+      for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at)) text.erase(at, word.size() - 1);
+      manifest_.fail(line_of(node), "options", text);
     }
   }
 

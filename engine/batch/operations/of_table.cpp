@@ -111,6 +111,14 @@ struct Runner {
   }
 };
 
+// A name that ends as another format does would be that of a file which nobody can read.
+void require_npy(std::string_view output) {
+  for (const char* const ending : {".csv", ".txt", ".dat", ".raw", ".json", ".svg"}) {
+    if (!output.ends_with(ending)) continue;
+    throw UsageError("output: " + std::string(output) + " ends in " + ending + ", but the curve is written in NPY");
+  }
+}
+
 // Throws for a path that leads to no numbers: what has been renamed is seen before the first job.
 Column::Kind kind_at(const operations::NumberPath& path, const std::string& name) {
   using Kind = operations::FieldKind;
@@ -195,12 +203,14 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     (void)kind_at(runner.lists.emplace_back(entry.result, path), name);
     operation.lists.push_back(name);
   }
-  operation.check = [required, on_system = is_on_system(entry),
-                     needs_tangle = job.needs_tangle](const Options& options) {
+  operation.check = [&entry, required, on_system = is_on_system(entry), needs_tangle = job.needs_tangle,
+                     has_output = static_cast<bool>(job.points)](const Options& options) {
     for (const OptionSpec& spec : required) {
       if (options.find(spec.key) == nullptr) throw UsageError(spec.key + ": is missing: the " + spec.meaning);
     }
     if (on_system) check_system(options, needs_tangle);
+    if (entry.check) entry.check(options, on_system ? 1 : entry.inputs.size());
+    if (has_output) require_npy(options.text("output"));
   };
   operation.requirements = [&entry](const Options& options) { return requirements_of(entry, options); };
   operation.run = std::move(runner);

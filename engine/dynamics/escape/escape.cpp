@@ -42,16 +42,7 @@ double last_second(const EscapeOptions& options) {
 void within_first_limit(const Stopwatch& watch, const EscapeOptions& options, const std::function<void()>& function) {
   const double seconds =
       options.budget > 0 ? std::max(last_second(options), first_seconds) : first_seconds_without_budget;
-  const TimeLimit limit(watch, seconds);
-  bool refused = false;
-  try {
-    const CancellationScope limited(limit.flag());
-    function();
-    return;
-  } catch (const Cancelled&) {
-    refused = !limit.passed();
-  }
-  if (refused || is_cancelled()) throw Cancelled();
+  if (done_within(watch, seconds, function)) return;
   throw DataError("escape: the periodic orbits and the first curves of their tubes were not found within " +
                   format_rounded(seconds) + " s; a larger tolerance of curves needs fewer points, a larger " +
                   std::string(quantity::seconds) + " allows more");

@@ -28,7 +28,9 @@ std::vector<Point> scaled(const CurveView& curve, int exponent) {
   for (const Point& p : curve.points) {
     const Point q{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
     if (!(Point{std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent)} == p)) {
-      throw DataError("coordinates range too widely: an area in double precision cannot span them");
+      throw DataError(
+          "coordinates range too widely: in double precision products cannot span them; coordinates without the "
+          "smallest or the largest ones will do");
     }
     points.push_back(q);
   }

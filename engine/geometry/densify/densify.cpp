@@ -186,12 +186,15 @@ DensifiedCurve densify(CurveView curve, const Criteria& criteria, const DensifyO
   }
   const DistinctCurve distinct(curve);
   const Interpolant interpolant(distinct.view(), options.interpolation);
-  const Judge judge(interpolant, criteria, largest_coordinate(distinct.view().points));
+  const Criteria scaled{distinct.to_view(criteria.max_length), criteria.angle,
+                        distinct.to_view(criteria.distance_angle), distinct.to_view(criteria.min_length)};
+  const Judge judge(interpolant, scaled, largest_coordinate(distinct.view().points));
   Rounds rounds(judge, distinct.view().segments(), distinct.view().points.size(), options.max_points);
   rounds.run(curve.closed, options.max_rounds);
   DensifiedCurve result;
   Buffer<std::uint64_t> begin;
   result.points = subdivided(interpolant, rounds.parts(), begin);
+  distinct.from_view(result.points);
   result.closed = curve.closed;
   result.diagnostics = rounds.diagnostics(begin);
   result.rounds = rounds.rounds();

@@ -100,16 +100,18 @@ DensifiedCurve simplify(CurveView curve, const SimplifyOptions& options) {
     throw UsageError("simplify: the tolerance has to be zero or positive and finite, the maximum length positive");
   }
   const DistinctCurve given(curve);
+  const SimplifyOptions scaled{given.to_view(options.tolerance), given.to_view(options.max_length)};
   DensifiedCurve result;
   Buffer<Kept> kept = all_kept(given.view());
   for (std::uint32_t round = 1, idle = 0; idle < 2; ++round) {
     const std::size_t before = kept.size();
-    kept = simplified(kept, round % 2, options);
+    kept = simplified(kept, round % 2, scaled);
     idle = kept.size() == before ? idle + 1 : 0;
     if (idle == 0) ++result.rounds;
   }
   result.points = gathered<Point>(
       kept.size(), [](std::size_t) { return true; }, [&](std::size_t k) { return kept[k].point; });
+  given.from_view(result.points);
   result.closed = curve.closed;
   return result;
 }

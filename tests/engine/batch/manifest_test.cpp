@@ -122,6 +122,16 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(refusal("operation = \"tangle\"\ncurves = \"separ.*\"\nclosed = true"),
             "job.toml:3: closed: tangle takes open curves");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = = 3").substr(0, 11), "job.toml:2:");
+  const std::string image = "operation = \"image\"\noptions = { system = \"standard\"";
+  EXPECT_EQ(refusal(image + " }"),
+            "job.toml:1: options: the curve is missing; \"circle\", \"rectangle\" or \"boundary\" takes its place");
+  EXPECT_EQ(refusal(image + ", circle = [0, 0, -1] }"), "job.toml:1: options: \"circle\" X,Y,R: R has to be above 0");
+  EXPECT_NE(refusal(image + ", circle = [0, 0, 1], boundary = true }").find("cannot be given together"),
+            std::string::npos);
+  EXPECT_NE(refusal(image + ", boundary = true, closed = false }").find("\"closed\" is for a curve"),
+            std::string::npos);
+  EXPECT_EQ(refusal("operation = \"densify\"\ncurves = \"separ.*\"\noptions = { max_length = 1, output = \"a.csv\" }"),
+            "job.toml:1: options.output: a.csv ends in .csv, but the curve is written in NPY");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"single\""),
             "job.toml:3: pairs: overlay takes two curves");
 }

@@ -25,6 +25,7 @@ void fill(SweepRow& row, const ManifoldTangle& found) {
   const Tangle& tangle = found.tangle;
   row.from = found.local_u.saddle;
   row.to = found.local_s.saddle;
+  row.bip = found.tangle.pips[found.bip].at;
   row.multiplier = found.local_u.multiplier;
   row.period = found.period();
   row.areas_by_action = found.areas_by_action;

@@ -8,6 +8,7 @@
 
 #include "engine/base/quantities.hpp"
 #include "engine/base/text.hpp"
+#include "engine/base/time_limit.hpp"
 #include "engine/dynamics/manifolds/saddle.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangles/point_errors.hpp"
@@ -275,14 +276,20 @@ bool TangleGrowth::grow_to(int before, int after) {
   after = std::max(after, after_);
   limit_.clear();
   lend();
-  const bool grown = grow_between(before, after);
+  bool grown = false;
+  const double seconds = options_.budget > 0 ? options_.budget : std::numeric_limits<double>::infinity();
+  const bool in_time = done_within(watch_, seconds, [&] { grown = grow_between(before, after); });
+  if (!in_time) {
+    limit_ = "the manifolds of the next row take longer than the " + std::string(quantity::seconds);
+    grown = false;
+  }
   if (grown) {
     before_ = before;
     after_ = after;
   } else {
     look();  // one of them may have been grown on
   }
-  finish();
+  finish(in_time);
   rest();
   return grown;
 }
@@ -301,7 +308,7 @@ bool TangleGrowth::grow_between(int before, int after) {
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
   refine_near(u_, s_.local.saddle, distance_at(s_, bip.s - after));
   refine_near(s_, u_.local.saddle, distance_at(u_, bip.u - before));
-  const double segments = segments_to_compare(), compare_from = watch_.seconds();
+  const double segments = segments_to_compare();
   if (before > 1 && segments > 0 && compares_too_much(segments)) return false;
   for (Side* const side : {&u_, &s_}) {
     const std::optional<Point> crosses = refine_until_simple(*side);
@@ -316,7 +323,6 @@ bool TangleGrowth::grow_between(int before, int after) {
   if (segments != compared_) {
     compared_before_ = compared_;
     compared_ = segments_to_compare();
-    seconds_a_segment_ = (watch_.seconds() - compare_from) / compared_;
   }
   look();
   // Times of pips that are nearer to a saddle than the tolerance are rough, but they are counted too.
@@ -343,7 +349,7 @@ void TangleGrowth::lend() {
   s_.growth->grown() = std::move(result_->s);
 }
 
-void TangleGrowth::finish() {
+void TangleGrowth::finish(bool check_simple) {
   auto result = std::make_unique<ManifoldTangle>();
   result->tolerance = tolerance_;
   result->local_u = u_.local;
@@ -357,10 +363,11 @@ void TangleGrowth::finish() {
   options.period = period_;
   options.smooth = options_.smooth;
   options.closure = closure_;
-  options.check_simple = u_.simple != result->u.points.size() || s_.simple != result->s.points.size();
+  const bool known_simple = u_.simple == result->u.points.size() && s_.simple == result->s.points.size();
+  options.check_simple = check_simple && !known_simple;
   try {
     result->tangle = tangle(OpenCurve::borrow(result->u.points), OpenCurve::borrow(result->s.points), options);
-    if (!options.check_simple) {
+    if (known_simple) {
       SimpleCheck& check = result->tangle.simple_check;
       check = u_.check;
       check.search += s_.check.search;

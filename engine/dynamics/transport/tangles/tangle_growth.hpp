@@ -115,7 +115,8 @@ class TangleGrowth {
   [[nodiscard]] bool compares_too_much(double segments);
   [[nodiscard]] double segments_expected() const;
   void lend();
-  void finish();
+  // Not checked where a limit ended the work: what was grown last belongs to no row.
+  void finish(bool check_simple = true);
   void rest();
   void report();
 
@@ -133,9 +134,7 @@ class TangleGrowth {
   double begun_ = 0;              // when growth did, by watch_, later by what was not growth
   std::uint64_t work_after_ = 0;  // when it ended for now
   double ended_ = 0;
-  // Segments that were compared with translates, lately and before that, and how long one took; the latter until then
-  // as on a slow machine.
-  double compared_ = 0, compared_before_ = 0, seconds_a_segment_ = 3e-8;
+  double compared_ = 0, compared_before_ = 0;  // segments compared with translates, lately and before that
   bool out_of_work_ = false;
   std::uint64_t images_before_ = 0;  // taken by manifolds that were given up
   int before_ = 1, after_ = 0;       // that are there

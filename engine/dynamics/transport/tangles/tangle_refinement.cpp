@@ -103,26 +103,20 @@ double TangleGrowth::segments_to_compare() const {
   return static_cast<double>(u.size() + s.size() - 2) * (1 + 2 * translates);
 }
 
-// Whether this number of segments is more work than is allowed: by their number, or by the clock as long as those
-// before took.
+// Whether this number of segments is more work than is done unasked; with a budget the clock ends it.
 bool TangleGrowth::compares_too_much(double segments) {
   // A segment that is compared takes as long as this number of evaluations of a map.
   constexpr double evaluations_a_segment = 4;
-  // A segment takes longer among more of them, and overlaps as long again.
-  constexpr double times_looked_at = 5;
-  const bool by_clock = options_.budget > 0;
-  const double seconds = watch_.seconds() + times_looked_at * seconds_a_segment_ * segments;
-  if (by_clock ? seconds <= options_.budget : evaluations_a_segment * segments <= options_.max_work) return false;
+  if (options_.budget > 0 || evaluations_a_segment * segments <= options_.max_work) return false;
   limit_ = "the manifolds run round the cylinder so often that those of the next row, with all their translates " +
-           format_rounded(segments) + " segments or more, " +
-           (by_clock ? "would take longer than the " + std::string(quantity::seconds)
-                     : "are more work than is done unasked; a " + std::string(quantity::seconds) + " allows more");
+           format_rounded(segments) + " segments or more, are more work than is done unasked; a " +
+           std::string(quantity::seconds) + " allows more";
   return true;
 }
 
-// Of one more growth, where two have been compared; by number cautiously, so that no row is refused which may be done.
+// Of one more growth, where two have been compared; cautiously, so that no row is refused which may be done.
 double TangleGrowth::segments_expected() const {
-  const double caution = options_.budget > 0 ? 1 : 2;
+  constexpr double caution = 2;
   return compared_ * compared_ / compared_before_ / caution;
 }
 

@@ -168,11 +168,6 @@ std::vector<bool> InsideOfBarrier::of(std::span<const Point> points) const {
   return inside;
 }
 
-double segments_to_read(const Barrier& barrier) {
-  const auto segments = static_cast<double>(barrier.tangle->u().segments() + barrier.tangle->s().segments());
-  return segments * (1 + 2 * static_cast<double>(copies_in_reach(barrier)));
-}
-
 std::vector<LobeOverlap> overlaps_on_cylinder(const Barrier& barrier) {
   const Tangle& tangle = *barrier.tangle;
   std::vector<LobeOverlap> list = overlaps(tangle);

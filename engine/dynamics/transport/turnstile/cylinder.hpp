@@ -56,10 +56,6 @@ struct ProductOnCylinder {
 /// overlay.
 [[nodiscard]] double area_below_both(const Barrier& c, const Barrier& d, double bottom);
 
-/// How many segments are read for the overlaps of a tangle with itself and all its translates, an estimate of the work:
-/// those of both manifolds once in the plane.
-[[nodiscard]] double segments_to_read(const Barrier& barrier);
-
 /// Where points are with respect to B(q), on the cylinder if there is one.
 class InsideOfBarrier {
  public:

@@ -67,7 +67,8 @@ class Nesting {
     const double smaller = turns_outer != 0 && turns_inner == 0 ? area.c : std::min(area.c, area.d);
     if (area.both < (1 - negligible) * smaller) {
       throw DataError("transport: boundaries " + std::to_string(std::min(inner, outer) + 1) + " and " +
-                      std::to_string(std::max(inner, outer) + 1) + " cross: they do not bound regions");
+                      std::to_string(std::max(inner, outer) + 1) +
+                      " cross: they do not bound regions, as they do where the perturbation is smaller");
     }
     return turns_outer != turns_inner && turns_inner == 0 ? true : area.c < area.d;
   }

@@ -8,6 +8,7 @@
 #include "engine/base/quantities.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
+#include "engine/base/time_limit.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangles/area_preservation.hpp"
 #include "engine/dynamics/transport/tangles/tangle_growth.hpp"
@@ -54,14 +55,17 @@ class TransportBuilder {
     for (int n = 1; n <= options_.iterates; ++n) {
       report("n = " + std::to_string(n));
       if (!grow_to(n)) break;
-      if (!may_overlap(n)) break;
-      if (series) {
-        series->extend(barriers());
-      } else {
-        series.emplace(barriers());
+      if (!series) series.emplace(barriers());
+      TransportStep step;
+      const auto take = [&] {
+        if (n > 1) series->extend(barriers());
+        step = series->next();
+      };
+      if (!done_within(watch_, last_second(), take)) {
+        if (n == 1) throw DataError("transport: the first row takes longer than the " + std::string(quantity::seconds));
+        note_limit(n, "the overlaps of the next row take longer than the " + std::string(quantity::seconds));
+        break;
       }
-      TransportStep step = series->next();
-      note_row_taken();
       Agreement agreement;
       compare_routes(agreement, series->partition(), step);
       result_.steps.push_back(std::move(step));
@@ -87,11 +91,14 @@ class TransportBuilder {
     growth.max_points = options_.max_points;
     growth.max_work = options_.max_work;
     growth.lattice = options_.lattice;
-    growth.budget = options_.budget;
     growth.progress = options_.progress;
     growth.bip_near = options_.bip_near;
     for (const Connection& one : connections) {
-      growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth));
+      if (options_.budget > 0) growth.budget = std::max(options_.budget - watch_.seconds(), 1e-3);
+      if (!done_within(watch_, last_second(),
+                       [&] { growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth)); })) {
+        throw DataError("transport: no turnstile was found within the " + std::string(quantity::seconds));
+      }
       result_.boundaries.emplace_back().connection = one;
       growth.bip_near.reset();
     }
@@ -116,23 +123,8 @@ class TransportBuilder {
     return false;
   }
 
-  // Whether the clock allows the overlaps of row n. They take longer than those of the row before by as much as there
-  // are more segments, or as that took longer than the one before it.
-  bool may_overlap(int n) {
-    segments_before_ = segments_;
-    segments_ = 0;
-    for (const Barrier& barrier : barriers()) segments_ += segments_to_read(barrier);
-    row_begun_ = watch_.seconds();
-    if (!(options_.budget > 0) || n == 1) return true;
-    double times = segments_ / segments_before_;
-    if (n > 2) times = std::max(times, row_seconds_ / row_seconds_before_);
-    if (row_begun_ + times * row_seconds_ <= options_.budget) return true;
-    note_limit(n, "the overlaps of the next row would take longer than the " + std::string(quantity::seconds));
-    return false;
-  }
-  void note_row_taken() {
-    row_seconds_before_ = row_seconds_;
-    row_seconds_ = watch_.seconds() - row_begun_;
+  [[nodiscard]] double last_second() const {
+    return options_.budget > 0 ? options_.budget : std::numeric_limits<double>::infinity();
   }
 
   // Why n is not reached.
@@ -251,8 +243,6 @@ class TransportBuilder {
   const TransportOptions& options_;
   std::vector<std::unique_ptr<TangleGrowth>> growths_;
   Stopwatch watch_;
-  // Of the overlaps of a row, and of those of the row before.
-  double row_begun_ = 0, row_seconds_ = 0, row_seconds_before_ = 0, segments_ = 0, segments_before_ = 0;
   Transport result_;
 };
 

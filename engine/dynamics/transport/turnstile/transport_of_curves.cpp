@@ -38,6 +38,9 @@ double point_error_of(const Tangle& tangle) {
 TransportOfCurves transport(const Tangle& tangle, int iterates) {
   if (iterates < 1) throw UsageError("transport takes at least one iterate");
   if (!tangle.boundary) throw DataError("transport: the manifolds do not cross");
+  if (tangle.lobes.empty()) {
+    throw DataError("transport: the manifolds cross in one pip only, and enclose no lobe; longer curves may show more");
+  }
   if (!tangle.images.misfit.empty()) throw DataError("transport: " + tangle.images.misfit);
   if (tangle.images.period == 0) {
     throw DataError("transport: which pip is the image of which is not known (" + tangle.images.reason +

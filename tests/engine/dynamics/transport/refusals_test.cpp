@@ -130,6 +130,23 @@ TEST(Transport, SaysThatOneIterateStretchesTooFar) {
   }
 }
 
+// Rows multiply by ten: without an end at the budget they would go on for days.
+TEST(Transport, ABudgetEndsInTheMiddleOfARow) {
+  const System system = make_system("henon", {{"k", 10}});
+  TransportOptions options;
+  options.iterates = 100;
+  options.budget = 2;
+  const Transport found = transport(system, options);
+  EXPECT_GE(found.steps.size(), 2U);
+  EXPECT_LT(found.steps.size(), 40U);
+  ASSERT_FALSE(found.remarks.empty());
+  EXPECT_NE(found.remarks[0].find("limit of seconds"), std::string::npos) << found.remarks[0];
+  EXPECT_TRUE(found.agreement.agrees());
+  // The manifolds are there, with their lobes.
+  ASSERT_EQ(found.boundaries.size(), 1U);
+  EXPECT_GE(found.boundaries[0].manifolds->tangle.lobes.size(), 2U);
+}
+
 TEST(Transport, TakesABudgetOfSeconds) {
   const System system = make_system("duffing", {});
   TransportOptions options;

@@ -75,6 +75,30 @@ TEST(Thin, SpikesStay) {
   EXPECT_NE(std::find(simplified.points.begin(), simplified.points.end(), Point{5, 0}), simplified.points.end());
 }
 
+// Squares of lengths would be zero or infinite.
+TEST(Thin, TinyAndHugeCurves) {
+  const std::vector<Point> usual{{0, 0}, {1, 0}, {2, 0}, {2, 1.5}, {2, 2}, {0, 2}};
+  for (const int exponent : {-1000, -560, -537, 512, 1000}) {
+    std::vector<Point> given, corners;
+    for (const Point& p : usual) given.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)});
+    for (const std::size_t k : {0, 2, 4, 5}) corners.push_back(given[k]);
+    EXPECT_TRUE(std::ranges::equal(simplify({given, true}, {}).points, corners)) << exponent;
+    const double tolerance = std::ldexp(0.25, exponent);
+    EXPECT_TRUE(std::ranges::equal(simplify({given, true}, {.tolerance = tolerance}).points, corners)) << exponent;
+    const double side = std::ldexp(0.5, exponent);
+    const DensifiedCurve dense = densify({corners, true}, {.max_length = side});
+    EXPECT_EQ(dense.points.size(), 16U) << exponent;
+    EXPECT_TRUE(dense.points[1] == (Point{side, 0})) << exponent;
+    EXPECT_TRUE(dense.diagnostics.empty()) << exponent;
+    const DensifiedCurve round =
+        densify({given, true}, hobson_criteria({given, true}), {.interpolation = Interpolation::dritschel});
+    const DensifiedCurve usual_round =
+        densify({usual, true}, hobson_criteria({usual, true}), {.interpolation = Interpolation::dritschel});
+    EXPECT_NEAR(static_cast<double>(round.points.size()), static_cast<double>(usual_round.points.size()), 2)
+        << exponent;
+  }
+}
+
 TEST(Thin, BadOptions) {
   const std::vector<Point> given = ellipse(10);
   EXPECT_THROW((void)simplify({given, true}, {.tolerance = -1}), UsageError);
