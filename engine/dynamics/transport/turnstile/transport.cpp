@@ -54,7 +54,7 @@ class TransportBuilder {
     std::optional<TransportSeries> series;
     for (int n = 1; n <= options_.iterates; ++n) {
       report("n = " + std::to_string(n));
-      if (!grow_to(n)) break;
+      if (!grow_to(n) || !overlaps_are_affordable(n)) break;
       if (!series) series.emplace(barriers());
       TransportStep step;
       const auto take = [&] {
@@ -125,6 +125,23 @@ class TransportBuilder {
 
   [[nodiscard]] double last_second() const {
     return options_.budget > 0 ? options_.budget : std::numeric_limits<double>::infinity();
+  }
+
+  // Without a budget: of the plane, since growth looks at translates on a cylinder.
+  bool overlaps_are_affordable(int n) {
+    // What a segment takes in a row, in evaluations of a map: its lobes overlap those of all rows before.
+    constexpr double evaluations_a_segment = 10;
+    if (n == 1 || options_.budget > 0 || !(options_.lattice == Point{})) return true;
+    double segments = 0;
+    for (const std::unique_ptr<TangleGrowth>& growth : growths_) {
+      const Tangle& tangle = growth->current().tangle;
+      segments += static_cast<double>(tangle.u().segments() + tangle.s().segments());
+    }
+    if (evaluations_a_segment * segments <= options_.max_work) return true;
+    note_limit(n, "the overlaps of the next row, of manifolds with " + format_rounded(segments) +
+                      " segments, are more work than is done unasked; a " + std::string(quantity::seconds) +
+                      " allows more");
+    return false;
   }
 
   // Why n is not reached.
