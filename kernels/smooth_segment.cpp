@@ -58,7 +58,7 @@ double chord_area_of(const std::array<double, 4>& g) {
   return 2 * (g[0] / 6 + g[1] / 12 + g[2] / 20 + g[3] / 30);
 }
 
-// Values of g that vertices demand. Newton's form, so that one that comes later changes nothing before.
+// Values of g that up to six vertices demand. Newton's form, so that one that comes later changes nothing before.
 class Demands {
  public:
   void add(Point from, Point vertex, const Chord& chord) {
@@ -73,6 +73,20 @@ class Demands {
   }
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] double largest() const { return largest_; }
+  // What the fifth and the sixth change of chord_area_of.
+  [[nodiscard]] double change_of_area() const {
+    std::array<double, 6> w{1};  // vanishes at the first four
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t power = 4; power > 0; --power) w[power] = w[power - 1] - at_[k] * w[power];
+      w[0] = -at_[k] * w[0];
+    }
+    double fifth = w[4] / 42, sixth = w[4] / 56;
+    for (std::size_t power = 4; power-- > 0;) {
+      fifth += w[power] / areas_of_powers[power];
+      sixth += w[power] / areas_of_powers[power + 1];
+    }
+    return 2 * (divided_[4] * fifth + divided_[5] * (sixth - at_[4] * fifth));
+  }
   // Coefficients of the polynomial through the first `count`.
   [[nodiscard]] std::array<double, 4> polynomial(std::size_t count) const {
     std::array<double, 4> g{};
@@ -84,7 +98,9 @@ class Demands {
   }
 
  private:
-  std::array<double, 4> at_{}, divided_{};
+  static constexpr std::array<double, 5> areas_of_powers{6, 12, 20, 30, 42};
+
+  std::array<double, 6> at_{}, divided_{};
   double largest_ = 0;
   std::size_t count_ = 0;
 };
@@ -134,12 +150,21 @@ SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p) {
     return segment;
   }
   const std::array<double, 4> g = demands.polynomial(count), less = demands.polynomial(count > 2 ? 2 : count - 1);
-  segment.error = square * (std::fabs(chord_area_of(g) - chord_area_of(less)) + 0x1p-50);
+  const double largest = demands.largest(), area = chord_area_of(g), change = std::fabs(area - chord_area_of(less));
+  // From one side the last vertex changes less than those beyond would.
+  double unknown = count < 4 ? 3 * change : change;
+  if (count == 4 && shape.usable(0, 4 * uneven) && shape.usable(6, 4 * uneven)) {
+    demands.add(p[3], p[0], chord);
+    demands.add(p[3], p[7], chord);
+    const double next = std::max(3 * std::fabs(demands.change_of_area()), change * change / std::fabs(area));
+    if (next < change) unknown = next;
+  }
+  segment.error = square * (unknown + 0x1p-50);
   const double at_one = g[0] + g[1] + g[2] + g[3];
   const bool wavers = shape.changes_of_sign(first, last) > 1 || shape.changes_of_sign(0, 7) > 2;
   if (wavers || !(std::fabs(g[0]) < 1 && std::fabs(at_one) < 1)) {
     segment.kind = SmoothSegment::Kind::noisy;
-    segment.error += square * demands.largest() / 3;
+    segment.error += square * largest / 3;
     return segment;
   }
   segment.kind = SmoothSegment::Kind::smooth;

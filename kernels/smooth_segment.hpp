@@ -40,9 +40,11 @@ struct SmoothSegment {
 /// longer or shorter, or that leads away by more than 70 degrees. With none left the segment stays straight. It is
 /// noisy if turns in use change sign twice, or f is steeper than 45 degrees at an end.
 ///
-/// `error` is the change when g loses its farther vertices, and rounding: the error of a formula of order h^5. Where
-/// the segment stays straight it is the size of the chord-to-arc area that was rejected, or that its turns let expect,
-/// none at corners. Plain double; 200 operations.
+/// `error` is what the third vertices on either side would change, three times, which is the error of this formula to
+/// leading order, and no less than the changes of orders before let expect; at most, and where these vertices are of no
+/// use, the change when g loses its farther vertices, the error of a formula of order h^5, three times it where some of
+/// those are of no use either; and rounding. Where the segment stays straight it is the size of the chord-to-arc area
+/// that was rejected, or that its turns let expect, none at corners. Plain double; 200 operations.
 [[nodiscard]] SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p);
 
 /// The limits that it names.

@@ -83,10 +83,17 @@ inline unsigned fit_four(const Stretch& stretch, std::size_t at, Lanes& area, La
   of_use &= (within <= 1) & (in_all <= 2);
   if (mask_bits(of_use) == 0) return 0;
 
-  Lanes u[4], divided[4];
+  // Those that tell how much the others leave open.
+  const LaneMask of_use_so_far = of_use;
+  require_usable(0, 4 * SmoothLimits::uneven);
+  require_usable(6, 4 * SmoothLimits::uneven);
+  const LaneMask farther = of_use;
+  of_use = of_use_so_far;
+
+  Lanes u[6], divided[6];
   const Lanes from_x = load(&stretch.x[at + 3]), from_y = load(&stretch.y[at + 3]);
-  constexpr std::size_t vertices[4] = {2, 5, 1, 6};
-  for (std::size_t k = 0; k < 4; ++k) {
+  constexpr std::size_t vertices[6] = {2, 5, 1, 6, 0, 7};
+  for (std::size_t k = 0; k < 6; ++k) {
     const Lanes away_x = load(&stretch.x[at + vertices[k]]) - from_x;
     const Lanes away_y = load(&stretch.y[at + vertices[k]]) - from_y;
     u[k] = (away_x * x + away_y * y) / square;
@@ -104,7 +111,21 @@ inline unsigned fit_four(const Stretch& stretch, std::size_t at, Lanes& area, La
   const auto area_of = [](const Lanes(&of)[4]) {
     return splat(2) * (of[0] / splat(6) + of[1] / splat(12) + of[2] / splat(20) + of[3] / splat(30));
   };
-  error = square * (absolute(area_of(g) - area_of(less)) + splat(0x1p-50));
+  Lanes w[5]{splat(1)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t power = 4; power > 0; --power) w[power] = w[power - 1] - u[k] * w[power];
+    w[0] = -u[k] * w[0];
+  }
+  constexpr double areas_of_powers[5] = {6, 12, 20, 30, 42};
+  Lanes fifth = w[4] / splat(42), sixth = w[4] / splat(56);
+  for (std::size_t power = 4; power-- > 0;) {
+    fifth += w[power] / splat(areas_of_powers[power]);
+    sixth += w[power] / splat(areas_of_powers[power + 1]);
+  }
+  const Lanes change_of_area = splat(2) * (divided[4] * fifth + divided[5] * (sixth - u[4] * fifth));
+  const Lanes whole = area_of(g), change = absolute(whole - area_of(less));
+  const Lanes next = greater(splat(3) * absolute(change_of_area), change * change / absolute(whole));
+  error = square * ((farther & (next < change) ? next : change) + splat(0x1p-50));
   of_use &= (absolute(g[0]) < splat(1)) & (absolute(g[0] + g[1] + g[2] + g[3]) < splat(1));
   const Lanes f2 = g[0] - g[1], f3 = g[1] - g[2], f4 = g[2] - g[3], f5 = g[3];
   area = (x * x + y * y) * (f2 / splat(3) + (f3 / splat(2) + (f4 * splat(0.6) + f5 * splat(2.0 / 3))));

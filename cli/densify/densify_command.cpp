@@ -32,7 +32,7 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
   DensifyRequest request;
   OptionParser parser(
       "Inserts points into a curve, or removes them. The steps are taken in the order --simplify, criteria "
-      "(--max-length, --hobson, --alpha, --distance-angle), --passes, --crossings.",
+      "(--max-length, --hobson, --angle, --distance-angle), --passes, --crossings.",
       "lober densify");
   parser
       .add("CURVES", request.curves,
@@ -55,7 +55,7 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
   if (!parser.parse(arguments)) return std::nullopt;
   request.settings = options.settings();
   const auto given = [&](const char* key) { return options[key].given(); };
-  const bool criteria = given("max_length") || given("hobson") || given("alpha") || given("distance_angle");
+  const bool criteria = given("max_length") || given("hobson") || given("angle") || given("distance_angle");
   const bool near = given("passes") || given("crossings");
   if (near && request.curves.size() < 2) {
     throw UsageError("--passes and --crossings need AGAINST (see lober densify --help)");
@@ -66,7 +66,7 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
   if (!near && request.open_against) throw UsageError("--open-against needs AGAINST (see lober densify --help)");
   if (!near && !criteria && !given("simplify") && !given("min_length")) {
     throw UsageError(
-        "no step is given; give --simplify, --max-length, --hobson, --alpha, --distance-angle, --passes or "
+        "no step is given; give --simplify, --max-length, --hobson, --angle, --distance-angle, --passes or "
         "--crossings");
   }
   request.settings.push_back({"closed", !request.open});

@@ -54,7 +54,7 @@ std::string fixed_points_table(const FixedPointsReport& report) {
                       "multiplier", "residual");
   for (const FixedPoint& point : found.points) {
     text += fmt::format("{:>20.14g} {:>20.14g} {:>6}  {:<15} {:>14.8g} {:>28} {:>9.1e}\n", point.at.x, point.at.y,
-                        point.period, name_of(point.kind), residue(point), multiplier_text(point.eigenvalues[0]),
+                        point.period, name(point.kind), residue(point), multiplier_text(point.multipliers[0]),
                         point.residual);
   }
   return text;
@@ -64,8 +64,8 @@ void write_fixed_points_csv(const std::string& path, const FixedPointsReport& re
   std::string text =
       "x,y,period,type,residue,index,multiplier1_re,multiplier1_im,multiplier2_re,multiplier2_im,residual\n";
   for (const FixedPoint& point : report.result().points) {
-    const auto& [first, second] = point.eigenvalues;
-    append_all(text, point.at.x, ",", point.at.y, ",", point.period, ",\"", name_of(point.kind), "\",", residue(point),
+    const auto& [first, second] = point.multipliers;
+    append_all(text, point.at.x, ",", point.at.y, ",", point.period, ",\"", name(point.kind), "\",", residue(point),
                ",", index_of(point, report.result().period), ",", first.real(), ",", first.imag(), ",", second.real(),
                ",", second.imag(), ",", point.residual, "\n");
   }

@@ -81,7 +81,7 @@ std::string classes_text(const CurveOverlay& found) {
 std::string sigma_columns() {
   std::string text;
   for (const char* pairing : {"12", "21"}) {
-    for (const char* name : {"next1_", "next2_", "sigma_", "class_", "s_"}) append_all(text, ",", name, pairing);
+    for (const char* name : {"along1_", "along2_", "sigma_", "class_", "s_"}) append_all(text, ",", name, pairing);
   }
   return text;
 }

@@ -25,7 +25,7 @@ constexpr const char* crossings_header =
     "# order2    its place along C2, from 0\n"
     "# end_...   where a shared arc ends along C1; empty for points\n";
 constexpr const char* sigma_header =
-    "# next1,next2 sigma class s   of A1 \\ A2 (_12) and A2 \\ A1 (_21): the next crossing along C1 and C2 in the "
+    "# along1,along2 sigma class s   of A1 \\ A2 (_12) and A2 \\ A1 (_21): the next crossing along C1 and C2 in the "
     "direction of the pairing, sigma, its class, and the integral of x dy - y dx to it\n";
 constexpr const char* crossings_columns =
     "index,x,y,rho,kind,segment1,t1,segment2,t2,class,order2,end_x,end_y,end_segment1,end_t1,end_segment2,end_t2";

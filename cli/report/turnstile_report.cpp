@@ -28,7 +28,7 @@ std::string saddles_text(const ManifoldTangle& manifolds) {
   std::string text;
   for (const bool unstable : {true, false}) {
     const LocalManifold& local = unstable ? manifolds.local_u : manifolds.local_s;
-    text += fmt::format("{}          saddle ({:.15g}, {:.15g}), eigenvalue {:.15g}, {} points\n", unstable ? "U" : "S",
+    text += fmt::format("{}          saddle ({:.15g}, {:.15g}), multiplier {:.15g}, {} points\n", unstable ? "U" : "S",
                         local.saddle.x, local.saddle.y, local.multiplier,
                         (unstable ? manifolds.u : manifolds.s).points.size());
   }

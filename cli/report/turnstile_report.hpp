@@ -20,7 +20,7 @@ struct TurnstileLobe {
 };
 [[nodiscard]] std::vector<TurnstileLobe> turnstile_lobes(const ManifoldTangle& manifolds);
 
-/// A few lines: saddles and eigenvalues of both manifolds.
+/// A few lines: saddles and multipliers of both manifolds.
 [[nodiscard]] std::string saddles_text(const ManifoldTangle& manifolds);
 /// A line each for the lobes of the turnstile: by geometry, by action, difference.
 [[nodiscard]] std::string turnstile_text(const ManifoldTangle& manifolds);

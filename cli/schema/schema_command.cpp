@@ -5,19 +5,31 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/option_parser.hpp"
 #include "cli/report/json.hpp"
+#include "cli/schema/reference.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::cli {
 
 void run_schema(const std::vector<std::string>& arguments) {
   std::string name;
+  bool markdown = false;
   OptionParser parser(
       "Prints the JSON Schema of what an operation writes beside program, command, agreement, inputs, options and "
       "timing; "
       "without a name, the operations that there are.",
       "lober schema");
   parser.add("OPERATION", name, "The name of an operation.");
+  parser.add_flag("--markdown", markdown,
+                  "Print inputs, options and results as a document in Markdown instead; of all operations, without a "
+                  "name.");
   if (!parser.parse(arguments)) return;
+  if (markdown) {
+    if (!name.empty()) return print(reference_text(operations::named(name)));
+    std::string all;
+    for (const operations::Operation& operation : operations::all())
+      all += (all.empty() ? "" : "\n") + reference_text(operation);
+    return print(all);
+  }
   if (name.empty()) {
     std::string list;
     for (const operations::Operation& operation : operations::all())

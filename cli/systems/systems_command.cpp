@@ -98,7 +98,7 @@ std::string details_text(const System& system, std::span<const FixedPoint> point
                         connection.bip ? ", bip near " + text_of(*connection.bip) : "");
   }
   for (const FixedPoint& point : points) {
-    text += fmt::format("point      {} {}, residue {:.6g}\n", text_of(point.at), name_of(point.kind), residue(point));
+    text += fmt::format("point      {} {}, residue {:.6g}\n", text_of(point.at), name(point.kind), residue(point));
   }
   if (!system.no_connection.empty()) text += "manifolds  none: " + system.no_connection + "\n";
   for (const Symmetry& symmetry : system.symmetries) text += "symmetry   " + symmetry_text(symmetry) + "\n";
@@ -155,7 +155,7 @@ Json details_json(const System& system, std::span<const FixedPoint> points) {
   json["saddles"] = std::move(saddles);
   Json fixed_points = Json::array();
   for (const FixedPoint& point : points) {
-    fixed_points.push_back({{"at", point_json(point.at)}, {"type", name_of(point.kind)}, {"residue", residue(point)}});
+    fixed_points.push_back({{"at", point_json(point.at)}, {"type", name(point.kind)}, {"residue", residue(point)}});
   }
   json["fixed_points"] = std::move(fixed_points);
   Json symmetries = Json::array();

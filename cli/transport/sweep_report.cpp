@@ -80,7 +80,7 @@ std::string bip_text(const SweepReport& report) {
 std::string sweep_table(const SweepReport& report) {
   std::string text = fixed_text(report) + "\n\n";
   text += fmt::format("{:>10} {:>16} {:>15} {:>7} {:>18} {:>8} {:>18} {:>18} {:>18} {:>10}", report.result().parameter,
-                      "eigenvalue", "saddle x", "lobes", "flux a21(1)", "+-", "lobes by geometry", "lobes by action",
+                      "multiplier", "saddle x", "lobes", "flux a21(1)", "+-", "lobes by geometry", "lobes by action",
                       "W(q) - W(q')", "worst lobe");
   text += report.result().first_order ? fmt::format(" {:>18}\n", "first order") : std::string("\n");
   for (std::size_t k = 0; k < report.result().rows.size(); ++k) {

@@ -135,7 +135,7 @@ struct Escape {
                                       std::span<const FlowState> saddles, const EscapeOptions& options = {});
 
 /// "the fraction from bottleneck 1 to 2 after crossing 3"
-[[nodiscard]] LOBER_API std::string name_of(const EscapeFraction& row);
+[[nodiscard]] LOBER_API std::string name(const EscapeFraction& row);
 /// The area of each complete curve by its points and by action.
 LOBER_API void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement& agreement);
 

@@ -14,7 +14,7 @@
 
 namespace lober {
 
-/// By the eigenvalues of the derivative, |first| >= |second|. Moduli within 1e-7 of 1 count as 1.
+/// By the multipliers, the eigenvalues of the derivative, |first| >= |second|. Moduli within 1e-7 of 1 count as 1.
 enum class FixedPointKind {
   saddle,            ///< real, 0 < second < 1 < first: each branch of a manifold is mapped to itself
   inverse_saddle,    ///< real, first < -1 < second < 0: the two branches are exchanged
@@ -24,7 +24,7 @@ enum class FixedPointKind {
   attracting,        ///< both moduli < 1
   repelling          ///< both moduli > 1
 };
-[[nodiscard]] LOBER_API std::string_view name_of(FixedPointKind kind);
+[[nodiscard]] LOBER_API std::string_view name(FixedPointKind kind);
 
 struct FixedPoint {
   Point at;
@@ -33,8 +33,8 @@ struct FixedPoint {
   /// Of f^period.
   Matrix2 derivative;
   /// Of the derivative, the one of larger modulus first; a conjugate pair with positive imaginary part first.
-  std::array<std::complex<double>, 2> eigenvalues;
-  /// Unit vectors to x > 0 (to y > 0 when upright), in the order of the eigenvalues; (0, 0) when those are complex.
+  std::array<std::complex<double>, 2> multipliers;
+  /// Unit vectors to x > 0 (to y > 0 when upright), in the order of the multipliers; (0, 0) when those are complex.
   std::array<Point, 2> directions;
   FixedPointKind kind = FixedPointKind::parabolic;
   /// |f^period(at) - at - shift|.

@@ -141,8 +141,8 @@ struct InteriorOptions {
 struct InteriorStatistics {
   IndexKind index = IndexKind::tree;     ///< the one that was used
   ContactCounts counts;                  ///< of the search of C1 against C2
-  SearchCounts simple_check;             ///< of the searches of each curve against itself
-  std::uint64_t simple_check_pairs = 0;  ///< pairs of segments decided exactly there
+  SearchCounts check_simple;             ///< of the searches of each curve against itself
+  std::uint64_t check_simple_pairs = 0;  ///< pairs of segments decided exactly there
   std::uint64_t arcs = 0;                ///< parts that the curves were split into
   std::uint64_t queries = 0;             ///< winding numbers that were computed
   std::uint64_t points_inserted = 0;     ///< by `passes` and `points`

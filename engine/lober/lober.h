@@ -129,7 +129,7 @@ LOBER_C_API int lober_winding(const double* curve, size_t n, const double* point
                               lober_result** result);
 /* Signed area of a closed curve, positive counter-clockwise. */
 LOBER_C_API int lober_signed_area(const double* curve, size_t n, double* area);
-/* More points: lober_call of "densify" (lober/densify.hpp). Options: closed=true|false (true), max_length=D, alpha=RADIANS,
+/* More points: lober_call of "densify" (lober/densify.hpp). Options: closed=true|false (true), max_length=D, angle=RADIANS,
    distance_angle=D, min_length=D, interpolation=linear|dritschel|spline, max_points=N and more; with a second input for
    passes=N, points=N and crossings=true use lober_call. Among its arrays: points; diagnostics.list.segment, .count and
    .cause: segments that break a criterion, and why: min_length, corner, max_points, max_rounds. Where one of the last
@@ -163,7 +163,7 @@ typedef struct lober_model lober_model;
 LOBER_C_API int lober_model_open(const char* name, const char* parameters, const char* options, lober_model** model);
 LOBER_C_API void lober_model_free(lober_model* model);
 /* Names, summaries, parameters and defaults of the built-in systems, as lines of text. Arrays: names, summaries. */
-LOBER_C_API int lober_models(lober_result** result);
+LOBER_C_API int lober_systems(lober_result** result);
 /* Replaces each point by its image; NaN where an orbit is lost. Negative: by the inverse. Where it fails, or is
    cancelled, points stay as they were. */
 LOBER_C_API int lober_iterate(const lober_model* model, double* points, size_t n, int iterates);
@@ -185,7 +185,7 @@ LOBER_C_API int lober_image(const lober_model* model, const double* curve, size_
                             lober_result** result);
 /* The tangle of the system's saddles: lober_call of "manifold_tangle". Options: tolerance=D, before=N, after=N,
    smooth=0|1, max_points=N, bip=X,Y and more. Arrays: those of lober_tangle, and among others u, s: points of both;
-   turnstile_by_action.lobes.action (n x 2): area and error; saddles.unstable.at, saddles.unstable.eigenvalue. */
+   turnstile_by_action.lobes.action (n x 2): area and error; saddles.unstable.at, saddles.unstable.multiplier. */
 LOBER_C_API int lober_model_tangle(const lober_model* model, const char* options, lober_result** result);
 /* Transport between the regions of the system: lober_call of "transport". Among its arrays: regions.area (n x 2): area,
    error; turnstile.flux12, turnstile.flux21 (1 x 2): of the first boundary in one iterate; steps.a_ij and steps.T_ij

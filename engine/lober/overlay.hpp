@@ -136,8 +136,8 @@ class Pieces {
 struct OverlayStatistics {
   IndexKind index = IndexKind::tree;     ///< the one that was used
   ContactCounts counts;                  ///< of the search of C1 against C2
-  SearchCounts simple_check;             ///< of the searches of each curve against itself
-  std::uint64_t simple_check_pairs = 0;  ///< pairs of segments decided exactly there
+  SearchCounts check_simple;             ///< of the searches of each curve against itself
+  std::uint64_t check_simple_pairs = 0;  ///< pairs of segments decided exactly there
   std::size_t index_bytes = 0;
 };
 

@@ -21,9 +21,9 @@ namespace lober {
 
 struct SmoothAreas {
   Areas areas;
-  /// Estimates of |areas - area of the smooth curves that the points were taken from|, on the safe side: per arc the
-  /// difference to the formula of order h^4, without regard to signs; what a crossing that could not be moved may hide;
-  /// rounding.
+  /// Estimates of |areas - area of the smooth curves that the points were taken from|, on the safe side: per arc three
+  /// times what the next two vertices would change (kernels/smooth_segment.hpp), without regard to signs; what a
+  /// crossing that could not be moved may hide; rounding.
   Areas error;
   std::uint64_t fallback_segments = 0;   ///< of both curves, not of length zero, that stay straight
   std::uint64_t fallback_crossings = 0;  ///< crossings at a point that stay where the polygons have them, for want of a

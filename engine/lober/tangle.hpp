@@ -131,7 +131,7 @@ struct Tangle {
   Images images;
   std::vector<std::string> remarks;  ///< what is unusual about the input, one sentence each
   IndexKind index = IndexKind::tree;
-  SimpleCheck simple_check;
+  SimpleCheck check_simple;
   std::uint64_t fallback_segments = 0, fallback_pips = 0;  ///< with `smooth`: that stay as the polygons have them
   TangleTiming timing;
 

@@ -19,14 +19,14 @@ namespace lober::detail::table {
 template <typename Statistics>
 [[nodiscard]] Schema<Statistics> search_schema() {
   Schema<Statistics> check;
-  check.field("boxes_tested", "", "pairs of boxes", [](const Statistics& s) { return s.simple_check.boxes_tested; })
-      .field("pairs_tested", "", "pairs of segments that were decided", &Statistics::simple_check_pairs)
+  check.field("boxes_tested", "", "pairs of boxes", [](const Statistics& s) { return s.check_simple.boxes_tested; })
+      .field("pairs_tested", "", "pairs of segments that were decided", &Statistics::check_simple_pairs)
       .field("skipped_blocks", "", "blocks of the curves whose box meets nothing",
-             [](const Statistics& s) { return s.simple_check.blocks_skipped; });
+             [](const Statistics& s) { return s.check_simple.blocks_skipped; });
   Schema<Statistics> made;
   made.field("index", "", "that was used", [](const Statistics& s) { return std::string(name(s.index)); })
       .parts(counts_schema(), [](const Statistics& s) { return &s.counts; })
-      .object("simple_check", "of each curve against itself", check, [](const Statistics& s) { return &s; });
+      .object("check_simple", "of each curve against itself", check, [](const Statistics& s) { return &s; });
   return made;
 }
 

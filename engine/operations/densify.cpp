@@ -18,12 +18,12 @@ constexpr std::size_t bytes_per_new_point = 2 * sizeof(Point);
 
 struct DensifyHow {
   bool closed = true, closed_against = true, hobson = false, crossings = false;
-  std::optional<double> simplify{}, max_length{}, alpha{}, distance_angle{}, min_length{};
+  std::optional<double> simplify{}, max_length{}, angle{}, distance_angle{}, min_length{};
   int passes = 0, points = 0;
   std::optional<Interpolation> interpolation{};
   std::size_t max_points = DensifyOptions{}.max_points;
 
-  [[nodiscard]] bool has_angles() const { return hobson || alpha || distance_angle; }
+  [[nodiscard]] bool has_angles() const { return hobson || angle || distance_angle; }
   [[nodiscard]] bool is_near() const { return passes > 0 || crossings; }
 };
 
@@ -47,7 +47,7 @@ const OptionList<DensifyHow>& densify_options() {
         .option("hobson", &How::hobson,
                 "whether to use the angle criteria of Hobson and of Mancho et al., with limits relative to the size of "
                 "the curve, which is the longer side of its bounding box")
-        .option("alpha", &How::alpha, "maximum angle between consecutive segments, in radians",
+        .option("angle", &How::angle, "maximum angle between consecutive segments, in radians",
                 {.min = 0, .above_min = true, .otherwise = "no maximum; with hobson 0.3", .value = "ANGLE"})
         .option(
             "distance_angle", &How::distance_angle,
@@ -174,7 +174,7 @@ std::optional<Criteria> criteria_for(const DensifyHow& how, CurveView curve) {
   if (!how.has_angles() && !how.max_length) return std::nullopt;
   const Criteria usual = hobson_criteria(curve);
   Criteria criteria{how.max_length.value_or(Criteria::off),
-                    how.alpha.value_or(how.hobson ? usual.angle : Criteria::off),
+                    how.angle.value_or(how.hobson ? usual.angle : Criteria::off),
                     how.distance_angle.value_or(how.hobson ? usual.distance_angle : Criteria::off),
                     how.min_length.value_or(how.has_angles() ? usual.min_length : 0)};
   return criteria;
@@ -219,7 +219,7 @@ void check(const DensifyHow& how, bool has_other) {
   }
   if (how.passes > 0 && how.points == 0) throw UsageError("option \"passes\" needs option \"points\"");
   if (how.min_length && !how.has_angles() && !how.max_length) {
-    throw UsageError("option \"min_length\" needs option \"max_length\", \"hobson\", \"alpha\" or \"distance_angle\"");
+    throw UsageError("option \"min_length\" needs option \"max_length\", \"hobson\", \"angle\" or \"distance_angle\"");
   }
 }
 
@@ -271,7 +271,7 @@ Outcome run_densify(std::span<const Input> inputs, const Options& options, const
       ++found.places[static_cast<std::size_t>(diagnostic.cause)];
       found.segments_with_diagnostics += diagnostic.count;
     }
-    if (std::isfinite(criteria->angle)) chosen.push_back({"alpha", criteria->angle});
+    if (std::isfinite(criteria->angle)) chosen.push_back({"angle", criteria->angle});
     if (std::isfinite(criteria->distance_angle)) chosen.push_back({"distance_angle", criteria->distance_angle});
     chosen.push_back({"min_length", criteria->min_length});
   }
@@ -316,7 +316,7 @@ Operation densify_operation() {
   operation.name = "densify";
   operation.title = "insertion of points into a curve, or removal";
   operation.summary =
-      "Inserts points into a curve, or removes them: first simplify, then the criteria (max_length, hobson, alpha, "
+      "Inserts points into a curve, or removes them: first simplify, then the criteria (max_length, hobson, angle, "
       "distance_angle), then passes, then crossings.";
   operation.compares = false;
   operation.inputs = {{"curve", InputKind::curve, "a curve"},

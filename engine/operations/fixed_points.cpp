@@ -69,7 +69,7 @@ Matrix matrix_of(double xx, double xy, double yx, double yy) {
 
 Schema<IndexedPoint> point_schema() {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const auto turns = [](const FixedPoint& p) { return p.eigenvalues[0].imag() != 0; };
+  const auto turns = [](const FixedPoint& p) { return p.multipliers[0].imag() != 0; };
   Schema<IndexedPoint> made;
   made.field("x", "length", "coordinate of the point", [](const IndexedPoint& p) { return p.point->at.x; })
       .field("y", "length", "coordinate of the point", [](const IndexedPoint& p) { return p.point->at.y; })
@@ -78,14 +78,14 @@ Schema<IndexedPoint> point_schema() {
       .field("type", "",
              "by the multipliers: saddle, inverse saddle, centre, parabolic, attracting, repelling or that of a saddle "
              "with reversed orientation",
-             [](const IndexedPoint& p) { return std::string(name_of(p.point->kind)); })
+             [](const IndexedPoint& p) { return std::string(name(p.point->kind)); })
       .field("residue", "", "Greene's: (2 - trace of the derivative) / 4",
              [](const IndexedPoint& p) { return residue(*p.point); })
       .field("index", "", "sign of det(1 - derivative of the map iterated by the period asked for)",
              &IndexedPoint::index)
       .field("multipliers", "", "eigenvalues of the derivative, real and imaginary parts; that of larger modulus first",
              [](const IndexedPoint& p) {
-               const auto& [first, second] = p.point->eigenvalues;
+               const auto& [first, second] = p.point->multipliers;
                return matrix_of(first.real(), first.imag(), second.real(), second.imag());
              })
       .field("derivative", "", "of the map iterated by the period of the point, row by row",
@@ -97,7 +97,7 @@ Schema<IndexedPoint> point_schema() {
              [](const IndexedPoint& p) { return p.point->residual; })
       .field("rotation", "", "of points near by about it, in turns a period; not known where multipliers are real",
              [turns](const IndexedPoint& p) {
-               return turns(*p.point) ? std::arg(p.point->eigenvalues[0]) / (2 * std::numbers::pi) : none;
+               return turns(*p.point) ? std::arg(p.point->multipliers[0]) / (2 * std::numbers::pi) : none;
              })
       .field("directions", "", "unit eigenvectors of the multipliers; not known where these are complex",
              [turns](const IndexedPoint& p) {

@@ -213,7 +213,7 @@ Schema<CurveTangle> tangle_statistics() {
       .field("fallback_pips", "", "pips that stay where the polygons have them; with smooth",
              [](const CurveTangle& t) { return if_true(t.smooth, t.fallback_pips); })
       .parts(counts_schema(), [](const CurveTangle& t) { return &t.nodes.counts(); })
-      .object("simple_check", "of each curve against itself", check, &CurveTangle::simple_check);
+      .object("check_simple", "of each curve against itself", check, &CurveTangle::check_simple);
   return made;
 }
 

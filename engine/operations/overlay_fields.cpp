@@ -80,9 +80,9 @@ Schema<Steps> steps_schema() {
   Schema<SigmaStep> step;
   step.field("crossing", "", "its number", &SigmaStep::crossing)
       .field("rho", "", "1 or -1", &SigmaStep::rho)
-      .field("next1", "", "the next crossing along C1 in the direction of the pairing", &SigmaStep::along1)
-      .field("next2", "", "the next crossing along C2 in the direction of the pairing", &SigmaStep::along2)
-      .field("sigma", "", "next1 where rho is 1, else next2", &SigmaStep::sigma)
+      .field("along1", "", "the next crossing along C1 in the direction of the pairing", &SigmaStep::along1)
+      .field("along2", "", "the next crossing along C2 in the direction of the pairing", &SigmaStep::along2)
+      .field("sigma", "", "along1 where rho is 1, else along2", &SigmaStep::sigma)
       .field("class", "", "of sigma, from 0", &SigmaStep::class_number)
       .field("s", "area", "S, the integral of x dy - y dx from the crossing to sigma of it", &SigmaStep::s);
   Schema<Steps> made;

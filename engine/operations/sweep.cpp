@@ -105,7 +105,7 @@ Schema<Row> sweep_row_schema() {
       .field("failure", "", "why there is no result", [](const Row& r) { return where_said(r.row->failure); })
       .field("from", "length", "saddle of U", where_known(&SweepRow::from))
       .field("to", "length", "saddle of S", where_known(&SweepRow::to))
-      .field("eigenvalue", "", "multiplier of U at its saddle", where_known(&SweepRow::multiplier))
+      .field("multiplier", "", "multiplier of U at its saddle", where_known(&SweepRow::multiplier))
       .field("period", "", "number of pips from one to its image", where_known(&SweepRow::period))
       .field("bip", "length", "boundary intersection point (q)", where_known(&SweepRow::bip))
       .field("areas", "area", "of the lobes of the turnstile by geometry, signed", where_known(&SweepRow::areas))

@@ -16,7 +16,7 @@ const Schema<GrownBranch>& branch_schema() {
   static const Schema<GrownBranch> schema = [] {
     Schema<GrownBranch> made;
     made.field("at", "length", "the saddle", [](const GrownBranch& b) { return b.local->saddle; })
-        .field("eigenvalue", "", "multiplier with which the map stretches the manifold at the saddle",
+        .field("multiplier", "", "multiplier with which the map stretches the manifold at the saddle",
                [](const GrownBranch& b) { return b.local->multiplier; })
         .field("tangent", "", "unit vector along the manifold at the saddle",
                [](const GrownBranch& b) { return b.local->tangent; })

@@ -16,9 +16,9 @@ namespace {
 // As the class FixedPoint of lober/_dynamics.py takes it.
 py::tuple parts_of(const FixedPoint& point, int period) {
   const Matrix2& d = point.derivative;
-  return py::make_tuple(pair_of(point.at), point.period, name_of(point.kind),
+  return py::make_tuple(pair_of(point.at), point.period, name(point.kind),
                         py::make_tuple(py::make_tuple(d.xx, d.xy), py::make_tuple(d.yx, d.yy)),
-                        py::make_tuple(point.eigenvalues[0], point.eigenvalues[1]),
+                        py::make_tuple(point.multipliers[0], point.multipliers[1]),
                         py::make_tuple(pair_of(point.directions[0]), pair_of(point.directions[1])), residue(point),
                         index_of(point, period), point.residual);
 }

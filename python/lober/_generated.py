@@ -424,7 +424,7 @@ def densify(
     simplify: float | None = None,
     max_length: float | None = None,
     hobson: bool = False,
-    alpha: float | None = None,
+    angle: float | None = None,
     distance_angle: float | None = None,
     min_length: float | None = None,
     passes: int = 0,
@@ -435,7 +435,7 @@ def densify(
     threads: int = 0,
     progress: Progress = None,
 ) -> Densify:
-    """Inserts points into a curve, or removes them: first simplify, then the criteria (max_length, hobson, alpha,
+    """Inserts points into a curve, or removes them: first simplify, then the criteria (max_length, hobson, angle,
     distance_angle), then passes, then crossings.
 
     `curve`: a curve; `against`: another one, for passes and crossings; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
@@ -448,7 +448,7 @@ def densify(
         none is made by the removal of vertices; default: no maximum
     hobson: whether to use the angle criteria of Hobson and of Mancho et al., with limits relative to the size
         of the curve, which is the longer side of its bounding box
-    alpha: maximum angle between consecutive segments, in radians; default: no maximum; with hobson 0.3
+    angle: maximum angle between consecutive segments, in radians; default: no maximum; with hobson 0.3
     distance_angle: maximum product of the length of a segment and the angles at its ends, in units of the
         coordinates; default: no maximum; with hobson 1e-3 of the size
     min_length: minimum length of a segment (delta), in units of the coordinates; no segment is split into
@@ -465,7 +465,7 @@ def densify(
         "simplify": simplify,
         "max_length": max_length,
         "hobson": hobson,
-        "alpha": alpha,
+        "angle": angle,
         "distance_angle": distance_angle,
         "min_length": min_length,
         "passes": passes,
@@ -659,9 +659,11 @@ class SweepRows:
     #: Saddle of S (unit: length).
     to: NDArray[np.float64]
     #: Multiplier of U at its saddle.
-    eigenvalue: NDArray[np.float64]
+    multiplier: NDArray[np.float64]
     #: Number of pips from one to its image.
     period: NDArray[Any]
+    #: Boundary intersection point (q) (unit: length).
+    bip: NDArray[np.float64]
     #: Of the lobes of the turnstile by geometry, signed (unit: area).
     areas: list[NDArray[np.float64]]
     #: Their error bars (unit: area).
@@ -696,8 +698,9 @@ class SweepRows:
             failure=v["failure"],
             from_=v["from"],
             to=v["to"],
-            eigenvalue=v["eigenvalue"],
+            multiplier=v["multiplier"],
             period=v["period"],
+            bip=v["bip"],
             areas=v["areas"],
             errors=v["errors"],
             areas_by_action=v["areas_by_action"],

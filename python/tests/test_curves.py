@@ -47,7 +47,7 @@ def test_densify_keeps_vertices():
     open_ = lober.densify(square, closed=False, max_length=0.5)
     assert len(open_.points) == 7
     with pytest.raises(lober.UsageError):
-        lober.densify(square, alpha=0.1, min_length=1e-3, interpolation="linear")
+        lober.densify(square, angle=0.1, min_length=1e-3, interpolation="linear")
     with pytest.raises(lober.UsageError, match="linear, dritschel, spline"):
         lober.densify(square, max_length=0.1, interpolation="cubic")
 

@@ -71,12 +71,12 @@ TEST_F(Densify, Interpolations) {
 }
 
 TEST_F(Densify, HobsonTellsWhatItDid) {
-  const Outcome outcome = densify({"flower", "-o", "out.csv", "--hobson", "--alpha", "0.05", "--json", "-"});
+  const Outcome outcome = densify({"flower", "-o", "out.csv", "--hobson", "--angle", "0.05", "--json", "-"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["command"], "densify");
   EXPECT_EQ(json["options"]["interpolation"], "dritschel");
-  EXPECT_EQ(json["options"]["alpha"], 0.05);
+  EXPECT_EQ(json["options"]["angle"], 0.05);
   EXPECT_EQ(json["options"]["max_length"], nullptr);
   EXPECT_EQ(json["result"]["points"], points("out.csv").size());
   EXPECT_GT(points("out.csv").size(), 200U);
@@ -134,7 +134,7 @@ TEST_F(Densify, WrongCommandLines) {
   expect_failure({"square", "-o", "out.csv", "--simplify", "-1"}, 2, "--simplify: -1 is not a number from 0 on");
   expect_failure({"square", "-o", "out.csv", "--simplify", "inf"}, 2, "--simplify: inf is not a number from 0 on");
   expect_failure({"square", "-o", "out.csv", "--max-length", "1", "--interpolation", "quintic"}, 2, "--interpolation");
-  expect_failure({"square", "-o", "out.csv", "--alpha", "0.1", "--interpolation", "linear"}, 2, "linear");
+  expect_failure({"square", "-o", "out.csv", "--angle", "0.1", "--interpolation", "linear"}, 2, "linear");
   expect_failure({"square", "-o", "out.csv", "--passes", "1", "--points", "2"}, 2, "AGAINST");
   expect_failure({"square", "other", "-o", "out.csv", "--passes", "1"}, 2, "--points");
   expect_failure({"square", "other", "-o", "out.csv", "--max-length", "1"}, 2, "AGAINST");

@@ -152,12 +152,13 @@ TEST_F(ProgramTest, OverlayTellsClasses) {
   const nlohmann::json result = nlohmann::json::parse(read("table.json"));
   EXPECT_EQ(result["sigma"]["c1_minus_c2"]["classes"], 2);
   EXPECT_EQ(result["sigma"]["c1_minus_c2"]["list"][3],
-            nlohmann::json::parse(R"({"crossing":3,"rho":-1,"next1":4,"next2":4,"sigma":4,"class":1,"s":-2.0})"));
+            nlohmann::json::parse(R"({"crossing":3,"rho":-1,"along1":4,"along2":4,"sigma":4,"class":1,"s":-2.0})"));
   EXPECT_EQ(result["sigma"]["c2_minus_c1"]["half_sum"], 29.0);
   EXPECT_EQ(result["agreement"], true);
   const std::string table = read("table.csv");
-  EXPECT_NE(table.find(",end_t2,next1_12,next2_12,sigma_12,class_12,s_12,next1_21,next2_21,sigma_21,class_21,s_21\n"),
-            std::string::npos);
+  EXPECT_NE(
+      table.find(",end_t2,along1_12,along2_12,sigma_12,class_12,s_12,along1_21,along2_21,sigma_21,class_21,s_21\n"),
+      std::string::npos);
   EXPECT_NE(table.find("\n3,4,0,-1,crossing,0,0.5714285714285714,5,0.5,1,2,,,,,,,4,4,4,1,-2,2,2,2,1,-2\n"),
             std::string::npos)
       << table;

@@ -67,7 +67,7 @@ TEST_F(TransportCommand, VortexPairFromItsEquations) {
   EXPECT_NE(outcome.out.find("0.2541062771"), std::string::npos) << outcome.out;
   const nlohmann::json found = nlohmann::json::parse(read("t.json"));
   EXPECT_NEAR(found["saddles"]["unstable"]["at"][0].get<double>(), 1.451260038107551142, 1e-9);
-  EXPECT_NEAR(found["saddles"]["unstable"]["eigenvalue"].get<double>(), 5.075684315001539492, 1e-8);
+  EXPECT_NEAR(found["saddles"]["unstable"]["multiplier"].get<double>(), 5.075684315001539492, 1e-8);
   EXPECT_NEAR(found["turnstile"]["lobe_area21_by_action"].get<double>(), vortex_lobe, 1e-10);
   EXPECT_NEAR(found["steps"][2]["a"].get<double>(), 0.238144168406064, 1e-7);
   EXPECT_NE(read("t.svg").find("T(n)"), std::string::npos);

@@ -39,7 +39,7 @@ Operation tangle_operation() {
 Operation manifold_tangle_operation() {
   TableJob job = tangle_job("manifold_tangles");
   add_all(job.columns,
-          {{"multiplier_u", "saddles.unstable.eigenvalue"}, {"multiplier_s", "saddles.stable.eigenvalue"}});
+          {{"multiplier_u", "saddles.unstable.multiplier"}, {"multiplier_s", "saddles.stable.multiplier"}});
   add_all(job.lists, {{"areas_by_action", "turnstile_by_action.lobes.action"},
                       {"action_errors", "turnstile_by_action.lobes.action_error"}});
   job.microseconds = 1e6;

@@ -283,11 +283,11 @@ class EscapeBuilder {
         result_.largest_split_difference =
             std::max(result_.largest_split_difference, std::fabs(row.fraction - row.other));
       }
-      agreement.compare({name_of(row), "split " + split_text(row.forward, row.backward),
+      agreement.compare({name(row), "split " + split_text(row.forward, row.backward),
                          "split " + split_text(row.other_forward, row.other_backward), row.fraction, row.other,
                          row.error + row.other_error});
       for (const EscapeSymmetry& symmetry : *symmetries_) compare_by(symmetry, row, agreement);
-      agreement.compare({name_of(row), "its curves", "what a fraction can be", row.fraction,
+      agreement.compare({name(row), "its curves", "what a fraction can be", row.fraction,
                          std::clamp(row.fraction, 0.0, 1.0), row.error});
     }
     compare_sums(agreement);
@@ -317,7 +317,7 @@ class EscapeBuilder {
     for (const EscapeFraction& other : result_.table) {
       if (&other <= &row || other.entry != entry || other.exit != exit || other.iterates != row.iterates) continue;
       const double scale = result_.bottlenecks[entry].area / result_.bottlenecks[row.entry].area;
-      agreement.compare({name_of(row), "its own curves",
+      agreement.compare({name(row), "its own curves",
                          std::string(symmetry.backwards ? "time reversal" : "symmetry") + " from bottlenecks " +
                              std::to_string(entry + 1) + " and " + std::to_string(exit + 1),
                          row.fraction, scale * other.fraction, row.error + scale * other.error});
@@ -337,7 +337,7 @@ class EscapeBuilder {
 
 }  // namespace
 
-std::string name_of(const EscapeFraction& row) {
+std::string name(const EscapeFraction& row) {
   return "the fraction from bottleneck " + std::to_string(row.entry + 1) + " to " + std::to_string(row.exit + 1) +
          " after crossing " + std::to_string(row.crossings);
 }

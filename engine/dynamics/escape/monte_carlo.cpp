@@ -144,7 +144,7 @@ void compare(const Escape& result, const MonteCarlo& counted, Agreement& agreeme
     const EscapeFraction& row = result.table[k];
     const MonteCarloFraction& here = counted.table[k];
     const double chance = standard_errors * here.standard_error + (handful + static_cast<double>(counted.lost)) / total;
-    agreement.compare({name_of(row), "curves", "trajectories", row.fraction, here.fraction, row.error + chance});
+    agreement.compare({name(row), "curves", "trajectories", row.fraction, here.fraction, row.error + chance});
   }
 }
 

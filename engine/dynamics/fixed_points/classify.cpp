@@ -30,14 +30,14 @@ void classify(FixedPoint& point) {
   const auto compare_to_1 = [](double modulus) { return std::abs(modulus - 1) <= 1e-7 ? 0 : modulus > 1 ? 1 : -1; };
   if (discriminant < 0) {
     const double imaginary = std::sqrt(-discriminant);
-    point.eigenvalues = {std::complex(half_trace, imaginary), std::complex(half_trace, -imaginary)};
+    point.multipliers = {std::complex(half_trace, imaginary), std::complex(half_trace, -imaginary)};
     const int side = compare_to_1(std::sqrt(det));
     point.kind = side == 0 ? FixedPointKind::centre : side > 0 ? FixedPointKind::repelling : FixedPointKind::attracting;
     return;
   }
   const double first = half_trace + std::copysign(std::sqrt(discriminant), half_trace);
   const double second = first != 0 ? det / first : 0;
-  point.eigenvalues = {first, second};
+  point.multipliers = {first, second};
   point.directions = {direction(a, first), direction(a, second)};
   const int larger = compare_to_1(std::abs(first));
   const int smaller = compare_to_1(std::abs(second));

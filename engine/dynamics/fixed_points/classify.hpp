@@ -5,7 +5,7 @@
 
 namespace lober::detail {
 
-/// Fills in eigenvalues, directions and kind from the derivative.
+/// Fills in multipliers, directions and kind from the derivative.
 void classify(FixedPoint& point);
 
 }  // namespace lober::detail

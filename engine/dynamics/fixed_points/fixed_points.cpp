@@ -50,7 +50,7 @@ bool in_box(const Rectangle& box, Point z) {
 
 }  // namespace
 
-std::string_view name_of(FixedPointKind kind) {
+std::string_view name(FixedPointKind kind) {
   switch (kind) {
     case FixedPointKind::saddle:
       return "saddle";

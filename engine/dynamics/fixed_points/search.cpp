@@ -117,7 +117,7 @@ int index_of(const FixedPoint& point, int period) {
     throw UsageError("the period of an index has to be a multiple of the point's");
   }
   std::complex<double> product = 1;
-  for (const std::complex<double>& eigenvalue : point.eigenvalues) {
+  for (const std::complex<double>& eigenvalue : point.multipliers) {
     std::complex<double> power = 1;
     for (int k = 0; k < period / point.period; ++k) power *= eigenvalue;
     product *= 1.0 - power;

@@ -56,8 +56,8 @@ std::string kind_text(const FixedPoint& point) {
     return format_number(value.real()) + (value.imag() < 0 ? " - " : " + ") + format_number(std::fabs(value.imag())) +
            " i";
   };
-  return std::string(name_of(point.kind)) + " (multipliers " + text(point.eigenvalues[0]) + " and " +
-         text(point.eigenvalues[1]) + ")";
+  return std::string(name(point.kind)) + " (multipliers " + text(point.multipliers[0]) + " and " +
+         text(point.multipliers[1]) + ")";
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {
                     ", is not a saddle, but of the kind " + kind_text(saddle) +
                     "; only saddles have the manifolds that are wanted here, and " + others_by_search());
   }
-  return {saddle.at, saddle.eigenvalues[0].real(), saddle.directions[0]};
+  return {saddle.at, saddle.multipliers[0].real(), saddle.directions[0]};
 }
 
 void require_derivative_fits(const PlanarMap& map, int steps, Point at) {

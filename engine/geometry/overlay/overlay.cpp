@@ -44,8 +44,8 @@ class OverlayBuilder {
     if (options_.check_simple) {
       for (const SimpleCheck& check :
            {require_simple_scaled(c1_, 1, exponent_), require_simple_scaled(c2_, 2, exponent_)}) {
-        result_.statistics.simple_check += check.search;
-        result_.statistics.simple_check_pairs += check.pairs;
+        result_.statistics.check_simple += check.search;
+        result_.statistics.check_simple_pairs += check.pairs;
       }
     }
     result_.timing.check = watch.seconds();

@@ -109,8 +109,8 @@ Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptio
   if (options.check_simple) {
     for (const SimpleCheck& check : {require_simple_scaled(curves.u(), 1, curves.exponent),
                                      require_simple_scaled(curves.s(), 2, curves.exponent)}) {
-      result.simple_check.search += check.search;
-      result.simple_check.pairs += check.pairs;
+      result.check_simple.search += check.search;
+      result.check_simple.pairs += check.pairs;
     }
   }
   result.timing.check = watch.seconds() - result.timing.index;

@@ -78,7 +78,7 @@ TEST_F(Generated, ManifoldsThatGrowTooLongStopAtTheBudget) {
 }
 
 TEST_F(Generated, CriteriaThatAskForTooManyPointsAreRefused) {
-  for (const char* const options : {"max_length = 1e-300", "max_length = 1e-9", "alpha = 1e-7, min_length = 1e-12"}) {
+  for (const char* const options : {"max_length = 1e-300", "max_length = 1e-9", "angle = 1e-7, min_length = 1e-12"}) {
     const auto found =
         messages("operation = \"densify\"\ncurves = \"*.npy\"\noptions = { "s + options + " }\n", 48 * mebibytes);
     ASSERT_EQ(found.size(), 2U);

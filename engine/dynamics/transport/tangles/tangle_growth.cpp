@@ -306,8 +306,10 @@ bool TangleGrowth::grow_between(int before, int after) {
   };
   if (unresolved(u_, bip.u - before, -before) || unresolved(s_, bip.s - after, after)) return false;
   if (!grow(u_, bip.u + after + beyond) || !grow(s_, bip.s + before + beyond)) return false;
-  refine_near(u_, s_.local.saddle, distance_at(s_, bip.s - after));
-  refine_near(s_, u_.local.saddle, distance_at(u_, bip.u - before));
+  for (Side* const side : {&u_, &s_}) {
+    refine_near(*side, s_.local.saddle, distance_at(s_, bip.s - after));
+    refine_near(*side, u_.local.saddle, distance_at(u_, bip.u - before));
+  }
   const double segments = segments_to_compare();
   if (before > 1 && segments > 0 && compares_too_much(segments)) return false;
   for (Side* const side : {&u_, &s_}) {
@@ -368,7 +370,7 @@ void TangleGrowth::finish(bool check_simple) {
   try {
     result->tangle = tangle(OpenCurve::borrow(result->u.points), OpenCurve::borrow(result->s.points), options);
     if (known_simple) {
-      SimpleCheck& check = result->tangle.simple_check;
+      SimpleCheck& check = result->tangle.check_simple;
       check = u_.check;
       check.search += s_.check.search;
       check.pairs += s_.check.pairs;

@@ -76,12 +76,12 @@ double TangleGrowth::distance_at(const Side& side, double time) {
   return side.local.reach * elementary::power(side.local.image().factor, time);
 }
 
-// Images of q come as near to the saddle of one manifold as the other passes it, nearer than the tolerance: its
-// segments there have to be short enough to pass on the right side.
+// Images of q come as near to the saddle of one manifold as the other passes it: segments there have to be short enough
+// to pass on the right side, and boundaries, which have a corner at that image and one at the saddle, need vertices
+// between them that show how the manifold bends.
 void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
   constexpr int max_rounds = 24;
-  constexpr double around = 4, parts = 2;
-  if (apart > around * finer_than_splitting * tolerance_) return;
+  constexpr double around = 4, parts = 8;
   const double reach = around * apart;
   const Box box = square_about(saddle, reach);
   for (int round = 0; round < max_rounds; ++round) {

@@ -36,8 +36,8 @@ TEST(FixedPoints, OfTheVortexPair) {
       const double side = p.at.x < 0 ? -1 : 1;
       EXPECT_NEAR(p.at.x, side * reference.x, 1e-12);
       EXPECT_NEAR(p.at.y, 0, 1e-12);
-      EXPECT_NEAR(p.eigenvalues[0].real() / reference.lambda, 1, 1e-12);
-      EXPECT_NEAR(p.eigenvalues[1].real() * reference.lambda, 1, 1e-12);
+      EXPECT_NEAR(p.multipliers[0].real() / reference.lambda, 1, 1e-12);
+      EXPECT_NEAR(p.multipliers[1].real() * reference.lambda, 1, 1e-12);
       // y = 0 is invariant: it is unstable on the left.
       EXPECT_NEAR(p.directions[side < 0 ? 0 : 1].x, 1, 1e-12);
       EXPECT_LT(p.residual, 1e-11);
@@ -52,7 +52,7 @@ TEST(FixedPoints, OfTheThreeBodyProblem) {
   EXPECT_EQ(p.kind, FixedPointKind::saddle);
   EXPECT_NEAR(p.at.x, -2.02957956736457496, 2e-12);
   EXPECT_NEAR(p.at.y, 0, 1e-12);
-  EXPECT_NEAR(p.eigenvalues[0].real() / 31.552237923806206, 1, 1e-12);
+  EXPECT_NEAR(p.multipliers[0].real() / 31.552237923806206, 1, 1e-12);
   EXPECT_NEAR(p.directions[0].y / p.directions[0].x, 0.28723120925948504, 1e-12);
   EXPECT_NEAR(p.directions[1].y / p.directions[1].x, -0.28723120925948504, 1e-12);
 }
@@ -63,11 +63,11 @@ TEST(FixedPoints, OfMapsByFormula) {
   const FixedPoint saddle = find_fixed_point(*standard.map, {0.2, 0.1});
   EXPECT_NEAR(saddle.at.x, 0, 1e-15);
   EXPECT_NEAR(saddle.at.y, 0, 1e-15);
-  EXPECT_NEAR(saddle.eigenvalues[0].real(), 1 + k / 2 + std::sqrt(k + k * k / 4), 1e-14);
+  EXPECT_NEAR(saddle.multipliers[0].real(), 1 + k / 2 + std::sqrt(k + k * k / 4), 1e-14);
   const FixedPoint centre = find_fixed_point(*standard.map, {3, 0.1});
   EXPECT_EQ(centre.kind, FixedPointKind::centre);
-  EXPECT_NEAR(std::abs(centre.eigenvalues[0]), 1, 1e-14);
-  EXPECT_NEAR(2 * centre.eigenvalues[0].real(), 2 - k, 1e-14);
+  EXPECT_NEAR(std::abs(centre.multipliers[0]), 1, 1e-14);
+  EXPECT_NEAR(2 * centre.multipliers[0].real(), 2 - k, 1e-14);
   // A rotation by 2 pi a step is fixed modulo the lattice.
   const FixedPoint rotation = find_fixed_point(*standard.map, {0.2, 6}, {.shift = standard.lattice});
   EXPECT_NEAR(rotation.at.y, 2 * std::numbers::pi, 1e-14);
@@ -75,7 +75,7 @@ TEST(FixedPoints, OfMapsByFormula) {
 
   const FixedPoint inverse = find_fixed_point(*make_system("standard", {{"K", 5}}).map, {3, 0.1});
   EXPECT_EQ(inverse.kind, FixedPointKind::inverse_saddle);
-  EXPECT_NEAR(inverse.eigenvalues[0].real(), -1.5 - std::sqrt(1.25), 1e-13);
+  EXPECT_NEAR(inverse.multipliers[0].real(), -1.5 - std::sqrt(1.25), 1e-13);
 }
 
 TEST(FixedPoints, ScanFindsAllOfTheHenonMap) {

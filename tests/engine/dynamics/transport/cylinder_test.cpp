@@ -88,12 +88,12 @@ TEST(OverlapsWithCopy, BarsCoverWherePolygonsCrossTranslates) {
   growth.lattice = system.lattice;
   growth.before = growth.after = 2;
   const auto found = grow_tangle(*system.map, *system.connection, growth);
-  const auto every_sixth = [](const Buffer<Point>& points) {
+  const auto every_seventh = [](const Buffer<Point>& points) {
     std::vector<Point> some;
-    for (std::size_t k = 0; k < points.size(); k += 6) some.push_back(points[k]);
+    for (std::size_t k = 0; k < points.size(); k += 7) some.push_back(points[k]);
     return some;
   };
-  const std::vector<Point> u = every_sixth(found->u.points), s = every_sixth(found->s.points);
+  const std::vector<Point> u = every_seventh(found->u.points), s = every_seventh(found->s.points);
   TangleOptions options;
   options.check_simple = false;
   const Tangle tangle = lober::tangle(OpenCurve::borrow(u), OpenCurve::borrow(s), options);

@@ -66,7 +66,7 @@ void lober_model_free(lober_model* model) {
   delete model;
 }
 
-int lober_models(lober_result** result) {
+int lober_systems(lober_result** result) {
   using namespace lober::detail::c;
   return operation(nullptr, result, [](Options&) {
     return [](lober_result& made) {

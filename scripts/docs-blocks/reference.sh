@@ -1,0 +1,3 @@
+#!/usr/bin/env bash
+# Inputs, options and results of all operations.
+exec "$LOBER" schema --markdown
