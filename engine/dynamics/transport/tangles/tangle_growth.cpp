@@ -153,7 +153,7 @@ void TangleGrowth::begin(double tolerance) {
       return !out_of_work_ && options_.progress(std::string());
     };
     side->growth.emplace(map_, side->local, side->branch, side->options);
-    side->compressed = side->simple = 0;
+    side->compressed = side->simple = side->folds_seen = 0;
   }
   for (Side* const side : {&u_, &s_}) {
     if (!grow(*side, 0)) throw DataError(limit_ + of_saddles());
@@ -309,6 +309,7 @@ bool TangleGrowth::grow_between(int before, int after) {
   for (Side* const side : {&u_, &s_}) {
     refine_near(*side, s_.local.saddle, distance_at(s_, bip.s - after));
     refine_near(*side, u_.local.saddle, distance_at(u_, bip.u - before));
+    refine_folds(*side);
   }
   const double segments = segments_to_compare();
   if (before > 1 && segments > 0 && compares_too_much(segments)) return false;

@@ -61,6 +61,7 @@ class TangleGrowth {
     std::size_t compressed = 0;  // points
     // Points with which it was seen not to cross itself, and what that took; points are only ever added.
     std::size_t simple = 0;
+    std::size_t folds_seen = 0;  // number of points with which its folds were looked at
     SimpleCheck check;
   };
   struct Time {
@@ -86,6 +87,7 @@ class TangleGrowth {
   [[nodiscard]] std::vector<std::uint32_t> segments_that_cross(Side& side) const;
   std::optional<Point> refine_until_simple(Side& side);
   void refine_near(Side& side, Point saddle, double apart);
+  void refine_folds(Side& side);
   [[nodiscard]] static double distance_at(const Side& side, double time);
   void look();
   bool find_crossing();

@@ -96,6 +96,26 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
   }
 }
 
+// Where a manifold folds more tightly than its polygon shows, the polygon has corners, beside which no smooth curve is
+// fitted to it. Refines it there until it has none, or segments are so short that nothing matters.
+void TangleGrowth::refine_folds(Side& side) {
+  constexpr int max_rounds = 12;
+  constexpr double cosine_of_corner = 0.7, matters = 1e-2;
+  const Buffer<Point>& points = side.growth->grown().points;
+  for (int round = 0; round < max_rounds && side.folds_seen != points.size(); ++round) {
+    side.folds_seen = points.size();
+    std::vector<std::uint32_t> segments;
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+      const Point in = points[k] - points[k - 1], out = points[k + 1] - points[k];
+      const double lengths = length(in) * length(out);
+      if (dot(in, out) > cosine_of_corner * lengths || !(length(in) + length(out) > matters * tolerance_)) continue;
+      segments.push_back(static_cast<std::uint32_t>(k - 1));
+      segments.push_back(static_cast<std::uint32_t>(k));
+    }
+    if (segments.empty() || !refine(side, std::move(segments), followed())) return;
+  }
+}
+
 double TangleGrowth::segments_to_compare() const {
   if (options_.lattice == Point{}) return 0;
   const Buffer<Point>&u = u_.growth->grown().points, &s = s_.growth->grown().points;
