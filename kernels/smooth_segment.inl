@@ -125,7 +125,8 @@ inline unsigned fit_four(const Stretch& stretch, std::size_t at, Lanes& area, La
   const Lanes change_of_area = splat(2) * (divided[4] * fifth + divided[5] * (sixth - u[4] * fifth));
   const Lanes whole = area_of(g), change = absolute(whole - area_of(less));
   const Lanes next = greater(splat(3) * absolute(change_of_area), change * change / absolute(whole));
-  error = square * ((farther & (next < change) ? next : change) + splat(0x1p-50));
+  const LaneMask better = farther & (next < change);
+  error = square * ((better ? next : change) + splat(0x1p-50));
   of_use &= (absolute(g[0]) < splat(1)) & (absolute(g[0] + g[1] + g[2] + g[3]) < splat(1));
   const Lanes f2 = g[0] - g[1], f3 = g[1] - g[2], f4 = g[2] - g[3], f5 = g[3];
   area = (x * x + y * y) * (f2 / splat(3) + (f3 / splat(2) + (f4 * splat(0.6) + f5 * splat(2.0 / 3))));
