@@ -1,5 +1,6 @@
 #include "cli/program/curves_run.hpp"
 
+#include "cli/program/log.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "engine/base/stopwatch.hpp"
