@@ -108,9 +108,10 @@ void run(const operations::Operation& operation, const OperationRequest& request
     try {
       outcome = operation.run(read.inputs, options, context);
     } catch (const NotSimpleError& error) {
+      const auto curve = static_cast<std::size_t>(error.curve - 1);
+      if (curve >= read.curves.size()) throw;  // a manifold of a system
       const bool may_cross = options.find("check_simple") != nullptr;
-      throw DataError(named[static_cast<std::size_t>(error.curve - 1)] + ": " + error.what() +
-                      (may_cross ? " (--no-check-simple takes such curves)" : ""));
+      throw DataError(named[curve] + ": " + error.what() + (may_cross ? " (--no-check-simple takes such curves)" : ""));
     }
   }
   if (!request.output.empty()) {

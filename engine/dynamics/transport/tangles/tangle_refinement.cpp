@@ -13,6 +13,7 @@
 #include "engine/dynamics/transport/tangles/along_lattice.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
 #include "kernels/elementary.hpp"
+#include "kernels/smooth_segment.hpp"
 #include "lober/tangle.hpp"
 
 namespace lober::detail {
@@ -100,15 +101,16 @@ void TangleGrowth::refine_near(Side& side, Point saddle, double apart) {
 // fitted to it. Refines it there until it has none, or segments are so short that nothing matters.
 void TangleGrowth::refine_folds(Side& side) {
   constexpr int max_rounds = 12;
-  constexpr double cosine_of_corner = 0.7, matters = 1e-2;
+  constexpr double matters = 1e-2;
   const Buffer<Point>& points = side.growth->grown().points;
   for (int round = 0; round < max_rounds && side.folds_seen != points.size(); ++round) {
     side.folds_seen = points.size();
     std::vector<std::uint32_t> segments;
     for (std::size_t k = 1; k + 1 < points.size(); ++k) {
       const Point in = points[k] - points[k - 1], out = points[k + 1] - points[k];
-      const double lengths = length(in) * length(out);
-      if (dot(in, out) > cosine_of_corner * lengths || !(length(in) + length(out) > matters * tolerance_)) continue;
+      const double before = length(in), after = length(out);
+      const bool corner = !(dot(in, out) > SmoothLimits::cosine_of_corner * before * after);
+      if (!corner || !(before + after > matters * tolerance_)) continue;
       segments.push_back(static_cast<std::uint32_t>(k - 1));
       segments.push_back(static_cast<std::uint32_t>(k));
     }
