@@ -108,6 +108,10 @@ std::string stop_text(const EscapeReport& report) {
       return fmt::format("{}: the next image needs {:.1g} points (--max-points {})", how_far, result.points_ahead,
                          report.options.whole("max_points"));
     case EscapeStop::work:
+      if (result.work_ahead == 0) {
+        return how_far +
+               ": images were broken off that take more work than is done unasked (--budget SECONDS allows more)";
+      }
       return fmt::format(
           "{}: the next images need about {:.2g} times the work so far, which is more than is done unasked (--budget "
           "SECONDS allows more)",

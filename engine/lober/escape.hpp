@@ -54,10 +54,10 @@ struct EscapeOptions {
   IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
   /// Of one curve. The table ends before an image that is expected to need more, or turns out to.
   std::size_t max_points = 2'000'000;
-  /// Work that all curves may take, in crossings of the section by trajectories that are followed; two points where cut
-  /// curves cross count as one of these. The table ends before images that are expected to need more, and where curves
-  /// turn out to. Some 20 s of one core. Not with `budget`.
-  double max_work = 1e7;
+  /// Work that all curves may take, in evaluations of the vector field (PlanarMap::work); a point where cut curves
+  /// cross counts as fifty of these. The table ends before images that are expected to need more, and where curves turn
+  /// out to. Some 40 s of one core. Not with `budget`.
+  double max_work = 1e9;
   /// Seconds by the clock instead: results then depend on the machine; 0: max_work. The table ends before images that
   /// are expected to end later; images that were expected to end in time are broken off a twentieth later. Orbits and
   /// first curves have five seconds at least, and a minute without a budget.
@@ -105,14 +105,15 @@ struct Escape {
   /// Saddles of rank 1 below the energy that are no bottleneck here, of a search from a grid about the bottlenecks:
   /// what leaves the well by these counts as not left.
   std::vector<SaddlePoint> also_open;
-  std::vector<EscapeFraction> table;      ///< by entry, exit, m; 1 <= n <= options.crossings
-  int crossings = 0;                      ///< n up to which the table goes
-  EscapeStop stop = EscapeStop::done;     ///< why it does not go further
-  double points_ahead = 0;                ///< where it stopped: points that the next image was expected to need
-  double work_spent = 0, work_ahead = 0;  ///< and the work of all so far, and of all the next images, as expected
-  double seconds_spent = 0;               ///< and the seconds by the clock of all so far
-  double seconds_ahead = 0;               ///< and of all the next images, as expected; 0: they were broken off
-  double largest_split_difference = 0;    ///< |fraction - other|
+  std::vector<EscapeFraction> table;    ///< by entry, exit, m; 1 <= n <= options.crossings
+  int crossings = 0;                    ///< n up to which the table goes
+  EscapeStop stop = EscapeStop::done;   ///< why it does not go further
+  double points_ahead = 0;              ///< where it stopped: points that the next image was expected to need
+  double work_spent = 0;                ///< and the work of all so far
+  double work_ahead = 0;                ///< and of all the next images, as expected; 0: they were broken off
+  double seconds_spent = 0;             ///< and the seconds by the clock of all so far
+  double seconds_ahead = 0;             ///< and of all the next images, as expected; 0: they were broken off
+  double largest_split_difference = 0;  ///< |fraction - other|
   /// Areas of the tubes' curves by their points and by action; fractions by two splits; fractions that symmetries of
   /// the well make equal.
   Agreement agreement;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -104,9 +105,9 @@ class LOBER_API Flow {
   /// Follows each state to its |crossings|-th crossing of the section after time 0, backward in time when negative. A
   /// crossing at the start does not count. Times, if not empty, receive when. The section's coordinate is exactly its
   /// value at the end; the crossing is located to rounding on the step of the integrator that contains it. Two
-  /// crossings within one step are found.
-  virtual void to_section(std::span<FlowState> states, std::span<double> times, const Section& section, int crossings,
-                          const IntegrationOptions&) const = 0;
+  /// crossings within one step are found. Returns what it took, in tenths of PlanarMap::work.
+  virtual std::uint64_t to_section(std::span<FlowState> states, std::span<double> times, const Section& section,
+                                   int crossings, const IntegrationOptions&) const = 0;
 
   /// The map over one period from time phase * period(), of a flow of two dimensions. Its action is the integral of
   /// p dq - H dt. Derivatives and actions of this map and of the next are integrated with options.finer(). Throws

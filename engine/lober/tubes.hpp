@@ -8,7 +8,9 @@
 // it grow.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,6 +38,8 @@ struct TubeCurve {
   double area_error = 0;
   /// The part of it by integration and local manifold; of a cut curve that of segments that no refinement shortens.
   double displacement_area = 0;
+  double work = 0;           ///< that it took (PlanarMap::work)
+  bool out_of_work = false;  ///< it ends unfinished, at TubeCurveOptions::max_work
   /// Borrows the points.
   [[nodiscard]] ClosedCurve view() const& { return ClosedCurve::borrow(image.points); }
   [[nodiscard]] ClosedCurve view() const&& = delete;
@@ -44,7 +48,8 @@ struct TubeCurve {
 struct TubeCurveOptions {
   double tolerance = 1e-7;  ///< how far the curve may lie from its polygon
   std::size_t max_points = 20'000'000;
-  std::function<bool()> progress;  ///< false cancels; called from the calling thread
+  double max_work = std::numeric_limits<double>::infinity();  ///< for the curve (PlanarMap::work)
+  std::function<bool()> progress;                             ///< false cancels; called from the calling thread
 };
 
 /// Immutable, and safe to use from several threads. The flow must outlive it.
@@ -60,9 +65,9 @@ class Tube {
   /// Where the trajectories of a branch, numbered by u in [0, 1], begin.
   LOBER_API void begin(Branch branch, std::span<const double> u, std::span<FlowState> states) const;
   /// Their crossing number k = 1, 2, ... of the section: after they began on the unstable side, before on the stable
-  /// one. NaN for those that do not get there.
-  LOBER_API void crossings(Branch branch, const Section& section, int k, std::span<const double> u,
-                           std::span<FlowState> states) const;
+  /// one. NaN for those that do not get there. Returns what it took, in tenths of PlanarMap::work.
+  LOBER_API std::uint64_t crossings(Branch branch, const Section& section, int k, std::span<const double> u,
+                                    std::span<FlowState> states) const;
   /// The branch whose trajectories reach the section, the sooner one if both do; none when neither does.
   [[nodiscard]] LOBER_API std::optional<Branch> branch_towards(const Section& section) const;
   /// Crossing number k = 1, 2, ... as a closed curve. `before`: crossing number k - 1, complete, which shows where this

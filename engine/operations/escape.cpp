@@ -53,7 +53,7 @@ const OptionList<EscapeHow>& escape_options() {
                 "maximum number of points of a curve; the table ends before an image that is expected to need more",
                 {.min = 100, .max = 1 << 30, .value = "N"})
         .option("max_work", &EscapeHow::max_work,
-                "work that the table may take, in crossings of the section by trajectories, where no time is given",
+                "work that the table may take, in evaluations of the vector field, where no time is given",
                 {.min = 0, .above_min = true, .value = "N"})
         .option("budget", &EscapeHow::seconds,
                 "wall-clock time that the table may take, in seconds; it ends before images that are expected to end "
@@ -273,7 +273,8 @@ Schema<SystemEscape> stop_schema() {
       .field("points_ahead", "", "points that the next image was expected to need",
              only(EscapeStop::points, &Escape::points_ahead))
       .field("work_spent", "", "work of all so far", only(EscapeStop::work, &Escape::work_spent))
-      .field("work_ahead", "", "work of the next images, as expected", only(EscapeStop::work, &Escape::work_ahead))
+      .field("work_ahead", "", "work of the next images, as expected; 0: they were broken off",
+             only(EscapeStop::work, &Escape::work_ahead))
       .field("seconds_spent", "time", "seconds of all so far", only(EscapeStop::budget, &Escape::seconds_spent))
       .field("seconds_ahead", "time", "seconds of the next images, as expected; not known where they were broken off",
              [](const SystemEscape& e) {

@@ -28,6 +28,7 @@ void Bottlenecks::cut_first() {
     };
     require_closed(std::all_of(states.begin(), states.end(), [](const FlowState& x) { return std::isfinite(x[0]); }));
     tube.curves->push_back(tubes_[k]->curve(tube.branch, section_, 1, nullptr, tracing_));
+    tube.work = tube.curves->back().work;
     if (tube.curves->back().image.stop == GrowthStop::points) {
       throw DataError(name_of_tube(k) + " takes more points than the " + std::string(quantity::points) + " allows, " +
                       std::to_string(tracing_.max_points));
@@ -39,11 +40,7 @@ void Bottlenecks::cut_first() {
 
 void Bottlenecks::carry(int images, bool cut_too, const EscapeWork& work) {
   report_.begin(work);
-  // One may need more than the others do: half of what is left for each pair of them.
-  const double for_one = 2 * work.crossings_left / static_cast<double>(carried_.size());
-  const double affordable = std::max(for_one / (evaluations_a_point * (images + 1)), 2.0);
-  const bool fewer = affordable < static_cast<double>(options_.max_points);
-  tracing_.max_points = fewer ? static_cast<std::size_t>(affordable) : options_.max_points;
+  tracing_.max_work = share_of(work.left);
   if (ends_.empty()) find_ends();
   for_each_tube([&](std::size_t k) {
     if (static_cast<int>(carried_[k].curves->size()) <= images) carry_one(k, cut_too);
@@ -52,7 +49,7 @@ void Bottlenecks::carry(int images, bool cut_too, const EscapeWork& work) {
   for (std::size_t k = 0; k < carried_.size(); ++k) require_in_well(k);
 }
 
-Bottlenecks::Ahead Bottlenecks::look_ahead(int images, bool cut_too) {
+Bottlenecks::Ahead Bottlenecks::look_ahead(int images, bool cut_too, double left) {
   if (ends_.empty()) find_ends();
   std::vector<double> points(carried_.size(), 0);
   for_each_tube([&](std::size_t k) {
@@ -64,14 +61,16 @@ Bottlenecks::Ahead Bottlenecks::look_ahead(int images, bool cut_too) {
     if (cut && !cut_too) return;
     if (cut) {
       if (tube.cutting == nullptr) begin_cutting(k);
-      points[k] = static_cast<double>(tube.cutting->prepare());
+      const std::optional<std::size_t> needed = tube.cutting->prepare(share_of(left));
+      tube.ended = tube.out_of_work = !needed;
+      points[k] = needed ? static_cast<double>(*needed) : 0;
     } else {
       GrowthForecast forecast;
       for (const TubeCurve& curve : *tube.curves) forecast.add(static_cast<double>(curve.image.points.size()));
       points[k] = forecast.next();
     }
   });
-  Ahead ahead;
+  Ahead ahead{.too_much = out_of_work()};
   for (const double here : points) {
     ahead.points = std::max(ahead.points, here);
     ahead.crossings += evaluations_a_point * here * (images + 1);
@@ -87,6 +86,16 @@ double Bottlenecks::crossings_so_far() const {
     }
   }
   return sum;
+}
+
+double Bottlenecks::work_so_far() const {
+  double sum = 0;
+  for (const Carried& tube : carried_) sum += tube.work + (tube.cutting ? tube.cutting->work() : 0);
+  return sum;
+}
+
+bool Bottlenecks::out_of_work() const {
+  return std::any_of(carried_.begin(), carried_.end(), [](const Carried& tube) { return tube.out_of_work; });
 }
 
 bool Bottlenecks::out_of_points() const {
@@ -129,8 +138,10 @@ void Bottlenecks::carry_one(std::size_t k, bool cut_too) {
     if (last.direction == 0) throw DataError("a tube crosses the section in both directions");
     if (!meets_an_end(last, k % 2 == 0)) {
       TubeCurve next = tubes_[k]->curve(tube.branch, section_, images + 1, &last, tracing_);
+      tube.work += next.work;
+      tube.out_of_work = next.out_of_work;
       tube.out_of_points = next.image.stop == GrowthStop::points;
-      tube.ended = tube.out_of_points;
+      tube.ended = tube.out_of_work || tube.out_of_points;
       if (next.complete) tube.curves->push_back(std::move(next));
       if (tube.ended || static_cast<int>(tube.curves->size()) > images) return;
     }
@@ -138,12 +149,13 @@ void Bottlenecks::carry_one(std::size_t k, bool cut_too) {
     begin_cutting(k);
   }
   if (!cut_too) return;
-  std::optional<TubeCurve> next = tube.cutting->next();
+  std::optional<TubeCurve> next = tube.cutting->next(tracing_.max_work);
   if (next) {
     tube.curves->push_back(std::move(*next));
   } else {
     tube.ended = true;
     tube.out_of_points = tube.cutting->out_of_points();
+    tube.out_of_work = tube.cutting->out_of_work();
   }
 }
 

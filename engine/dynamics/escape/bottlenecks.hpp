@@ -27,13 +27,13 @@ inline constexpr double cut_coarseness = 10;
 // Trajectories that are followed for each point of a curve: those that show where points are needed, and the points.
 inline constexpr double evaluations_a_point = 2;
 
-// What is under way: the number of the images, when all is expected to be done, by a watch, and the crossings that all
-// curves may take.
+// What is under way: the number of the images, when all is expected to be done, by a watch, and the work that all
+// curves may take (PlanarMap::work).
 struct EscapeWork {
   int images;
   double end;
   Stopwatch watch;
-  double crossings_left = std::numeric_limits<double>::infinity();
+  double left = std::numeric_limits<double>::infinity();
 };
 
 // The middles of `count` equal parts of [0, 1].
@@ -90,33 +90,40 @@ class Bottlenecks {
   // end of the well, which cuts the next one; cut ones only if asked for.
   void carry(int images, bool cut_too, const EscapeWork& work);
 
-  // What the next images are expected to need: points of the largest one, crossings of trajectories of all.
+  // What the next images are expected to need: points of the largest one, crossings of trajectories of all; whether
+  // not even cutting can be afforded.
   struct Ahead {
     double points = 0, crossings = 0;
+    bool too_much = false;
   };
   // Whole images grow by a factor much like the one before. Cut ones do not, but how many trajectories one takes to
-  // begin with shows once the image before it is cut, which is done here if they are wanted.
-  [[nodiscard]] Ahead look_ahead(int images, bool cut_too);
-  // Crossings of trajectories that were followed for the curves so far.
+  // begin with shows once the image before it is cut, which is done here if they are wanted, with the work that is
+  // left.
+  [[nodiscard]] Ahead look_ahead(int images, bool cut_too, double left);
+  // Crossings of trajectories that were followed for the curves so far, and the work of it (PlanarMap::work).
   [[nodiscard]] double crossings_so_far() const;
+  [[nodiscard]] double work_so_far() const;
 
   [[noreturn]] void throw_outside() const;
 
   // Whether the caller's progress has cancelled.
   [[nodiscard]] bool refused() const { return report_.refused(); }
 
-  // Whether what limits the points of curves is the work that they take.
-  [[nodiscard]] bool out_of_work() const { return tracing_.max_points < options_.max_points; }
-  // Whether a tube could not be carried on because that takes too many points.
+  // Whether a tube could not be carried on because that takes too much work, or too many points.
+  [[nodiscard]] bool out_of_work() const;
   [[nodiscard]] bool out_of_points() const;
 
  private:
+  // What each of them may take of the work that is left: one may need more than the others do.
+  [[nodiscard]] double share_of(double left) const { return 2 * left / static_cast<double>(carried_.size()); }
+
   // What has been cut from a tube.
   struct Carried {
     std::vector<TubeCurve>* curves;
     Branch branch;
-    std::unique_ptr<CutImages> cutting;         // once one is cut
-    bool ended = false, out_of_points = false;  // the next one cannot be found
+    std::unique_ptr<CutImages> cutting;                              // once one is cut
+    bool ended = false, out_of_points = false, out_of_work = false;  // the next one cannot be found
+    double work = 0;                                                 // of whole curves
   };
 
   // E and X of every bottleneck, and what cut images need.

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/escape/trajectory_arc.hpp"
+#include "engine/dynamics/escape/work_meter.hpp"
 #include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
@@ -30,8 +32,9 @@ class CutImages::Cutting {
         options_(options) {
     tracing_.tolerance = options.tracing.tolerance;
     tracing_.max_points = options.tracing.max_points;
-    if (options.tracing.progress)
-      tracing_.progress = [this](const GrowthProgress&) { return options_.tracing.progress(); };
+    tracing_.progress = [this](const GrowthProgress&) {
+      return !work_.spent() && (!options_.tracing.progress || options_.tracing.progress());
+    };
     arcs_.push_back({false, bottleneck, 0, 0, 1, false});
     for (const BottleneckTubes& tubes : bottlenecks_) {
       regularising_curves_.emplace_back(flow, section, tubes, options.strip, integration);
@@ -42,24 +45,16 @@ class CutImages::Cutting {
     sample(last);
   }
 
-  std::size_t prepare() {
-    if (prepared_) return guide_.size();
-    for (const Exit& exit : exits_) {
-      const BottleneckTubes& bottleneck = bottlenecks_[exit.bottleneck];
-      if ((entry_ ? bottleneck.exit_direction : bottleneck.entry_direction) != direction_) continue;
-      if (!guide_.empty()) sample(traced());  // another exit on this side has changed the curve
-      if (cut_at(exit)) lost_ += options_.strip;
-    }
-    ++level_;
-    direction_ = -direction_;
-    prepared_ = true;
+  std::optional<std::size_t> prepare(double max_work) {
+    if (!prepared_ && !within(max_work, [&] { cut(); })) return std::nullopt;
     return guide_.empty() ? parameters_.size() : guide_.size();
   }
 
-  std::optional<TubeCurve> next() {
-    prepare();
+  std::optional<TubeCurve> next(double max_work) {
+    if (!prepare(max_work)) return std::nullopt;
     prepared_ = false;
-    TubeCurve result = traced();
+    TubeCurve result;
+    if (!within(max_work, [&] { result = traced(); })) return std::nullopt;
     result.direction = direction_;
     result.cut_off = lost_;
     const bool failed = std::any_of(
@@ -72,8 +67,29 @@ class CutImages::Cutting {
     return result;
   }
   [[nodiscard]] bool out_of_points() const { return out_of_points_; }
+  [[nodiscard]] bool out_of_work() const { return out_of_work_; }
+  [[nodiscard]] double work() const { return work_.done(); }
 
  private:
+  template <typename Function>
+  bool within(double max_work, const Function& function) {
+    work_.limit_to(work_.done() + max_work);
+    out_of_work_ = !work_.within(function);
+    return !out_of_work_;
+  }
+
+  void cut() {
+    for (const Exit& exit : exits_) {
+      const BottleneckTubes& bottleneck = bottlenecks_[exit.bottleneck];
+      if ((entry_ ? bottleneck.exit_direction : bottleneck.entry_direction) != direction_) continue;
+      if (!guide_.empty()) sample(traced());  // another exit on this side has changed the curve
+      if (cut_at(exit)) lost_ += options_.strip;
+    }
+    ++level_;
+    direction_ = -direction_;
+    prepared_ = true;
+  }
+
   // Where arcs of one curve wind next to an orbit, rounding of where they begin and end becomes a jump that no
   // refinement removes, and turns show one after the other: what may lie between both ends of such a segment. Half of
   // it was missed at most (capsize, energies from 0.28 to 0.7, tolerances from 1e-4 to 1e-6). More than E
@@ -109,11 +125,11 @@ class CutImages::Cutting {
     if (arc.of_regularising_curve) {
       for (std::size_t k = 0; k < u.size(); ++k) states[k] = regularising_curves_[arc.bottleneck].state(u[k]);
       const int crossing = level == arc.born ? -1 : level - arc.born;
-      flow_.to_section(states, {}, section_, entry_ ? crossing : -crossing, integration_);
+      work_.add(flow_.to_section(states, {}, section_, entry_ ? crossing : -crossing, integration_));
     } else {
       const BottleneckTubes& bottleneck = bottlenecks_[arc.bottleneck];
       const Tube& tube = entry_ ? *bottleneck.unstable : *bottleneck.stable;
-      tube.crossings(entry_ ? bottleneck.in : bottleneck.out, section_, level + 1, u, states);
+      work_.add(tube.crossings(entry_ ? bottleneck.in : bottleneck.out, section_, level + 1, u, states));
     }
     for (std::size_t k = 0; k < u.size(); ++k) {
       points[k] = {states[k][static_cast<std::size_t>(section_.chart_x)],
@@ -339,7 +355,8 @@ class CutImages::Cutting {
   std::vector<Exit> exits_;
   // The present curve: arcs, where it was sampled, and where its image shall be.
   int level_ = 0, direction_ = 0;
-  bool out_of_points_ = false;
+  bool out_of_points_ = false, out_of_work_ = false;
+  mutable WorkMeter work_{std::numeric_limits<double>::infinity()};
   bool prepared_ = false;  // for the next image
   double lost_ = 0;        // area that was cut off so far
   std::vector<TrajectoryArc> arcs_;
@@ -355,16 +372,24 @@ CutImages::CutImages(const Flow& flow, const Section& section, std::span<const B
 
 CutImages::~CutImages() = default;
 
-std::size_t CutImages::prepare() {
-  return cutting_->prepare();
+std::optional<std::size_t> CutImages::prepare(double max_work) {
+  return cutting_->prepare(max_work);
 }
 
-std::optional<TubeCurve> CutImages::next() {
-  return cutting_->next();
+std::optional<TubeCurve> CutImages::next(double max_work) {
+  return cutting_->next(max_work);
 }
 
 bool CutImages::out_of_points() const {
   return cutting_->out_of_points();
+}
+
+bool CutImages::out_of_work() const {
+  return cutting_->out_of_work();
+}
+
+double CutImages::work() const {
+  return cutting_->work();
 }
 
 }  // namespace lober::detail

@@ -40,12 +40,16 @@ class CutImages {
   CutImages& operator=(const CutImages&) = delete;
 
   /// Cuts the present image where it has left, and says how many trajectories the next one takes to begin with: about
-  /// half of all that it will take. Throws Cancelled.
-  std::size_t prepare();
-  /// The next image; none where trajectories cannot be followed, or at options.tracing.max_points. Throws Cancelled.
-  [[nodiscard]] std::optional<TubeCurve> next();
-  /// Whether the last `next` came to options.tracing.max_points.
+  /// half of all that it will take. None where cutting takes more than this work (PlanarMap::work). Throws Cancelled.
+  std::optional<std::size_t> prepare(double max_work);
+  /// The next image; none where trajectories cannot be followed, at options.tracing.max_points, or at this work for
+  /// it. Throws Cancelled.
+  [[nodiscard]] std::optional<TubeCurve> next(double max_work);
+  /// Whether the last of both came to options.tracing.max_points, or to its work.
   [[nodiscard]] bool out_of_points() const;
+  [[nodiscard]] bool out_of_work() const;
+  /// All that this has taken (PlanarMap::work).
+  [[nodiscard]] double work() const;
 
  private:
   class Cutting;

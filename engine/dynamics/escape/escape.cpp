@@ -29,9 +29,9 @@ constexpr double beyond_budget = 1.05;
 // Orbits and first curves may take these seconds whatever the budget, as there is nothing to say before; and no more
 // without one, where trajectories next to a collision take a thousand times as long as others.
 constexpr double first_seconds = 5, first_seconds_without_budget = 60;
-// Points where cut curves cross themselves or each other that are dealt with in the time of one crossing of the section
-// by a trajectory: 1.3 to 6 were measured (capsize at energies from 0.26 to 0.5, pcr3bp).
-constexpr double nodes_a_crossing = 2;
+// What dealing with a point where cut curves cross themselves or each other takes, in evaluations of the vector field:
+// 20 to 60 were measured (capsize at energies from 0.26 to 0.5).
+constexpr double work_a_node = 50;
 
 // The seconds after which work is broken off.
 double last_second(const EscapeOptions& options) {
@@ -68,6 +68,7 @@ class EscapeBuilder {
       carrying_ = watch.seconds();
       cost_.add(carrying_);
       crossings_ = tubes->crossings_so_far();
+      followed_ = tubes->work_so_far();
     });
     Bottlenecks& bottlenecks = *tubes;
     const TimeLimit limit(watch_, last_second(options_));
@@ -115,6 +116,7 @@ class EscapeBuilder {
     cost_.add(carried);
     const double before = std::exchange(crossings_, bottlenecks.crossings_so_far());
     newest_crossings_ = crossings_ - before;
+    followed_ = bottlenecks.work_so_far();
     carrying_ += carried;
     const Stopwatch measuring;
     bool nothing = false;  // comes back
@@ -126,47 +128,53 @@ class EscapeBuilder {
       result_.crossings = n;
       compare();
       measuring_ = measuring.seconds();
-      nothing =
-          n == 1 && !bottlenecks.out_of_points() && std::none_of(result_.table.begin(), result_.table.end(), is_known);
+      nothing = n == 1 && !bottlenecks.out_of_points() && !bottlenecks.out_of_work() &&
+                std::none_of(result_.table.begin(), result_.table.end(), is_known);
       if (options_.rows_known && !nothing) options_.rows_known(result_, n);
     });
     if (nothing) bottlenecks.throw_outside();
     const bool known = std::all_of(result_.table.begin(), result_.table.end(), is_known);
     if (known) return;
-    result_.stop = !bottlenecks.out_of_points() ? EscapeStop::lost
-                   : bottlenecks.out_of_work()  ? EscapeStop::work
-                                                : EscapeStop::points;
+    result_.stop = bottlenecks.out_of_work()     ? EscapeStop::work
+                   : bottlenecks.out_of_points() ? EscapeStop::points
+                                                 : EscapeStop::lost;
+    if (result_.stop == EscapeStop::work) result_.work_ahead = 0;
   }
 
   // `done` when the images of this number may be made: what following trajectories has taken by crossing, and measuring
   // by the size of the curves, is what the next ones are expected to take.
   EscapeStop reason_not_to(Bottlenecks& bottlenecks, int images) {
-    const Bottlenecks::Ahead ahead = bottlenecks.look_ahead(images, images <= options_.crossings);
+    const Bottlenecks::Ahead ahead = bottlenecks.look_ahead(images, images <= options_.crossings, work_left());
+    followed_ = bottlenecks.work_so_far();
     const double so_far = watch_.seconds();
-    double seconds = ahead.crossings * carrying_ / std::max(crossings_, 1.0), work = ahead.crossings;
+    const double crossings = std::max(crossings_, 1.0);
+    double seconds = ahead.crossings * carrying_ / crossings, work = ahead.crossings * followed_ / crossings;
     if (newest_crossings_ > 0) {
       const double growth = std::max(1.0, ahead.crossings / newest_crossings_);
       seconds += measuring_ * growth;
       work += newest_measured_ * growth;
     }
     if (images <= options_.crossings) {
-      result_.work_spent = crossings_ + measured_;
-      result_.work_ahead = work;
+      result_.work_spent = followed_ + measured_;
+      result_.work_ahead = ahead.too_much ? 0 : work;
       result_.points_ahead = ahead.points;
       result_.seconds_ahead = seconds;
       result_.seconds_spent = so_far;
     }
+    if (ahead.too_much) return EscapeStop::work;
     if (ahead.points > static_cast<double>(options_.max_points)) return EscapeStop::points;
     if (options_.budget > 0) return so_far + seconds > options_.budget ? EscapeStop::budget : EscapeStop::done;
-    return crossings_ + measured_ + work > options_.max_work ? EscapeStop::work : EscapeStop::done;
+    return followed_ + measured_ + work > options_.max_work ? EscapeStop::work : EscapeStop::done;
   }
 
   // What is reported while images of this number are made.
   [[nodiscard]] EscapeWork work(int images) const {
     const int left = std::max(1, options_.crossings + 1 - images);
-    const double left_to_do = options_.max_work - crossings_ - measured_;
-    return {images, watch_.seconds() + cost_.sum(left), watch_,
-            options_.budget > 0 ? std::numeric_limits<double>::infinity() : left_to_do};
+    return {images, watch_.seconds() + cost_.sum(left), watch_, work_left()};
+  }
+
+  [[nodiscard]] double work_left() const {
+    return options_.budget > 0 ? std::numeric_limits<double>::infinity() : options_.max_work - followed_ - measured_;
   }
 
   // The curves belong to the result while `function` runs.
@@ -207,7 +215,7 @@ class EscapeBuilder {
   double measure() {
     std::atomic<std::uint64_t> nodes = 0;
     for_each_block(result_.table.size(), 1, [&](std::size_t k, std::size_t) { measure(result_.table[k], nodes); });
-    return static_cast<double>(nodes) / nodes_a_crossing;
+    return static_cast<double>(nodes) * work_a_node;
   }
 
   struct Split {
@@ -329,9 +337,10 @@ class EscapeBuilder {
   Escape result_;
   Stopwatch watch_;
   GrowthForecast cost_;  // seconds by the clock for each number of images
-  // Seconds that following trajectories has taken, and for how many crossings; of the newest images, their crossings
-  // and what measuring them took, in seconds and as work; and the work of measuring all.
-  double carrying_ = 0, crossings_ = 0, newest_crossings_ = 0, measuring_ = 0, newest_measured_ = 0, measured_ = 0;
+  // Seconds and work that following trajectories has taken, and for how many crossings; of the newest images, their
+  // crossings and what measuring them took, in seconds and as work; and the work of measuring all.
+  double carrying_ = 0, followed_ = 0, crossings_ = 0, newest_crossings_ = 0, measuring_ = 0, newest_measured_ = 0,
+         measured_ = 0;
   std::optional<std::vector<EscapeSymmetry>> symmetries_;
 };
 

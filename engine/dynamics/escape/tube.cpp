@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/dynamics/escape/state_index.hpp"
+#include "engine/dynamics/escape/work_meter.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/point.hpp"
 #include "lober/error.hpp"
@@ -66,10 +67,10 @@ void Tube::begin(Branch branch, std::span<const double> u, std::span<FlowState> 
   }
 }
 
-void Tube::crossings(Branch branch, const Section& section, int k, std::span<const double> u,
-                     std::span<FlowState> states) const {
+std::uint64_t Tube::crossings(Branch branch, const Section& section, int k, std::span<const double> u,
+                              std::span<FlowState> states) const {
   begin(branch, u, states);
-  flow_.to_section(states, {}, section, side() == ManifoldSide::unstable ? k : -k, options_);
+  return flow_.to_section(states, {}, section, side() == ManifoldSide::unstable ? k : -k, options_);
 }
 
 std::optional<Branch> Tube::branch_towards(const Section& section) const {
@@ -144,9 +145,10 @@ double Tube::displacement_area(Branch branch, const Section& section, int k, con
 
 TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCurve* before,
                       const TubeCurveOptions& options) const {
+  WorkMeter work(options.max_work);
   const CurveSequence sequence = [&](int, std::span<const double> u, std::span<Point> points) {
     std::vector<FlowState> states(u.size());
-    crossings(branch, section, k, u, states);
+    work.add(crossings(branch, section, k, u, states));
     for (std::size_t i = 0; i < u.size(); ++i) {
       points[i] = {states[i][state_index(section.chart_x)], states[i][state_index(section.chart_y)]};
     }
@@ -154,7 +156,7 @@ TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCu
   ImageOptions tracing;
   tracing.tolerance = options.tolerance;
   tracing.max_points = options.max_points;
-  if (options.progress) tracing.progress = [&](const GrowthProgress&) { return options.progress(); };
+  tracing.progress = [&](const GrowthProgress&) { return !work.spent() && (!options.progress || options.progress()); };
   std::vector<double> guide;
   if (before != nullptr) {
     guide.assign(before->image.parameters.begin(), before->image.parameters.end());
@@ -162,8 +164,12 @@ TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCu
   }
   const std::array<double, 2> ends{0, 1};
   TubeCurve curve;
-  curve.image = std::move(images_of(
-      sequence, ends, tracing, [](const CurveImage&) { return false; }, guide)[0]);
+  curve.out_of_work = !work.within([&] {
+    curve.image = std::move(images_of(
+        sequence, ends, tracing, [](const CurveImage&) { return false; }, guide)[0]);
+  });
+  curve.work = work.done();
+  if (curve.out_of_work) return curve;
   curve.direction = direction_of(branch, section, k);
   curve.complete =
       curve.image.diagnostics.empty() && curve.image.stop != GrowthStop::points && curve.image.points.size() >= 8;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "engine/dynamics/integration/extrapolation.hpp"
 #include "engine/dynamics/integration/step_block.hpp"
@@ -12,6 +13,10 @@ namespace lober::detail {
 /// Computes the steps of lanes 0 .. count - 1 of a block.
 template <typename Rhs>
 using StepFunction = void (*)(const Rhs& rhs, StepBlock<Rhs::size>& block, std::size_t count);
+
+/// Of work (PlanarMap::work), for an evaluation of a field: those of several trajectories at a time count a tenth.
+template <typename Field>
+inline constexpr std::uint64_t tenths_of_work = Field::in_lanes ? 1 : 10;
 
 /// One lane after the other: for right-hand sides that take plain doubles only, or of which one trajectory is wanted.
 template <typename Rhs>

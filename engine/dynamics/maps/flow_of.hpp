@@ -85,8 +85,8 @@ class FlowOf final : public Flow {
     return widened(x);
   }
 
-  void to_section(std::span<FlowState> states, std::span<double> times, const Section& section, int crossings,
-                  const IntegrationOptions& options) const override {
+  std::uint64_t to_section(std::span<FlowState> states, std::span<double> times, const Section& section, int crossings,
+                           const IntegrationOptions& options) const override {
     if (section.coordinate < 0 || section.coordinate >= Field::dimension) {
       throw UsageError("the section's coordinate does not exist");
     }
@@ -117,12 +117,12 @@ class FlowOf final : public Flow {
     if constexpr (Field::forcings == 0) {
       if (crossings == 0) {
         std::fill(times.begin(), times.end(), 0.0);
-        return;
+        return 0;
       }
       const AlongFlow<Field> rhs{field_};
       Queue queue{states, times, Arrivals(std::abs(crossings), states.size())};
       SectionLanes<AlongFlow<Field>, Queue> section_lanes(rhs, section, options, n, crossings < 0 ? -1 : 1, queue);
-      run(rhs, options, section_lanes);
+      return tenths_of_work<Field> * (step_stages + 1) * run(rhs, options, section_lanes);
     } else {
       throw UsageError("crossings of a section are found for autonomous flows only");
     }
@@ -170,11 +170,12 @@ class FlowOf final : public Flow {
     SpanLanes<Rhs, Field, Queue> span_lanes(rhs, field_, from, to, options, n, queue);
     run(rhs, options, span_lanes);
   }
+  /// Steps of the integrator.
   template <typename Rhs, typename Control>
-  static void run(const Rhs& rhs, const IntegrationOptions& options, Control& control) {
+  static std::uint64_t run(const Rhs& rhs, const IntegrationOptions& options, Control& control) {
     StepBlock<Rhs::size> block{};
     block.tolerance = options.tolerance;
-    run_lanes(rhs, block, step_function<Rhs>(), control);
+    return run_lanes(rhs, block, step_function<Rhs>(), control);
   }
 
   static FlowState widened(const double* x) {

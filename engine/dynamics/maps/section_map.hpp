@@ -182,7 +182,8 @@ class SectionMap final : public PlanarMap {
     };
     if (iterates == 0) return;
     Queue queue{chart_, points, Arrivals(std::abs(iterates), points.size())};
-    add_tenths_of_work(tenths_each * follow(AlongFlow<Field>{field_}, options_, iterates < 0 ? -1 : 1, queue));
+    add_tenths_of_work(tenths_of_work<Field> *
+                       follow(AlongFlow<Field>{field_}, options_, iterates < 0 ? -1 : 1, queue));
   }
 
   bool is_defined_at(Point point) const override {
@@ -228,7 +229,7 @@ class SectionMap final : public PlanarMap {
     Queue queue{*this, points, derivatives, Arrivals(std::abs(iterates), points.size())};
     const IntegrationOptions options = options_.finer();
     // Two tangent vectors beside each point.
-    add_tenths_of_derivatives(3 * tenths_each *
+    add_tenths_of_derivatives(3 * tenths_of_work<Field> *
                               follow(WithTangents<Field, 2>{field_}, options, iterates < 0 ? -1 : 1, queue));
   }
 
@@ -279,9 +280,6 @@ class SectionMap final : public PlanarMap {
     }
     return {column[0].x, column[1].x, column[0].y, column[1].y};
   }
-
-  /// Of work (PlanarMap::work), for an evaluation of the field.
-  static constexpr std::uint64_t tenths_each = Field::in_lanes ? 1 : 10;
 
   /// Evaluations of the field.
   template <typename Rhs, typename Queue>

@@ -48,7 +48,8 @@ class StroboscopicMap final : public PlanarMap {
     };
     if (iterates == 0) return;
     Queue queue{points, Arrivals(std::abs(iterates), points.size())};
-    add_tenths_of_work(tenths_each * follow(AlongFlow<Field>{field()}, options_, iterates < 0 ? -1 : 1, queue));
+    add_tenths_of_work(tenths_of_work<Field> *
+                       follow(AlongFlow<Field>{field()}, options_, iterates < 0 ? -1 : 1, queue));
   }
 
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
@@ -90,7 +91,7 @@ class StroboscopicMap final : public PlanarMap {
     Queue queue{points, derivatives, Arrivals(std::abs(iterates), points.size())};
     const IntegrationOptions options = options_.finer();
     // Two tangent vectors beside each point.
-    add_tenths_of_derivatives(3 * tenths_each *
+    add_tenths_of_derivatives(3 * tenths_of_work<Field> *
                               follow(WithTangents<Field, 2>{field()}, options, iterates < 0 ? -1 : 1, queue));
   }
 
@@ -112,9 +113,6 @@ class StroboscopicMap final : public PlanarMap {
       : forcing_(std::move(forcing)), options_(options) {}
 
   [[nodiscard]] const Field& field() const { return forcing_->field(); }
-
-  /// Of work (PlanarMap::work), for an evaluation of the field.
-  static constexpr std::uint64_t tenths_each = Field::in_lanes ? 1 : 10;
 
   /// Evaluations of the field.
   template <typename Rhs, typename Queue>

@@ -220,6 +220,19 @@ TEST(Escape, EndsBeforeTheNextImageIsTooMuch) {
   EXPECT_EQ(none.bottlenecks.size(), 2U);
 }
 
+// Barely above the saddle trajectories take so long past it that a crossing of the section costs three hundred others.
+TEST(Escape, WorkIsCountedInEvaluationsOfTheField) {
+  const System steep = make_system("capsize", {{"R", 3}});
+  EscapeOptions options;
+  options.tolerance = 1e-4;
+  options.crossings = 2;
+  options.max_work = 3e7;
+  const Escape result = escape(*steep.flow, *steep.section, ship_energy, steep.saddles, options);
+  EXPECT_EQ(result.stop, EscapeStop::work);
+  EXPECT_LT(result.work_spent, 2 * options.max_work);
+  EXPECT_GT(result.work_spent, 1e6);
+}
+
 TEST(Escape, RowsComeOneByOneAndOutliveAnInterrupt) {
   EscapeOptions options;
   options.tolerance = 1e-4;
@@ -265,9 +278,9 @@ class WrongAction final : public Flow {
     action *= 1 + 1e-8;
     return end;
   }
-  void to_section(std::span<FlowState> states, std::span<double> times, const Section& section, int crossings,
-                  const IntegrationOptions& o) const override {
-    flow_.to_section(states, times, section, crossings, o);
+  std::uint64_t to_section(std::span<FlowState> states, std::span<double> times, const Section& section, int crossings,
+                           const IntegrationOptions& o) const override {
+    return flow_.to_section(states, times, section, crossings, o);
   }
   [[nodiscard]] std::unique_ptr<PlanarMap> stroboscopic_map(double phase, const IntegrationOptions& o) const override {
     return flow_.stroboscopic_map(phase, o);
