@@ -39,7 +39,7 @@ void Bottlenecks::cut_first() {
 
 void Bottlenecks::carry(int images, bool cut_too, const EscapeWork& work) {
   report_.begin(work);
-  // One may need more than the others do: half of what is left for each pair of them.
+  // One may need more than the others do: half of the rest for each pair of them.
   const double for_one = 2 * work.crossings_left / static_cast<double>(carried_.size());
   const double affordable = std::max(for_one / (evaluations_a_point * (images + 1)), 2.0);
   const bool fewer = affordable < static_cast<double>(options_.max_points);

@@ -18,7 +18,7 @@
 
 namespace lober::detail {
 
-/// From the chart of a section to phase space and back.
+/// The maps from the chart of a section to phase space and back.
 template <typename Field>
 class SectionChart {
  public:
@@ -280,7 +280,7 @@ class SectionMap final : public PlanarMap {
     return {column[0].x, column[1].x, column[0].y, column[1].y};
   }
 
-  /// Of work (PlanarMap::work), for an evaluation of the field.
+  /// Tenths of work (PlanarMap::work) for an evaluation of the field.
   static constexpr std::uint64_t tenths_each = Field::in_lanes ? 1 : 10;
 
   /// Evaluations of the field.

@@ -113,7 +113,7 @@ class StroboscopicMap final : public PlanarMap {
 
   [[nodiscard]] const Field& field() const { return forcing_->field(); }
 
-  /// Of work (PlanarMap::work), for an evaluation of the field.
+  /// Tenths of work (PlanarMap::work) for an evaluation of the field.
   static constexpr std::uint64_t tenths_each = Field::in_lanes ? 1 : 10;
 
   /// Evaluations of the field.
