@@ -133,8 +133,8 @@ struct BareSeconds {
   double searches = 0, overlays = 0;
 };
 
-// What has to be done in any case: the searches of indexed curves, one after the other, parallel inside; and whole
-// overlays of them, for totals only.
+// The work that has to be done in any case: the searches of indexed curves, one after the other, parallel inside; and
+// whole overlays of them, for totals only.
 BareSeconds bare_seconds(const CurveSet& set, int threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   std::vector<std::unique_ptr<IndexedCurve>> indexed;
@@ -174,7 +174,7 @@ double peak_megabytes(const fs::path& folder, const std::string& memory) {
   return status == 0 ? static_cast<double>(usage.ru_maxrss) * 1024 / 1e6 : 0;
 }
 
-// What runs under a memory budget take at most. A process starts with the peak of the one that it was forked from, so
+// The peak memory of runs under a memory budget. A process starts with the peak of the one that it was forked from, so
 // this comes first, and the set is made in a process of its own.
 void note_peaks(const fs::path& root, std::size_t points, std::vector<std::string>& notes) {
   const fs::path folder = root / "limited";

@@ -27,7 +27,7 @@ struct BoxPyramid {
   const std::uint32_t* size;
 };
 
-/// Nodes are replaced by what lies this many levels below them, as far as there are levels.
+/// Nodes are replaced by those this number of levels below them, as far as there are levels.
 inline constexpr std::uint32_t levels_at_once = 2;
 inline constexpr std::size_t nodes_at_once = std::size_t{1} << levels_at_once;
 
@@ -37,7 +37,7 @@ inline constexpr std::size_t nodes_at_once = std::size_t{1} << levels_at_once;
 void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                 const std::array<TreeNode*, nodes_at_once>& met, std::array<std::size_t, nodes_at_once>& met_count);
 
-/// How many nodes went where.
+/// The numbers of nodes that went to each list.
 struct SplitCounts {
   std::size_t kept = 0;
   std::size_t split = 0;

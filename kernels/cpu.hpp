@@ -1,4 +1,4 @@
-// Which compiled copy of a vector kernel runs.
+// The choice of the compiled copy of a vector kernel.
 //
 // The copies give the same bits, so the choice changes speed only. It is the best that the processor has; the
 // environment variable LOBER_ISA (baseline, avx2 or avx512) or limit_instruction_set lowers it, so that tests can
@@ -22,7 +22,7 @@ inline constexpr signed char not_chosen = -1;
 extern std::atomic<signed char> chosen_instruction_set;
 signed char choose_instruction_set() noexcept;
 
-/// What the kernels run with. The first call reads LOBER_ISA; a name that is unknown counts as none. O(1).
+/// The instruction set of the kernels. The first call reads LOBER_ISA; a name that is unknown counts as none. O(1).
 [[nodiscard]] inline InstructionSet instruction_set() noexcept {
   const signed char chosen = chosen_instruction_set.load(std::memory_order_relaxed);
   return static_cast<InstructionSet>(chosen != not_chosen ? chosen : choose_instruction_set());

@@ -1,7 +1,7 @@
 // Elementary functions with the same bits on every machine.
 //
-// Those of the C library are chosen at run time by what the processor has, and versions of the library differ in last
-// digits. Results of flows and manifolds must not. Each function here is a fixed sequence of additions,
+// The functions of the C library are chosen at run time by what the processor has, and versions of the library differ
+// in last digits. Results of flows and manifolds must not. Each function here is a fixed sequence of additions,
 // multiplications, divisions and square roots, which IEEE 754 rounds in one way only; nothing is fused
 // (-ffp-contract=off). Errors are bounded by tests/kernels/elementary_test.cpp against 80 digits.
 #pragma once

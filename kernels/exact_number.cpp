@@ -113,7 +113,7 @@ ExactNumber::Scaled ExactNumber::rounded() const {
   if (sign_ == 0) return {};
   // The three highest words hold at least 129 bits; dropping the rest costs less than 2^-128.
   const int top = exponent_ + size_ - 1;
-  const int width = 64 - std::countl_zero(digit_at(top));  // of the highest word
+  const int width = 64 - std::countl_zero(digit_at(top));  // width of the highest word
   const int exponent = 64 * top + width - 1;
   DD value;
   for (int position = top; position > top - 3; --position) {

@@ -25,7 +25,7 @@ struct FramePyramid {
   const std::uint32_t* begin;
 };
 
-/// Of the `count` nodes of `list`, keeps those whose frames may meet `frame`, in order; returns how many. A node goes
+/// Keeps those of the `count` nodes of `list` whose frames may meet `frame`, in order; returns how many. A node goes
 /// only if a line along its frame or along `frame` certainly separates the two. Frames that are not finite stay.
 std::size_t keep_near(const Frame& frame, FramePyramid pyramid, TreeNode* list, std::size_t count);
 

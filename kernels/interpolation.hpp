@@ -63,7 +63,7 @@ struct CubicPiece {
 /// Writes x(k / parts) for k = first, ..., last - 1 (0 < first, last <= parts).
 void subdivide(const CubicPiece& piece, std::uint32_t parts, std::uint32_t first, std::uint32_t last, Point* out);
 
-/// What holds on the whole piece: |x'|^2 <= speed2, x' . (b - a) >= advance, |x''|^2 <= bend2. From the Bezier
+/// Bounds on the whole piece: |x'|^2 <= speed2, x' . (b - a) >= advance, |x''|^2 <= bend2. From the Bezier
 /// coefficients of x', which are chord + u, chord + v, chord - u - v, and the ends of x''. Cut into n equal parts, the
 /// piece has parts of at most |x'| / n; if advance > 0, the sine of the angle between two parts is at most |b - a|
 /// |x''| / (n advance), as their chords are means of x' at most 1 / n apart.

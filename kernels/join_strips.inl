@@ -76,7 +76,7 @@ inline void join_four(const Strip* const (&first_from)[lanes], const Strip* cons
   low = straight ? straight_low : low;
   high = straight ? straight_high : high;
   bend = straight ? zero : bend;
-  // What is not a number anywhere is not one here.
+  // A value that is not a number anywhere is not one here.
   const Lanes doubt = (first.reach + last.reach + low) * zero;
   const Lanes shift = half * (low + high) + doubt, width = half * (high - low), rise = absolute(bend) * far * far;
   const Lanes middle_x = x - shift * ay, middle_y = y + shift * ax;

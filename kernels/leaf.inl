@@ -55,7 +55,7 @@ inline void summarise_leaf(const Point* p, Box& box, std::uint8_t& flags, Lanes&
 // Up to four leaves, so that the ends of their sums are joined side by side.
 inline void summarise_four(const Point* p, std::size_t count, Box* boxes, DD* sums, std::uint8_t* flags) {
   Lanes high[lanes] = {}, low[lanes] = {};
-  Lanes width = splat(0), fall = splat(0);  // of the chord, and the last term r_n.x (r_0.y - r_{n-1}.y) of the sum
+  Lanes width = splat(0), fall = splat(0);  // width of the chord, the last term r_n.x (r_0.y - r_{n-1}.y) of the sum
   for (std::size_t k = 0; k < count; ++k) {
     const Point* leaf = p + k * leaf_size;
     summarise_leaf(leaf, boxes[k], flags[k], high[k], low[k]);

@@ -31,7 +31,7 @@ inline double fit_parabola(Point from, Point to, Turned& turned) {
 }
 
 struct Extent {
-  double low, high, far;  // of v - bend u^2, and of |u|
+  double low, high, far;  // bounds of v - bend u^2, and of |u|
 };
 
 inline void measure(const Point* points, const Turned& turned, double bend, Extent& extent) {

@@ -1,4 +1,4 @@
-// First moments of a polyline: where the centroid of what it bounds lies.
+// First moments of a polyline, for the centroid of the region that it bounds.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ struct Moments {
 /// The terms of one segment. `a` and `b` are multiplied by `factor`, a power of two, before `origin` is taken away.
 [[nodiscard]] Moments moments_of_segment(Point a, Point b, Point origin, double factor);
 
-/// Of `count` segments: points[0] -> points[1] -> ... -> points[count]. Each term is right to 2^-100 of the products
-/// that it is made of, each sum to 2^-104 of its largest partial sum. About 5 ns a segment with AVX2.
+/// The moments of `count` segments: points[0] -> points[1] -> ... -> points[count]. Each term is right to 2^-100 of the
+/// products that it is made of, each sum to 2^-104 of its largest partial sum. About 5 ns a segment with AVX2.
 [[nodiscard]] Moments moments_along(const Point* points, std::size_t count, Point origin, double factor);
 
 }  // namespace lober::detail

@@ -1,4 +1,4 @@
-// What the kernels compute with points.
+// Computations of the kernels with points.
 #pragma once
 
 #include <cmath>

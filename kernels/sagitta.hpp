@@ -16,8 +16,8 @@ namespace lober::detail {
 /// area is (|m1 e| + |e m2|) / 10 - |m1 m2| / 60.
 [[nodiscard]] double twice_chord_area(Point p0, Point p1, Point p2, Point p3);
 
-/// The same bits for `count` segments in a row, in a fraction of the time: segment k runs from points[k + 1] to
-/// points[k + 2], so there are count + 3 points.
+/// The areas of `count` segments in a row, the same bits, in a fraction of the time: segment k runs from points[k + 1]
+/// to points[k + 2], so there are count + 3 points.
 void twice_chord_areas(const Point* points, std::size_t count, double* areas);
 
 /// Sums over segments a -> b of c = cross(a - o, b - o), of c (a - o + b - o), of their lengths and of the absolute

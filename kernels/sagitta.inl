@@ -29,7 +29,7 @@ inline void areas_of_few(const Point* points, std::size_t count, Chords& chords,
     chords.y[k] = y;
     chords.length[k] = __builtin_sqrt(x * x + y * y);
   }
-  // Of the vertex between chords k and k + 1: what its curvature and both its tangents divide by.
+  // The divisors of the curvature and of both tangents at the vertex between chords k and k + 1.
   double bend[at_once + 3], per_product[at_once + 1], per_sum[at_once + 1];
   bend[0] = bend[count + 2] = __builtin_nan("");
   for (std::size_t k = 0; k < count + 1; ++k) {

@@ -85,7 +85,7 @@ inline std::uint32_t meeting_slab(const SegmentBoxes& a, const Point* b) {
   SignedDistances distances;
   distances_of(b, a.slab.normal, distances);
   const Lanes low = splat(a.slab.low - distances.uncertainty), high = splat(a.slab.high + distances.uncertainty);
-  std::uint64_t above = 0, below = 0;  // of the points
+  std::uint64_t above = 0, below = 0;  // bits of the points
   for (std::size_t i = 0; i < leaf_size + lanes; i += lanes) {
     const Lanes distance = load(distances.of + i);
     above |= static_cast<std::uint64_t>(mask_bits(distance > high)) << i;

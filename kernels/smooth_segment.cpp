@@ -73,7 +73,7 @@ class Demands {
   }
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] double largest() const { return largest_; }
-  // What the fifth and the sixth change of chord_area_of.
+  // The change of chord_area_of by the fifth and the sixth.
   [[nodiscard]] double change_of_area() const {
     std::array<double, 6> w{1};  // vanishes at the first four
     for (std::size_t k = 0; k < 4; ++k) {

@@ -53,7 +53,7 @@ struct SmoothLimits {
   static constexpr double outstanding = 8, uneven = 8;
 };
 
-/// Of `count` segments in a row the chord_area(1), the error, and whether the kind is smooth: the same bits as
+/// The chord_area(1), the error, and whether the kind is smooth, for `count` segments in a row: the same bits as
 /// fit_smooth_segment gives of points[k] to points[k + 7] for segment k, in a fraction of the time. There are count + 7
 /// points.
 void smooth_chord_areas(const Point* points, std::size_t count, double* areas, double* errors, std::uint8_t* smooth);

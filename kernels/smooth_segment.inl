@@ -13,9 +13,9 @@ constexpr std::size_t fits_at_once = 256;
 // Points, chords and turns of a stretch of curve, each computed once where the windows of eight segments have it.
 struct Stretch {
   static constexpr std::size_t size = fits_at_once + 12;
-  double x[size]{}, y[size]{};                              // of the points
-  double along_x[size]{}, along_y[size]{}, length[size]{};  // of the chord from each point on
-  double sine[size]{};                                      // of the turn at each point
+  double x[size]{}, y[size]{};                              // coordinates of the points
+  double along_x[size]{}, along_y[size]{}, length[size]{};  // direction and length of the chord from each point on
+  double sine[size]{};                                      // sine of the turn at each point
   std::int64_t corner[size]{};                              // whether it is a corner, as a mask
 };
 
@@ -50,8 +50,8 @@ inline void measure_stretch(const Point* points, std::size_t count, Stretch& str
   }
 }
 
-// What the vertices beside four segments demand, and the areas that follow; see fit_smooth_segment, which each step is
-// from. Bit k is set where it is that of segment k: both vertices on either side are of use, and nothing is noise.
+// The demands of the vertices beside four segments, and the areas that follow; see fit_smooth_segment, which each step
+// is from. Bit k is set where it is that of segment k: both vertices on either side are of use, and nothing is noise.
 inline unsigned fit_four(const Stretch& stretch, std::size_t at, Lanes& area, Lanes& error) {
   const auto corner = [&](std::size_t k) {
     LaneMask mask;
@@ -83,7 +83,7 @@ inline unsigned fit_four(const Stretch& stretch, std::size_t at, Lanes& area, La
   of_use &= (within <= 1) & (in_all <= 2);
   if (mask_bits(of_use) == 0) return 0;
 
-  // Those that tell how much the others leave open.
+  // The vertices that tell how much the others leave open.
   const LaneMask of_use_so_far = of_use;
   require_usable(0, 4 * SmoothLimits::uneven);
   require_usable(6, 4 * SmoothLimits::uneven);

@@ -13,7 +13,7 @@ namespace lober::detail {
   return x ^ (x >> 31);
 }
 
-/// In [0, 1), from the upper 53 bits.
+/// A number in [0, 1), from the upper 53 bits.
 [[nodiscard]] inline double unit(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }

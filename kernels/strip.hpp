@@ -34,7 +34,7 @@ struct StripPyramid {
   const std::uint32_t* begin;
 };
 
-/// Of the `count` nodes of `list`, keeps those whose strips may meet `strip`, in order; returns how many. One goes only
+/// Keeps those of the `count` nodes of `list` whose strips may meet `strip`, in order; returns how many. One goes only
 /// if it certainly lies beside the parabola of `strip` as far as that goes, or the other way round.
 std::size_t keep_near(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count);
 

@@ -1,4 +1,4 @@
-// What the kernels of strips share.
+// Common parts of the kernels of strips.
 #pragma once
 
 #include "kernels/inline.hpp"

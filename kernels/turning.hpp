@@ -15,14 +15,14 @@ namespace lober::detail {
 /// segment has no length. No trigonometry.
 void turns_along(const Point* points, std::size_t segments, double* lengths, double* curvatures);
 
-/// What parts of a segment must keep to: the sagitta kappa h^2 / 8, which is how far the smooth curve over a segment of
+/// The bounds on parts of a segment: the sagitta kappa h^2 / 8, which is how far the smooth curve over a segment of
 /// length h lies from it (never more than h / 2, because the turning is cut off), and the length; and how many parts
 /// are counted at most.
 struct PartsAsked {
   double tolerance, max_length, max_parts;
 };
 /// Into how many parts, a real number, segments of these lengths and curvatures have to be cut; `max_parts` where that
-/// is no number.
+/// is not a number.
 void parts_needed(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts);
 
 }  // namespace lober::detail

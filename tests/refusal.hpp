@@ -1,4 +1,4 @@
-// What refusals say.
+// Messages of refusals.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ namespace lober::bench {
 /// Peak memory of the overlay beyond the curves, in bytes per point of both curves together, on one thread.
 [[nodiscard]] double memory_per_point(const SceneKind& scene, std::size_t points);
 
-/// What the process started by one of the two does; returns its exit status.
+/// The work of the process started by one of the two; returns its exit status.
 int run_as_child(const Options& options);
 
 }  // namespace lober::bench

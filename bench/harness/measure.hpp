@@ -17,7 +17,7 @@ using namespace lober::detail;
 [[nodiscard]] double median_of(std::vector<double> values);
 
 /// Both curves' plain shoelace sums: one multiplication pair a segment, four independent sums, no error
-/// control. What reading the points once costs.
+/// control. The cost of reading the points once.
 [[nodiscard]] double plain_area_sum(const Polygon& polygon);
 [[nodiscard]] double floor_seconds(const Scene& scene);
 
@@ -26,7 +26,7 @@ struct OverlayRun {
   double seconds = 0;
 };
 
-/// What of the engine's work is asked for, besides totals.
+/// The parts of the engine's work that are asked for, besides totals.
 struct Work {
   bool pieces = true;
   bool check_simple = false;

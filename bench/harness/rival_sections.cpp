@@ -31,7 +31,7 @@ std::string ratio(double rival, const OverlayTimes& ours) {
   return digits3(rival / ours.seconds);
 }
 
-// What there is to say about the rows of a table, as a list to print below it.
+// Remarks on the rows of a table, as a list to print below it.
 class Remarks {
  public:
   void add(const SceneKind& kind, std::string_view rival, const std::string& remark) {
@@ -49,7 +49,7 @@ class Remarks {
   std::ostringstream text_;
 };
 
-// What is wrong with an answer; empty when it is right.
+// The fault of an answer; empty when it is right.
 std::string fault(const RivalResult& result, const OverlayTimes& ours, double error) {
   std::string text;
   if (!std::equal(ours.pieces.begin(), ours.pieces.end(), result.pieces)) {

@@ -37,7 +37,7 @@ struct alignas(64) LaneBlock {
   Row taken;  ///< of methods with a choice: the length of the step over h; the error is then small enough
 };
 
-/// What was tabulated for evaluation number `stage` of the step in each lane.
+/// The forcing tabulated for evaluation number `stage` of the step in each lane.
 template <typename Field, typename V>
 LOBER_INLINE void gather_forcing(const double* const* forcing, int stage, V* force) {
   constexpr int count = static_cast<int>(Field::forcings);

@@ -1,4 +1,4 @@
-// What an integrator makes of a problem: time and error, and their tables.
+// Measurements of an integrator on a problem: time and error, and their tables.
 #pragma once
 
 #include <ostream>

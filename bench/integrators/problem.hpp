@@ -1,4 +1,4 @@
-// What is integrated: a field, how long, and from where.
+// A problem to integrate: a field, how long, and from where.
 #pragma once
 
 #include <array>

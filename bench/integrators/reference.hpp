@@ -68,7 +68,7 @@ struct ErrorSizes {
   double largest = 0, rms = 0;
 };
 
-/// Of ends that were computed, over the first as many as there are in both.
+/// Errors of computed ends, over the first ones that are in both lists.
 template <typename Ends, typename PreciseEnds>
 ErrorSizes errors_of(const Ends& ends, const PreciseEnds& precise) {
   ErrorSizes result;

@@ -82,7 +82,7 @@ struct RungeKutta {
     return s;
   }
 
-  /// Of the slopes of coordinate i, times the numbers of a row of the table.
+  /// The sum of the slopes of coordinate i, times the numbers of a row of the table.
   template <Row kind, int row, typename V, int size>
   LOBER_INLINE static V sum(const V (&slopes)[Table::stages][size], int i) {
     V result(0.0);

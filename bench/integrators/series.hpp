@@ -47,7 +47,7 @@ struct Series {
   LOBER_INLINE friend Series operator-(Series a) { return a.replay->result(-a.last()); }
   LOBER_INLINE friend Series operator*(double a, Series b) { return b.replay->result(a * b.last()); }
   LOBER_INLINE friend Series operator*(Series a, double b) { return b * a; }
-  // Of a constant all coefficients but the first are 0.
+  // All coefficients of a constant but the first are 0.
   LOBER_INLINE friend Series operator+(Series a, double b) { return a.replay->result(first ? a.last() + b : a.last()); }
   LOBER_INLINE friend Series operator+(double a, Series b) { return b + a; }
   LOBER_INLINE friend Series operator-(Series a, double b) { return a + -b; }

@@ -81,7 +81,7 @@ struct Taylor {
     for (int i = 0; i < size; ++i) sheet.at[i][n + 1] = factor * slope[i].last();
   }
 
-  /// Of one lane, by its error.
+  /// Chooses the step of one lane by its error.
   template <int size>
   LOBER_INLINE static void choose_step(LaneBlock<size>& block, std::size_t lane) {
     const double error = block.error[lane];

@@ -48,7 +48,7 @@ std::string failures_text(const detail::StoreSurvey& found, const std::string& s
   return text;
 }
 
-// What was meant by a word that is not a subcommand, if it is a file.
+// Advice for a word that is not a subcommand, if it is a file.
 std::string advice_for_file(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};

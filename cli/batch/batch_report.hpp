@@ -1,4 +1,4 @@
-// What `lober batch run` says while it works and when it is done.
+// The texts of `lober batch run` while it works and when it is done.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What `lober densify` shows of its inputs and of what it did.
+// The report of `lober densify` on its inputs and its work.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ struct EscapeRequest {
   std::string system;
   std::vector<std::string> parameters, saddles;
   std::vector<operations::OptionSetting> settings;
-  bool lists_counts = false;  ///< of trajectories, which were asked for
+  bool lists_counts = false;  ///< whether counts of trajectories were asked for
   std::string json, svg, curves, tubes;
   int threads = 0;
 };

@@ -1,4 +1,4 @@
-// What `lober escape` has found, and how it is shown.
+// The findings of `lober escape`, and how they are shown.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ struct EscapeReport {
   std::shared_ptr<const Flow> flow;
   operations::Outcome outcome;
   operations::Options options;
-  bool lists_counts = false;  ///< of the check by trajectories, beside its largest deviation
+  bool lists_counts = false;  ///< whether to list the counts of the check by trajectories
   double escape_seconds = 0;
 
   /// Without table when no crossings were asked for.
@@ -29,15 +29,15 @@ using detail::table::bottleneck_names;
 [[nodiscard]] std::string escape_heading(const std::string& system, const Escape& result);
 /// The rows of n, one line for each entrance and exit; under a heading those of n = 1.
 [[nodiscard]] std::string escape_rows(const Escape& result, int n);
-/// What is known when all rows are: why the table ends, who remains, how well routes agree, what was counted.
+/// The summary after all rows: why the table ends, who remains, how well routes agree, what was counted.
 [[nodiscard]] std::string escape_summary(const EscapeReport& report);
 /// "n = 1..3 of 7: the next image needs 4e+07 points (--max-points 2000000)"
 [[nodiscard]] std::string stop_text(const EscapeReport& report);
 
 /// The periodic orbits as 256 points of position each, "orbit left", "orbit right", and all curves as zones: "entrance
 /// left", "entrance left f^1", ..., "exit left", "exit left f^-1", ...; f is the map to the next crossing, in either
-/// direction. " cut" follows for a curve that is the image of what has not left yet, " open" for one that trajectories
-/// which do not get here leave open.
+/// direction. " cut" follows for a curve that is the image of the part that has not left yet, " open" for one that
+/// trajectories which do not get here leave open.
 void write_escape_curves(const std::string& path, const EscapeReport& report);
 
 /// Whether tubes are written as legacy VTK, not drawn as SVG. Throws UsageError for another ending.
@@ -47,7 +47,7 @@ void write_escape_curves(const std::string& path, const EscapeReport& report);
 /// DataError when there is none.
 void write_escape_tubes(const std::string& path, const Flow& flow, const EscapeReport& report);
 
-/// The curves on the section in its direction, with what they have in common filled, as SVG. Throws DataError when
+/// The curves on the section in its direction, with their common parts filled, as SVG. Throws DataError when
 /// there is none.
 [[nodiscard]] std::string escape_picture(const EscapeReport& report);
 

@@ -143,7 +143,7 @@ std::string drawn_facet(const View& view, const Facet& facet) {
   return svg;
 }
 
-// From a corner of the box, with the names of the coordinates.
+// Draws the axes from a corner of the box, with the names of the coordinates.
 void add_axes(std::string& svg, std::string& texts, const View& view, const Projection& project,
               const std::array<std::string, 3>& names) {
   const Pixel origin = view(project(project.corner(0, 0, 0)).at);
@@ -158,7 +158,7 @@ void add_axes(std::string& svg, std::string& texts, const View& view, const Proj
   }
 }
 
-// Of the states of the systems that have bottlenecks: positions, then momenta or velocities.
+// Names of the coordinates of systems that have bottlenecks: positions, then momenta or velocities.
 std::array<std::string, 3> names_of(const Section& section) {
   constexpr std::array<const char*, 4> names{"x", "y", "vx", "vy"};
   const auto name = [&](int coordinate) -> std::string {

@@ -1,4 +1,4 @@
-// What `lober grow` did, in words.
+// The work of `lober grow` in words.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ struct ImageRequest {
   std::vector<double> window;
   bool open = false;
   std::string iterates = "1", output, json, svg;
-  int first = 0, last = 0;  // of iterates
+  int first = 0, last = 0;  // numbers of iterates
   int threads = 0;
   std::vector<operations::OptionSetting> settings;
   bool boundary = false;
@@ -70,7 +70,7 @@ std::optional<ImageRequest> parse_image(const std::vector<std::string>& argument
   add_parameter_option(parser, request.system.parameters);
   parser
       .add("--iterates", request.iterates,
-           "The images that are computed: N, or FIRST:LAST for all from the one to the other; negative numbers are "
+           "The images that are computed: N, or FIRST:LAST for all from FIRST to LAST; negative numbers are "
            "pre-images (default: 1). Range: -1000 to 1000.")
       .value("FIRST:LAST");
   const TableOptions options(parser, operations::named("image"), {"closed", "first", "last"});

@@ -32,7 +32,7 @@ std::string parts_path(const View& view, const std::vector<ImagePart>& parts) {
 }  // namespace
 
 void write_image_picture(const std::string& path, const ImageReport& report, const std::optional<Rectangle>& given) {
-  // What lies in the box, where the curves meet the tolerance.
+  // The parts in the box, where the curves meet the tolerance.
   const operations::CurveImages& found = report.found();
   const Rectangle& box = found.box;
   Rectangle window;

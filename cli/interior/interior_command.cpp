@@ -1,4 +1,4 @@
-// `lober interior C1 C2`: reads the curves, runs the operation, and hands what it found to those who show it.
+// `lober interior C1 C2`: reads the curves, runs the operation, and hands its findings to the reports.
 
 #include "cli/interior/interior_command.hpp"
 

@@ -1,4 +1,4 @@
-// What `lober interior` found, for the table and the picture to show.
+// The findings of `lober interior`, for the table and the picture to show.
 #pragma once
 
 #include <string>

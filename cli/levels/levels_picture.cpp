@@ -13,7 +13,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_level_points = 60'000;  // of the curves of a level
+constexpr std::size_t max_level_points = 60'000;  // points of the curves of a level
 constexpr std::array<const char*, 7> band_colours{"#5d86b0", "#7f9fc2", "#a0b8d3", "#bfcfe1",
                                                   "#d9e1eb", "#e9e6df", "#e3d9c9"};
 constexpr const char* forbidden_colour = "#c9c6be";

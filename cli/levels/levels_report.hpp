@@ -12,7 +12,7 @@ namespace lober::cli {
 struct LevelsReport {
   System system;
   double time = 0;
-  std::optional<double> energy{};  ///< of Hill's region
+  std::optional<double> energy{};  ///< energy of Hill's region
   bool shaded = false;             ///< few levels: the picture shows the bands between them
   operations::Outcome outcome{};
 
@@ -25,7 +25,7 @@ struct LevelsReport {
 [[nodiscard]] std::string levels_table(const LevelsReport& report);
 /// A Tecplot zone for each curve, closed ones without their first point at the end.
 void write_levels(const std::string& path, const LevelsReport& report);
-/// Level curves, those through saddles in red; the bands between few levels, or what lies outside Hill's region,
+/// Level curves, those through saddles in red; the bands between few levels, or the part outside Hill's region,
 /// shaded.
 void write_levels_picture(const std::string& path, const LevelsReport& report);
 

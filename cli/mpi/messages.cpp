@@ -30,7 +30,7 @@ T read(const std::string& bytes, const Read& from_json) {
   }
 }
 
-// Receives what was probed and appends it.
+// Receives the message that was probed and appends it.
 void append(MPI_Status& status, std::string& bytes) {
   int size = 0;
   MPI_Get_count(&status, MPI_BYTE, &size);

@@ -1,4 +1,4 @@
-// What the ranks say to each other: bytes with a tag, of any length.
+// Messages between the ranks: bytes with a tag, of any length.
 #pragma once
 
 #include <mpi.h>
@@ -32,15 +32,15 @@ inline constexpr std::size_t longest_piece = std::size_t{1} << 30;
 void send(int rank, Tag tag, const std::string& bytes, std::size_t piece = longest_piece);
 /// Waits for a message, and for all of its pieces.
 [[nodiscard]] Message receive();
-/// None if there is none yet.
+/// Nothing if there is no message yet.
 [[nodiscard]] std::optional<Message> receive_if_any();
 /// The failure of one rank ends all of them, whatever they do: MPI_Abort with this exit status.
 [[noreturn]] void abandon(const std::string& message, int status);
 
-/// From rank 0 to all.
+/// Sends bytes from rank 0 to all ranks.
 void broadcast(std::string& bytes);
 
-/// As CBOR; `decoded_...` throw DataError for other bytes. Results: see result.hpp.
+/// The data as CBOR; `decoded_...` throw DataError for other bytes. Results: see result.hpp.
 [[nodiscard]] std::string encoded(const std::vector<std::uint32_t>& jobs);
 [[nodiscard]] std::vector<std::uint32_t> decoded_jobs(const std::string& bytes);
 [[nodiscard]] std::string encoded(const QueueReport& report);

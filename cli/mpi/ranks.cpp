@@ -16,7 +16,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_bytes = std::size_t{32} << 20;  // of results that wait to be sent
+constexpr std::size_t max_bytes = std::size_t{32} << 20;  // bytes of results that wait to be sent
 
 std::vector<std::uint32_t> all_jobs(const detail::Plan& plan) {
   std::vector<std::uint32_t> jobs(plan.jobs.size());
@@ -69,7 +69,7 @@ class Coordinator {
     return report_;
   }
 
-  // Commits what has come in, before all ends.
+  // Commits the results that have come in, before all ends.
   void save() {
     const std::lock_guard lock(mutex_);
     session_.finish("broken off by a failure");
@@ -104,7 +104,7 @@ class Coordinator {
     send(rank, Tag::jobs, encoded(jobs));
   }
 
-  // What other threads have found: only this one speaks to the other ranks.
+  // Checks for errors of other threads: only this one speaks to the other ranks.
   void check() {
     std::exception_ptr error;
     bool stopped = false;

@@ -8,11 +8,11 @@
 
 namespace lober::cli {
 
-/// What all ranks know.
+/// The data that all ranks know.
 struct SharedWork {
   detail::Plan plan;
   std::string manifest_path, store, output_root;
-  QueueOptions queue;  ///< of one rank
+  QueueOptions queue;  ///< options of one rank
 };
 
 /// Runs until everything is done; the report sums up all ranks. When `progress` returns false, all ranks finish what
@@ -26,7 +26,7 @@ struct SharedWork {
 /// this one fails.
 void work_for_coordinator(SharedWork& work, const std::string& plan);
 
-/// The line and the exit status for what was thrown.
+/// The line and the exit status for an exception.
 struct Failure {
   std::string message;
   int status;

@@ -1,4 +1,4 @@
-// `lober overlay C1 C2`: reads the curves, runs the operation, and hands what it found to those who show it.
+// `lober overlay C1 C2`: reads the curves, runs the operation, and hands its findings to the reports.
 
 #include "cli/overlay/overlay_command.hpp"
 
@@ -22,7 +22,7 @@ struct OverlayRequest {
   std::array<std::string, 2> curves;
   std::string lobes, crossings, json, svg, rule;
   std::vector<operations::OptionSetting> settings;
-  std::vector<double> window;  // of the picture
+  std::vector<double> window;  // window of the picture
   int threads = 0;
   bool verbose = false;
 };

@@ -62,7 +62,7 @@ Point tangent(const CurveView& curve, bool clockwise, const Position& at) {
   return length > 0 ? Point{sign * (b.x - a.x) / length, sign * (b.y - a.y) / length} : Point{};
 }
 
-// From every crossing along both curves, as rho is defined.
+// Draws the tangents at every crossing along both curves, as rho is defined.
 void add_tangents(std::string& svg, const View& view, const Crossings& nodes, Labels& labels) {
   constexpr double length = 34;
   for (std::size_t k = 0; k < nodes.size(); ++k) {

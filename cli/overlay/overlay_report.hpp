@@ -1,4 +1,4 @@
-// What `lober overlay` found, for the table, the files and the picture to show.
+// The findings of `lober overlay`, for the table, the files and the picture to show.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace lober::cli {
 using operations::CurveOverlay;
 using operations::CurveRegions;
 
-/// What kind of node this is: "crossing", "touch" or "shared_arc".
+/// The kind of the node: "crossing", "touch" or "shared_arc".
 [[nodiscard]] inline const char* kind_of(const Node& node) {
   if (node.shared != 0) return "shared_arc";
   return node.rho != 0 ? "crossing" : "touch";

@@ -1,4 +1,4 @@
-// What the commands share: where to print, and which outputs are acceptable.
+// Common parts of the commands: where to print, and which outputs are acceptable.
 #pragma once
 
 #include <array>
@@ -27,11 +27,11 @@ struct Output {
 
 /// Refuses, before any work is done, outputs that would overwrite each other or an input, outputs whose names say
 /// another format than is written (UsageError; output_names.hpp), and outputs that cannot be written (DataError).
-/// `inputs` may carry a zone (FILE#ZONE). What is not known yet, as the files that a manifest names, OutputFile refuses
-/// to replace (engine/base/input_guard.hpp).
+/// `inputs` may carry a zone (FILE#ZONE). OutputFile refuses to replace inputs that are not known yet, such as the
+/// files that a manifest names (engine/base/input_guard.hpp).
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs);
 
-/// Those that were named, checked.
+/// The outputs that were named, checked.
 [[nodiscard]] std::vector<Output> checked_outputs(std::initializer_list<Output> named,
                                                   std::span<const std::string> inputs);
 

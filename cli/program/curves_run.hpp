@@ -16,7 +16,7 @@
 
 namespace lober::cli {
 
-/// What was read, and what the operation made of it.
+/// The curves that were read, and the result of the operation.
 struct CurvesReport {
   std::array<NamedCurve, 2> inputs;
   operations::Outcome outcome;

@@ -1,4 +1,4 @@
-// How far one word is from another: to find out which was meant.
+// The distance of one word from another, to find the one that was meant.
 #pragma once
 
 #include <algorithm>

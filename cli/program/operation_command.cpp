@@ -40,7 +40,7 @@ struct OperationRequest {
   int threads = 0;
 };
 
-// What the inputs are views of, and what the JSON says of them.
+// The data that the inputs are views of, and their members in the JSON.
 struct OperationInputs {
   std::deque<NamedCurve> curves;
   std::vector<operations::Input> inputs;

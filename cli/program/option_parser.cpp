@@ -21,7 +21,7 @@ std::string quoted(const std::string& text) {
   return "\"" + text + "\"";
 }
 
-// What the command does not know, and the option that is spelled nearly like it.
+// Names an argument that the command does not know, and the option that is spelled nearly like it.
 std::string about_unknown(const CLI::App& app, const std::string& argument) {
   const bool number = std::isdigit(static_cast<unsigned char>(argument[argument.size() > 1 ? 1 : 0])) != 0;
   if (!argument.starts_with('-') || argument.size() < 2 || number) return "unexpected argument " + quoted(argument);

@@ -25,7 +25,7 @@ class Option {
   Option required();
   Option needs(Option other);
   Option excludes(Option other);
-  Option count(int least, int most);  ///< of values
+  Option count(int least, int most);  ///< number of values
   Option count(int exactly) { return count(exactly, exactly); }
   Option comma_separated();
   // These three add the range to the help.

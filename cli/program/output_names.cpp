@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 1> picture_endings{".svg"};
 constexpr std::array<std::string_view, 2> zone_endings{".dat", ".tec"};
 constexpr std::array<std::string_view, 1> table_endings{".csv"};
 
-/// What the options of one kind write. Without endings: text under any name that is not of another format.
+/// The outputs of the options of one kind. Without endings: text under any name that is not of another format.
 struct OutputKind {
   Names options;
   std::string_view what;

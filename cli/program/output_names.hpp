@@ -1,4 +1,4 @@
-// Which format an output has, and which endings a name may have that takes it.
+// The format of an output, and the endings that its name may have.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace lober::cli {
 /// Formats of points; "-" takes text.
 enum class PointFormat : std::uint8_t { npy, csv, text, tecplot, raw };
 
-/// What the ending of the path names: .npy, .csv, .txt, .dat (Tecplot) or .raw, in either case. Throws UsageError for
-/// any other.
+/// The format that the ending of the path names: .npy, .csv, .txt, .dat (Tecplot) or .raw, in either case. Throws
+/// UsageError for any other.
 [[nodiscard]] PointFormat format_of(const std::string& path);
 
 /// Throws UsageError, with the endings that are accepted, where the path ends as another format does than the one that

@@ -10,7 +10,7 @@
 
 namespace lober::cli {
 
-/// Those of the texts that are not X,Y and so name files; a file called X,Y is ./X,Y. Throws UsageError, with the name
+/// The texts that are not X,Y and so name files; a file called X,Y is ./X,Y. Throws UsageError, with the name
 /// of the option, for a point that is not finite.
 [[nodiscard]] std::vector<std::string> point_files(const char* option, const std::vector<std::string>& texts);
 

@@ -1,5 +1,5 @@
-// How far a command is, for people: one line on standard error, only on a terminal, and only for work that takes more
-// than two seconds.
+// The progress of a command, for people: one line on standard error, only on a terminal, and only for work that takes
+// more than two seconds.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace lober::cli {
 /// The content of the line.
 struct ProgressState {
   std::string what;       ///< the phase, or the last step
-  double fraction = 0;    ///< of the whole command, from 0 to 1; 0 when nothing is known
+  double fraction = 0;    ///< fraction of the whole command, from 0 to 1; 0 when nothing is known
   double amount = 0;      ///< done so far, in units of ...
   std::string_view unit;  ///< ... for example points; empty when nothing is counted
   double seconds = 0;     ///< since the command began

@@ -33,7 +33,7 @@ void add_integration_option(OptionParser& parser, IntegrationOptions& integratio
 /// Throws UsageError for a text that is not NAME=VALUE.
 [[nodiscard]] ParameterValues parameter_values(const std::vector<std::string>& texts);
 
-/// As operations take it. Throws UsageError.
+/// The system as operations take it. Throws UsageError.
 [[nodiscard]] operations::SystemInput system_input_of(const SystemRequest& request);
 
 /// "ovp  gamma = 0.5, eps = 0.1".

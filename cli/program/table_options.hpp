@@ -22,9 +22,9 @@ class TableOptions {
   TableOptions(const TableOptions&) = delete;
   TableOptions& operator=(const TableOptions&) = delete;
 
-  /// To say more about one; the key has to be one of the table.
+  /// The option with this key, to say more about it; the key has to be in the table.
   [[nodiscard]] Option operator[](const std::string& key) const { return options_.at(key); }
-  /// Those that were given.
+  /// The options that were given.
   [[nodiscard]] std::vector<operations::OptionSetting> settings() const;
 
  private:

@@ -36,8 +36,8 @@ std::optional<int> whole_number(const std::string& text) {
   return value;
 }
 
-// What follows -DENS: two whole numbers, or a single 0, as Naik, Lekien & Ross (2017) also write it. Moves `k` to the
-// last one.
+// The values after -DENS: two whole numbers, or a single 0, as Naik, Lekien & Ross (2017) also write it. Moves `k` to
+// the last one.
 EndsDensification after_dens(const std::vector<std::string>& arguments, std::size_t& k) {
   const auto number = [&](std::size_t index) {
     return index < arguments.size() ? whole_number(arguments[index]) : std::nullopt;
@@ -79,7 +79,7 @@ PublishedFormRequest parse_published_form(const std::vector<std::string>& argume
   return request;
 }
 
-// What all methods give, and the points of both curves with their labels.
+// The results of all methods, and the points of both curves with their labels.
 struct PublishedResult {
   Areas areas;
   Areas error;
@@ -151,7 +151,7 @@ std::vector<LabelledPoint> labelled_loop(const IndexedCurve& curve, const Indexe
   return points;
 }
 
-// Of curves that cross themselves, which Lober 1.8 takes: by the nonzero rule, as points are labelled.
+// The result for curves that cross themselves, which Lober 1.8 takes: by the nonzero rule, as points are labelled.
 PublishedResult by_rule(const std::array<NamedCurve, 2>& inputs, const std::function<bool(double)>& progress) {
   RegionOptions options;
   options.progress = progress;
@@ -236,7 +236,8 @@ void run_published_form(const std::vector<std::string>& arguments) {
     if (request.densification) {
       throw DataError(what + " (lober -light without -DENS and lober interior --rule take such curves)");
     }
-    log_warning("warning: " + what + "; what a curve winds round is inside of it, as by lober interior --rule nonzero");
+    log_warning("warning: " + what +
+                "; points that a curve winds round are inside it, as by lober interior --rule nonzero");
     result = by_rule(inputs, advance);
   }
   progress.phase("writing", 0.8, 1);

@@ -145,7 +145,7 @@ std::string table_of(std::size_t pair, const Tangle& found) {
   return text;
 }
 
-// What goes to the files, of all pairs.
+// The contents of the files, for all pairs.
 struct PublishedZones {
   std::string raster = std::string(raster_header) + "\n";
   std::vector<Zone> both, pips, lobes, boundaries;

@@ -1,4 +1,4 @@
-// What every command shows where two independent routes lead to one quantity (engine/lober/agreement.hpp).
+// Texts of every command where two independent routes lead to one quantity (engine/lober/agreement.hpp).
 #pragma once
 
 #include <string>

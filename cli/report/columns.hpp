@@ -14,7 +14,8 @@ struct Columns {
   std::size_t rows = 0;
   /// Writes the numbers of a row, one for each name; called by several threads at a time.
   std::function<void(std::size_t row, std::span<double> values)> row;
-  /// Of the array in an NPY file, without its last axis, the columns; their product is `rows`. Empty: one axis of rows.
+  /// Shape of the array in an NPY file, without its last axis, the columns; the product is `rows`. Empty: one axis of
+  /// rows.
   std::vector<std::size_t> shape;
 };
 

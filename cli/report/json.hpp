@@ -10,7 +10,7 @@ namespace lober::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// In one line; a file name need not be UTF-8.
+/// The JSON in one line; a file name need not be UTF-8.
 [[nodiscard]] std::string dumped(const Json& value);
 
 /// Null for a number that is not finite, as one that is not known and a limit that is off, which JSON cannot say.

@@ -11,7 +11,7 @@
 
 namespace lober::cli {
 
-/// As nlohmann writes them: numbers that are not finite as null, whole ones with ".0".
+/// Numbers as nlohmann writes them: those that are not finite as null, whole ones with ".0".
 struct JsonNumber {
   double value;
 };

@@ -33,7 +33,7 @@ std::vector<Run> runs_of(std::string_view text) {
   return runs;
 }
 
-// Of a sans-serif font, generously.
+// Width of text in a sans-serif font, generously.
 double text_width(std::span<const Run> runs, double size) {
   double width = 0;
   for (const Run& run : runs) {

@@ -15,7 +15,7 @@ namespace lober::cli {
 /// finds no room is left out.
 class Labels {
  public:
-  /// Of a plot of this view, margins included.
+  /// Labels of a plot of this view, margins included.
   explicit Labels(const View& view);
 
   /// Lines and dots that labels should keep clear of.

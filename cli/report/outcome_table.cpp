@@ -49,7 +49,7 @@ std::string bar_of(const FieldValue& value) {
   return measured == nullptr || std::isnan(measured->value) ? "" : fmt::format("{:.1e}", measured->error);
 }
 
-// Of a list: what a cell has room for.
+// Whether a field of a list fits a cell.
 bool is_column(const Field& field) {
   return field.kind != FieldKind::object && field.kind != FieldKind::list && field.kind != FieldKind::matrix;
 }

@@ -7,7 +7,7 @@ inline constexpr const char* unstable = "#b3261e";
 inline constexpr const char* stable = "#1f5fa8";
 inline constexpr const char* boundary = "#e3b94a";
 
-inline constexpr const char* leaving = "#c8701e";   ///< lobes L12, and what they carry
+inline constexpr const char* leaving = "#c8701e";   ///< lobes L12, and the fluid that they carry
 inline constexpr const char* entering = "#3f8f6b";  ///< lobes L21
 inline constexpr const char* common = "#4b1d7a";    ///< what leaving and entering lobes have in common
 // Lobes of which nobody knows whether they leave or enter.

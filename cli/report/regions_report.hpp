@@ -1,4 +1,4 @@
-// What --rule found, of closed curves that may cross themselves (lober/regions.hpp).
+// The findings with --rule, for closed curves that may cross themselves (lober/regions.hpp).
 #pragma once
 
 #include <array>

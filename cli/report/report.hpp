@@ -1,4 +1,4 @@
-// What the reports of all commands on two closed curves have in common.
+// Common parts of the reports of all commands on two closed curves.
 #pragma once
 
 #include <array>
@@ -36,10 +36,10 @@ inline constexpr std::array<NamedArea, 7> named_areas{{
 
 [[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
 
-/// How the user would name it: FILE, or FILE#ZONE where there are several.
+/// The name that the user would give it: FILE, or FILE#ZONE where there are several.
 [[nodiscard]] std::string spec_of(const NamedCurve& input);
 
-/// Two aligned lines that say what was read, and one for each remark.
+/// Two aligned lines on the curves that were read, and one for each remark.
 [[nodiscard]] std::string inputs_text(const std::array<NamedCurve, 2>& inputs,
                                       const std::array<Orientation, 2>& orientations);
 

@@ -34,7 +34,7 @@ bool clip(Pixel& a, Pixel& b, const Frame& frame) {
   return true;
 }
 
-// What of a polygon lies in the frame, with sides along it where the polygon leaves it (Sutherland & Hodgman, Commun.
+// The part of a polygon in the frame, with sides along it where the polygon leaves it (Sutherland & Hodgman, Commun.
 // ACM 17, 1974).
 std::vector<Pixel> clip_polygon(std::vector<Pixel> polygon, const Frame& frame) {
   const auto cut = [&](double Pixel::*axis, double limit, double sign) {

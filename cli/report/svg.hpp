@@ -1,4 +1,4 @@
-// What the pictures have in common: a view of the plane, paths simplified to what can be seen, a legend.
+// Common parts of the pictures: a view of the plane, paths simplified to what can be seen, a legend.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace lober::cli {
 /// A point of the picture, x to the right and y down.
 using Pixel = Point;
 
-inline constexpr double picture_width = detail::PictureSize{}.width;  ///< of the plot, in pixels
+inline constexpr double picture_width = detail::PictureSize{}.width;  ///< width of the plot, in pixels
 inline constexpr double picture_margin = 24;
 inline constexpr int subpixels = 20;  ///< coordinates in paths are whole numbers of these, so that paths are short
 [[nodiscard]] int subpixel(double pixels);
@@ -29,7 +29,7 @@ class View {
  public:
   explicit View(const Rectangle& window);
   [[nodiscard]] Pixel operator()(Point point) const;
-  [[nodiscard]] double height() const { return height_; }  ///< of the plot
+  [[nodiscard]] double height() const { return height_; }  ///< height of the plot
   [[nodiscard]] double left() const;                       ///< where the plot begins
   [[nodiscard]] double width() const { return plot_width_; }
 
@@ -63,7 +63,7 @@ class PathWriter {
 };
 
 /// The path that `draw(writer)` makes, with a tolerance at which `max_points` points are enough; where 8 pixels do not
-/// do, what comes last is left out.
+/// do, the end is left out.
 template <typename Draw>
 [[nodiscard]] std::string path_of(const View& view, std::size_t max_points, const Draw& draw) {
   for (double tolerance = 0.1;; tolerance *= 2) {
@@ -75,7 +75,8 @@ template <typename Draw>
 
 // Largest numbers of points of a path.
 inline constexpr std::size_t max_path_points = 200'000;
-inline constexpr std::size_t max_manifold_path_points = 14'000;  ///< of manifolds: five paths stay below a megabyte
+inline constexpr std::size_t max_manifold_path_points =
+    14'000;  ///< points of manifolds: five paths stay below a megabyte
 
 [[nodiscard]] std::string polygon_path(const View& view, std::span<const Point> polygon, std::size_t max_points);
 [[nodiscard]] std::string line_path(const View& view, std::span<const Point> line, std::size_t max_points);

@@ -1,4 +1,4 @@
-// What every report on manifolds grown from equations shows: their saddles and the lobes of the turnstile.
+// Common parts of reports on manifolds grown from equations: their saddles and the lobes of the turnstile.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,7 @@ using operations::FieldKind;
 using operations::InputKind;
 using operations::OptionSpec;
 
-// What a cell of a table may hold.
+// Text as a cell of a table may hold it.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -60,7 +60,7 @@ std::string values_text(const OptionSpec& spec) {
   return text;
 }
 
-// What holds without it.
+// The text for the value without the option.
 std::string default_text(const OptionSpec& spec) {
   if (spec.required) return "has to be given";
   if (spec.optional) return spec.otherwise;

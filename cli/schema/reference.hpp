@@ -7,7 +7,7 @@
 
 namespace lober::cli {
 
-/// In Markdown: what an operation does, its inputs, its options and what its result consists of.
+/// The reference of an operation in Markdown: its summary, inputs, options and the parts of its result.
 [[nodiscard]] std::string reference_text(const operations::Operation& operation);
 
 }  // namespace lober::cli

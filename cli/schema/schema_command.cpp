@@ -14,9 +14,10 @@ void run_schema(const std::vector<std::string>& arguments) {
   std::string name;
   bool markdown = false;
   OptionParser parser(
-      "Prints the JSON Schema of what an operation writes beside program, command, agreement, inputs, options and "
+      "Prints the JSON Schema of the members that an operation writes beside program, command, agreement, inputs, "
+      "options and "
       "timing; "
-      "without a name, the operations that there are.",
+      "without a name, lists the operations.",
       "lober schema");
   parser.add("OPERATION", name, "The name of an operation.");
   parser.add_flag("--markdown", markdown,

@@ -1,4 +1,4 @@
-// `lober schema`: what is in the JSON of operations.
+// `lober schema`: the members of the JSON of operations.
 #pragma once
 
 #include <string>

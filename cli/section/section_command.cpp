@@ -23,7 +23,7 @@ namespace {
 
 using operations::SystemSection;
 
-constexpr double cell_pixels = 3;  // of the picture
+constexpr double cell_pixels = 3;  // cell of the picture
 
 struct SectionRequest {
   SystemRequest system;
@@ -33,7 +33,7 @@ struct SectionRequest {
   int threads = 0;
 };
 
-// What takes the orbits as they come.
+// Takes the orbits as they come.
 class Orbits {
  public:
   Orbits(std::string path, Progress& progress) : path_(std::move(path)), progress_(progress) {}

@@ -44,7 +44,7 @@ std::string level_path(const View& view, const Density& density, std::size_t lev
                             });
 }
 
-// Of those that leave after crossing 1, 2, ..., the last one for all later ones; and of those that stay.
+// Colours of orbits that leave after crossing 1, 2, ..., the last one for all later ones; and of those that stay.
 constexpr std::array<const char*, 8> exit_colours{"#440154", "#46327e", "#365c8d", "#277f8e",
                                                   "#1fa187", "#4ac16d", "#a0da39", "#fde725"};
 constexpr const char* staying_colour = "#dddddd";

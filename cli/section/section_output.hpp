@@ -1,4 +1,4 @@
-// What becomes of the orbits of `lober section` as they come: a file, and a field of how many points lie where.
+// Outputs of `lober section` for the orbits as they come: a file, and a field of how many points lie where.
 #pragma once
 
 #include <cstdint>

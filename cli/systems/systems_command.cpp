@@ -66,7 +66,7 @@ std::string range_text(const Parameter& parameter) {
   return "; " + (range.empty() ? "any number" : range) + (parameter.perturbation ? "; size of the perturbation" : "");
 }
 
-// Those in the window; none where the system has no map or no such point.
+// The fixed points in the window; none where the system has no map or no such point.
 std::vector<FixedPoint> fixed_points_of(const System& system) {
   if (!system.map || !(system.window.width() > 0 && system.window.height() > 0)) return {};
   FixedPointOptions options;

@@ -1,4 +1,4 @@
-// `lober tangle U S`: reads the manifolds, runs the operation, and hands what it found to those who show it.
+// `lober tangle U S`: reads the manifolds, runs the operation, and hands its findings to the reports.
 
 #include "cli/tangle/tangle_command.hpp"
 

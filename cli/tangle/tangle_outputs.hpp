@@ -1,4 +1,4 @@
-// What both forms of `lober tangle` (manifolds from files, manifolds grown from equations) can write.
+// Outputs of both forms of `lober tangle` (manifolds from files, manifolds grown from equations).
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace lober::cli {
 struct TangleOutputs {
   std::string lobes, boundary, pips, graph, json, svg;
   bool labels = false;         ///< in the picture
-  std::vector<double> window;  ///< of the picture
+  std::vector<double> window;  ///< window of the picture
 
   /// Adds --lobes, --boundary, --pips, --json, --svg, --labels, --window.
   void add_options(OptionParser& parser);

@@ -16,13 +16,13 @@ namespace lober::cli {
 struct TangleReport {
   std::array<NamedCurve, 2> inputs;  ///< U and S
   std::array<bool, 2> reversed{};    ///< turned round after reading: positions speak of the curve as turned
-  std::optional<operations::SystemInput> origin{};  ///< of manifolds grown from equations (`tangle --system`)
-  operations::Outcome outcome;                      ///< of tangle or manifold_tangle
+  std::optional<operations::SystemInput> origin{};  ///< system of manifolds grown from equations (`tangle --system`)
+  operations::Outcome outcome;                      ///< outcome of tangle or manifold_tangle
   double read_seconds = 0, write_seconds = 0;
 
   [[nodiscard]] const operations::Operation& operation() const;
   [[nodiscard]] const operations::CurveTangle& result() const;
-  /// Those that were grown; null of curves.
+  /// The grown manifolds; null for curves.
   [[nodiscard]] const ManifoldTangle* manifolds() const;
 };
 

@@ -58,11 +58,11 @@ std::string breaks_text(const SweepReport& report) {
   if (text.empty()) return text;
   return fmt::format(
       "W(q) - W(q') may be of other pips on either side, which could not be followed, between {} = {}; "
-      "a smaller step may do\n",
+      "try a smaller step\n",
       report.result().parameter, text);
 }
 
-// Of which pip the lobes are: from the first value to the last, on whose way it may become an image of itself.
+// The pip of the lobes: from the first value to the last, on whose way it may become an image of itself.
 std::string bip_text(const SweepReport& report) {
   const auto& rows = report.result().rows;
   const auto known = [](const SweepRow& row) { return row.failure.empty(); };

@@ -1,4 +1,4 @@
-// What `lober transport --sweep` found, for the table, the JSON and the curve to show.
+// The findings of `lober transport --sweep`, for the table, the JSON and the curve to show.
 #pragma once
 
 #include <string>

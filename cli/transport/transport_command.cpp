@@ -29,7 +29,7 @@ struct TransportRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
   std::string sweep, json, svg, picture;
-  std::vector<double> window;  // of the picture
+  std::vector<double> window;  // window of the picture
   bool find_zero = false;
   int threads = 0;
 };

@@ -13,7 +13,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_transport_path_points = 5'000;  // of a path
+constexpr std::size_t max_transport_path_points = 5'000;  // points of a path
 
 std::string outlines_path(const View& view, const Tangle& tangle, std::span<const std::size_t> lobes) {
   return path_of(view, max_transport_path_points, [&](PathWriter& writer) {
@@ -30,7 +30,7 @@ std::vector<std::size_t> lobes_between(const ManifoldTangle& manifolds, int befo
   return lobes;
 }
 
-// What lobes of either list have in common, as polygons. Lobes that fall into pieces are left out.
+// The common parts of lobes of the two lists, as polygons. Lobes that fall into pieces are left out.
 std::vector<std::vector<Point>> common_pieces(const Tangle& tangle, std::span<const std::size_t> first,
                                               std::span<const std::size_t> second) {
   std::vector<std::vector<Point>> polygons;

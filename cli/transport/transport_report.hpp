@@ -28,7 +28,7 @@ struct TransportReport {
   [[nodiscard]] const Tangle& tangle() const { return result().manifolds().tangle; }
 };
 
-/// The same from two curves of files.
+/// The report of transport from two curves of files.
 struct CurvesTransportReport {
   std::array<NamedCurve, 2> inputs;
   operations::Outcome outcome;
@@ -40,16 +40,16 @@ struct CurvesTransportReport {
 
 /// One line for a row that is ready before the others.
 [[nodiscard]] std::string transport_row_text(const TransportStep& step);
-/// What there is when the command is interrupted: at least one row.
+/// The table when the command is interrupted: at least one row.
 [[nodiscard]] std::string interrupted_transport_table(std::span<const TransportStep> steps, const Agreement& agreement,
                                                       int iterates);
 
-/// What Melnikov's function says, beside the exact areas.
+/// Areas by Melnikov's function, beside the exact ones.
 [[nodiscard]] std::string melnikov_text(const operations::MelnikovComparison& report);
 
 /// a(n) and T(n) over n as SVG.
 void write_transport_curve(const std::string& path, const TransportReport& report);
-/// Manifolds, boundary, turnstile, its images and pre-images and what they have in common, as SVG.
+/// Manifolds, boundary, turnstile, its images and pre-images and their common parts, as SVG.
 /// `window`: the part of the plane that is drawn; without one all.
 void write_transport_picture(const std::string& path, const TransportReport& report,
                              const std::optional<Rectangle>& window);

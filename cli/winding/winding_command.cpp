@@ -1,4 +1,4 @@
-// `lober winding CURVE`: reads the curve and the points, asks the engine, and hands what it found to those who show it.
+// `lober winding CURVE`: reads the curve and the points, asks the engine, and hands its findings to the reports.
 
 #include "cli/winding/winding_command.hpp"
 
@@ -79,7 +79,7 @@ void check(const WindingRequest& request) {
   }
   if (!request.grid.empty() &&
       static_cast<std::size_t>(request.grid[0]) * static_cast<std::size_t>(request.grid[1]) > max_cells) {
-    throw UsageError("--grid: at most 100000000 cells; take fewer columns or rows");
+    throw UsageError("--grid: there can be at most 100000000 cells; give fewer columns or rows");
   }
   if (!request.box.empty() && !(request.box[0] < request.box[2] && request.box[1] < request.box[3])) {
     throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");

@@ -18,7 +18,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t piece_bytes = std::size_t{4} << 20;  // of one call, and of one thread
+constexpr std::size_t piece_bytes = std::size_t{4} << 20;  // bytes of one call, and of one thread
 
 [[noreturn]] void fail(const std::string& path) {
   const int code = errno;

@@ -1,4 +1,4 @@
-// What the next member of a sequence will cost, such as the points of the images of a curve, which multiply about
+// The expected cost of the next member of a sequence, such as the points of the images of a curve, which multiply about
 // evenly.
 #pragma once
 

@@ -23,7 +23,7 @@ Noted& noted() {
   return all;
 }
 
-/// Empty for what has no path.
+/// Empty for a file without a path.
 std::string canonical(const std::string& path) {
   if (path == "-") return {};
   std::error_code error;

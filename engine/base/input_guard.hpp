@@ -20,9 +20,10 @@ class InputGuard {
 };
 
 /// Remembers a file that is read, if a guard lives: what `status` identifies, and what `path` leads to ("-" is standard
-/// input, which has no path). What is not a regular file is not remembered: writing to it replaces nothing. O(log n).
+/// input, which has no path). Paths that are not regular files are not remembered: writing to them replaces nothing.
+/// O(log n).
 void note_input(const std::string& path, const struct ::stat& status);
-/// The same for a file that somebody else opens. Nothing if it is not there.
+/// The same for a file that somebody else opens. Does nothing if it is not there.
 void note_input(const std::string& path);
 
 /// Whether `status`, or `path`, is one of the files remembered.

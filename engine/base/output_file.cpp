@@ -49,7 +49,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
   require_no_zero_byte(path_);
   struct ::stat status {};
   if (const auto own = own_descriptor(path_)) {
-    // What the program printed before has to come before.
+    // Text that the program printed earlier has to come first.
     if (*own == STDOUT_FILENO) std::fflush(stdout);
     descriptor_ = ::fcntl(*own, F_DUPFD_CLOEXEC, 0);
     if (descriptor_ < 0) fail();

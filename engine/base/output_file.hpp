@@ -8,11 +8,11 @@
 
 namespace lober::detail {
 
-/// Writes beside the file and renames in `commit`; what is not committed is removed and leaves an existing
-/// file as it was. A symbolic link keeps pointing where it does: its target is replaced. What is not a regular
-/// file (a pipe, a device, /dev/stdout and its like, "-" for standard output) is written straight through.
-/// Every member throws DataError "path: reason"; the constructor throws UsageError for a file that the process has read
-/// while an InputGuard lives (input_guard.hpp).
+/// Writes beside the file and renames in `commit`; an uncommitted file is removed and leaves an existing one as it was.
+/// A symbolic link keeps pointing where it does: its target is replaced. A path that is not a regular file (a pipe, a
+/// device, /dev/stdout and its like, "-" for standard output) is written straight through. Every member throws
+/// DataError "path: reason"; the constructor throws UsageError for a file that the process has read while an InputGuard
+/// lives (input_guard.hpp).
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -29,7 +29,7 @@ class OutputFile {
   [[noreturn]] void fail() const;
 
   std::string path_;       ///< as the caller named it, for messages
-  std::string target_;     ///< what is replaced
+  std::string target_;     ///< the file that is replaced
   std::string temporary_;  ///< empty when written straight through, and after `commit`
   int descriptor_ = -1;
 };

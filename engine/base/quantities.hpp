@@ -1,6 +1,6 @@
-// What messages call the quantities that a caller can set, whose names differ: members of options in C++ and Python,
-// options of the program. So the engine names none of those, and the program puts its option behind each of these
-// (cli/program/option_names.hpp).
+// Names in messages for the quantities that a caller can set and whose names differ: members of options in C++ and
+// Python, options of the program. So the engine names none of those, and the program puts its option behind each of
+// these (cli/program/option_names.hpp).
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// How many threads may be asked for.
+// The number of threads that may be asked for.
 #pragma once
 
 namespace lober::detail {

@@ -14,7 +14,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// The digests of the inputs of these jobs as they are now; empty for what cannot be read.
+// The digests of the inputs of these jobs as they are now; empty for inputs that cannot be read.
 std::vector<std::string> hash_inputs(const Plan& plan, std::span<const std::uint32_t> jobs,
                                      const std::string& manifest_path) {
   std::vector<std::string> digests(plan.curves.size());

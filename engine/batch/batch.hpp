@@ -1,4 +1,4 @@
-// A manifest, a store, and what is between them: resume, run, note what came out.
+// The work between a manifest and a store: resume, run, note the results.
 //
 //   manifest -> plan     read_manifest reads groups of patterns, pairs and options; make_plan writes them out as curves
 //                        (CurveSource), groups of jobs with typed options (JobGroup) and jobs (Job)
@@ -21,7 +21,7 @@
 
 namespace lober::detail {
 
-/// One run on a store: knows what is left to do and takes what comes out.
+/// One run on a store: knows the jobs that are left and takes their results.
 class StoreSession {
  public:
   /// Opens or creates the store and notes the run. When there are results already, all inputs of the jobs are hashed,
@@ -38,7 +38,7 @@ class StoreSession {
   /// A line for each job of the shard whose result in the store was damaged: it is among the pending ones.
   [[nodiscard]] const std::vector<std::string>& damaged() const { return damaged_; }
 
-  /// One call at a time. Returns false when the result cannot be used because an input is not what it was.
+  /// One call at a time. Returns false when the result cannot be used because an input has changed.
   bool add(Result&& result);
   /// Commits and closes the store; throws DataError when it cannot be written. Returns the processor time that the
   /// writing thread took. Nothing may be added afterwards.
@@ -53,12 +53,12 @@ class StoreSession {
   std::vector<std::uint32_t> pending_;
   std::size_t finished_before_ = 0;
   std::vector<std::string> damaged_;
-  std::vector<std::string> digests_;  ///< of the plan's curves, as first seen in this run
+  std::vector<std::string> digests_;  ///< digests of the plan's curves, as first seen in this run
   std::vector<char> seen_;
   std::unique_ptr<ResultWriter> writer_;
 };
 
-/// As run_batch of lober/batch.hpp, of a manifest that is read already.
+/// Like run_batch of lober/batch.hpp, for a manifest that is read already.
 [[nodiscard]] BatchReport run_batch(const Manifest& manifest, const BatchOptions& options);
 
 /// Calls `watch` about ten times a second on a thread of its own, until `finish` or until it throws.

@@ -1,4 +1,4 @@
-// Which work of a plan will not fit into memory, as far as that can be seen without doing it.
+// The work of a plan that will not fit into memory, as far as that can be seen without doing it.
 #pragma once
 
 #include <cstddef>

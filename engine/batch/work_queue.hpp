@@ -17,7 +17,7 @@ class WorkQueue {
   WorkQueue(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
             std::size_t processes);
 
-  /// The next portion: a share of what is left, by cost; empty when nothing is left.
+  /// The next portion: a share of the rest, by cost; empty when nothing is left.
   [[nodiscard]] std::vector<std::uint32_t> next_portion();
 
  private:

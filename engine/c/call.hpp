@@ -1,4 +1,5 @@
-// From C to C++ and back: exceptions become numbers and a message, pointers become curves (private to engine/c).
+// Conversions from C to C++ and back: exceptions become numbers and a message, pointers become curves (private to
+// engine/c).
 #pragma once
 
 #include <functional>
@@ -21,7 +22,7 @@ namespace lober::detail::c {
 [[nodiscard]] int operation(const char* options, lober_result** result,
                             const std::function<std::function<void(lober_result&)>(Options&)>& prepare) noexcept;
 
-/// What an operation throws to hand out its result with a status that is not LOBER_OK.
+/// Thrown by an operation to hand out its result with a status that is not LOBER_OK.
 struct WithResult {
   int status;
   std::string text;
@@ -29,7 +30,7 @@ struct WithResult {
 
 /// Throws UsageError for a null pointer.
 [[nodiscard]] std::span<const Point> points_of(const double* points, std::size_t count, const char* name);
-/// With the points of the caller, checked as a curve.
+/// The points of the caller as a curve, checked.
 [[nodiscard]] ClosedCurve closed_curve(const double* points, std::size_t count, const char* name);
 
 }  // namespace lober::detail::c

@@ -1,4 +1,4 @@
-// What a lober_model is (private to engine/c).
+// The contents of a lober_model (private to engine/c).
 #pragma once
 
 #include "lober/lober.h"

@@ -46,7 +46,7 @@ Settings settings_of(const ops::Operation& operation, const char* text) {
 
 // ----------------------------------------------------------------------------------------------------------- inputs
 
-// With `kept`, of copies that it holds.
+// The inputs of a call; with `kept`, of copies that it holds.
 std::vector<ops::Input> inputs_of(const ops::Operation& operation, const lober_input* given, std::size_t count,
                                   std::deque<std::vector<Point>>* kept) {
   if (count > 0 && given == nullptr) throw UsageError("inputs is a null pointer");
@@ -75,7 +75,7 @@ struct Rows {
   lober_result::Doubles doubles;
   lober_result::Integers integers;
   std::vector<std::string> texts;
-  lober_result::Integers sizes;  // of fields that have several numbers for one object
+  lober_result::Integers sizes;  // sizes of fields that have several numbers for one object
   std::size_t columns = 1;
 
   void add(const ops::FieldValue& value, bool bar) {
@@ -164,7 +164,7 @@ void add_columns(lober_result& result, const std::string& prefix, const std::vec
   }
 }
 
-// What lober_outline needs to know.
+// Keeps the values that lober_outline needs.
 void keep_outlines(lober_result& result, const ops::Operation& operation, const ops::Outcome& found) {
   if (operation.name == "overlay") result.overlay = {found.value, &found.as<ops::CurveOverlay>()};
   if (operation.name == "tangle") result.tangle = {found.value, &found.as<ops::CurveTangle>()};

@@ -26,7 +26,7 @@ std::vector<std::vector<Point>> polygons_of(const lober_result& of, std::string_
                      "\" is not a pairing; there are c1_minus_c2, c2_minus_c1, intersection, union");
   }
   if (!of.tangle) {
-    throw UsageError("the result has no outlines: they are of tangles and overlays with the option outlines=1");
+    throw UsageError("the result has no outlines: only tangles and overlays have them; give the option outlines=1");
   }
   if (kind == "lobes") {
     require_piece(piece, of.tangle->lobes.size(), kind);

@@ -6,7 +6,7 @@
 
 namespace lober::detail::c {
 
-/// That of this thread, for operations whose progress is a fraction and, with -1, for those whose is not; empty if the
+/// The callback of this thread, for operations whose progress is a fraction and, with -1, for others; empty if the
 /// thread has none. It may be called by any thread.
 [[nodiscard]] std::function<bool(double)> progress();
 

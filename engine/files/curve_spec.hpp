@@ -1,4 +1,4 @@
-// How a command line names a curve: FILE, FILE#K or FILE#TITLE.
+// The name of a curve on a command line: FILE, FILE#K or FILE#TITLE.
 #pragma once
 
 #include <string>

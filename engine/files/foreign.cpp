@@ -179,7 +179,7 @@ std::string foreign_format(std::span<const std::byte> all) {
     return sentence("unformatted Fortran records", "write it with access='stream', or as formatted text");
   }
   if (is_utf16(bytes)) return sentence("text in UTF-16", "save it as UTF-8");
-  // Of all that is looked at first, so that large files cost nothing.
+  // The first bytes decide, so that large files cost nothing.
   const std::string_view start = bytes.substr(0, std::size_t{1} << 16);
   const bool plain = std::all_of(start.begin(), start.end(), [](char letter) {
     return (letter >= ' ' && letter <= '~') || letter == '\t' || letter == '\r';

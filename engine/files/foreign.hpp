@@ -8,11 +8,11 @@
 
 namespace lober::detail {
 
-/// What the file is and how to convert it, as the end of a message ("a PNG picture, ..."); empty when the bytes are of
-/// no format known here. Looks at the first bytes, and at the last one. O(1).
+/// The kind of the file and how to convert it, as the end of a message ("a PNG picture, ..."); empty when the bytes are
+/// of no format known here. Looks at the first bytes, and at the last one. O(1).
 [[nodiscard]] std::string foreign_format(std::span<const std::byte> bytes);
 
-/// The same for what is text: JSON, XML.
+/// The same for text: JSON, XML.
 [[nodiscard]] std::string foreign_text(std::string_view text);
 
 }  // namespace lober::detail

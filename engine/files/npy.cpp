@@ -123,7 +123,7 @@ class HeaderParser {
 struct Layout {
   std::size_t points = 0;
   std::size_t item = 8;      ///< bytes of a number
-  bool swap = false;         ///< of the other byte order
+  bool swap = false;         ///< whether the byte order is the other one
   bool interleaved = false;  ///< x y x y ..., otherwise all x, then all y
 };
 

@@ -8,8 +8,8 @@
 namespace lober::detail {
 namespace {
 
-/// Of a literal that is out of the range of double: is it too small rather than too large? True when its
-/// first digit other than zero stands for a power of ten below 1.
+/// Whether a literal out of the range of double is too small rather than too large: true when its first digit other
+/// than zero stands for a power of ten below 1.
 bool too_small(std::string_view literal) {
   const std::size_t exponent_mark = literal.find_first_of("eE");
   const std::string_view digits = literal.substr(0, exponent_mark);

@@ -106,9 +106,9 @@ bool insists_on_raw(const std::string& path) {
 }
 
 std::string implausible_raw(const std::string& path, std::span<const std::byte> bytes) {
-  const std::string or_insist = "; raw float64 pairs it is if its name ends in " + std::string(insisting);
+  const std::string or_insist = "; it is read as raw float64 pairs if its name ends in " + std::string(insisting);
   if (is_smooth_curve(as_float32(bytes))) {
-    return "looks like raw float32 pairs, and float64 pairs are read: " + npy_command(path, "f4") + or_insist;
+    return "looks like raw float32 pairs, but only float64 pairs are read: " + npy_command(path, "f4") + or_insist;
   }
   const auto is_usual = [](const std::array<Column, 2>& xy) {
     return all_finite(xy[0]) && all_finite(xy[1]) && is_ordinary(xy);

@@ -45,7 +45,7 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
   const auto found = std::find_if(file.zones.begin(), file.zones.end(), titled);
   if (found == file.zones.end()) fail("has no zone titled \"" + choice + "\"");
   if (std::find_if(found + 1, file.zones.end(), titled) != file.zones.end()) {
-    fail("has several zones titled \"" + choice + "\", choose one of " + choices(file.path, zones));
+    fail("has several zones titled \"" + choice + "\"; choose one of " + choices(file.path, zones));
   }
   return static_cast<std::size_t>(found - file.zones.begin());
 }
@@ -93,7 +93,7 @@ CurveFile detail::read_curve_bytes(std::string name, std::span<const std::byte> 
       read_npy(bytes, file);
       break;
     case Content::raw:
-      if (bytes.size() % sizeof(Point) == 0) {  // else that is what is wrong
+      if (bytes.size() % sizeof(Point) == 0) {  // else the size is wrong
         if (const std::string why = implausible_raw(file.path, bytes); !why.empty()) {
           throw DataError(file.path + ": " + why);
         }
@@ -132,7 +132,7 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   result.zones = file.zones.size();
   const bool chosen = path.size() != spec.size();
   if (!chosen && result.zones > 1) {
-    throw DataError(path + ": has " + std::to_string(result.zones) + " zones, choose one with " +
+    throw DataError(path + ": has " + std::to_string(result.zones) + " zones; choose one with " +
                     choices(path, result.zones));
   }
   if (chosen) result.zone = choose_zone(file, choice);
@@ -161,7 +161,7 @@ void require_same_columns(const Curve& first, const Curve& second) {
   if (!first.latitude_first || !second.latitude_first || *first.latitude_first == *second.latitude_first) return;
   const bool swapped = *first.latitude_first;
   throw DataError("the columns of " + (swapped ? first : second).name + " are latitude and longitude, those of " +
-                  (swapped ? second : first).name + " longitude and latitude; exchange those of one of them");
+                  (swapped ? second : first).name + " longitude and latitude; exchange the columns of one of them");
 }
 
 }  // namespace lober

@@ -14,7 +14,7 @@ namespace lober::detail {
 /// costs nothing.
 inline constexpr std::size_t default_chunk_size = std::size_t{1} << 18;
 
-/// As `read_curve_file`, with `name` instead of the path and `sha256` left empty. The result does not
+/// Like `read_curve_file`, with `name` instead of the path and `sha256` left empty. The result does not
 /// depend on `chunk_size`; tests cut text into tiny chunks with it.
 [[nodiscard]] CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes,
                                          std::size_t chunk_size = default_chunk_size);

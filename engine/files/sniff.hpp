@@ -1,4 +1,4 @@
-// Which format a file has, from its first bytes.
+// The format of a file, from its first bytes.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Where in a file something is wrong, and the one way to say so.
+// The location of an error in a file, and its one form in messages.
 #pragma once
 
 #include <cstddef>

@@ -20,18 +20,18 @@ namespace lober::detail {
 
 enum class TecplotRecord : std::uint8_t { none, title, variables, zone, ignored };
 
-/// Which record begins on this line, if any. `line` begins with a character other than a blank.
+/// The record that begins on this line, if any. `line` begins with a character other than a blank.
 [[nodiscard]] TecplotRecord tecplot_record(std::string_view line);
 
-/// How many names a VARIABLES line, or a line that continues one, holds.
+/// The number of names in a VARIABLES line, or in a line that continues one.
 [[nodiscard]] std::size_t count_variables(std::string_view line, const SourceLocation& location);
 
-/// What a ZONE record says.
+/// The contents of a ZONE record.
 struct TecplotZone {
   struct Count {
     std::string key;  ///< as in the file, in upper case
     std::size_t points = 0;
-    std::size_t line = 0;  ///< of the file, counted from 1
+    std::size_t line = 0;  ///< line of the file, counted from 1
   };
   std::string title;
   std::vector<Count> counts;

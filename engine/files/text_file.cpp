@@ -132,7 +132,7 @@ class Assembler {
   std::size_t text_left_;  ///< bytes after the last chunk
   std::size_t line_ = 1;   ///< number of the first line of the next chunk
   CurveFile& file_;
-  TecplotZone header_;                               ///< of the last zone
+  TecplotZone header_;                               ///< header of the last zone
   TecplotRecord open_record_ = TecplotRecord::none;  ///< that the next line may continue
   std::size_t implicit_line_ = 1;                    ///< where a zone begins that has no ZONE line
   std::size_t variables_ = 0;

@@ -23,7 +23,7 @@ struct LineError {
   std::string message;
 };
 
-/// What was found in a piece of a file that begins at a line start and ends at a line end.
+/// The findings in a piece of a file that begins at a line start and ends at a line end.
 struct TextChunk {
   std::string_view text;
   std::vector<Point> points;
@@ -39,7 +39,7 @@ struct TextChunk {
 /// Fills the chunk from its `text`.
 void parse_chunk(TextChunk& chunk);
 
-/// Reads one line of any content as a point. Returns what is wrong with it, or an empty string.
+/// Reads one line of any content as a point. Returns the fault of the line, or an empty string.
 [[nodiscard]] std::string parse_point_line(std::string_view line, Point& point);
 
 /// True when some field of the line is a number (nan and inf included): such a line is never a header.

@@ -16,7 +16,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-/// What cannot be read back is not written.
+/// Points that cannot be read back are not written.
 void require_finite(const std::string& path, std::span<const Point> points) {
   if (const std::size_t bad = first_not_finite(points); bad != points.size()) {
     throw DataError(path + ": cannot be written: point " + std::to_string(bad) + " is not a finite number");

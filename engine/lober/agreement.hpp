@@ -43,7 +43,7 @@ struct Agreement {
   }
 };
 
-/// What a caller throws when a result must not pass for a good one; the program does so after it has printed
+/// The error to throw when a result must not pass for a good one; the program throws it after it has printed
 /// everything, and ends with exit status 3.
 class LOBER_API DisagreementError : public Error {
  public:

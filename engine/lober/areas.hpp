@@ -1,4 +1,4 @@
-// The areas that two closed curves make; overlay/ and interior/ compute them independently.
+// The areas of the regions that two closed curves bound; overlay/ and interior/ compute them independently.
 #pragma once
 
 namespace lober {

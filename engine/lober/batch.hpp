@@ -21,21 +21,21 @@ namespace lober {
 struct OperationOption {
   std::string key;                   ///< "parameters.*" stands for a table of any names
   std::string type;                  ///< "true or false", "whole number", "number" or "text"
-  std::string fallback;              ///< what it is when it is not given
-  std::vector<std::string> choices;  ///< of a text; empty: any
-  std::optional<double> min, max;    ///< of a number
+  std::string fallback;              ///< the value when it is not given
+  std::vector<std::string> choices;  ///< the allowed values of a text; empty: any
+  std::optional<double> min, max;    ///< the bounds of a number
   std::string meaning;
 };
 
-/// What a manifest can ask for, and what is stored of it.
+/// An operation that a manifest can ask for, and the parts of its results that are stored.
 struct OperationInfo {
   std::string name, summary;
-  std::size_t min_curves = 0, max_curves = 0;  ///< of a job
+  std::size_t min_curves = 0, max_curves = 0;  ///< numbers of curves that a job can have
   bool open = false;                           ///< curves are open unless the manifest says otherwise
-  std::string view;                            ///< of its results in a store, for SQL
+  std::string view;                            ///< name of the view of its results in a store, for SQL
   std::vector<OperationOption> options;
-  std::vector<std::string> columns;  ///< of the numbers of a result, in SQL and exports
-  std::vector<std::string> lists;    ///< of the lists of numbers of a result
+  std::vector<std::string> columns;  ///< names of the numbers of a result, in SQL and exports
+  std::vector<std::string> lists;    ///< names of the lists of numbers of a result
 };
 
 /// All operations of batches.
@@ -48,9 +48,9 @@ struct Shard {
 
 struct CacheCounts {
   std::uint64_t units_read = 0, curves_indexed = 0;
-  std::uint64_t max_reads = 0;  ///< of one and the same unit
+  std::uint64_t max_reads = 0;  ///< how often one unit was read at most
   std::uint64_t evictions = 0;
-  std::size_t peak_bytes = 0;                    ///< of curves and indexes, and what running jobs may take
+  std::size_t peak_bytes = 0;                    ///< curves, indexes, and the memory that running jobs may take
   double read_seconds = 0, prepare_seconds = 0;  ///< wall time of each reading, added up
 };
 
@@ -59,15 +59,15 @@ struct QueueOptions {
   std::size_t memory = 0;  ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
 };
 
-/// What a run did. Seconds of threads are added up over all threads.
+/// The work of a run. Seconds of threads are added up over all threads.
 struct QueueReport {
-  std::size_t jobs = 0, failed = 0;  ///< that ran
+  std::size_t jobs = 0, failed = 0;  ///< number of jobs that ran, and how many of them failed
   bool stopped = false;              ///< jobs are left, because of `stop`
-  std::uint64_t points = 0;          ///< of the curves of all jobs, each counted as often as it was used
+  std::uint64_t points = 0;          ///< points of the curves of all jobs, a curve counted as often as it was used
   CacheCounts cache;
   double wall_seconds = 0;
-  double operation_seconds = 0;  ///< threads in operations
-  double callback_seconds = 0;   ///< threads in the callback, and waiting for it
+  double operation_seconds = 0;  ///< time of threads in operations
+  double callback_seconds = 0;   ///< time of threads in the callback, and waiting for it
   int threads = 0;
 };
 
@@ -82,9 +82,9 @@ struct BatchOptions {
   std::string store;
   Shard shard;
   QueueOptions queue;
-  /// Called about ten times a second while jobs run, from a thread of its own; return false to stop: what runs is
-  /// finished and stored, if it ends within `patience` seconds, and broken off else. What it throws stops the run too
-  /// and is passed on.
+  /// Called about ten times a second while jobs run, from a thread of its own; return false to stop: jobs that run are
+  /// finished and stored if they end within `patience` seconds, else broken off. An exception that it throws stops the
+  /// run too and is passed on.
   std::function<bool(const QueueProgress&)> progress;
   double patience = 1;
   /// The folder below which jobs write their files, and which names of outputs are relative to; empty: the folder of
@@ -94,11 +94,11 @@ struct BatchOptions {
 
 struct BatchReport {
   QueueReport queue;
-  std::size_t jobs = 0;              ///< of the shard
-  std::size_t finished_before = 0;   ///< of them, found in the store
+  std::size_t jobs = 0;              ///< jobs of the shard
+  std::size_t finished_before = 0;   ///< jobs of the shard whose results were in the store
   std::vector<std::string> damaged;  ///< see StoreSession
   double store_seconds = 0;          ///< processor time of the thread that writes
-  double wall_seconds = 0;           ///< everything
+  double wall_seconds = 0;           ///< wall time of the whole run
 };
 
 /// Runs what the manifest asks for and the store does not have yet. Throws DataError when the manifest or a store
@@ -109,11 +109,11 @@ struct BatchReport {
 [[nodiscard]] LOBER_API BatchReport run_batch(const std::string& manifest, const BatchOptions& options);
 
 enum class ExportFormat : std::uint8_t {
-  csv,         ///< a header line; lists are put into one field, separated by blanks; what is not known is empty
+  csv,         ///< a header line; lists are put into one field, separated by blanks; unknown values are empty
   json_lines,  ///< one object a line; numbers that are not finite are null
-  npy,         ///< a structured array, texts as bytes; no lists; what is not known is NaN, a count -1
+  npy,         ///< a structured array, texts as bytes; no lists; unknown values are NaN, unknown counts -1
 };
-/// By the end of a file's name (.csv, .jsonl, .npy). Throws UsageError for others.
+/// The format that the end of a file's name stands for (.csv, .jsonl, .npy). Throws UsageError for any other end.
 [[nodiscard]] LOBER_API ExportFormat export_format(const std::string& path);
 
 struct ExportCounts {
@@ -122,7 +122,7 @@ struct ExportCounts {
 };
 
 /// Writes the jobs of the store's plan that have a result or have failed, in the order of the plan, numbers in the
-/// shortest form that reads back to the same bits. A damaged result is left out, as one that is not there. CSV and NPY
+/// shortest form that reads back to the same bits. A damaged result is left out, like a missing one. CSV and NPY
 /// hold one operation, which has to be named when the plan has several. The file appears when it is complete; "-" is
 /// standard output. Throws DataError, UsageError.
 LOBER_API ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,

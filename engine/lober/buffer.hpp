@@ -16,18 +16,18 @@ namespace lober {
 
 /// Memory for a large array, aligned to a cache line at least. Throws std::bad_alloc. Thread-safe.
 ///
-/// Blocks of 2 MiB and more that are freed wait for the next large array that needs two thirds of them at least: at
-/// most 512 MiB, and never more than brings the total of blocks to the most that was in use at one time. The system may
-/// take their pages back whenever it is short of memory (MADV_FREE). Under AddressSanitizer and ThreadSanitizer nothing
-/// is kept and all memory comes from the instrumented allocator.
+/// Freed blocks of 2 MiB and more are kept for the next large array that needs at least two thirds of one: at most 512
+/// MiB, and never more than brings the total of blocks to the most that was in use at one time. The system may take
+/// their pages back whenever it is short of memory (MADV_FREE). Under AddressSanitizer and ThreadSanitizer nothing is
+/// kept and all memory comes from the instrumented allocator.
 [[nodiscard]] LOBER_API void* allocate_bulk(std::size_t bytes);
 LOBER_API void free_bulk(void* memory, std::size_t bytes) noexcept;
 
-/// Gives all memory that only waits for the next array back to the system: for a program that is done with large
-/// curves and goes on.
+/// Gives all memory that is only kept for the next array back to the system: for a program that goes on after its work
+/// on large curves.
 LOBER_API void release_bulk_memory() noexcept;
 
-/// Types whose arrays are left as the memory is, although their default constructor would fill them: at a thousand
+/// Types whose arrays stay uninitialised, although their default constructor would fill them: at a thousand
 /// million points that took most of a minute, on one thread, and nothing could interrupt it.
 template <typename T>
 inline constexpr bool left_unfilled = std::is_same_v<T, Point>;

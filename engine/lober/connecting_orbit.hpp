@@ -1,4 +1,4 @@
-// Orbits that lead from one saddle to another (or back to the same), to the last digit, and their actions.
+// Orbits that lead from one saddle to another (or back to the same one), accurate to the last digit, and their actions.
 //
 // A crossing of two grown manifolds is only as good as their polygons. The orbit through it is known to rounding: it is
 // F^a(P_u(sigma)) = F^-c(P_s(tau)), two equations for two numbers. Its action W is the sum of L along it
@@ -39,13 +39,13 @@ struct MovingPoint {
                                                      Position position);
 
 struct ConnectingOrbit {
-  Point at;               ///< its point nearest to the guess
-  ManifoldPosition u, s;  ///< of that point on both manifolds
+  Point at;               ///< the point of the orbit nearest to the guess
+  ManifoldPosition u, s;  ///< positions of that point on both manifolds
   double residual = 0;    ///< distance of the two expressions for `at`
-  /// Sum over the orbit of L less that at the saddle it comes from (before `at`) or goes to (from `at` on); nothing
-  /// when the map has no action.
+  /// The sum of L over the orbit, each term less L at the saddle that the orbit comes from (before `at`) or goes to
+  /// (from `at` on); nothing when the map has no action.
   std::optional<long double> action;
-  /// Estimate of its error: what PlanarMap::action_accuracy makes of every step.
+  /// Estimate of the error of `action`, from PlanarMap::action_accuracy for every step.
   double action_error = 0;
 };
 

@@ -20,8 +20,8 @@ struct SearchCounts {
 };
 
 struct PredicateCounts {
-  std::uint64_t filter_failures = 0;  ///< the filter could not decide
-  std::uint64_t exact_calls = 0;      ///< ... and neither could an exact product of exact differences
+  std::uint64_t filter_failures = 0;  ///< calls that the filter could not decide
+  std::uint64_t exact_calls = 0;      ///< those that an exact product of exact differences could not decide either
   PredicateCounts& operator+=(const PredicateCounts& other) {
     filter_failures += other.filter_failures;
     exact_calls += other.exact_calls;

@@ -53,7 +53,7 @@ class Crossings {
   [[nodiscard]] LOBER_API Node operator[](std::size_t node) const;
   /// Node numbers in order along C2, from its first vertex on.
   [[nodiscard]] LOBER_API std::span<const std::uint32_t> order2() const&;
-  [[nodiscard]] std::span<const std::uint32_t> order2() const&& = delete;  // a view of what goes with the result
+  [[nodiscard]] std::span<const std::uint32_t> order2() const&& = delete;  // a view of data that goes with the result
   /// The index of a node in order2().
   [[nodiscard]] LOBER_API std::uint32_t rank2(std::size_t node) const;
   [[nodiscard]] LOBER_API int rho(std::size_t node) const;
@@ -61,7 +61,7 @@ class Crossings {
   [[nodiscard]] LOBER_API std::size_t touches() const;      ///< points with rho == 0
   [[nodiscard]] LOBER_API std::size_t shared_arcs() const;  ///< arcs; 1 when the curves are one and the same
   [[nodiscard]] LOBER_API bool same_curve() const;
-  [[nodiscard]] LOBER_API const ContactCounts& counts() const&;  ///< of the search
+  [[nodiscard]] LOBER_API const ContactCounts& counts() const&;  ///< counts of the search
   [[nodiscard]] ContactCounts counts() const&& { return counts(); }
   [[nodiscard]] LOBER_API const CurveView& curve1() const&;
   [[nodiscard]] const CurveView& curve1() const&& = delete;
@@ -91,13 +91,13 @@ struct CommonPoint {
   Point at;                               ///< rounded to double; exact at a vertex
   bool vertex1 = false, vertex2 = false;  ///< at the vertex where the segment begins
 };
-/// All of them, in order along the first; of an arc that both share its vertices, of which long common runs count once.
-/// Curves may be open or closed, and cross themselves. The last vertex of an open curve is not looked at. The search of
-/// overlay.
+/// All common points, in order along the first curve. A shared arc gives its vertices; a long common run counts once.
+/// Curves may be open or closed, and cross themselves. The last vertex of an open curve is not looked at. Uses the
+/// search of overlay.
 [[nodiscard]] LOBER_API std::vector<CommonPoint> common_points(const IndexedCurve& first, const IndexedCurve& second);
 
-/// Pairs of segments that meet where a simple curve's do not, in curve order: the first `most` of each block of the
-/// search, and no more than that in all. The cost of require_simple, and where there are none what it took.
+/// Pairs of segments that meet where those of a simple curve do not, in curve order: the first `most` of each block of
+/// the search, and at most `most` in all. Costs what require_simple costs; without such pairs `check` is its result.
 struct SelfMeetings {
   std::vector<SegmentPair> pairs;
   SimpleCheck check;

@@ -52,7 +52,7 @@ class CurvePoints {
   [[nodiscard]] std::span<const Point> points() const&& = delete;  // they may go with the curve
   [[nodiscard]] std::size_t size() const noexcept { return points_.size(); }
   [[nodiscard]] bool empty() const noexcept { return points_.empty(); }
-  /// What keeps the points alive; null when they are borrowed.
+  /// The owner that keeps the points alive; null when they are borrowed.
   [[nodiscard]] const std::shared_ptr<const void>& owner() const noexcept { return owner_; }
 
  protected:
@@ -103,7 +103,7 @@ class ClosedCurve : public detail::CurvePoints {
       : CurvePoints(std::move(kept.first), kept.second) {}
 };
 
-/// An open curve, such as a manifold: an ordered list of points joined by segments. As ClosedCurve otherwise.
+/// An open curve, such as a manifold: an ordered list of points joined by segments. Otherwise like ClosedCurve.
 class OpenCurve : public detail::CurvePoints {
  public:
   OpenCurve() = default;
@@ -122,12 +122,12 @@ class OpenCurve : public detail::CurvePoints {
       : CurvePoints(std::move(kept.first), kept.second) {}
 };
 
-/// A curve from a file, before it is said which kind it is. `name` is the zone title or the file it came from.
+/// A curve from a file, before its kind is known. `name` is the zone title or the file it came from.
 struct Curve {
   std::vector<Point> points;
   bool closed = true;
   std::string name;
-  std::optional<bool> latitude_first{};  ///< of columns that a file names as latitude and longitude
+  std::optional<bool> latitude_first{};  ///< set where a file names its columns as latitude and longitude
 
   operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)

@@ -39,9 +39,9 @@ inline constexpr std::array<Interpolation, 3> all_interpolations{Interpolation::
 struct Criteria {
   static constexpr double off = std::numeric_limits<double>::infinity();
   double max_length = off;      ///< tau: d <= tau
-  double angle = off;           ///< alpha <= this at every vertex
-  double distance_angle = off;  ///< d alpha <= this for a segment and the angles at its two ends
-  /// delta: a segment is not cut into parts shorter than this. Must be positive where an angle criterion is set,
+  double angle = off;           ///< alpha <= this bound at every vertex
+  double distance_angle = off;  ///< d alpha <= this bound for a segment and the angles at its two ends
+  /// delta: a segment is not cut into parts shorter than this. It must be positive where an angle criterion is set,
   /// because a corner stays one at any length; below 2^-50 of the largest coordinate it has no effect.
   double min_length = 0;
 };
@@ -69,12 +69,12 @@ struct Diagnostic {
   friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
-/// A curve of many points, with what could not be done.
+/// A curve of many points, with the criteria that could not be met.
 struct DensifiedCurve {
   Buffer<Point> points;
   bool closed = true;
   std::vector<Diagnostic> diagnostics;  ///< in order along the curve
-  std::uint32_t rounds = 0;             ///< in which points were inserted or removed
+  std::uint32_t rounds = 0;             ///< number of rounds in which points were inserted or removed
 
   operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)
@@ -82,12 +82,12 @@ struct DensifiedCurve {
 
 struct DensifyOptions {
   Interpolation interpolation = Interpolation::linear;
-  std::size_t max_points = 100'000'000;  ///< of the result; the last round is trimmed evenly to what fits
+  std::size_t max_points = 100'000'000;  ///< points of the result at most; the last round is trimmed evenly to fit
   std::uint32_t max_rounds = 32;
 };
 
-/// Cuts every segment into equal parts (of its parameter) until the criteria hold, as few as are needed to a factor
-/// that the unevenness of the segment's own curve decides. Linear interpolation takes one round; cubics are estimated
+/// Cuts every segment into equal parts (of its parameter) until the criteria hold: as few as needed, up to a factor
+/// that depends on how uneven the segment's own curve is. Linear interpolation takes one round; cubics are estimated
 /// first, then judged on the points themselves and refined where they fail. Throws UsageError for criteria or options
 /// that make no sense, among them `angle` with linear interpolation, which turns no corner; DataError as `validate`
 /// does. O(points of the result) a round.
@@ -100,21 +100,21 @@ struct NearOptions {
   int passes = 1;
   int points = 10;  ///< inserted into a segment in each pass
   Interpolation interpolation = Interpolation::linear;
-  std::size_t max_points = 100'000'000;  ///< of the result; DataError beyond
+  std::size_t max_points = 100'000'000;  ///< points of the result at most; DataError beyond
 };
 
 /// Passes near the intersections with another curve (Naik, Lekien & Ross 2017, section 4; -DENS of Lober 1.8): each
-/// pass puts `points` points, equally spaced, into every segment that meets the other curve, and the next pass does so
-/// in those of its parts that do. After all passes an intersection lies in a part of (points + 1)^-passes of a segment.
+/// pass puts `points` equally spaced points into every segment that meets the other curve; the next pass does the same
+/// in the parts that meet it. After all passes an intersection lies in a part of (points + 1)^-passes of a segment.
 /// Segments are taken without their last vertex, so an intersection at a vertex refines the segment after it; arcs that
 /// both curves share vertex by vertex are refined at their beginning only. Either curve may be open or cross itself.
-/// Linear interpolation keeps the intersections where they are; for the others each pass finds those of the curve as it
-/// has become. Throws UsageError, DataError (too many points). O(N + M + intersections * passes * points) and the
-/// search.
+/// Linear interpolation keeps the intersections where they are; with any other interpolation each pass finds the
+/// intersections of the new curve. Throws UsageError, DataError (too many points). O(N + M + intersections * passes *
+/// points) and the search.
 [[nodiscard]] LOBER_API DensifiedCurve densify_near(CurveView curve, CurveView other, const NearOptions& options);
 
 /// The two curves with a vertex at each point where they meet and had none, the same bits in both: a crossing is
-/// rounded to double, a vertex of one curve that lies on the other is taken as it is. In exact order along each
+/// rounded to double, a vertex of one curve that lies on the other is taken as it is. The order is exact along each
 /// segment; an open curve's last vertex counts. Either curve may cross itself, but not along an arc shared with the
 /// other.
 [[nodiscard]] LOBER_API std::array<DensifiedCurve, 2> insert_crossings(CurveView first, CurveView second);
@@ -129,14 +129,14 @@ LOBER_API void parameters_near(std::span<const double> meetings, int passes, int
 
 struct SimplifyOptions {
   double tolerance = 0;               ///< how far a removed vertex may lie from the curve that remains
-  double max_length = Criteria::off;  ///< no segment longer than this comes into being
+  double max_length = Criteria::off;  ///< no new segment is longer than this
 };
 
 /// Removes vertices where the curve is over-resolved. No vertex given lies farther than `tolerance` from the segment
 /// that spans it (to rounding). Works in rounds, each of which removes no two neighbours; a segment carries a bound for
-/// what was removed in it, so that rounds do not add up to more than the tolerance. The ends of an open curve stay; of
-/// a closed one the first vertex, the one farthest from it, and the one farthest from the line through these. O(N),
-/// parallel. Throws UsageError, DataError.
+/// what was removed in it, so that rounds do not add up to more than the tolerance. These stay: the ends of an open
+/// curve; of a closed one the first vertex, the one farthest from it, and the one farthest from the line through these
+/// two. O(N), parallel. Throws UsageError, DataError.
 [[nodiscard]] LOBER_API DensifiedCurve simplify(CurveView curve, const SimplifyOptions& options);
 
 }  // namespace lober

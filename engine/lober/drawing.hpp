@@ -1,5 +1,5 @@
 // Curves and lobes for pictures: fewer points that look the same, cells that are drawn on once, points and lobes on a
-// grid, places for labels.
+// grid, positions for labels.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,8 @@ class Coverage {
  public:
   LOBER_API Coverage(double width, double height, double cell);
 
-  /// Marks the cells on the segment; whether any of them is new. At most one step of a cell's size a cell.
+  /// Marks the cells on the segment and returns whether any of them is new. Takes steps of a cell's size, at most one a
+  /// cell.
   LOBER_API bool mark(Point a, Point b);
 
  private:
@@ -42,7 +43,7 @@ class Coverage {
 };
 
 /// Free space of a frame from (0, 0) on, on square cells. Lines are kept clear as far as there is room; labels and
-/// what is blocked always.
+/// blocked rectangles always are.
 class LabelLayout {
  public:
   /// All lengths in pixels.
@@ -62,10 +63,10 @@ class LabelLayout {
   };
   [[nodiscard]] LOBER_API std::optional<FreePlace> roomiest(std::span<const Point> polygon, double flat = 1) const;
 
-  /// The box of a label of this size about `at`, or, where that covers lines, as near as can be; blocked from now on.
-  /// None where no place in the frame is free of other labels within `reach`.
+  /// The box of a label of this size about `at`, or, where that covers lines, as near as possible; the box is blocked
+  /// from now on. None where no position in the frame is free of other labels within `reach`.
   [[nodiscard]] LOBER_API std::optional<Rectangle> put_about(Point at, double width, double height, double reach = 150);
-  /// The same beside a dot of `radius`.
+  /// The box of a label beside a dot of `radius`, otherwise the same.
   [[nodiscard]] LOBER_API std::optional<Rectangle> put_beside(Point at, double radius, double width, double height,
                                                               double reach = 150);
 
@@ -81,7 +82,7 @@ class LabelLayout {
 };
 
 /// Which lobe the centre of each cell lies in: k + 1 for lobe k on the left of its arcs, -(k + 1) on their right, 0 for
-/// none. Where lobes overlap the first one counts. A centre on the outline of a lobe lies not in it.
+/// none. Where lobes overlap the first one counts. A centre on the outline of a lobe does not lie in it.
 struct LobeRaster {
   static constexpr std::size_t side = 100;  ///< cells along x and along y
   Rectangle window;                         ///< fits the lobes, or the manifolds if there are none

@@ -16,7 +16,7 @@ class ElementIterator {
   using value_type = decltype(std::declval<const Range&>()[0]);
   using difference_type = std::ptrdiff_t;
   using iterator_concept = std::random_access_iterator_tag;
-  using iterator_category = std::input_iterator_tag;  // of C++17, where only references make more of it
+  using iterator_category = std::input_iterator_tag;  // in C++17 a stronger category needs references
 
   ElementIterator() = default;
   ElementIterator(const Range& range, std::size_t at) : range_(&range), at_(static_cast<difference_type>(at)) {}

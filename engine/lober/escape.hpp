@@ -1,15 +1,15 @@
-// Escape from a potential well through bottlenecks: the fraction of what enters by one that leaves by another, and
-// when.
+// Escape from a potential well through bottlenecks: the fraction of the trajectories entering by one that leave by
+// another, and when.
 //
-// The well lies between the periodic orbits of its bottlenecks. What enters by bottleneck i crosses the section first
-// inside a closed curve E_i, cut from the orbit's unstable tube; what is about to leave by bottleneck j crosses it last
-// inside X_j, cut from the stable tube. With f the map to the next crossing, in either direction,
+// The well lies between the periodic orbits of its bottlenecks. Trajectories that enter by bottleneck i cross the
+// section first inside a closed curve E_i, cut from the orbit's unstable tube; those about to leave by bottleneck j
+// cross it last inside X_j, cut from the stable tube. With f the map to the next crossing, in either direction,
 //
 //   F_ij(m) = area(f^m(E_i) n X_j) / area(E_i) = area(f^a(E_i) n f^-b(X_j)) / area(E_i),   a + b = m,
 //
 // since f preserves area (in the conjugate pair of the section's chart) and energy is the same for all. Everything in
 // E_i is equally likely. f^a(E_i) is a closed curve as long as f^k(E_i), k < a, meets no exit; then part of it is gone
-// and the image of the rest is cut: its ends wind about E_j without end. Splits are chosen such that both curves are
+// and the image of the rest is cut: its ends wind about E_j without end. Splits are chosen so that both curves are
 // whole. No symmetry is assumed or used.
 //
 //   const lober::System system = lober::make_system("capsize");
@@ -33,9 +33,9 @@ namespace lober {
 struct Escape;
 
 struct EscapeProgress {
-  std::string what;     ///< what is being done
-  double fraction = 0;  ///< of the whole work, as far as it can be predicted
-  int images = 0;       ///< the number of the images that are being made, of options.crossings + 1
+  std::string what;     ///< the step that is being done
+  double fraction = 0;  ///< fraction of the whole work, as far as it can be predicted
+  int images = 0;       ///< number of the images that are being made, out of options.crossings + 1
 };
 
 enum class EscapeStop : std::uint8_t {
@@ -49,10 +49,10 @@ enum class EscapeStop : std::uint8_t {
 
 struct EscapeOptions {
   int crossings = 4;        ///< n goes up to this
-  double tolerance = 1e-6;  ///< of curves, in units of the square root of the area of the smallest E_i
-  double strip = 1e-6;      ///< what is cut off where an image is cut, relative to that area (cut_images.hpp)
+  double tolerance = 1e-6;  ///< tolerance of curves, in units of the square root of the area of the smallest E_i
+  double strip = 1e-6;      ///< area cut off where an image is cut, in units of the smallest E_i (cut_images.hpp)
   IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
-  /// Of one curve. The table ends before an image that is expected to need more, or turns out to.
+  /// Points of one curve. The table ends before an image that is expected to need more, or turns out to.
   std::size_t max_points = 2'000'000;
   /// Work that all curves may take, in evaluations of the vector field (PlanarMap::work); a point where cut curves
   /// cross counts as fifty of these. The table ends before images that are expected to need more, and where curves turn
@@ -72,11 +72,11 @@ struct EscapeOptions {
 /// A bottleneck and its curves on the section.
 struct Bottleneck {
   PeriodicOrbit orbit;
-  Branch entry_branch = Branch::plus, exit_branch = Branch::plus;  ///< of the tubes, towards the section
-  double multiplier = 0;         ///< of the local manifold of the unstable tube: that of the orbit, found otherwise
-  double defect_across = 0;      ///< of both local manifolds, the larger one
-  double area = 0;               ///< of E and X, by action
-  double area_error = 0;         ///< error bar of that
+  Branch entry_branch = Branch::plus, exit_branch = Branch::plus;  ///< branches of the tubes, towards the section
+  double multiplier = 0;         ///< multiplier of the orbit by the local manifold of its unstable tube
+  double defect_across = 0;      ///< the larger defect of both local manifolds
+  double area = 0;               ///< area of E and X, by action
+  double area_error = 0;         ///< error bar of `area`
   std::vector<TubeCurve> entry;  ///< E, f(E), f^2(E), ...
   std::vector<TubeCurve> exit;   ///< X, f^-1(X), ...
   /// The largest |area of a curve / `area` - 1|, complete curves only.
@@ -85,13 +85,13 @@ struct Bottleneck {
 
 struct EscapeFraction {
   std::size_t entry = 0, exit = 0;  ///< numbers of bottlenecks
-  int crossings = 0;                ///< n: of the section in its direction, until the bottleneck
-  int iterates = 0;                 ///< m: of f, from E to X
+  int crossings = 0;                ///< n: crossings of the section in its direction, until the bottleneck
+  int iterates = 0;                 ///< m: iterates of f, from E to X
   double fraction = std::numeric_limits<double>::quiet_NaN();  ///< F; NaN where no split has whole curves
   double error = std::numeric_limits<double>::quiet_NaN();     ///< estimate: discretisation, and the defect of areas
   int forward = 0, backward = 0;                               ///< a, b
-  bool cut = false;                                            ///< part of one of the two had left already
-  /// The same from another split; NaN if there is none.
+  bool cut = false;                                            ///< part of one of the two curves had left already
+  /// The fraction from another split; NaN if there is none.
   double other = std::numeric_limits<double>::quiet_NaN();
   double other_error = std::numeric_limits<double>::quiet_NaN();
   int other_forward = 0, other_backward = 0;
@@ -101,26 +101,26 @@ struct EscapeFraction {
 struct Escape {
   double energy = 0;
   Section section;                      ///< its direction is the one that n counts
-  std::vector<Bottleneck> bottlenecks;  ///< by their saddle's coordinate across the section, ascending
-  /// Saddles of rank 1 below the energy that are no bottleneck here, of a search from a grid about the bottlenecks:
-  /// what leaves the well by these counts as not left.
+  std::vector<Bottleneck> bottlenecks;  ///< ordered by their saddle's coordinate across the section, ascending
+  /// Saddles of rank 1 below the energy that are not bottlenecks here, from a search on a grid about the bottlenecks:
+  /// trajectories that leave the well by these count as not left.
   std::vector<SaddlePoint> also_open;
-  std::vector<EscapeFraction> table;    ///< by entry, exit, m; 1 <= n <= options.crossings
+  std::vector<EscapeFraction> table;    ///< ordered by entry, exit, m; 1 <= n <= options.crossings
   int crossings = 0;                    ///< n up to which the table goes
   EscapeStop stop = EscapeStop::done;   ///< why it does not go further
-  double points_ahead = 0;              ///< where it stopped: points that the next image was expected to need
-  double work_spent = 0;                ///< and the work of all so far
-  double work_ahead = 0;                ///< and of all the next images, as expected; 0: they were broken off
-  double seconds_spent = 0;             ///< and the seconds by the clock of all so far
-  double seconds_ahead = 0;             ///< and of all the next images, as expected; 0: they were broken off
-  double largest_split_difference = 0;  ///< |fraction - other|
+  double points_ahead = 0;              ///< points that the next image was expected to need where it stopped
+  double work_spent = 0;                ///< work of all images so far
+  double work_ahead = 0;                ///< expected work of the next images; 0: they were broken off
+  double seconds_spent = 0;             ///< seconds by the clock of all images so far
+  double seconds_ahead = 0;             ///< expected seconds of the next images; 0: they were broken off
+  double largest_split_difference = 0;  ///< the largest |fraction - other|
   /// Areas of the tubes' curves by their points and by action; fractions by two splits; fractions that symmetries of
   /// the well make equal.
   Agreement agreement;
 };
 
 /// Orbits and first curves only: each Bottleneck has one curve E and one X. Here the section may count one direction
-/// or both (direction 0), and be bounded. Errors as for `escape`.
+/// or both (direction 0), and be bounded. Throws as `escape` does.
 [[nodiscard]] LOBER_API std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, double energy,
                                                             std::span<const FlowState> saddles,
                                                             const EscapeOptions& options = {});
@@ -140,14 +140,15 @@ struct Escape {
 /// The area of each complete curve by its points and by action.
 LOBER_API void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement& agreement);
 
-/// The fractions of one entry, summed up to n crossings: what has left by each exit, and what has not.
+/// The fractions of one entry, summed up to n crossings: the fraction that has left by each exit, and the fraction that
+/// has not.
 struct Survival {
   int crossings = 0;
-  std::vector<double> left;  ///< by exit
+  std::vector<double> left;  ///< fraction by each exit
   double remains = 1;  ///< 1 - sum of left; where Escape::also_open lists saddles, part of it may have left by them
   double error = 0;    ///< sum of the error bars
 };
-/// n = 1, 2, ... as far as all fractions are known.
+/// The survival for n = 1, 2, ... as far as all fractions are known.
 [[nodiscard]] LOBER_API std::vector<Survival> survival(const Escape& result, std::size_t entry);
 
 }  // namespace lober

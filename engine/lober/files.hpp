@@ -32,7 +32,7 @@ struct Zone {
 struct CurveFile {
   std::string path;
   Format format = Format::text;
-  std::string sha256;  ///< of the whole file, lower-case hexadecimal
+  std::string sha256;  ///< hash of the whole file, lower-case hexadecimal
   std::vector<Zone> zones;
   std::string header;  ///< names of columns, as the first line of a text file or the variables of a Tecplot file
 };
@@ -45,7 +45,7 @@ struct ReadOptions {
 /// read into memory and text is parsed in parallel. Throws DataError "path:line: what is wrong" for a file that
 /// is missing, unreadable, empty, has a zone without points, a line that is not two finite numbers, a column
 /// count other than two, a declared count (I=, N=) that contradicts the points, or a truncated binary file.
-/// What has no lines (a missing file, a binary one) is named by "path: what is wrong". A pipe is read to its
+/// Where a file has no lines (it is missing or binary), the message is "path: what is wrong". A pipe is read to its
 /// end;
 /// "-" is standard input.
 [[nodiscard]] LOBER_API CurveFile read_curve_file(const std::string& path, const ReadOptions& options = {});
@@ -55,10 +55,10 @@ struct ReadOptions {
 struct NamedCurve {
   Curve curve;
   std::string file;    ///< the path without the zone
-  std::string sha256;  ///< of the whole file
+  std::string sha256;  ///< hash of the whole file
   std::size_t zone = 0;
-  std::size_t zones = 1;  ///< how many the file has
-  /// On how a curve was closed, or that it consists of longitudes and latitudes; empty nearly always.
+  std::size_t zones = 1;  ///< number of zones of the file
+  /// Says how a curve was closed, or that it consists of longitudes and latitudes; nearly always empty.
   std::string remark;
 };
 
@@ -68,7 +68,7 @@ struct NamedCurve {
 
 /// Whether a file names its columns as latitude and longitude, in that order; nothing where it names neither.
 [[nodiscard]] LOBER_API std::optional<bool> latitude_first(const CurveFile& file);
-/// Throws DataError when the one curve has columns of latitude and longitude and the other of longitude and latitude.
+/// Throws DataError when one curve has columns of latitude and longitude and the other of longitude and latitude.
 LOBER_API void require_same_columns(const Curve& first, const Curve& second);
 
 /// The number of points of a file: exact for NPY and raw float64; for text an estimate from the length of its first
@@ -77,11 +77,11 @@ LOBER_API void require_same_columns(const Curve& first, const Curve& second);
 
 /// Writers. Numbers are written in the shortest form that reads back to the same bits. The file appears under
 /// its name only when it is complete (written beside it, then renamed); on failure an existing file is left
-/// as it was. What is not a regular file (a pipe, /dev/stdout, "-" for standard output) is written straight
-/// through. Throw DataError when the file cannot be written or a coordinate is not finite.
+/// as it was. A path that is not a regular file (a pipe, /dev/stdout, "-" for standard output) is written directly.
+/// They throw DataError when the file cannot be written or a coordinate is not finite.
 ///
-/// Raw float64 bears no mark: coordinates whose bytes all happen to be printable characters would be read as
-/// text. Numbers of few digits never are, their low bytes being zero.
+/// Raw float64 has no signature: coordinates whose bytes all happen to be printable characters would be read as
+/// text. Numbers of few digits never are, because their low bytes are zero.
 ///
 /// A single zone without a title needs no ZONE line in a Tecplot file.
 enum class ZoneLines : std::uint8_t { where_needed, always };
@@ -91,16 +91,16 @@ LOBER_API void write_text(const std::string& path, std::span<const Point> points
 LOBER_API void write_npy(const std::string& path, std::span<const Point> points);
 LOBER_API void write_raw(const std::string& path, std::span<const Point> points);
 
-/// Writes `content` the same way: complete under its name, or not at all.
+/// Writes `content` in the same way: complete under its name, or not at all.
 LOBER_API void write_file(const std::string& path, std::string_view content);
 
 /// SHA-256 (FIPS 180-4) of bytes in memory, lower-case hexadecimal.
 [[nodiscard]] LOBER_API std::string sha256(std::span<const std::byte> bytes);
-/// The same of a regular file, of which a mebibyte is in memory at a time. Throws DataError "path: reason", also for a
+/// SHA-256 of a regular file, one mebibyte of which is in memory at a time. Throws DataError "path: reason", also for a
 /// file that changes meanwhile.
 [[nodiscard]] LOBER_API std::string sha256_of_file(const std::string& path);
 
-/// Whether a file is to the letter what `write_npy` writes for a curve: not a table, nor an array of another shape.
+/// Whether a file has the form that `write_npy` gives a curve, byte for byte, not a table or an array of another shape.
 /// O(1).
 [[nodiscard]] LOBER_API bool is_curve_in_npy(const std::string& path);
 

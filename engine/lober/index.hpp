@@ -1,4 +1,4 @@
-// Curves with a spatial index, which pays for curves that occur in many pairs.
+// Curves with a spatial index, which saves time for curves that occur in many pairs.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace lober {
 
-/// Which index prunes the pairs of segments. Results do not depend on it, time does.
+/// Which index prunes the pairs of segments. Results do not depend on it, the time does.
 enum class IndexKind : std::uint8_t { automatic, tree, grid, kd };
 inline constexpr std::array<IndexKind, 4> all_index_kinds{IndexKind::automatic, IndexKind::tree, IndexKind::grid,
                                                           IndexKind::kd};
@@ -30,13 +30,13 @@ class IndexedCurve {
  public:
   LOBER_API explicit IndexedCurve(const ClosedCurve& curve);
   LOBER_API explicit IndexedCurve(const OpenCurve& curve);
-  /// Of points that somebody else keeps. A temporary that owns its points does not convert to the view.
+  /// Indexes points that somebody else keeps. A temporary that owns its points does not convert to the view.
   LOBER_API explicit IndexedCurve(CurveView curve);
 
   [[nodiscard]] const CurveView& view() const& { return view_; }
   [[nodiscard]] const CurveView& view() const&& = delete;  // the points may go with the curve
   [[nodiscard]] std::size_t segments() const { return view_.segments(); }
-  /// False when some coordinate is not finite, or so large that products overflow: then `validate` says which.
+  /// False when some coordinate is not finite, or so large that products overflow: then `validate` says which one.
   [[nodiscard]] LOBER_API bool finite() const;
   [[nodiscard]] LOBER_API std::size_t memory() const;  ///< bytes of the index
   [[nodiscard]] const std::shared_ptr<const void>& owner() const { return owner_; }
@@ -48,8 +48,8 @@ class IndexedCurve {
   std::shared_ptr<const detail::BoxTree> tree_;
 };
 
-/// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. About log N:
-/// whole subtrees count by their end points.
+/// Whether `point` lies inside the closed curve (even-odd rule); the point must not lie on it. Exact. Takes about log
+/// N: whole subtrees count by their end points.
 [[nodiscard]] LOBER_API bool contains(const IndexedCurve& curve, Point point);
 
 }  // namespace lober

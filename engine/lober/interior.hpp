@@ -1,4 +1,4 @@
-// The interior function of a closed curve, and the areas that two curves make by way of it (Naik, Lekien & Ross 2017,
+// The interior function of a closed curve, and the areas of two curves computed from it (Naik, Lekien & Ross 2017,
 // section 4).
 //
 //   J(z) = Im of the integral of dz' / (z' - z) along the curve = 2 pi times the winding number of the curve about z.
@@ -39,10 +39,10 @@ struct Winding {
 /// The winding number of a closed curve of any shape, self-intersecting or not, about a point, which must be finite.
 /// Exact. Throws UsageError for an open curve, as everything that follows does. A ray to the right is followed through
 /// the box tree: a box that it misses is skipped, one that lies wholly to the right of the point counts by the heights
-/// of its two ends. About log N for a curve whose boxes overlap little.
+/// of its two ends. Takes about log N for a curve whose boxes overlap little.
 [[nodiscard]] LOBER_API Winding winding(const IndexedCurve& curve, Point point);
 
-/// The same for many points, in parallel; the same for any number of threads.
+/// The winding numbers about many points, in parallel; the same for any number of threads.
 [[nodiscard]] LOBER_API std::vector<Winding> windings(const IndexedCurve& curve, std::span<const Point> points);
 
 /// J at a point.
@@ -53,12 +53,12 @@ struct InteriorValue {
 };
 
 /// J by way of the box tree: an arc whose box excludes the point contributes the angle between its two ends as seen
-/// from there, which is right because a box is convex, and so do neighbouring ones on one side of the point together.
-/// Angles near half a turn get their sign from an exact predicate, so J / 2 pi is the winding number up to the rounding
-/// of these few angles (each right to about 2^-51). About log N. docs/conventions.md, section 5.
+/// from there, which is right because a box is convex; so do neighbouring arcs together that lie on one side of the
+/// point. Angles near half a turn get their sign from an exact predicate, so J / 2 pi is the winding number up to the
+/// rounding of these few angles (each right to about 2^-51). About log N. docs/conventions.md, section 5.
 [[nodiscard]] LOBER_API InteriorValue interior_function(const IndexedCurve& curve, Point point);
 
-/// The same for many points, in parallel; the same bits for any number of threads.
+/// J at many points, in parallel; the same bits for any number of threads.
 [[nodiscard]] LOBER_API std::vector<InteriorValue> interior_function(const IndexedCurve& curve,
                                                                      std::span<const Point> points);
 
@@ -72,14 +72,14 @@ struct InteriorValue {
 /// Where a point lies with respect to the region of a simple closed curve.
 enum class Side : std::uint8_t { outside, on, inside };
 
-/// The label of one point, by its winding number: not zero is inside. Exact, about log N.
+/// The label of one point, by its winding number: the point is inside when that is not zero. Exact, about log N.
 [[nodiscard]] LOBER_API Side locate(const IndexedCurve& curve, Point point);
 
 /// The label of each point, by a query for each. Parallel.
 [[nodiscard]] LOBER_API Buffer<Side> label_points(const IndexedCurve& curve, std::span<const Point> points);
 
-/// The label of each vertex of curve `curve` (1 or 2) with respect to the other one. Sides change at nodes only, and
-/// there the order of the half-edges says to what; nothing is searched. Agrees with `label_points`. O(N), of which one
+/// The label of each vertex of curve `curve` (1 or 2) with respect to the other one. Sides change at nodes only, where
+/// the order of the half-edges gives the new side; nothing is searched. Agrees with `label_points`. O(N), with one
 /// point query, O(N), when there is no node.
 [[nodiscard]] LOBER_API Buffer<Side> label_vertices(const Crossings& nodes, int curve);
 
@@ -89,7 +89,7 @@ struct SideChange {
   Position at;
   bool at_vertex;  ///< `at` is the first vertex of its segment
   Point point;
-  Side side;  ///< of the boundary arc that follows
+  Side side;  ///< side of the boundary arc that follows
 };
 
 /// The changes of side of curve `curve` (1 or 2) in order along it, from its first vertex on, in the direction of the
@@ -109,7 +109,7 @@ struct LabelledPoint {
 };
 
 /// Curve `curve` (1 or 2) from its first vertex on, with the points where it meets the other one and the inserted ones.
-/// Throws DataError when that makes more than InteriorOptions::max_points. O(N + points inserted).
+/// Throws DataError when there would be more than InteriorOptions::max_points. O(N + points inserted).
 [[nodiscard]] LOBER_API std::vector<LabelledPoint> labelled_points(const Crossings& nodes, int curve,
                                                                    const EndsDensification& densification = {});
 
@@ -128,11 +128,11 @@ inline constexpr std::array<InteriorMethod, 2> all_interior_methods{InteriorMeth
 struct InteriorOptions {
   InteriorMethod method = InteriorMethod::split;
   /// For `ends`, the option -DENS <passes> <points>: each pass divides the segments whose ends have different labels
-  /// by `points` equally spaced points, the next one what is left of them, until neighbours are 2^-52 of the segment
-  /// apart. Nothing is inserted if either is 0.
+  /// by `points` equally spaced points, the next one the parts whose ends still differ, until neighbours are 2^-52 of
+  /// the segment apart. Nothing is inserted if either is 0.
   int passes = 0;
   int points = 0;
-  std::size_t max_points = 100'000'000;  ///< of one curve with what is inserted; DataError beyond
+  std::size_t max_points = 100'000'000;  ///< points of one curve and its inserted ones at most; DataError beyond
   IndexKind index = IndexKind::automatic;
   bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
   Progress progress{};       ///< called with the fraction done, between phases
@@ -140,12 +140,12 @@ struct InteriorOptions {
 
 struct InteriorStatistics {
   IndexKind index = IndexKind::tree;     ///< the one that was used
-  ContactCounts counts;                  ///< of the search of C1 against C2
-  SearchCounts check_simple;             ///< of the searches of each curve against itself
-  std::uint64_t check_simple_pairs = 0;  ///< pairs of segments decided exactly there
+  ContactCounts counts;                  ///< counts of the search of C1 against C2
+  SearchCounts check_simple;             ///< counts of the searches of each curve against itself
+  std::uint64_t check_simple_pairs = 0;  ///< pairs of segments decided exactly in those searches
   std::uint64_t arcs = 0;                ///< parts that the curves were split into
   std::uint64_t queries = 0;             ///< winding numbers that were computed
-  std::uint64_t points_inserted = 0;     ///< by `passes` and `points`
+  std::uint64_t points_inserted = 0;     ///< points inserted by `passes` and `points`
 };
 
 /// Seconds of wall time of each phase.
@@ -161,11 +161,11 @@ struct InteriorAreas {
   /// three sums and nothing else.
   double delta = 0;
   Areas areas;
-  Areas rounding;   ///< bounds on what double-double loses; for `split` on |computed - exact area of the polygons|
+  Areas rounding;   ///< bounds on the rounding of double-double; for `split` on |computed - exact area of the polygons|
   Crossings nodes;  ///< where the curves meet
   InteriorStatistics statistics;
   InteriorTiming timing;
-  Orientation orientation1 = Orientation::counter_clockwise;  ///< of the input
+  Orientation orientation1 = Orientation::counter_clockwise;  ///< orientations of the input
   Orientation orientation2 = Orientation::counter_clockwise;
 };
 

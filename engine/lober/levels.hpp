@@ -1,6 +1,7 @@
-// Level curves: streamlines of a planar flow, equipotential and zero-velocity curves of one of two degrees of freedom.
+// Level curves: streamlines of a planar flow, equipotential and zero-velocity curves of a flow of two degrees of
+// freedom.
 //
-// A function is sampled at the nodes of a grid; where a level passes between two neighbours, the place is found to
+// A function is sampled at the nodes of a grid; where a level passes between two neighbours, the point is found to
 // rounding by bisection. So the vertices of a level curve lie on the level, whatever the grid; details smaller than a
 // cell are missed, and between vertices the curve is straight.
 //
@@ -21,25 +22,26 @@ namespace lober {
 /// A function of the plane; NaN or infinite where it has no value. Called from several threads at once.
 using PlaneFunction = std::function<double(Point)>;
 
-/// Of a Hamiltonian flow at a time: in two dimensions H(x, y), whose level curves are the streamlines of that moment;
+/// The energy of a Hamiltonian flow at a time: in two dimensions H(x, y), whose level curves are the streamlines then;
 /// in four the least H over the momenta at a position, the (effective) potential: where it exceeds the energy no motion
-/// is possible (outside Hill's region). H has to be quadratic in the momenta, then. The flow must outlive the function.
+/// is possible (outside Hill's region). H then has to be quadratic in the momenta. The flow must outlive the function.
 /// Throws UsageError for other flows.
 [[nodiscard]] LOBER_API PlaneFunction energy_of(const Flow& flow, double time);
 
-/// An equilibrium of the flow as it is at a time, with its energy; of rest in four dimensions, where `at` is its
+/// An equilibrium of the flow as it is at a time, with its energy; in four dimensions a state of rest, `at` its
 /// position.
 struct Equilibrium {
   Point at;
   double energy = 0;
-  bool saddle = false;  ///< of a planar flow: eigenvalues of opposite sign; in four dimensions: of rank 1 or more
+  bool saddle = false;  ///< in a planar flow: eigenvalues of opposite sign; in four dimensions: rank 1 or more
 };
-/// By Newton's method from `guess`. Throws DataError when none is found, UsageError as energy_of.
+/// The equilibrium that Newton's method finds from `guess`. Throws DataError when none is found, UsageError as
+/// energy_of.
 [[nodiscard]] LOBER_API Equilibrium equilibrium_near(const Flow& flow, const FlowState& guess, double time);
 
 struct LevelCurve {
   std::vector<Point> points;  ///< the function is larger on their left; closed curves without the first point again
-  bool closed = false;        ///< else it ends at the border of the window, or of where the function has values
+  bool closed = false;        ///< else it ends at the border of the window or of the domain of the function
 };
 
 /// Values at the nodes of a grid of columns x rows cells, (columns + 1)(rows + 1) of them.
@@ -56,7 +58,7 @@ class LevelGrid {
     return values_[row * (columns_ + 1) + column];
   }
 
-  /// The curves on which the function has this value (marching squares; in a cell that two curves pass the mean of its
+  /// The curves on which the function has this value (marching squares; in a cell crossed by two curves the mean of its
   /// corners decides). Nodes on the level count as above it; cells with a corner without value are left out. Open
   /// curves come first. The same for any number of threads. O(cells + evaluations on the curves).
   [[nodiscard]] LOBER_API std::vector<LevelCurve> curves(double level) const;

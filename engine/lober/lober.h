@@ -16,15 +16,15 @@
    their square. Definitions and signs: docs/conventions.md.
 
    A result is a list of named arrays, which belong to it: they are valid until lober_result_free. Each operation says
-   which it makes. Numbers are arrays of one row and column. A matrix is stored row by row.
+   which arrays it makes. Numbers are arrays of one row and column. A matrix is stored row by row.
 
    Options are one text of words NAME=VALUE, separated by blanks, or NULL. All operations know threads=N, 0 (one for
-   each core) to 4096. A name that an operation does not know is refused, with those that it does.
+   each core) to 4096. A name that an operation does not know is refused, with the known names.
 
-   Functions that return int return LOBER_OK or what went wrong; then lober_message() says it in a sentence, and *result
-   is NULL unless the status says that there is one. No exception leaves this interface, and no signal is handled. All
-   functions may be called from several threads at the same time, with the same results and models too, except that
-   nothing else may use what is being freed. The same bits for any number of threads.
+   Functions that return int return LOBER_OK or a status; then lober_message() says in a sentence what is wrong, and
+   *result is NULL unless the status says that there is one. No exception leaves this interface, and no signal is
+   handled. All functions may be called from several threads at the same time, with the same results and models too,
+   except that nothing else may use an object that is being freed. Results are the same bits for any number of threads.
 
    Within a minor version of lober functions and names of arrays are only added (docs/stability.md). */
 #ifndef LOBER_H
@@ -45,9 +45,9 @@ extern "C" {
 
 /* Raised with each addition to this header. */
 #define LOBER_INTERFACE_VERSION 3
-/* That of the library that is linked. */
+/* The interface version of the linked library. */
 LOBER_C_API int lober_interface_version(void);
-/* "0.2.0". */
+/* The version of the linked library: "0.2.0". */
 LOBER_C_API const char* lober_version(void);
 
 /* The numbers of the program's exit status. */
@@ -62,7 +62,7 @@ enum lober_status {
   LOBER_CANCELLED = 130     /* the progress function returned 0 */
 };
 
-/* Why the last call of this thread that failed did; "" before any has. Valid until the next one fails. */
+/* Why the last failed call of this thread failed; "" before any failed. Valid until the next call fails. */
 LOBER_C_API const char* lober_message(void);
 
 /* Called during long operations of this thread, several times a second, by one thread at a time: with the fraction
@@ -92,7 +92,7 @@ typedef struct lober_array {
 LOBER_C_API size_t lober_array_count(const lober_result* result);
 LOBER_C_API int lober_array_at(const lober_result* result, size_t number, lober_array* array);
 LOBER_C_API int lober_array_named(const lober_result* result, const char* name, lober_array* array);
-/* The only number of an array, also of integers; NaN where there is none, or no such array. */
+/* The only number of an array, also of integers; NaN where there is no number or no such array. */
 LOBER_C_API double lober_number(const lober_result* result, const char* name);
 /* NULL is allowed. */
 LOBER_C_API void lober_result_free(lober_result* result);
@@ -105,7 +105,7 @@ LOBER_C_API int lober_outline(const lober_result* of, const char* kind, size_t p
 /* ------------------------------------------------------------------------------------------------------------- curves
  */
 
-/* These are calls of the operations of their names; lober_call says what all of them have in common. Each has the
+/* These are calls of the operations of their names; lober_call describes their common parts. Each has the
    option outlines=0|1 (0): the result keeps the curves given, for lober_outline. */
 
 /* Areas, pieces and crossings of two simple closed curves (lober/overlay.hpp). Options: areas_only=0|1,
@@ -114,11 +114,11 @@ LOBER_C_API int lober_outline(const lober_result* of, const char* kind, size_t p
    .segment2, .class. */
 LOBER_C_API int lober_overlay(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                               lober_result** result);
-/* The same areas by way of the interior function (lober/interior.hpp). Options: method=split|ends, passes=N, points=N,
+/* The same areas by the interior function (lober/interior.hpp). Options: method=split|ends, passes=N, points=N,
    check_simple=0|1 and more. Among its arrays: areas.NAME, error.rounding.NAME, q1, q2, q3, delta. */
 LOBER_C_API int lober_interior(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                                lober_result** result);
-/* Of closed curves that may cross themselves (lober/regions.hpp); n2 = 0: of one. Options:
+/* Regions of closed curves that may cross themselves (lober/regions.hpp); n2 = 0: of one curve. Options:
    rule=nonzero|evenodd|positive|negative and more. Among its arrays: winding.c1, winding.c2, winding.area; areas.NAME,
    error.rounding.NAME by the rule; pieces.PAIRING.area. */
 LOBER_C_API int lober_regions(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
@@ -132,8 +132,8 @@ LOBER_C_API int lober_signed_area(const double* curve, size_t n, double* area);
 /* More points: lober_call of "densify" (lober/densify.hpp). Options: closed=true|false (true), max_length=D, angle=RADIANS,
    distance_angle=D, min_length=D, interpolation=linear|dritschel|spline, max_points=N and more; with a second input for
    passes=N, points=N and crossings=true use lober_call. Among its arrays: points; diagnostics.list.segment, .count and
-   .cause: segments that break a criterion, and why: min_length, corner, max_points, max_rounds. Where one of the last
-   two ended it, LOBER_INCOMPLETE with a result. */
+   .cause: segments that break a criterion, and why: min_length, corner, max_points, max_rounds. Returns
+   LOBER_INCOMPLETE with a result where one of the last two ended the work. */
 LOBER_C_API int lober_densify(const double* curve, size_t n, const char* options, lober_result** result);
 /* Fewer points: lober_call of "simplify". Options: closed=true|false (true), tolerance=D, max_length=D. Among its
    arrays: points. */
@@ -151,7 +151,7 @@ LOBER_C_API int lober_tangle(const double* u, size_t nu, const double* s, size_t
 /* One curve of a file as the program reads it: FILE, or FILE#K for zone K from 0, FILE#TITLE for that of a
    title. Options: closed=0|1 (1). Arrays: points. */
 LOBER_C_API int lober_read(const char* spec, const char* options, lober_result** result);
-/* By the ending: .npy, .csv, .f64 (raw), else text. */
+/* Writes points in the format of the ending: .npy, .csv, .f64 (raw), else text. */
 LOBER_C_API int lober_write(const char* path, const double* points, size_t n);
 
 /* ------------------------------------------------------------------------------------------------------------ dynamics
@@ -164,8 +164,8 @@ LOBER_C_API int lober_model_open(const char* name, const char* parameters, const
 LOBER_C_API void lober_model_free(lober_model* model);
 /* Names, summaries, parameters and defaults of the built-in systems, as lines of text. Arrays: names, summaries. */
 LOBER_C_API int lober_systems(lober_result** result);
-/* Replaces each point by its image; NaN where an orbit is lost. Negative: by the inverse. Where it fails, or is
-   cancelled, points stay as they were. */
+/* Replaces each point by its image; NaN where an orbit is lost. Negative iterates use the inverse. Where the call
+   fails or is cancelled, points stay as they were. */
 LOBER_C_API int lober_iterate(const lober_model* model, double* points, size_t n, int iterates);
 /* Fixed and periodic points in a box: lober_call of "fixed_points". Options: box=XMIN,YMIN,XMAX,YMAX, period=N,
    turns=N, grid=N, max_grid=N, budget=SECONDS. Among its arrays: points.x, points.y, points.residue, points.type: a line
@@ -174,8 +174,8 @@ LOBER_C_API int lober_fixed_points(const lober_model* model, const char* options
 /* A branch of the manifold of a saddle: lober_call of "grow". Options: from=X,Y near the saddle (that of the system),
    side=unstable|stable, branch=+|-|X,Y: a vector roughly along it (that of the system, else the one of larger x),
    tolerance=D, iterates=N, length=D, max_points=N, period=N and more. Among its arrays: points, parameters,
-   result.generations, local_manifold.saddle, local_manifold.multiplier, result.length, result.stop. LOBER_INCOMPLETE
-   with a result where max_points ends it, or no point has an image. */
+   result.generations, local_manifold.saddle, local_manifold.multiplier, result.length, result.stop. Returns
+   LOBER_INCOMPLETE with a result where max_points ends the work, or no point has an image. */
 LOBER_C_API int lober_grow(const lober_model* model, const char* options, lober_result** result);
 /* Images of a curve under the map, with as many points as they need: lober_call of "image". Options: closed=0|1 (1),
    first=N (1), last=N (first), tolerance=D, max_length=D, max_points=N and more. Among its arrays: images.0.polygon: the
@@ -207,7 +207,7 @@ typedef struct lober_input {
    curves given, for lober_outline. Each field of the result is an array: NAME of a member, "OBJECT.MEMBER",
    "LIST.MEMBER" with a row for each element; "LIST.K.MEMBER" where elements hold lists. Numbers with an error bar have
    two columns; fields of several numbers as many columns, or NAME.sizes beside them where elements have different
-   numbers of them. Where routes disagree, LOBER_DISAGREEMENT with a result, and disagreements: a line each. */
+   numbers of them. Where routes disagree: LOBER_DISAGREEMENT with a result and disagreements, a line each. */
 LOBER_C_API int lober_call(const char* operation, const lober_input* inputs, size_t count, const char* options,
                            lober_result** result);
 /* Arrays: names, summaries, schemas (JSON Schema of the members of each result): a line each. */

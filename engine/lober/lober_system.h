@@ -51,7 +51,7 @@ typedef struct lober_map {
   int (*forward)(const double* parameters, const double point[2], double image[2]);
   /* The inverse map. */
   int (*backward)(const double* parameters, const double point[2], double image[2]);
-  /* Of the forward map: dx'/dx, dx'/dy, dy'/dx, dy'/dy. */
+  /* Derivative of the forward map: dx'/dx, dx'/dy, dy'/dx, dy'/dy. */
   int (*derivative)(const double* parameters, const double point[2], double derivative[4]);
   /* Optional (NULL): the generating function L(from x, to x) of a map that preserves area, with dL/dx' = y' and
      dL/dx = -y. Lobe areas by action need it. */
@@ -71,7 +71,7 @@ typedef struct lober_section {
   int direction;
   int chart_x, chart_y;
   int solved; /* the coordinate that follows from the energy, conjugate to `coordinate`; -1 in three dimensions */
-  int energy_parameter; /* which parameter is the energy; -1 in three dimensions */
+  int energy_parameter; /* number of the parameter that is the energy; -1 in three dimensions */
   /* Only crossings with bound_side * (x[bound_coordinate] - bound) > 0 count; bound_side 0: all. */
   int bound_coordinate;
   double bound;
@@ -97,16 +97,16 @@ typedef struct lober_flow {
   /* Optional: the section of an autonomous flow of three dimensions, or of four with a Hamiltonian. */
   const lober_section* section;
   /* Optional, from version 3 on: the velocity of `count` points at a time, each with its own time t[k], in a loop that
-     the compiler can turn into vector instructions. Coordinate i of point k is x[i * count + k], dxdt likewise. What it
-     gives for a point must not depend on the others, bit for bit (so no -ffast-math); where there is no velocity it
-     writes NaN. Trajectories use it, Jacobians and actions do not. */
+     the compiler can turn into vector instructions. Coordinate i of point k is x[i * count + k], dxdt likewise. The
+     velocity at a point must not depend on the other points, bit for bit (so no -ffast-math); NaN stands for a velocity
+     that does not exist. Trajectories use this function, Jacobians and actions do not. */
   void (*velocity_batch)(const double* parameters, size_t count, const double* x, const double* t, double* dxdt);
 } lober_flow;
 
 #define LOBER_MAX_CORNERS 16
 #define LOBER_MAX_CONNECTIONS 64
 
-/* The manifolds that bound a region: U from the saddle near `from`, S from that near `to`, each on the branch that
+/* The manifolds that bound a region: U from the saddle near `from`, S from the one near `to`, each on the branch that
    leaves in the given direction. */
 typedef struct lober_connection {
   double from[2], u_direction[2];
@@ -126,13 +126,13 @@ typedef struct lober_system {
   const char* summary; /* one line; all texts are UTF-8 */
   size_t parameter_count;
   const lober_parameter* parameters;
-  /* Where the fixed points of interest are: min x, min y, max x, max y in the plane of the map. */
+  /* The box of the fixed points of interest: min x, min y, max x, max y in the plane of the map. */
   double window[4];
   /* The shift of the plane after which the map repeats itself; 0, 0 for none. */
   double lattice[2];
   const lober_map* map;   /* for LOBER_MAP */
   const lober_flow* flow; /* for LOBER_FLOW */
-  /* From version 2 on. How many connections there are whose boundaries bound regions, the first one region 1, up to
+  /* From version 2 on. The number of connections whose boundaries bound regions, the first one region 1, up to
      LOBER_MAX_CONNECTIONS; 0 and NULL for none. `connection` fills in number `index`. */
   size_t connection_count;
   int (*connection)(const double* parameters, size_t index, lober_connection* connection);

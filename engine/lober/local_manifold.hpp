@@ -2,11 +2,11 @@
 //
 // In the parameterisation method (Cabre, Fontich & de la Llave 2003) the manifold is a curve P with
 // F(P(s)) = P(lambda s), P(0) the saddle. P is a Chebyshev polynomial on [-r, r] whose coefficients, and lambda with
-// them, solve that equation at twice as many nodes as they are numbers, by Gauss-Newton. It takes nothing of F but
-// values and derivatives, so maps given by formulas and by integrations are treated alike, and errors of the
+// them, solve that equation at nodes that are twice as many as these numbers, by Gauss-Newton. The method uses values
+// and derivatives of F only, so maps given by formulas and by integrations are treated alike, and errors of the
 // derivative (flows: to the tolerance of the integration) only slow the convergence; the solution belongs to the
-// values. Power series would need F as a series, and converge worse: coefficients of a Chebyshev expansion are of
-// the size of the curve for any r.
+// values. Power series would need F as a series, and converge worse: coefficients of a Chebyshev expansion are of the
+// size of the curve for any r.
 #pragma once
 
 #include <array>
@@ -34,11 +34,11 @@ struct LocalManifold;
 
 struct LocalManifoldOptions {
   int period = 1;            ///< the saddle is fixed by F^period, which takes the place of F below
-  int degree = 40;           ///< of the polynomial
-  double tolerance = 1e-14;  ///< for the defect, relative to the saddle's largest coordinate or 1 if that is less
+  int degree = 40;           ///< degree of the polynomial
+  double tolerance = 1e-14;  ///< bound on the defect, relative to the saddle's largest coordinate or 1 if that is less
   double max_length = 100;   ///< r is not taken larger than this
-  /// That of a map near this one: solved for from there, with its r and its noise, at about an eighth of the cost.
-  /// Where the defect is then more than twice what it may be, all is as without.
+  /// The manifold of a map near this one: the solution starts from it, with its r and noise, at about an eighth of the
+  /// cost. Where the defect is then more than twice the allowed one, the result is as without a neighbour.
   const LocalManifold* neighbour = nullptr;
 };
 
@@ -46,26 +46,26 @@ struct LocalManifoldOptions {
 /// the saddle towards larger x (towards larger y, if its tangent is vertical).
 struct LocalManifold {
   Point saddle;
-  Point tangent;  ///< of length 1
+  Point tangent;  ///< unit vector
   ManifoldSide side = ManifoldSide::unstable;
   int steps = 1;          ///< iterates of F that the multiplier stands for: +- period, negative for the stable side
   double multiplier = 0;  ///< lambda of F^steps, so |lambda| > 1; negative at an inverse saddle
   double reach = 0;       ///< r
-  std::vector<Point> coefficients;  ///< of T_j(s / reach)
-  /// max |F^steps(P(s)) - P(lambda s)| over |s| <= reach / |lambda|, between the nodes, and that of its component
+  std::vector<Point> coefficients;  ///< coefficients of T_j(s / reach)
+  /// max |F^steps(P(s)) - P(lambda s)| over |s| <= reach / |lambda|, between the nodes, and the same for its component
   /// across the curve. The component along the curve, which images do not feel (it slides points along the manifold),
   /// cannot be less than rounding at s times |lambda|.
   double defect = 0;
   double defect_across = 0;
-  /// Four times the smallest of both that could be reached near the saddle: errors of the map itself.
+  /// Four times the smallest values of both defects that could be reached near the saddle: errors of the map itself.
   double noise = 0, noise_across = 0;
 
   [[nodiscard]] LOBER_API Point at(double s) const;
-  /// points[k] = P(parameters[k]), |parameters[k]| <= reach; the same bits in whatever span.
+  /// points[k] = P(parameters[k]), |parameters[k]| <= reach; the same bits in any span.
   LOBER_API void points_at(std::span<const double> parameters, std::span<Point> points) const;
   [[nodiscard]] LOBER_API Point slope(double s) const;  ///< P'(s)
 
-  /// What takes each branch to itself: `steps` of F, or twice as many where a negative multiplier exchanges the
+  /// The map that takes each branch to itself: `steps` of F, or twice as many where a negative multiplier exchanges the
   /// branches; and the factor > 1 in s that they stand for.
   struct Image {
     int steps;

@@ -1,12 +1,11 @@
-// Invariant manifolds grown from their saddle, and images of closed curves, with a bound asked for the distance between
+// Invariant manifolds grown from their saddle, and images of closed curves, with a given bound on the distance between
 // the polygon and the curve.
 //
 // Every vertex is F^k(P(s)) for its own s on the local manifold P; nothing is interpolated. Generation 0 is the local
 // manifold itself; generation k is the image of the outermost fundamental segment, reach / |lambda| < s <= reach, under
-// k steps. The images of the points of one generation show where the next one needs points (trace.hpp); those
-// are computed once each, from their parameter, k steps for a point of generation k, as a bare loop over the final
-// points would. A manifold of an inverse saddle (lambda < 0) swaps sides in each step; it is grown with two steps in
-// one.
+// k steps. The images of the points of one generation show where the next one needs points (trace.hpp); each of those
+// is computed once, from its parameter, with k steps for a point of generation k, as a bare loop over the final points
+// would do. A manifold of an inverse saddle (lambda < 0) swaps sides in each step; it is grown with two steps in one.
 //
 //   const lober::LocalManifold local = lober::local_manifold(map, saddle, lober::ManifoldSide::unstable);
 //   const lober::GrownManifold u = lober::grow(map, local, lober::Branch::plus, {.tolerance = 1e-6, .length = 30});
@@ -36,8 +35,8 @@ enum class GrowthDiagnosticCause : std::uint8_t {
   failed,      ///< the map fails there: the orbit escapes to infinity or the integration does not go through. Points
                ///< that have no image are left out; the segment joins the last point before with the first one after
   spacing,     ///< parameters of neighbouring points are as close as rounding allows
-  max_rounds,  ///< still not met after the last round
-  left_box,    ///< no diagnostic but a fact: the curve is outside the box there, and is followed coarsely
+  max_rounds,  ///< the tolerance is still not met after the last round
+  left_box,    ///< a fact rather than a fault: the curve is outside the box there and is followed coarsely
 };
 inline constexpr std::array<GrowthDiagnosticCause, 4> all_growth_causes{
     GrowthDiagnosticCause::failed, GrowthDiagnosticCause::spacing, GrowthDiagnosticCause::max_rounds,
@@ -64,8 +63,8 @@ enum class GrowthStop : std::uint8_t {
 
 struct GrowthProgress {
   int iterates = 0;          ///< done
-  std::size_t points = 0;    ///< of the finished part
-  double length = 0;         ///< of the finished part
+  std::size_t points = 0;    ///< points of the finished part
+  double length = 0;         ///< length of the finished part
   std::uint64_t images = 0;  ///< steps of the map taken
 };
 
@@ -74,27 +73,27 @@ struct GrowthOptions {
   double tolerance = 1e-5;  ///< e: how far the curve may lie from its polygon, as for tangles of systems
   int iterates = -1;        ///< ends at F^iterates of the end of the local manifold
   double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length, not
-                                                            ///< counting what is outside the box
-  double max_length = 0;  ///< no segment longer; 0: a fiftieth of the extent of the local manifold
+                                                            ///< counting parts outside the box
+  double max_length = 0;  ///< no segment is longer; 0: a fiftieth of the extent of the local manifold
   std::size_t max_points = 100'000'000;
   std::size_t max_memory = std::numeric_limits<std::size_t>::max();      ///< bytes, roughly; 120 are needed a point
   std::uint64_t max_images = std::numeric_limits<std::uint64_t>::max();  ///< steps of the map in all
-  /// Where points or images would run out within a piece (a part of a generation), nothing of it is computed; else the
-  /// part of it that fits in.
+  /// Where points or images would run out within a piece (a part of a generation), none of it is computed; if false,
+  /// the part of it that fits.
   bool whole_pieces = false;
-  /// Only what lies in it has to meet the tolerance. Default: the square around the saddle of 200 extents of
-  /// the local manifold.
+  /// Only the part of the curve in it has to meet the tolerance. Default: the square around the saddle of 200 extents
+  /// of the local manifold.
   Rectangle box = {};
   std::function<bool(const GrowthProgress&)> progress = {};  ///< false stops; called from the calling thread
 };
 
 struct GrownManifold {
-  Buffer<Point> points;                       ///< from LocalManifold::saddle itself on
+  Buffer<Point> points;                       ///< points from LocalManifold::saddle itself on
   Buffer<double> parameters;                  ///< s: vertex i is F^(k steps)(P(s)), k its generation
-  std::vector<std::size_t> generation_begin;  ///< of each generation its first vertex, and the number of points
+  std::vector<std::size_t> generation_begin;  ///< the first vertex of each generation, and the number of points
   std::vector<GrowthDiagnostic> diagnostics;  ///< in order
   GrowthStop stop = GrowthStop::iterates;
-  double length = 0;         ///< of the polygon, not counting what is outside the box
+  double length = 0;         ///< length of the polygon inside the box
   std::uint64_t images = 0;  ///< steps of the map taken in all
 
   operator CurveView() const& { return {points, false}; }  // NOLINT(google-explicit-constructor)
@@ -103,14 +102,14 @@ struct GrownManifold {
 
 /// Grows one branch. All that was computed is kept, whatever stops it. Throws UsageError for options that make no
 /// sense. The same bits for any number of threads. A vertex of generation k costs k steps of the map, and the guides
-/// one for each vertex of the generation before.
+/// cost one step for each vertex of the generation before.
 [[nodiscard]] LOBER_API GrownManifold grow(const PlanarMap& map, const LocalManifold& local, Branch branch,
                                            const GrowthOptions& options);
 
 // ------------------------------------------------------------------------------------------- images of curves
 
 /// Writes the point of each parameter. Called for several batches at the same time, so it must be safe to call from
-/// several threads and must give a parameter the same point whatever batch it comes in. What it throws passes through.
+/// several threads and must give a parameter the same point in every batch. Its exceptions pass through.
 using CurveFunction = std::function<void(std::span<const double> parameters, std::span<Point> points)>;
 
 struct ImageOptions {
@@ -123,10 +122,10 @@ struct ImageOptions {
 
 struct CurveImage {
   Buffer<Point> points;
-  Buffer<double> parameters;  ///< of each point; of a polygon: number of the segment + fraction
+  Buffer<double> parameters;  ///< parameter of each point; on a polygon: number of the segment + fraction
   bool closed = true;
   int iterate = 0;  ///< set by `images_of` from `first` to `last`
-  /// In order. Where the map fails at the first point of a closed curve, the last one is of the closing segment.
+  /// In order. Where the map fails at the first point of a closed curve, the last one belongs to the closing segment.
   std::vector<GrowthDiagnostic> diagnostics;
   GrowthStop stop = GrowthStop::iterates;
   std::uint64_t images = 0;
@@ -145,7 +144,7 @@ struct CurveImage {
 [[nodiscard]] LOBER_API CurveImage image_of(const PlanarMap& map, int iterates, CurveView curve,
                                             const ImageOptions& options);
 
-/// F^first, ..., F^last of a curve, first <= last, one of which may be negative, each of them what `image_of` gives.
+/// F^first, ..., F^last of a curve, first <= last, either of which may be negative; each is as `image_of` gives it.
 /// The curve is traced once in each direction. Where points run out (`stop`), images further out are left out.
 [[nodiscard]] LOBER_API std::vector<CurveImage> images_of(const PlanarMap& map, int first, int last,
                                                           const CurveFunction& curve, std::span<const double> corners,
@@ -158,18 +157,18 @@ struct ImagePart {
   Buffer<Point> points;
   bool closed = false;
 };
-/// The image without the segments that join points over what has no image: one curve where the map fails nowhere, else
-/// open curves in order. O(N).
+/// The image without the segments that span points without an image: one curve where the map fails nowhere, else open
+/// curves in order. O(N).
 [[nodiscard]] LOBER_API std::vector<ImagePart> parts_of(const CurveImage& image);
 
 /// Writes the points of curve k = 0, 1, ... of a sequence at the parameters; safe to call from several threads.
 using CurveSequence = std::function<void(int curve, std::span<const double> parameters, std::span<Point> points)>;
 
 /// A sequence of closed curves with one parameter, each the image of the one before under some map, such as the
-/// crossings of one family of trajectories with a section. Each shows where the next one needs points. Ends after the
-/// first one for which `goes_on` is false, or where points run out. Corners, options and errors as for `image_of`. The
-/// first curve is sampled at `guide` to begin with: ascending parameters, the corners among them; a few between corners
-/// when that is empty.
+/// crossings of one family of trajectories with a section. Each shows where the next one needs points. The sequence
+/// ends after the first curve for which `goes_on` is false, or where points run out. Corners, options and errors as for
+/// `image_of`. The first curve is sampled at `guide` to begin with: ascending parameters, the corners among them; a few
+/// between corners when that is empty.
 [[nodiscard]] LOBER_API std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const double> corners,
                                                           const ImageOptions& options,
                                                           const std::function<bool(const CurveImage&)>& goes_on,

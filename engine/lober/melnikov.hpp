@@ -9,7 +9,7 @@
 // (Melnikov 1963; Guckenheimer & Holmes 1983, section 4.5). Simple zeros are pips, and eps times the integral of M
 // between two of them is the area of a lobe, to an error of order eps^2 (Rom-Kedar, Leonard & Wiggins 1990).
 //
-// Nothing is known of f, g and q in closed form here: g is the derivative of the velocity by eps, q consists of the
+// No closed form of f, g or q is used here: g is the derivative of the velocity by eps, q consists of the
 // local manifolds of both saddles and of a trajectory between them, and the integral is the trapezoidal rule, which
 // converges exponentially for analytic integrands that decay at both ends.
 #pragma once
@@ -24,7 +24,7 @@
 
 namespace lober {
 
-/// The flow for a value of eps. It has to be smooth in eps about 0, and have the same period T for all of them.
+/// The flow for a value of eps. It has to be smooth in eps about 0 and have the same period T for all eps.
 using FlowFamily = std::function<std::shared_ptr<const Flow>(double eps)>;
 
 struct MelnikovZero {
@@ -32,10 +32,10 @@ struct MelnikovZero {
   double slope = 0;  ///< dM/dt0
 };
 
-/// What M says between a zero and the next one.
+/// The part of M between a zero and the next one.
 struct MelnikovLobe {
   double begin = 0, end = 0;  ///< t0; begin < end <= begin + T
-  double integral = 0;        ///< of M: the signed area of the lobe per eps is its negative (Lobe::area)
+  double integral = 0;        ///< integral of M; its negative is the signed area of the lobe per eps (Lobe::area)
 };
 
 struct Melnikov {
@@ -43,14 +43,14 @@ struct Melnikov {
   Point from, to;     ///< the saddles at eps = 0
   /// M(t0) = cosines[0] + sum over k >= 1 of cosines[k] cos(2 pi k t0 / T) + sines[k] sin(2 pi k t0 / T).
   std::vector<double> cosines, sines;
-  double error = 0;                 ///< estimate of that of M: quadrature, series, and how well the halves of q fit
-  double largest = 0;               ///< |M|
+  double error = 0;    ///< estimate of the error of M: quadrature, series, and how well the halves of q fit
+  double largest = 0;  ///< the largest |M|
   std::vector<MelnikovZero> zeros;  ///< ascending; none where M is zero throughout, to its error, or has one sign
   std::vector<MelnikovLobe> lobes;  ///< from each zero to the next, cyclically
 
   [[nodiscard]] LOBER_API double at(double t0) const;
-  /// Sums of the areas of a period's lobes to first order, each counted as positive: of those on the left of U and of
-  /// those on its right.
+  /// Sums of the areas of a period's lobes to first order, each counted as positive: lobes on the left of U and lobes
+  /// on its right.
   struct Sides {
     double left = 0, right = 0;
   };

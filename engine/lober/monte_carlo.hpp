@@ -1,4 +1,4 @@
-// The table of escape by counting trajectories: a check that shares with it only the first curves E and X.
+// The table of escape by counting trajectories: a check that shares only the first curves E and X with the table.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ struct MonteCarloOptions {
   Progress progress{};  ///< called with the fraction done
 };
 
-/// For one row of Escape::table.
+/// The count for one row of Escape::table.
 struct MonteCarloFraction {
   std::uint64_t count = 0;
   double fraction = 0;
-  double standard_error = 0;  ///< sqrt(F (1 - F) / N), F that of the table where it is known, else the fraction counted
+  double standard_error = 0;  ///< sqrt(F (1 - F) / N), F from the table where it is known, else the fraction counted
 };
 
 struct MonteCarlo {
@@ -31,12 +31,12 @@ struct MonteCarlo {
   double largest_deviation = 0;  ///< max |counted - table| in standard errors
 };
 
-/// The fractions of the table and those counted. A bar allows five standard errors and what a handful of trajectories
-/// more or less makes of rare ones, so that among a hundred rows none is off by chance in a million tables.
+/// The fractions of the table and those counted. A bar allows five standard errors, and for rare fractions the effect
+/// of a handful of trajectories more or less, so that among a hundred rows none is off by chance in a million tables.
 LOBER_API void compare(const Escape& result, const MonteCarlo& counted, Agreement& agreement);
 
-/// Points evenly distributed in each E, followed crossing by crossing until they lie in an X or n exceeds what the
-/// table has. Point k depends on the seed and k alone (a hash of both), and so does the result, whatever the threads.
+/// Points evenly distributed in each E, followed crossing by crossing until they lie in an X or n exceeds that of the
+/// table. Point k depends on the seed and k alone (a hash of both), and so does the result, for any number of threads.
 [[nodiscard]] LOBER_API MonteCarlo monte_carlo(const Flow& flow, const Escape& result,
                                                const MonteCarloOptions& options);
 

@@ -1,8 +1,8 @@
 // The overlay of two simple closed curves: areas and pieces of A1 \ A2, A2 \ A1, A1 n A2 and A1 u A2.
 //
 // The result is the regularised one: a piece is a connected component of the interior of the region. Two components
-// that meet in a vertex only are two pieces; none has zero area; corridors of zero width do not join. A hole of a piece
-// is a bounded component of the interior of its complement.
+// that meet in a vertex only are two pieces; no piece has zero area; corridors of zero width do not join. A hole of a
+// piece is a bounded component of the interior of its complement.
 //
 //   lober::Overlay result = lober::overlay(c1, c2);
 //   double flux = result.areas.c1_minus_c2;
@@ -33,8 +33,8 @@ inline constexpr std::array<Pairing, 4> all_pairings{Pairing::c1_minus_c2, Pairi
                                                      Pairing::union_};
 [[nodiscard]] LOBER_API std::string_view name(Pairing pairing);  ///< as in the JSON: "c1_minus_c2", ..., "union"
 
-/// A boundary of a piece as steps: (node << 1 | curve of the arc that follows it), the curve 0 or 1; or one that is a
-/// whole curve without any node.
+/// A boundary of a piece is a list of steps: (node << 1 | curve of the arc that follows it), the curve 0 or 1; or one
+/// step for a whole curve without any node.
 inline constexpr std::uint32_t whole_curve1 = 0xfffffffe, whole_curve2 = 0xffffffff;
 struct PieceHole {
   std::uint32_t piece;
@@ -43,7 +43,7 @@ struct PieceHole {
 
 /// Numbers of the nodes on the boundary of a piece in the order of a walk that keeps the piece on the left, outer
 /// boundary first. A node occurs as often as the walk passes it: twice for a piece that touches both ends of a shared
-/// arc, or itself in a point. A view of the result: valid as long as that is.
+/// arc, or itself in a point. A view of the result, valid as long as the result is.
 class PieceCrossings {
  public:
   PieceCrossings(std::span<const std::uint32_t> outer, std::span<const PieceHole> holes)
@@ -73,7 +73,7 @@ class PieceCrossings {
         : boundary_(boundary), holes_(holes), hole_(hole) {
       skip();
     }
-    // To a step at a node: over the end of a boundary to the next one.
+    // Moves to a step at a node: over the end of a boundary to the next one.
     void skip() {
       while (at_ >= boundary_.size() || boundary_[at_] >= whole_curve1) {
         at_ = 0;
@@ -99,7 +99,7 @@ class PieceCrossings {
   std::span<const PieceHole> holes_;
 };
 
-/// One connected component.
+/// One connected component of the region.
 struct Piece {
   double area = 0;
   std::uint32_t holes = 0;
@@ -119,7 +119,7 @@ class Pieces {
 
   [[nodiscard]] std::size_t size() const { return areas().size(); }
   [[nodiscard]] LOBER_API Piece operator[](std::size_t piece) const&;
-  [[nodiscard]] Piece operator[](std::size_t piece) const&& = delete;  // its crossings are a view of what is gone then
+  [[nodiscard]] Piece operator[](std::size_t piece) const&& = delete;  // its crossings would be a view of a temporary
   [[nodiscard]] LOBER_API std::span<const double> areas() const&;
   [[nodiscard]] std::span<const double> areas() const&& = delete;
 
@@ -135,9 +135,9 @@ class Pieces {
 
 struct OverlayStatistics {
   IndexKind index = IndexKind::tree;     ///< the one that was used
-  ContactCounts counts;                  ///< of the search of C1 against C2
-  SearchCounts check_simple;             ///< of the searches of each curve against itself
-  std::uint64_t check_simple_pairs = 0;  ///< pairs of segments decided exactly there
+  ContactCounts counts;                  ///< counts of the search of C1 against C2
+  SearchCounts check_simple;             ///< counts of the searches of each curve against itself
+  std::uint64_t check_simple_pairs = 0;  ///< pairs of segments decided exactly in those searches
   std::size_t index_bytes = 0;
 };
 
@@ -161,23 +161,23 @@ struct Overlay {
   std::vector<std::uint32_t> classes;
   std::size_t class_count = 0;
   static constexpr std::uint32_t no_class = 0xffffffff;
-  Areas rounding;  ///< bounds on |computed - exact area of the polygons|; 0 for what is empty
+  Areas rounding;  ///< bounds on |computed - exact area of the polygons|; 0 for empty regions
   OverlayStatistics statistics;
   OverlayTiming timing;
-  Orientation orientation1 = Orientation::counter_clockwise;  ///< of the input
+  Orientation orientation1 = Orientation::counter_clockwise;  ///< orientations of the input
   Orientation orientation2 = Orientation::counter_clockwise;
-  double largest_coordinate = 0;  ///< of both curves, in size
+  double largest_coordinate = 0;  ///< the largest |coordinate| of both curves
   double longest_segment = 0;     ///< bound on the length of any segment of either curve
 
   std::array<Pieces, 4> all_pieces;  ///< in the order of all_pairings; empty without OverlayOptions::pieces
   [[nodiscard]] const Pieces& pieces(Pairing pairing) const& { return all_pieces[static_cast<std::size_t>(pairing)]; }
-  /// Of a temporary: a copy, which a loop keeps alive.
+  /// For a temporary: a copy, which a loop keeps alive.
   [[nodiscard]] Pieces pieces(Pairing pairing) const&& { return pieces(pairing); }
 };
 
 /// Overlays two simple closed curves of either orientation. The result computes coordinates of nodes from their points
 /// when asked, and keeps alive what the curves own. Throws DataError (validate; also an area beyond the range of
-/// double), NotSimpleError, Cancelled. About one pass over the points plus work in proportion to what is near
+/// double), NotSimpleError, Cancelled. About one pass over the points plus work in proportion to the segments near
 /// crossings; parallel; the same bits for any number of threads and any index. Areas, of pieces and in total, have
 /// relative error below 1e-15 where they exceed 1e-12 of the bounding box.
 [[nodiscard]] LOBER_API Overlay overlay(const ClosedCurve& c1, const ClosedCurve& c2,
@@ -195,15 +195,15 @@ struct Overlay {
 [[nodiscard]] LOBER_API std::vector<std::vector<Point>> outline(const Overlay& result, Pairing pairing,
                                                                 std::size_t piece);
 
-/// A crossing p, and what follows it on the boundary of A1 \ A2 or A2 \ A1 (Naik, Lekien & Ross 2017, section 3;
-/// docs/conventions.md, section 4). Both curves are taken counter-clockwise.
+/// A crossing p, and the crossings that follow it on the boundary of A1 \ A2 or A2 \ A1 (Naik, Lekien & Ross 2017,
+/// section 3; docs/conventions.md, section 4). Both curves are taken counter-clockwise.
 struct SigmaStep {
   std::uint32_t crossing = 0;  ///< number of the node
   int rho = 0;
   std::uint32_t along1 = 0;  ///< the next crossing along C1: forward for A1 \ A2 (A+_C1 is 1), backward for A2 \ A1
   std::uint32_t along2 = 0;  ///< the next crossing along C2: backward for A1 \ A2 (A-_C2 is 1), forward for A2 \ A1
   std::uint32_t sigma = 0;   ///< along1 if rho = +1, along2 if rho = -1: where gamma is 1
-  std::uint32_t class_number = 0;  ///< of the classes of this pairing, from 0 in order along C1
+  std::uint32_t class_number = 0;  ///< number of its class in this pairing, from 0 in order along C1
   double s = 0;                    ///< S(p), the integral of x dy - y dx from p to sigma(p); it depends on the origin
 };
 
@@ -215,7 +215,7 @@ struct SigmaStep {
 /// Centroids of all pieces of a pairing, in double-double, so that thin pieces keep theirs. One pass over the points
 /// of both curves, parallel.
 [[nodiscard]] LOBER_API std::vector<Point> centroids(const Overlay& result, Pairing pairing);
-/// Of one piece.
+/// The centroid of one piece.
 [[nodiscard]] LOBER_API Point centroid(const Overlay& result, Pairing pairing, std::size_t piece);
 
 /// Slivers: pieces no wider than the rounding of their vertices, area <= 2 perimeter ulp, ulp the unit in the last
@@ -231,8 +231,8 @@ namespace detail {
 struct DiscretisationData;  // private: engine/geometry/overlay/discretisation.cpp
 }  // namespace detail
 
-/// What one curve brings to `discretisation_error`: running sums of the areas between its segments and the smooth curve
-/// through its vertices. The points must stay alive. O(N), parallel; 2 bytes a point.
+/// The contribution of one curve to `discretisation_error`: running sums of the areas between its segments and the
+/// smooth curve through its vertices. The points must stay alive. O(N), parallel; 2 bytes a point.
 class DiscretisationSums {
  public:
   LOBER_API explicit DiscretisationSums(CurveView curve);
@@ -248,7 +248,7 @@ class DiscretisationSums {
 /// leading order for smooth curves (error per segment of order h^5 against h^3). One pass over the points, parallel.
 [[nodiscard]] LOBER_API Areas discretisation_error(const Overlay& result);
 
-/// The same bits for curves that occur in many pairs, whose sums are known already. O(contacts).
+/// The same estimate, bit for bit, for curves that occur in many pairs, whose sums are known already. O(contacts).
 [[nodiscard]] LOBER_API Areas discretisation_error(const Overlay& result, const DiscretisationSums& first,
                                                    const DiscretisationSums& second);
 

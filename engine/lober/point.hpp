@@ -22,7 +22,7 @@ struct Rectangle {
   double min_y = std::numeric_limits<double>::infinity();
   double max_x = -std::numeric_limits<double>::infinity();
   double max_y = -std::numeric_limits<double>::infinity();
-  /// With corners a and b.
+  /// The rectangle with corners a and b.
   [[nodiscard]] static constexpr Rectangle of(Point a, Point b) {
     return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.x < b.x ? b.x : a.x, a.y < b.y ? b.y : a.y};
   }

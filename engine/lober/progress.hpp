@@ -1,4 +1,4 @@
-// How far a computation is, for its caller, who may end it.
+// Progress of a computation, reported to its caller, who may end it.
 #pragma once
 
 #include <concepts>
@@ -11,9 +11,9 @@
 namespace lober {
 
 /// A function of the caller's, called several times a second and by one thread at a time with how far the work is: the
-/// fraction done, NaN where it is not known, and a line of what is being done, empty where there is none. Whether to go
-/// on is what it returns; false ends the work with Cancelled. Made of any function of a fraction, of a line, or of
-/// both:
+/// fraction done, NaN where it is not known, and a line about the step being done, empty where there is none. It
+/// returns whether to go on; false ends the work with Cancelled. A Progress is made of any function of a fraction, of a
+/// line, or of both:
 ///
 ///   options.progress = [](double fraction) { return show(fraction), true; };
 class Progress {

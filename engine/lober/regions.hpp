@@ -1,5 +1,5 @@
-// Regions of closed curves that may cross, touch and overlap themselves: which area each pair of winding numbers has,
-// and what a rule makes of it.
+// Regions of closed curves that may cross, touch and overlap themselves: the area of each pair of winding numbers, and
+// the regions that a rule makes of them.
 //
 // The winding number of a curve about a point counts how often the curve runs round it, positive counter-clockwise. It
 // is the same all over a face of the arrangement of both curves. A rule says which winding numbers are inside; then
@@ -84,7 +84,7 @@ class RegionPieces {
 
   [[nodiscard]] std::size_t size() const { return areas().size(); }
   [[nodiscard]] LOBER_API std::span<const double> areas() const&;
-  [[nodiscard]] std::span<const double> areas() const&& = delete;  // a view of what goes with the temporary
+  [[nodiscard]] std::span<const double> areas() const&& = delete;  // a view of data that goes with the temporary
   [[nodiscard]] LOBER_API RegionPiece operator[](std::size_t piece) const;
   using Iterator = ElementIterator<RegionPieces>;
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
@@ -100,19 +100,19 @@ class RegionPieces {
 /// Cheap to copy; keeps alive what the curves own.
 class Regions {
  public:
-  LOBER_API Regions();  ///< of nothing
+  LOBER_API Regions();  ///< the regions of no curve
   explicit Regions(std::shared_ptr<const detail::Arrangement> arrangement) : arrangement_(std::move(arrangement)) {}
 
   /// All pairs of winding numbers that occur, ascending, without (0, 0).
   [[nodiscard]] LOBER_API std::span<const WindingArea> table() const&;
-  [[nodiscard]] std::span<const WindingArea> table() const&& = delete;  // a view of what goes with the temporary
+  [[nodiscard]] std::span<const WindingArea> table() const&& = delete;  // data that goes with the temporary
   /// Signed areas of C1 and C2: the sums of winding number times area.
   [[nodiscard]] LOBER_API std::array<double, 2> signed_areas() const;
   /// As in Overlay::areas; c1 is the area of the region of C1 under the rule.
   [[nodiscard]] LOBER_API Areas areas(FillRule rule) const;
   /// Bounds on |computed - exact area of the region of the polygons|.
   [[nodiscard]] LOBER_API Areas rounding(FillRule rule) const;
-  /// The same for an area of the table or of a piece.
+  /// The bound for an area of the table or of a piece.
   [[nodiscard]] LOBER_API double rounding(double area) const;
   /// O(faces + edges). With one curve, C2 is empty: c1_minus_c2 is the region of C1.
   [[nodiscard]] LOBER_API RegionPieces pieces(FillRule rule, Pairing pairing) const;
@@ -128,11 +128,11 @@ class Regions {
 
 /// The regions of one or two closed curves of any shape; the orientation of the input is kept. Result and
 /// pieces keep alive what the curves own. Throws DataError (validate; also an area beyond the range of double),
-/// Cancelled. Time in proportion to the points (one pass) and
-/// to what the search of both curves against themselves and each other meets; memory besides the box trees in
-/// proportion to the points where edge chains meet. Areas that exceed 1e-12 of the bounding box have a relative error
-/// below 1e-15, smaller ones an error below 1e-27 of the box. All decisions are exact; the same bits for any number of
-/// threads and any index. Where k edge chains run along each other, k^2 / 2 pairs meet at each of their vertices.
+/// Cancelled. Time in proportion to the points (one pass) and to the pairs that the search of both curves against
+/// themselves and each other meets; memory besides the box trees in proportion to the points where edge chains meet.
+/// Areas that exceed 1e-12 of the bounding box have a relative error below 1e-15, smaller ones an error below 1e-27 of
+/// the box. All decisions are exact; the same bits for any number of threads and any index. Where k edge chains run
+/// along each other, k^2 / 2 pairs meet at each of their vertices.
 [[nodiscard]] LOBER_API Regions regions(const ClosedCurve& c1, const RegionOptions& options = {});
 [[nodiscard]] LOBER_API Regions regions(const ClosedCurve& c1, const ClosedCurve& c2,
                                         const RegionOptions& options = {});

@@ -1,4 +1,4 @@
-// Two segments, one of each curve, or two of the same.
+// Two segments, one of each curve, or both of one curve.
 #pragma once
 
 #include <compare>

@@ -2,8 +2,8 @@
 //
 // Each segment is replaced by a graph over it through the six nearest vertices (kernels/smooth_segment.hpp), so that
 // areas have an error of order h^6, h the length of segments, where the curves are smooth, against h^2 of polygons.
-// Each crossing is moved to where the smooth curves cross. At corners, and where what there is beside a segment is
-// noise, the segment stays.
+// Each crossing is moved to where the smooth curves cross. At corners, and where the points beside a segment are noise,
+// the segment stays.
 //
 //   lober::Overlay result = lober::overlay(c1, c2);
 //   lober::SmoothAreas smooth = lober::smooth_areas(result);
@@ -21,12 +21,12 @@ namespace lober {
 
 struct SmoothAreas {
   Areas areas;
-  /// Estimates of |areas - area of the smooth curves that the points were taken from|, on the safe side: per arc three
-  /// times what the next two vertices would change (kernels/smooth_segment.hpp), without regard to signs; what a
-  /// crossing that could not be moved may hide; rounding.
+  /// Estimates of |areas - area of the smooth curves that the points were taken from|, on the safe side: for each arc
+  /// three times the change that the next two vertices would make (kernels/smooth_segment.hpp), without regard to
+  /// signs; the area that an unmoved crossing may hide; rounding.
   Areas error;
-  std::uint64_t fallback_segments = 0;   ///< of both curves, not of length zero, that stay straight
-  std::uint64_t fallback_crossings = 0;  ///< crossings at a point that stay where the polygons have them, for want of a
+  std::uint64_t fallback_segments = 0;   ///< segments of both curves, not of length zero, that stay straight
+  std::uint64_t fallback_crossings = 0;  ///< crossings at a point that stay where the polygons have them, for lack of a
                                          ///< crossing of the smooth curves near by that keeps its order along both
 };
 
@@ -50,15 +50,16 @@ struct CommonArea {
   double area = 0, error = 0;
 };
 
-/// What two closed curves have in common. Of order h^6 where the polygons are simple; else by winding numbers, of the
-/// polygons, with an error bar of what the smooth curves enclose more or less. As smooth_areas and regions.
+/// The area that two closed curves have in common. The error is of order h^6 where the polygons are simple; else the
+/// area is by winding numbers of the polygons, with an error bar for the difference to the smooth curves. Throws as
+/// smooth_areas and regions do.
 [[nodiscard]] LOBER_API CommonArea common_area(const ClosedCurve& first, const ClosedCurve& second);
 
-/// The integral over the plane of the product of the winding numbers of two closed curves of any shape: what they have
-/// in common, each part as often as both wind round it, negative where one of them winds the other way. Of order h^6
-/// but for the arcs that the other curve crosses, when they are not simple: those are of order h^2, and in the error
-/// bar. Zero of a curve of fewer than three distinct vertices. Throws DataError as smooth_areas and regions do. The
-/// time of `regions` and of a point query for each vertex in the box of the other curve.
+/// The integral over the plane of the product of the winding numbers of two closed curves of any shape: their common
+/// area, each part as often as both wind round it, negative where one of them winds the other way. The error is of
+/// order h^6 except on arcs that the other curve crosses, when they are not simple: there it is of order h^2, and in
+/// the error bar. Zero for a curve of fewer than three distinct vertices. Throws DataError as smooth_areas and regions
+/// do. Takes the time of `regions` and of a point query for each vertex in the box of the other curve.
 [[nodiscard]] LOBER_API CommonArea winding_product(const ClosedCurve& first, const ClosedCurve& second);
 
 }  // namespace lober

@@ -1,4 +1,4 @@
-// Systems by name: the built-in ones and those that a user adds from a shared library.
+// Systems by name: the built-in ones and those from a user's shared library.
 #pragma once
 
 #include <limits>
@@ -35,7 +35,7 @@ struct Parameter {
   [[nodiscard]] LOBER_API std::string range() const;
 };
 
-/// What a system is, before its parameters are chosen.
+/// The description of a system before its parameters are chosen.
 struct SystemInfo {
   std::string name;
   std::string summary;  ///< one line: equations or their source, and the planar map
@@ -64,7 +64,7 @@ struct Connection {
   /// Corners of the path from `to` back to `from` that the map keeps, walls or an axis, and that closes the boundary;
   /// without any it is straight.
   std::vector<Point> closure{};
-  /// What is known to stand in the way of growing these manifolds, for messages; empty where nothing is.
+  /// A known obstacle to growing these manifolds, for messages; empty where there is none.
   std::string caution{};
 
   [[nodiscard]] Point saddle(ManifoldSide side) const { return side == ManifoldSide::unstable ? from : to; }
@@ -76,24 +76,24 @@ struct Connection {
 /// A system with its parameters chosen.
 struct System {
   SystemInfo info;
-  /// Where the fixed points of interest are: what a scan looks at when the user says nothing.
+  /// The box of the fixed points of interest: a scan searches it unless the user gives another one.
   Rectangle window;
-  /// What a picture of orbits shows, and where those begin: the window, unless the system says otherwise.
+  /// The box that a picture of orbits shows and in which they begin: the window, unless the system says otherwise.
   Rectangle picture;
   /// Shift of the plane after which the map repeats itself, (0, 0) when there is none: (2 pi, 0) for a lifted angle.
   Point lattice;
-  /// A second one in another direction, where both coordinates are angles; (0, 0) otherwise.
+  /// A second shift in another direction, where both coordinates are angles; (0, 0) otherwise.
   Point second_lattice{};
-  std::optional<Connection> connection;  ///< whose tangle is of interest; its boundary bounds region 1
+  std::optional<Connection> connection;  ///< the one whose tangle is of interest; its boundary bounds region 1
   /// Why a system that has a connection for other parameters has none for these; empty elsewhere.
   std::string no_connection{};
-  std::vector<Connection> further{};  ///< whose boundaries bound more regions
+  std::vector<Connection> further{};  ///< connections whose boundaries bound more regions
   /// Whether region 1 is not bounded without those: the strip of a cylinder between an upper and a lower boundary.
   bool further_needed = false;
   std::shared_ptr<const Flow> flow;      ///< null when the system is a map
-  std::vector<FlowState> saddles;        ///< near those of rank 1 that bound a well (engine/escape)
-  std::optional<Section> section;        ///< of the map, when it is a return map
-  std::vector<Symmetry> symmetries;      ///< of the map, apart from the lattice: those known for these parameters
+  std::vector<FlowState> saddles;        ///< states near the saddles of rank 1 that bound a well (engine/escape)
+  std::optional<Section> section;        ///< section of the map, when it is a return map
+  std::vector<Symmetry> symmetries;      ///< symmetries of the map known for these parameters, lattice aside
   std::shared_ptr<const PlanarMap> map;  ///< null for a flow whose map is not defined by its canonical section
 };
 

@@ -5,7 +5,7 @@
 // sources are Rom-Kedar & Wiggins (Arch. Rational Mech. Anal. 109, 1990) and Naik, Lekien & Ross (2017). All of it
 // follows from the crossings, exactly ordered along both curves, and from sums along the curves up to each:
 //
-//   pips      a crossing is a pip if none before it along U comes before it along S: records of one sweep.
+//   pips      a crossing is a pip if none before it along U comes before it along S: the records of one sweep.
 //   arcs      the pips q_0, q_1, ... follow each other outward along U and inward along S. They cut U into arcs
 //             U_k from q_k to q_k+1 and S into arcs S_k between the same pips. Lobe k is bounded by U_k and S_k.
 //   gap       D(x) = S_U(x) - S_S(x), twice the area swept by U up to x minus that swept by S up to x.
@@ -49,11 +49,11 @@ struct Pip {
 /// Lobe k, between pips k and k + 1. It is on the left of U_k when its area is positive.
 struct Lobe {
   double area = 0;          ///< signed
-  double polygon_area = 0;  ///< the same of the polygon; differs with TangleOptions::smooth only
+  double polygon_area = 0;  ///< signed area of the polygon; differs with TangleOptions::smooth only
   /// With TangleOptions::smooth, an estimate of |area - area between the smooth curves|, on the safe side; else zero
   /// (see lobe_shapes).
   double smooth_error = 0;
-  /// Area of its part inside and outside the boundary; they add up to |area| to rounding. NaN without a boundary.
+  /// Areas of its parts inside and outside the boundary; they add up to |area| to rounding. NaN without a boundary.
   double inside = 0, outside = 0;
   /// Whether U_k and S_k meet nowhere but at the pips. They cannot cross there; where they touch or share an arc the
   /// lobe falls into pieces.
@@ -66,14 +66,15 @@ struct Lobe {
 /// curves begin at the same point; TangleOptions::closure).
 struct Boundary {
   std::size_t bip = 0;          ///< number of the pip
-  double area = 0;              ///< of what it encloses
+  double area = 0;              ///< area that it encloses
   double smooth_error = 0;      ///< with TangleOptions::smooth, as Lobe::smooth_error
   int orientation = 1;          ///< +1: U[p-, q] runs counter-clockwise round it
   bool crosses_itself = false;  ///< the closure meets the rest of it; areas are then those of nonzero winding number
 };
 
-/// What lobe k is to the map: lobe k of L_from,to(n) lies in region `from` and is in region `to` n iterates later (n <=
-/// 0: it has been there for -n iterates); regions are 1, inside the boundary, and 2, outside (Rom-Kedar & Wiggins).
+/// The role of lobe k under the map: a lobe of L_from,to(n) lies in region `from` and is in region `to` n iterates
+/// later (n <= 0: it has been there for -n iterates); regions are 1, inside the boundary, and 2, outside (Rom-Kedar &
+/// Wiggins).
 struct LobeLabel {
   int from = 0, to = 0;
   int n = 0;
@@ -83,12 +84,12 @@ struct LobeLabel {
 /// Pairing under the map: f takes pip k to pip k + period and lobe k to lobe k + period.
 struct Images {
   std::uint32_t period = 0;  ///< pips from one to its image; 0: not known, see `reason`
-  bool given = false;        ///< by the caller; else inferred from the areas
+  bool given = false;        ///< whether the caller gave the period; else it is inferred from the areas
   std::string reason;        ///< why the data do not determine the period; empty if they do
   std::string misfit;        ///< why the period that was given cannot be that of these lobes; empty if it can
   /// Consistency, both relative to the mean |area| of a lobe: the largest difference in signed area of a lobe and its
   /// image (0 if no image is seen), and the largest sum of signed areas over one period. Both vanish for a map that
-  /// preserves areas, but for the discretisation.
+  /// preserves area, except for the discretisation.
   double area_change = 0, turnstile_sum = 0;
   std::size_t compared = 0;  ///< lobes whose image is seen too
   std::vector<LobeLabel> labels;
@@ -101,14 +102,14 @@ struct Images {
 struct TangleOptions {
   IndexKind index = IndexKind::automatic;
   std::optional<std::size_t> bip{};  ///< number of the pip; default floor(n / 2)
-  std::optional<Point> bip_near{};   ///< or the pip nearest to this point
+  std::optional<Point> bip_near{};   ///< instead of `bip`, the pip nearest to this point
   /// Corners of the path from p+ to p- that closes the boundary, without p+ and p-: walls, an axis; none: the chord.
   std::vector<Point> closure{};
   std::uint32_t period = 0;  ///< pips from one to its image; 0: infer it
   bool check_simple = true;  ///< refuse manifolds that cross themselves
-  bool parts = true;         ///< the area of the boundary, and what of lobes lies inside and outside it; else zero
+  bool parts = true;         ///< the area of the boundary, and of lobes inside and outside it; else zero
   /// Areas, of lobes, boundary and overlaps, and pips are those of smooth curves through the points, with errors of
-  /// order h^6 (engine/lober/smooth.hpp). Which crossings there are the polygons decide.
+  /// order h^6 (engine/lober/smooth.hpp). The polygons decide which crossings there are.
   bool smooth = false;
   Progress progress{};  ///< called with the fraction done, between phases
 };
@@ -129,10 +130,10 @@ struct Tangle {
   std::optional<Boundary> boundary;  ///< none without a pip
   std::vector<Point> closure;        ///< as in TangleOptions
   Images images;
-  std::vector<std::string> remarks;  ///< what is unusual about the input, one sentence each
+  std::vector<std::string> remarks;  ///< remarks on unusual input, one sentence each
   IndexKind index = IndexKind::tree;
   SimpleCheck check_simple;
-  std::uint64_t fallback_segments = 0, fallback_pips = 0;  ///< with `smooth`: that stay as the polygons have them
+  std::uint64_t fallback_segments = 0, fallback_pips = 0;  ///< with `smooth`: those that stay as in the polygons
   TangleTiming timing;
 
   std::shared_ptr<const detail::TangleCurves> curves;
@@ -146,9 +147,9 @@ struct Tangle {
 
 /// The tangle of two manifolds. The result keeps alive what they own. Throws DataError (validate; a closure that is not
 /// finite), NotSimpleError,
-/// UsageError (a bip that does not exist), Cancelled. The time of the crossing search and of the sums
-/// up to the pips and to those crossings that the boundary has with lobes; parallel; the same bits for any number of
-/// threads and any index.
+/// UsageError (a bip that does not exist), Cancelled. Takes the time of the crossing search and of the sums up to the
+/// pips and to the crossings of the boundary with lobes; parallel; the same bits for any number of threads and any
+/// index.
 [[nodiscard]] LOBER_API Tangle tangle(const OpenCurve& u, const OpenCurve& s, const TangleOptions& options = {});
 
 /// The same for open curves that are indexed already. Throws the same, and UsageError for a closed one.
@@ -157,15 +158,15 @@ struct Tangle {
 // ------------------------------------------------------------------- more about a result, computed when asked for
 
 /// Where a crossing is in the tangle. On arc k of U: between pips k and k + 1 (the last arc, k = pips - 1, leads to the
-/// end of U); on arc j of S: between pips j + 1 and j (j = -1: beyond pip 0, to the end of S; j = pips - 1: from p+). A
-/// pip k is on arcs k of both. Of a sip, j < k: it lies on both lobes k (by U) and j (by S).
+/// end of U); on arc j of S: between pips j + 1 and j (j = -1: beyond pip 0, to the end of S; j = pips - 1: from p+).
+/// Pip k is on arcs k of both. For a sip, j < k: it lies on both lobes k (by U) and j (by S).
 struct ArcsAt {
   std::int32_t u, s;
   /// How far apart these lobes are; 0 for pips. With period P, a sip of generation g shows that lobe j, after
   /// ceil(g / P) iterates or fewer, meets lobes of its own time again.
   [[nodiscard]] std::int32_t generation() const { return u - s; }
 };
-/// Of every node; of those that do not cross too. O(nodes).
+/// The arcs at every node, also at nodes that are not crossings. O(nodes).
 [[nodiscard]] LOBER_API std::vector<ArcsAt> arcs_at_nodes(const Tangle& tangle);
 
 struct LobeOverlap {
@@ -173,7 +174,7 @@ struct LobeOverlap {
   double area;
   /// With TangleOptions::smooth, an estimate of the error, as Lobe::smooth_error; else a bound on rounding.
   double error = 0;
-  double perimeter = 0;  ///< of what they have in common
+  double perimeter = 0;  ///< perimeter of their common region
 };
 /// The area that two lobes have in common, for every pair that has any; ordered by i, then j. O(crossings + N + M).
 [[nodiscard]] LOBER_API std::vector<LobeOverlap> overlaps(const Tangle& tangle);
@@ -182,27 +183,27 @@ struct LobeOverlap {
 /// (also j <= i); ordered by i, then j.
 struct CopyOverlaps {
   std::vector<LobeOverlap> overlaps;
-  /// Pips of one tangle or the other that are none of both together, because one's U crosses the other's S before them.
-  /// What is said of lobes between such pips is not to be relied on.
+  /// Pips of one tangle or the other that are not pips of both together, because the U of one crosses the S of the
+  /// other before them. Overlaps of lobes between such pips are not reliable.
   std::vector<std::uint32_t> hidden_pips;
 };
 /// For planes that repeat themselves, where manifolds do not cross their own copies. Two searches of one curve against
-/// the other, and O(N + M). Throws UsageError for no translation, DataError where coordinates leave the range in which
-/// squares are numbers.
+/// the other, and O(N + M). Throws UsageError for a zero translation, DataError where coordinates leave the range in
+/// which squares are numbers.
 [[nodiscard]] LOBER_API CopyOverlaps overlaps_with_copy(const Tangle& tangle, Point translation);
 
 /// The boundary of a lobe as a closed polygon: pip k, along U to pip k + 1, back along S. Where S_k and U_k touch it
-/// touches itself. Always the polygons'. O(its vertices).
+/// touches itself. It is always that of the polygons. O(its vertices).
 [[nodiscard]] LOBER_API std::vector<Point> lobe_outline(const Tangle& tangle, std::size_t lobe);
-/// Length of a closed polygon such as that.
+/// Length of a closed polygon such as a lobe_outline.
 [[nodiscard]] LOBER_API double perimeter(const std::vector<Point>& polygon);
 /// U[p-, q] and S[q, p+], q a pip, as an open polyline. O(its vertices).
 [[nodiscard]] LOBER_API std::vector<Point> boundary_arcs(const Tangle& tangle, std::size_t pip);
 /// The boundary as a closed polygon: from p- along U to the bip, along S to p+ and along the closure back to p-.
 /// O(its vertices).
 [[nodiscard]] LOBER_API std::vector<Point> boundary_outline(const Tangle& tangle);
-/// Signed area of what U[p-, q], S[q, p+] and the closure from p+ to p- enclose, q a pip, each part counted with its
-/// winding number; of the smooth curves if that is what the tangle is made of. The error is as Lobe::smooth_error.
+/// Signed area enclosed by U[p-, q], S[q, p+] and the closure from p+ to p-, q a pip, each part counted with its
+/// winding number; that of the smooth curves if the tangle is made of them. The error is as Lobe::smooth_error.
 /// O(corners of the closure).
 struct SweptArea {
   double area = 0, error = 0;
@@ -216,12 +217,12 @@ struct LobeShape {
   Point centroid;
   double perimeter = 0;
   double width = 0;  ///< mean width of a thin lobe, 2 |area| / perimeter
-  /// Estimate of what the polygon loses against smooth curves through the same points (kernels/sagitta.hpp).
+  /// Estimate of the area that the polygon loses against smooth curves through the same points (kernels/sagitta.hpp).
   double discretisation = 0;
 };
 /// One pass over the arcs of all lobes, parallel.
 [[nodiscard]] LOBER_API std::vector<LobeShape> lobe_shapes(const Tangle& tangle);
-/// The same estimate for the area of the boundary: its closure consists of straight lines. O(its vertices).
+/// The same estimate for the area of the boundary, whose closure consists of straight lines. O(its vertices).
 [[nodiscard]] LOBER_API double boundary_discretisation(const Tangle& tangle);
 
 }  // namespace lober

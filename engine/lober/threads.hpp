@@ -7,7 +7,7 @@
 
 namespace lober {
 
-/// The most threads that may be asked for: an operating system refuses more, or gives them no stack.
+/// The most threads that may be asked for: operating systems refuse more, or give them no stack.
 inline constexpr int max_threads = 4096;
 
 /// Runs the function with at most `threads` threads, also more than the machine has cores; 0: one for each core.

@@ -21,15 +21,15 @@ struct TubeSurface {
 
 struct TubeSurfaceOptions {
   std::size_t around = 48;
-  std::size_t rings_a_period = 24;  ///< of the orbit
+  std::size_t rings_a_period = 24;  ///< rings for each period of the orbit
   std::size_t max_rings = 400;
   IntegrationOptions integration{};
 };
 
 /// Carries the curve in which a tube meets a section for the first time, in the chart of the section, back to the orbit
-/// (`backward`: of an unstable tube) or on to it. The section's direction is that in which the tube crosses it. A ring
+/// (`backward`: for an unstable tube) or on to it. The section's direction is that in which the tube crosses it. A ring
 /// that loses a state is the last but one. Errors of the curve grow by the orbit's multiplier a period: good for
-/// pictures, not for numbers. Throws UsageError for a curve of less than three points.
+/// pictures, not for numbers. Throws UsageError for a curve of fewer than three points.
 [[nodiscard]] LOBER_API TubeSurface tube_surface(const Flow& flow, const Section& section, double energy,
                                                  std::span<const Point> curve, const PeriodicOrbit& orbit,
                                                  bool backward, const TubeSurfaceOptions& options = {});

@@ -22,23 +22,23 @@
 namespace lober {
 
 /// A section {state[coordinate] = value} of a flow of two degrees of freedom, in the chart of its other pair.
-/// `direction`: that of the crossings that count, 0 for both. Throws UsageError when the coordinate is not one of
-/// position.
+/// `direction`: that of the crossings that count, 0 for both. Throws UsageError when the coordinate is not a position.
 [[nodiscard]] LOBER_API Section position_section(const Flow& flow, int coordinate, double value, int direction);
 
 struct TubeCurve {
   CurveImage image;       ///< in the section's chart
-  int direction = 0;      ///< in which its trajectories cross, in forward time; 0 when not all do alike
-  bool cut = false;       ///< the image of what has not left yet, closed along a regularising curve; may cross itself
-  double cut_off = 0;     ///< of a cut one: the area that closing it may have lost
+  int direction = 0;      ///< direction in which its trajectories cross, in forward time; 0: not all alike
+  bool cut = false;       ///< image of the part that has not left, closed along a regularising curve; may cross itself
+  double cut_off = 0;     ///< for a cut curve: the area that may be lost by closing it
   bool complete = false;  ///< every trajectory gets here, and the curve meets the tolerance
-  double area = 0;        ///< that it encloses, of order h^6; 0 unless complete
-  /// Error bar of `area`: of the discretisation, the integration (a few trajectories once more, less accurately) and
+  double area = 0;        ///< area that it encloses, with an error of order h^6; 0 unless complete
+  /// Error bar of `area`: for the discretisation, the integration (a few trajectories once more, less accurately) and
   /// the local manifold.
   double area_error = 0;
-  /// The part of it by integration and local manifold; of a cut curve that of segments that no refinement shortens.
+  /// The part of area_error by integration and local manifold; for a cut curve that of segments that no refinement
+  /// shortens.
   double displacement_area = 0;
-  double work = 0;           ///< that it took (PlanarMap::work)
+  double work = 0;           ///< work that it took (PlanarMap::work)
   bool out_of_work = false;  ///< it ends unfinished, at TubeCurveOptions::max_work
   /// Borrows the points.
   [[nodiscard]] ClosedCurve view() const& { return ClosedCurve::borrow(image.points); }
@@ -65,7 +65,7 @@ class Tube {
   /// Where the trajectories of a branch, numbered by u in [0, 1], begin.
   LOBER_API void begin(Branch branch, std::span<const double> u, std::span<FlowState> states) const;
   /// Their crossing number k = 1, 2, ... of the section: after they began on the unstable side, before on the stable
-  /// one. NaN for those that do not get there. Returns what it took, in tenths of PlanarMap::work.
+  /// one. NaN for those that do not get there. Returns the work, in tenths of PlanarMap::work.
   LOBER_API std::uint64_t crossings(Branch branch, const Section& section, int k, std::span<const double> u,
                                     std::span<FlowState> states) const;
   /// The branch whose trajectories reach the section, the sooner one if both do; none when neither does.

@@ -17,7 +17,7 @@ bool is_copy(Point guess, Point point, Point period) {
   return std::hypot(there.x - point.x, there.y - point.y) < 0.1 * std::hypot(period.x, period.y);
 }
 
-// To what the coordinates of saddles, which may have been computed, are rounded.
+// Whether the saddles are a period apart, as far as their coordinates, which may have been computed, are rounded.
 bool is_period_apart(const Connection& connection, Point period) {
   const double x = connection.to.x - connection.from.x - period.x, y = connection.to.y - connection.from.y - period.y;
   return !(period == Point{}) && std::hypot(x, y) <= 1e-9 * std::hypot(period.x, period.y);

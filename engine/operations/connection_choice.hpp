@@ -1,4 +1,4 @@
-// Which saddles and branches a tangle is made of (private to operations/).
+// The saddles and branches that a tangle is made of (private to operations/).
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@ using namespace operations;
 struct ConnectionChoice {
   std::optional<Point> from{}, to{}, u_direction{}, s_direction{}, bip{};
 
-  /// None but, perhaps, the bip.
+  /// Whether nothing is given but, perhaps, the bip.
   [[nodiscard]] bool is_own() const { return !from && !to && !u_direction && !s_direction; }
 };
 
 /// Its members as options.
 [[nodiscard]] const OptionList<ConnectionChoice>& connection_options();
 
-/// What the system brings, with what is given in its place. Throws UsageError with what is missing.
+/// The connection of the system, with the given values in place of its own. Throws UsageError with the missing ones.
 [[nodiscard]] Connection chosen_connection(const ConnectionChoice& choice, const System& system);
 
 /// The other boundaries of the system, where they are wanted or the first region is not bounded without them. Other

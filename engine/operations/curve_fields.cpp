@@ -14,13 +14,13 @@ struct NamedArea {
   const char* meaning;
 };
 constexpr std::array<NamedArea, 7> named_areas{
-    {{"c1", "C1", &Areas::c1, "of C1"},
-     {"c2", "C2", &Areas::c2, "of C2"},
-     {"intersection", "C1 and C2", &Areas::intersection, "of what is in both"},
-     {"union", "C1 or C2", &Areas::union_, "of what is in one of them or in both"},
-     {"c1_minus_c2", "C1 \\ C2", &Areas::c1_minus_c2, "of what is in C1 and not in C2"},
-     {"c2_minus_c1", "C2 \\ C1", &Areas::c2_minus_c1, "of what is in C2 and not in C1"},
-     {"symmetric_difference", "either, not both", &Areas::symmetric_difference, "of what is in one of them only"}}};
+    {{"c1", "C1", &Areas::c1, "the region of C1"},
+     {"c2", "C2", &Areas::c2, "the region of C2"},
+     {"intersection", "C1 and C2", &Areas::intersection, "the region in both"},
+     {"union", "C1 or C2", &Areas::union_, "the region in one of them or in both"},
+     {"c1_minus_c2", "C1 \\ C2", &Areas::c1_minus_c2, "the region in C1 and not in C2"},
+     {"c2_minus_c1", "C2 \\ C1", &Areas::c2_minus_c1, "the region in C2 and not in C1"},
+     {"symmetric_difference", "either, not both", &Areas::symmetric_difference, "the region in one of them only"}}};
 
 template <typename Combine>
 Areas combined(const Areas& a, const Areas& b, const Combine& combine) {
@@ -44,8 +44,8 @@ Schema<Crossings> meetings_schema() {
   Schema<Crossings> made;
   made.field("count", "", "number of crossings", &Crossings::crossings)
       .field("contacts", "", "number of points where the curves touch", &Crossings::touches)
-      .field("shared_arcs", "", "number of arcs that they share", &Crossings::shared_arcs)
-      .field("same_curve", "", "whether they are one and the same", &Crossings::same_curve);
+      .field("shared_arcs", "", "number of arcs that the curves share", &Crossings::shared_arcs)
+      .field("same_curve", "", "whether the curves are one and the same", &Crossings::same_curve);
   return made;
 }
 
@@ -68,7 +68,7 @@ const Schema<ContactCounts>& counts_schema() {
         .field("exact_parameters", "", "crossings too shallow for double-double", &Counts::exact_parameters)
         .field("exact_orders", "", "pairs of crossings on one segment that were ordered by exact arithmetic",
                &Counts::exact_orders)
-        .object("skipped", "what was not looked at", skipped, [](const Counts& c) { return &c; });
+        .object("skipped", "parts that were not looked at", skipped, [](const Counts& c) { return &c; });
     return made;
   }();
   return schema;

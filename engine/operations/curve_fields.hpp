@@ -10,7 +10,7 @@ namespace lober::detail::table {
 
 /// The seven areas.
 [[nodiscard]] const Schema<Areas>& areas_schema();
-/// How often two curves meet.
+/// Fields for how often two curves meet.
 [[nodiscard]] Schema<Crossings> meetings_schema();
 /// Work of a search for crossings.
 [[nodiscard]] const Schema<ContactCounts>& counts_schema();
@@ -24,9 +24,9 @@ template <typename Statistics>
       .field("skipped_blocks", "", "blocks of the curves whose box meets nothing",
              [](const Statistics& s) { return s.check_simple.blocks_skipped; });
   Schema<Statistics> made;
-  made.field("index", "", "that was used", [](const Statistics& s) { return std::string(name(s.index)); })
+  made.field("index", "", "index that was used", [](const Statistics& s) { return std::string(name(s.index)); })
       .parts(counts_schema(), [](const Statistics& s) { return &s.counts; })
-      .object("check_simple", "of each curve against itself", check, [](const Statistics& s) { return &s; });
+      .object("check_simple", "the search of each curve against itself", check, [](const Statistics& s) { return &s; });
   return made;
 }
 
@@ -34,9 +34,10 @@ template <typename Statistics>
 template <typename T>
 void add_orientations(Schema<T>& schema) {
   schema
-      .field("orientation1", "", "of C1 as it was given: 1 counter-clockwise, -1 clockwise, 0 without area",
+      .field("orientation1", "", "orientation of C1 as given: 1 counter-clockwise, -1 clockwise, 0 without area",
              [](const T& t) { return static_cast<std::int64_t>(t.orientation1); })
-      .field("orientation2", "", "of C2", [](const T& t) { return static_cast<std::int64_t>(t.orientation2); });
+      .field("orientation2", "", "orientation of C2",
+             [](const T& t) { return static_cast<std::int64_t>(t.orientation2); });
 }
 
 /// |a - b|, area by area.

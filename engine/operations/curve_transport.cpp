@@ -35,12 +35,12 @@ const OptionList<CurvesTransportHow>& curve_transport_options() {
 std::vector<Field> curve_transport_fields() {
   using Found = CurveTransport;
   Schema<Found> turnstile, stop;
-  turnstile.field("flux12", "area", "of what leaves the region inside in one step", &Found::flux12)
-      .field("flux21", "area", "of what enters it in one step", &Found::flux21)
+  turnstile.field("flux12", "area", "area that leaves the region inside in one step", &Found::flux12)
+      .field("flux21", "area", "area that enters the region inside in one step", &Found::flux21)
       .field("lobe_area12", "area", "sum of the lobes that leave, each counted fully", &Found::lobe_area12)
       .field("lobe_area21", "area", "sum of the lobes that enter, each counted fully", &Found::lobe_area21);
   stop.field("reason", "", "curves: they reach no farther", [](const Found&) { return "curves"; })
-      .field("why", "", "in words", &Found::why);
+      .field("why", "", "the reason in words", &Found::why);
   Schema<Found> error = step_errors<Found>();
   error.field("area_conservation", "area", "|flux12 - flux21| of the turnstile, by geometry",
               [](const Found& f) { return std::fabs(f.flux12.value - f.flux21.value); });
@@ -48,13 +48,13 @@ std::vector<Field> curve_transport_fields() {
   Schema<Found> made;
   made.field("period", "", "number of pips from one to its image", &Found::period)
       .list("regions", "R1, R2", regions_schema(), &Found::regions)
-      .field("enclosed", "area", "of what the boundary encloses", &Found::enclosed)
+      .field("enclosed", "area", "area that the boundary encloses", &Found::enclosed)
       .object("turnstile", "lobes and fluxes", turnstile, whole)
       .list("steps", "n = 1, 2, ...", step_schema(), &Found::steps)
       .object("stop", "why there are fewer rows than were asked for", stop,
               [](const Found& f) { return f.limit.empty() ? nullptr : &f; })
-      .field("remarks", "", "what to know of the result", &Found::remarks)
-      .object("error", "error bars of T21(n) and what speaks for them", error, whole);
+      .field("remarks", "", "remarks on the result", &Found::remarks)
+      .object("error", "error bars of T21(n) and the checks that support them", error, whole);
   return made.fields();
 }
 

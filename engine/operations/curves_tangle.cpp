@@ -8,7 +8,7 @@ using namespace operations;
 
 std::vector<InputSpec> manifold_inputs() {
   return {{"u", InputKind::open_curve, "the unstable manifold, outward from its fixed point"},
-          {"s", InputKind::open_curve, "the stable manifold, likewise"}};
+          {"s", InputKind::open_curve, "the stable manifold, outward from its fixed point"}};
 }
 
 Tangle tangle_of_curves(const Operation& operation, std::span<const Input> inputs, CurvesHow& how,
@@ -17,7 +17,7 @@ Tangle tangle_of_curves(const Operation& operation, std::span<const Input> input
   if (how.period_given) how.period = static_cast<std::uint32_t>(*how.period_given);
   if (how.closure_corners) {
     const std::vector<double>& numbers = *how.closure_corners;
-    if (numbers.size() % 2 != 0) throw UsageError("option \"closure\" needs two coordinates of each corner");
+    if (numbers.size() % 2 != 0) throw UsageError("option \"closure\" needs two coordinates for each corner");
     for (std::size_t k = 0; k < numbers.size(); k += 2) how.closure.push_back({numbers[k], numbers[k + 1]});
   }
   how.progress = context.progress;

@@ -24,9 +24,9 @@ OptionList<How>& add_curves_options(OptionList<How>& list) {
   return list
       .option("bip", &How::bip_number,
               "number of the boundary intersection point, the pip at which the boundary passes from U to S, from 0",
-              {.min = 0, .max = 4e9, .otherwise = "that nearest to bip_near, or the middle one", .value = "K"})
+              {.min = 0, .max = 4e9, .otherwise = "the pip nearest to bip_near, or the middle one", .value = "K"})
       .option("period", &How::period_given,
-              "number of pips from one to its image, at most that of lobes, even where lobes alternate",
+              "number of pips from one to its image, at most the number of lobes, and even where lobes alternate",
               {.min = 1, .max = 1'000'000, .otherwise = "inferred from the areas", .value = "P"})
       .option("bip_near", &How::bip_near, "point near it", {.otherwise = "none", .value = "X,Y"})
       .option("closure", &How::closure_corners,

@@ -84,7 +84,7 @@ const OptionList<SimplifyHow>& simplify_options() {
                 "maximum distance of a removed vertex from the curve that remains, in units of the coordinates",
                 {.min = 0, .value = "LENGTH"})
         .option("max_length", &SimplifyHow::max_length_given,
-                "maximum length of the segments that come into being, in units of the coordinates",
+                "maximum length of new segments, in units of the coordinates",
                 {.min = 0, .above_min = true, .otherwise = "no maximum", .value = "LENGTH"})
         .option("closed", &SimplifyHow::closed, "whether to join the last vertex of the curve to the first");
     return list;
@@ -98,7 +98,7 @@ template <typename Curve>
 Schema<Curve> size_schema() {
   Schema<Curve> made;
   made.field("points", "", "number of points", [](const Curve& c) { return c.points.size(); })
-      .field("closed", "", "whether the last one is joined to the first", &Curve::closed);
+      .field("closed", "", "whether the last point is joined to the first one", &Curve::closed);
   return made;
 }
 
@@ -111,15 +111,16 @@ Schema<RefinedCurve> diagnostics() {
     });
   }
   Schema<Diagnostic> one;
-  one.field("segment", "", "the first one, from 0", &Diagnostic::first)
-      .field("count", "", "number of segments, of which one at least breaks a criterion", &Diagnostic::count)
+  one.field("segment", "", "number of the first segment, from 0", &Diagnostic::first)
+      .field("count", "", "number of segments, at least one of which breaks a criterion", &Diagnostic::count)
       .field("cause", "", "min_length, corner, max_points or max_rounds",
              [](const Diagnostic& d) { return std::string(name(d.cause)); });
   Schema<RefinedCurve> made;
-  made.object("counts", "places by cause, of those that there are", counts, [](const RefinedCurve& c) { return &c; })
+  made.object("counts", "number of places by cause, for each cause that occurs", counts,
+              [](const RefinedCurve& c) { return &c; })
       .field("segments", "", "number of segments in all places", &RefinedCurve::segments_with_diagnostics)
-      .list("list", "in order along the result; empty where a later step has changed the numbers of segments", one,
-            [](const RefinedCurve& c) -> const std::vector<Diagnostic>& { return c.diagnostics; });
+      .list("list", "places in order along the result; empty where a later step has changed the numbers of segments",
+            one, [](const RefinedCurve& c) -> const std::vector<Diagnostic>& { return c.diagnostics; });
   return made;
 }
 
@@ -130,15 +131,14 @@ std::vector<Point> copied(const Buffer<Point>& points) {
 Schema<RefinedCurve> result_schema() {
   Schema<RefinedCurve> made;
   made.field("given", "", "number of points of the curve given", &RefinedCurve::given)
-      .object("result", "the curve that comes out", size_schema<RefinedCurve>(),
-              [](const RefinedCurve& c) { return &c; })
+      .object("result", "the resulting curve", size_schema<RefinedCurve>(), [](const RefinedCurve& c) { return &c; })
       .field("signed_area", "area",
-             "of the result, positive for a counter-clockwise curve; of an open one that of the "
+             "signed area, positive for a counter-clockwise curve; for an open one that of the "
              "polygon that its ends close",
              [](const RefinedCurve& c) {
                return signed_area(CurveView{c.points, true});
              })
-      .field("points", "length", "of the result", [](const RefinedCurve& c) { return copied(c.points); });
+      .field("points", "length", "points of the result", [](const RefinedCurve& c) { return copied(c.points); });
   return made;
 }
 
@@ -146,11 +146,11 @@ std::vector<Field> densify_fields() {
   using Step = RefinedCurve::Step;
   Schema<Step> step;
   step.field("step", "", "simplify, criteria, passes or crossings", &Step::name)
-      .field("points", "", "number of points after it", &Step::points)
-      .field("rounds", "", "in which points were inserted or removed", &Step::rounds);
+      .field("points", "", "number of points after the step", &Step::points)
+      .field("rounds", "", "number of rounds in which points were inserted or removed", &Step::rounds);
   Schema<RefinedCurve> made;
-  made.list("steps", "what was done, in order", step, &RefinedCurve::steps)
-      .field("rounds", "", "of all steps",
+  made.list("steps", "the steps in order", step, &RefinedCurve::steps)
+      .field("rounds", "", "number of rounds of all steps",
              [](const RefinedCurve& c) {
                std::size_t sum = 0;
                for (const Step& one : c.steps) sum += one.rounds;
@@ -160,7 +160,7 @@ std::vector<Field> densify_fields() {
       .object("against", "the other curve with the crossings inserted", size_schema<DensifiedCurve>(),
               [](const RefinedCurve& c) { return c.against ? &*c.against : nullptr; })
       .if_asked_for()
-      .field("against_points", "length", "of that curve; none where no crossings were inserted",
+      .field("against_points", "length", "points of the other curve; none where no crossings were inserted",
              [](const RefinedCurve& c) { return c.against ? copied(c.against->points) : std::vector<Point>(); })
       .object("diagnostics", "segments that do not meet the criteria", diagnostics(),
               [](const RefinedCurve& c) { return &c; });
@@ -169,7 +169,7 @@ std::vector<Field> densify_fields() {
 
 // ------------------------------------------------------------------------------------------------------------- run
 
-// The criteria with what was not given taken from the size of the curve.
+// The criteria, missing ones taken from the size of the curve.
 std::optional<Criteria> criteria_for(const DensifyHow& how, CurveView curve) {
   if (!how.has_angles() && !how.max_length) return std::nullopt;
   const Criteria usual = hobson_criteria(curve);
@@ -202,7 +202,7 @@ class PointLimit {
   void require(double points) const {
     if (most_ < by_memory_ || points <= static_cast<double>(by_memory_)) return;
     throw DataError("the criteria ask for more than " + std::to_string(by_memory_) +
-                    " points, as many as there is memory for");
+                    " points, the number that there is memory for; give larger criteria");
   }
   void holds(double points) const {
     if (context_.holds) context_.holds(bytes_per_new_point * static_cast<std::size_t>(points));
@@ -320,7 +320,7 @@ Operation densify_operation() {
       "distance_angle), then passes, then crossings.";
   operation.compares = false;
   operation.inputs = {{"curve", InputKind::curve, "a curve"},
-                      {"against", InputKind::curve, "another one, for passes and crossings", true}};
+                      {"against", InputKind::curve, "another curve, for passes and crossings", true}};
   operation.options = densify_options().specs();
   operation.result = densify_fields();
   operation.examples = {{{"examples/resonance.dat"}, {{"max_length", 0.01}}, "no segment is longer than 0.01"},
@@ -336,7 +336,7 @@ Operation simplify_operation() {
   Operation operation;
   operation.name = "simplify";
   operation.title = "removal of points from a curve";
-  operation.summary = "Removes the vertices of a curve without which it stays within a tolerance of what it was.";
+  operation.summary = "Removes vertices of a curve, so that it stays within a tolerance of the given one.";
   operation.compares = false;
   operation.inputs = {{"curve", InputKind::curve, "a curve"}};
   operation.options = simplify_options().specs();

@@ -139,8 +139,8 @@ class Schema {
     fields_.push_back(std::move(made));
     return *this;
   }
-  /// The getter returns what has a size and elements by number, each a U or a reference to one; or a reference to it,
-  /// or to an optional one, which is null in JSON where it is not there.
+  /// The getter returns an object that has a size and elements by number, each a U or a reference to one; or a
+  /// reference to it, or to an optional one, which is null in JSON where it is not there.
   template <typename U, typename Get>
   Schema& list(std::string name, std::string meaning, const Schema<U>& members, Get get) {
     Field made{std::move(name), FieldKind::list, {}, std::move(meaning), {}, members.fields()};
@@ -200,14 +200,14 @@ class Schema {
 
 // ---------------------------------------------------------------------------------------------------------- options
 
-/// What a table says of an option beside its member.
+/// The properties of an option in a table, beside its member.
 struct OptionForm {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool above_min = false;
-  std::string otherwise = {};  ///< of an optional one: what is done without it; empty: it is required
+  std::string otherwise = {};  ///< what is done without an optional one; empty: it is required
   std::string value = {};
-  std::vector<std::string> choices = {};  ///< of a text
+  std::vector<std::string> choices = {};  ///< allowed values of a text
 };
 
 /// The options of a How, and what moves their values into one.
@@ -275,7 +275,7 @@ class OptionList {
     specs_.push_back(std::move(spec));
     return *this;
   }
-  /// One that need not be given; `otherwise` is what is done then.
+  /// An option that need not be given; `otherwise` says what is done then.
   template <typename Base, typename Enum, std::size_t size>
   requires std::derived_from<How, Base> OptionList& choice(std::string key, std::optional<Enum> Base::*member,
                                                            const std::array<Enum, size>& all, std::string meaning,

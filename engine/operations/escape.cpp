@@ -1,4 +1,4 @@
-// `escape`: what leaves a potential well through its bottlenecks, and when. Its value is a SystemEscape.
+// `escape`: the fraction that leaves a potential well through its bottlenecks, and when. Its value is a SystemEscape.
 #include "lober/escape.hpp"
 
 #include <algorithm>
@@ -92,17 +92,17 @@ Schema<SaddlePoint> saddle_schema_of(bool with_rates) {
       .field("energy", "energy", "its energy", &SaddlePoint::energy);
   if (!with_rates) return made;
   return made.field("rate", "1 / time", "real eigenvalues are +- rate", &SaddlePoint::rate)
-      .field("frequency", "1 / time", "imaginary ones +- i frequency", &SaddlePoint::frequency);
+      .field("frequency", "1 / time", "imaginary eigenvalues are +- i frequency", &SaddlePoint::frequency);
 }
 
 Schema<PeriodicOrbit> orbit_schema() {
   using Orbit = PeriodicOrbit;
   Schema<Orbit> made;
   made.field("state", "", "a point of the orbit", [](const Orbit& o) { return numbers_of(o.state); })
-      .field("turning", "", "states where it turns", [](const Orbit& o) { return rows_of_states(o.turning, 2); })
-      .field("brake", "", "whether it is at rest there", &Orbit::brake)
-      .field("period", "time", "of the orbit", &Orbit::period)
-      .field("action", "action", "integral of p dq over it",
+      .field("turning", "", "states where the orbit turns", [](const Orbit& o) { return rows_of_states(o.turning, 2); })
+      .field("brake", "", "whether the orbit is at rest there", &Orbit::brake)
+      .field("period", "time", "period of the orbit", &Orbit::period)
+      .field("action", "action", "integral of p dq over the orbit",
              [](const Orbit& o) {
                return Measured{o.action, o.action_error};
              })
@@ -112,22 +112,24 @@ Schema<PeriodicOrbit> orbit_schema() {
              })
       .field("monodromy", "", "derivative of the flow over one period",
              [](const Orbit& o) { return rows_of_states(o.monodromy, 4); })
-      .field("trace_defect", "", "trace of that less the sum of the multipliers", &Orbit::trace_defect)
-      .field("residual", "", "by which the orbit does not close", &Orbit::residual)
-      .field("continuation_steps", "", "in energy, to get there from the saddle", &Orbit::continuation_steps);
+      .field("trace_defect", "", "trace of the monodromy matrix less the sum of the multipliers", &Orbit::trace_defect)
+      .field("residual", "", "distance by which the orbit does not close", &Orbit::residual)
+      .field("continuation_steps", "", "number of steps in energy from the saddle to the orbit",
+             &Orbit::continuation_steps);
   return made;
 }
 
 Schema<TubeCurve> tube_curve_schema() {
   Schema<TubeCurve> made;
   made.field("points", "", "number of points", [](const TubeCurve& c) { return c.image.points.size(); })
-      .field("direction", "", "in which its trajectories cross; 0 when not all do alike", &TubeCurve::direction)
-      .field("cut", "", "whether part of it has left", &TubeCurve::cut)
-      .field("cut_off", "area", "that closing a cut curve may have lost", &TubeCurve::cut_off)
-      .field("area", "area", "that it encloses; not known of a cut one",
+      .field("direction", "", "direction in which its trajectories cross; 0 when not all cross alike",
+             &TubeCurve::direction)
+      .field("cut", "", "whether part of the curve has left", &TubeCurve::cut)
+      .field("cut_off", "area", "area that may be lost by closing a cut curve", &TubeCurve::cut_off)
+      .field("area", "area", "area that the curve encloses; not known for a cut curve",
              [](const TubeCurve& c) { return c.cut ? std::numeric_limits<double>::quiet_NaN() : c.area; })
       .field("area_error", "area", "its error bar", &TubeCurve::area_error)
-      .field("outline", "", "its points in the section's chart",
+      .field("outline", "", "points of the curve in the section's chart",
              [](const TubeCurve& c) { return std::vector<Point>(c.image.points.begin(), c.image.points.end()); });
   return made;
 }
@@ -148,14 +150,15 @@ std::vector<Named> named_bottlenecks(const SystemEscape& escape) {
 Schema<Named> bottleneck_schema() {
   Schema<Named> made;
   made.field("name", "", "left, right, or a number from 1", &Named::name)
-      .object("saddle", "of rank 1", saddle_schema_of(true), [](const Named& n) { return &n.bottleneck->orbit.saddle; })
+      .object("saddle", "the saddle of rank 1", saddle_schema_of(true),
+              [](const Named& n) { return &n.bottleneck->orbit.saddle; })
       .object("orbit", "periodic orbit in the bottleneck", orbit_schema(),
               [](const Named& n) { return &n.bottleneck->orbit; })
-      .field("area", "area", "of the entrance and the exit, by action",
+      .field("area", "area", "area of the entrance and the exit, by action",
              [](const Named& n) {
                return Measured{n.bottleneck->area, n.bottleneck->area_error};
              })
-      .field("multiplier", "", "of the tube on its local manifold: that of the orbit, found otherwise",
+      .field("multiplier", "", "multiplier of the orbit, found from the local manifold of its tube",
              [](const Named& n) { return n.bottleneck->multiplier; })
       .field("area_defect", "", "largest |area of a curve / area - 1|",
              [](const Named& n) { return n.bottleneck->area_defect; })
@@ -169,7 +172,7 @@ Schema<Named> bottleneck_schema() {
 Schema<Section> bound_schema() {
   Schema<Section> made;
   made.field("coordinate", "", "number of the coordinate", &Section::bound_coordinate)
-      .field("value", "", "of it", &Section::bound)
+      .field("value", "", "value of the coordinate at the bound", &Section::bound)
       .field("side", "", "-1: below; 1: above", &Section::bound_side);
   return made;
 }
@@ -177,13 +180,13 @@ Schema<Section> bound_schema() {
 Schema<Section> section_schema() {
   Schema<Section> made;
   made.field("coordinate", "", "number of the coordinate that is fixed", &Section::coordinate)
-      .field("value", "", "of it", &Section::value)
+      .field("value", "", "value of the coordinate on the section", &Section::value)
       .field("direction", "", "sign of the velocity of crossings that count; 0: both", &Section::direction)
       .field("chart", "", "numbers of the coordinates of the chart",
              [](const Section& s) {
                return std::vector<std::int64_t>{s.chart_x, s.chart_y};
              })
-      .object("bound", "the part that counts, where not all does", bound_schema(),
+      .object("bound", "the part of the section that counts, where not all of it does", bound_schema(),
               [](const Section& s) { return s.bound_side == 0 ? nullptr : &s; });
   return made;
 }
@@ -206,21 +209,23 @@ std::vector<TableRow> table_rows(const SystemEscape& escape) {
 
 Schema<MonteCarloFraction> counted_schema() {
   Schema<MonteCarloFraction> made;
-  made.field("count", "", "of trajectories", &MonteCarloFraction::count)
-      .field("fraction", "", "of all", &MonteCarloFraction::fraction)
-      .field("standard_error", "", "of it", &MonteCarloFraction::standard_error);
+  made.field("count", "", "number of trajectories", &MonteCarloFraction::count)
+      .field("fraction", "", "fraction of all trajectories", &MonteCarloFraction::fraction)
+      .field("standard_error", "", "standard error of the fraction", &MonteCarloFraction::standard_error);
   return made;
 }
 
 Schema<TableRow> table_schema() {
   using Split = std::vector<std::int64_t>;
   Schema<TableRow> made;
-  made.field("entrance", "", "bottleneck by which it enters", &TableRow::entrance)
-      .field("exit", "", "bottleneck by which it leaves", &TableRow::exit)
-      .field("crossings", "", "n, of the section in its direction", [](const TableRow& r) { return r.row->crossings; })
-      .field("iterates", "", "m, of the map to the next crossing", [](const TableRow& r) { return r.row->iterates; })
+  made.field("entrance", "", "bottleneck by which trajectories enter", &TableRow::entrance)
+      .field("exit", "", "bottleneck by which trajectories leave", &TableRow::exit)
+      .field("crossings", "", "n, the number of crossings of the section in its direction",
+             [](const TableRow& r) { return r.row->crossings; })
+      .field("iterates", "", "m, the number of iterates of the map to the next crossing",
+             [](const TableRow& r) { return r.row->iterates; })
       .field(
-          "fraction", "", "of what enters that leaves so",
+          "fraction", "", "fraction of the trajectories entering that leave so",
           [](const TableRow& r) {
             return Measured{r.row->fraction, r.row->error};
           },
@@ -236,11 +241,11 @@ Schema<TableRow> table_schema() {
             return Measured{r.row->other, r.row->other_error};
           },
           "other_error")
-      .field("other_split", "", "that split",
+      .field("other_split", "", "the other split",
              [](const TableRow& r) {
                return Split{r.row->other_forward, r.row->other_backward};
              })
-      .object("counted", "by trajectories, where they were followed", counted_schema(),
+      .object("counted", "count by trajectories, where they were followed", counted_schema(),
               [](const TableRow& r) { return r.counted; });
   return made;
 }
@@ -272,10 +277,10 @@ Schema<SystemEscape> stop_schema() {
              [](const SystemEscape& e) { return reason_of(e.stop); })
       .field("points_ahead", "", "points that the next image was expected to need",
              only(EscapeStop::points, &Escape::points_ahead))
-      .field("work_spent", "", "work of all so far", only(EscapeStop::work, &Escape::work_spent))
+      .field("work_spent", "", "work of all images so far", only(EscapeStop::work, &Escape::work_spent))
       .field("work_ahead", "", "work of the next images, as expected; 0: they were broken off",
              only(EscapeStop::work, &Escape::work_ahead))
-      .field("seconds_spent", "time", "seconds of all so far", only(EscapeStop::budget, &Escape::seconds_spent))
+      .field("seconds_spent", "time", "seconds of all images so far", only(EscapeStop::budget, &Escape::seconds_spent))
       .field("seconds_ahead", "time", "seconds of the next images, as expected; not known where they were broken off",
              [](const SystemEscape& e) {
                const bool known = e.stop == EscapeStop::budget;
@@ -302,12 +307,12 @@ std::vector<Remaining> remaining(const SystemEscape& escape) {
 
 Schema<Remaining> survival_schema() {
   Schema<Remaining> made;
-  made.field("entrance", "", "bottleneck by which it entered", &Remaining::entrance)
+  made.field("entrance", "", "bottleneck by which trajectories entered", &Remaining::entrance)
       .field("crossings", "", "n", [](const Remaining& r) { return r.step.crossings; })
       .field("left", "", "fractions that have left by each exit up to n",
              [](const Remaining& r) { return r.step.left; })
       .field(
-          "remains", "", "fraction that has not",
+          "remains", "", "fraction that has not left",
           [](const Remaining& r) {
             return Measured{r.step.remains, r.step.error};
           },
@@ -318,28 +323,29 @@ Schema<Remaining> survival_schema() {
 std::vector<Field> escape_fields() {
   const auto itself = [](const SystemEscape& e) { return &e; };
   Schema<SystemEscape> consistency, counted;
-  consistency.field("largest_split_difference", "", "between two splits of one fraction",
+  consistency.field("largest_split_difference", "", "largest difference between two splits of one fraction",
                     [](const SystemEscape& e) { return e.largest_split_difference; });
   counted.field("trajectories", "", "from each entrance", [](const SystemEscape& e) { return e.counted->trajectories; })
-      .field("seed", "", "of the random numbers", [](const SystemEscape& e) { return e.seed; })
-      .field("lost", "", "neither inside an exit nor followed to the next crossing",
+      .field("seed", "", "seed of the random numbers", [](const SystemEscape& e) { return e.seed; })
+      .field("lost", "", "number of trajectories neither inside an exit nor followed to the next crossing",
              [](const SystemEscape& e) { return e.counted->lost; })
-      .field("largest_deviation", "", "of counted fractions from the table, in standard errors",
+      .field("largest_deviation", "", "largest deviation of counted fractions from the table, in standard errors",
              [](const SystemEscape& e) { return e.counted->largest_deviation; });
   Schema<SystemEscape> made;
   made.field("energy", "energy", "the total energy", [](const SystemEscape& e) { return e.energy; })
-      .object("section", "whose crossings are counted", section_schema(),
+      .object("section", "the section whose crossings are counted", section_schema(),
               [](const SystemEscape& e) { return &e.section; })
-      .list("bottlenecks", "by the coordinate across the section", bottleneck_schema(), named_bottlenecks)
-      .list("also_open", "saddles below the energy that are no bottleneck here", saddle_schema_of(false),
+      .list("bottlenecks", "bottlenecks in order of the coordinate across the section", bottleneck_schema(),
+            named_bottlenecks)
+      .list("also_open", "saddles below the energy that are not bottlenecks here", saddle_schema_of(false),
             [](const SystemEscape& e) -> const std::vector<SaddlePoint>& { return e.also_open; })
       .field("crossings", "", "n up to which the table goes", [](const SystemEscape& e) { return e.crossings; })
       .object("stop", "why the table does not go as far as was asked for", stop_schema(),
               [](const SystemEscape& e) { return e.stop == EscapeStop::done ? nullptr : &e; })
       .list("table", "fractions by entrance, exit and crossing", table_schema(), table_rows)
-      .list("survival", "what has left and what has not, after crossing n", survival_schema(), remaining)
-      .object("consistency", "of the table", consistency, itself)
-      .object("monte_carlo", "of the check by trajectories", counted,
+      .list("survival", "fractions that have left and that have not, after crossing n", survival_schema(), remaining)
+      .object("consistency", "consistency of the table", consistency, itself)
+      .object("monte_carlo", "results of the check by trajectories", counted,
               [](const SystemEscape& e) { return e.counted ? &e : nullptr; });
   return made.fields();
 }
@@ -365,7 +371,7 @@ SystemEscape escape_of(const SystemInput& input, const EscapeHow& how) {
   const double energy = energy_of(choice, system);
   const Section section = section_of(choice, system);
   if (how.crossings > 0) {
-    const double share = how.trajectories > 0 ? 0.5 : 1;  // of the table in what there is to do
+    const double share = how.trajectories > 0 ? 0.5 : 1;  // share of the table in all work
     const EscapeOptions& of_table = how;
     EscapeOptions options = of_table;
     if (how.progress) {
@@ -415,7 +421,7 @@ Outcome run_escape(std::span<const Input> inputs, const Options& options, const 
 Operation escape_operation() {
   Operation operation;
   operation.name = "escape";
-  operation.title = "what leaves a potential well by its bottlenecks, crossing by crossing";
+  operation.title = "escape from a potential well by its bottlenecks, crossing by crossing";
   operation.summary =
       "Computes the escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, "
       "and "

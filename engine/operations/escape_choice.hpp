@@ -1,4 +1,4 @@
-// Which energy, saddles and section an escape is about (private to operations/).
+// The energy, saddles and section of an escape (private to operations/).
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct EscapeChoice {
 /// about.
 [[nodiscard]] System system_with_energy(const SystemInput& input, const EscapeChoice& choice);
 
-// These throw UsageError with what is missing or cannot be read.
+// These throw UsageError for options that are missing or cannot be read.
 [[nodiscard]] double energy_of(const EscapeChoice& choice, const System& system);
 [[nodiscard]] std::vector<FlowState> saddles_of(const EscapeChoice& choice, const System& system);
 [[nodiscard]] Section section_of(const EscapeChoice& choice, const System& system);

@@ -76,10 +76,11 @@ Schema<IndexedPoint> point_schema() {
       .field("period", "", "least n after which the point is where it was, or has turned as often as was asked for",
              [](const IndexedPoint& p) { return p.point->period; })
       .field("type", "",
-             "by the multipliers: saddle, inverse saddle, centre, parabolic, attracting, repelling or that of a saddle "
+             "kind by the multipliers: saddle, inverse saddle, centre, parabolic, attracting, repelling or that of a "
+             "saddle "
              "with reversed orientation",
              [](const IndexedPoint& p) { return std::string(name(p.point->kind)); })
-      .field("residue", "", "Greene's: (2 - trace of the derivative) / 4",
+      .field("residue", "", "Greene's residue, (2 - trace of the derivative) / 4",
              [](const IndexedPoint& p) { return residue(*p.point); })
       .field("index", "", "sign of det(1 - derivative of the map iterated by the period asked for)",
              &IndexedPoint::index)
@@ -88,14 +89,15 @@ Schema<IndexedPoint> point_schema() {
                const auto& [first, second] = p.point->multipliers;
                return matrix_of(first.real(), first.imag(), second.real(), second.imag());
              })
-      .field("derivative", "", "of the map iterated by the period of the point, row by row",
+      .field("derivative", "", "derivative of the map iterated by the period of the point, row by row",
              [](const IndexedPoint& p) {
                const Matrix2& d = p.point->derivative;
                return matrix_of(d.xx, d.xy, d.yx, d.yy);
              })
-      .field("residual", "length", "by which the point is not mapped to itself",
+      .field("residual", "length", "distance by which the point is not mapped to itself",
              [](const IndexedPoint& p) { return p.point->residual; })
-      .field("rotation", "", "of points near by about it, in turns a period; not known where multipliers are real",
+      .field("rotation", "",
+             "rotation of nearby points about it, in turns a period; not known where multipliers are real",
              [turns](const IndexedPoint& p) {
                return turns(*p.point) ? std::arg(p.point->multipliers[0]) / (2 * std::numbers::pi) : none;
              })
@@ -114,7 +116,7 @@ std::vector<Field> fixed_points_fields() {
   search
       .field("settled", "", "whether the last scan found what the one before had found, and no index contradicts it",
              &SystemFixedPoints::settled)
-      .field("out_of_work", "", "whether the search ended since it was allowed no more work",
+      .field("out_of_work", "", "whether the search ended because no more work was allowed",
              &SystemFixedPoints::out_of_work)
       .field("grid", "", "number of points a side of the last scan", &SystemFixedPoints::grid)
       .field("index_sum", "", "sum of the indices of the points inside the box", &SystemFixedPoints::index_sum)
@@ -125,7 +127,7 @@ std::vector<Field> fixed_points_fields() {
       .or_null();
   Schema<SystemFixedPoints> made;
   made.object("search", "how complete the points are", search, [](const SystemFixedPoints& f) { return &f; })
-      .list("points", "by period, x, y", point_schema(), indexed_points);
+      .list("points", "points in order of period, x, y", point_schema(), indexed_points);
   return made.fields();
 }
 

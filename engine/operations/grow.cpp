@@ -45,7 +45,7 @@ const OptionList<GrowHow>& grow_options() {
                 {.min = 0, .max = 100'000, .otherwise = "no limit, and there has to be a length", .value = "N"})
         .option(
             "length", &GrowHow::length,
-            "arc length of the manifold, without what lies outside the box, at which growing ends, in units of the "
+            "arc length of the manifold, without parts outside the box, at which growing ends, in units of the "
             "coordinates",
             {.min = 0, .above_min = true, .otherwise = "no limit, and there have to be iterates", .value = "LENGTH"})
         .option(
@@ -67,26 +67,26 @@ const OptionList<GrowHow>& grow_options() {
 
 Schema<LocalManifold> local_schema() {
   Schema<LocalManifold> made;
-  made.field("saddle", "length", "where the manifold begins", &LocalManifold::saddle)
+  made.field("saddle", "length", "saddle where the manifold begins", &LocalManifold::saddle)
       .field("tangent", "", "unit vector along it there", &LocalManifold::tangent)
-      .field("multiplier", "", "with which the map, or its inverse, stretches the manifold at the saddle",
+      .field("multiplier", "", "factor by which the map, or its inverse, stretches the manifold at the saddle",
              &LocalManifold::multiplier)
       .field("reflection", "", "whether the map exchanges the branches",
              [](const LocalManifold& l) { return l.multiplier < 0; })
       .field("steps_of_image", "", "iterates of the map that take a branch to itself",
              [](const LocalManifold& l) { return std::abs(l.image().steps); })
-      .field("degree", "", "of the polynomial near the saddle",
+      .field("degree", "", "degree of the polynomial near the saddle",
              [](const LocalManifold& l) { return l.coefficients.size() - 1; })
-      .field("reach", "length", "to which the polynomial is used", &LocalManifold::reach)
+      .field("reach", "length", "parameter up to which the polynomial is used", &LocalManifold::reach)
       .field("defect", "length", "largest distance of the polynomial from its image", &LocalManifold::defect)
-      .field("defect_across", "length", "the same across the curve", &LocalManifold::defect_across);
+      .field("defect_across", "length", "largest distance across the curve", &LocalManifold::defect_across);
   return made;
 }
 
 Schema<GrownManifold> growth_schema() {
   Schema<GrownManifold> made;
   made.field("points", "", "number of points", [](const GrownManifold& m) { return m.points.size(); })
-      .field("length", "length", "of the polygon, without what lies outside the box", &GrownManifold::length)
+      .field("length", "length", "length of the polygon, without parts outside the box", &GrownManifold::length)
       .field("iterates", "", "images of the local manifold",
              [](const GrownManifold& m) { return m.generation_begin.size() - 2; })
       .field("stop", "", "why growing ended: iterates, length, points, ended or failed",
@@ -103,13 +103,14 @@ std::vector<Field> grow_fields() {
   using Grown = SystemManifold;
   Schema<Grown> made;
   made.object("local_manifold", "near the saddle", local_schema(), &Grown::local)
-      .object("result", "what was grown", growth_schema(), [](const Grown& g) -> const GrownManifold* { return &g; })
+      .object("result", "the grown manifold", growth_schema(),
+              [](const Grown& g) -> const GrownManifold* { return &g; })
       .object("diagnostics", "segments that do not meet the tolerance", diagnostics_schema<GrownManifold>(),
               [](const Grown& g) -> const GrownManifold* { return &g; })
-      .field("points", "length", "of the polygon, from the saddle on",
+      .field("points", "length", "points of the polygon, from the saddle on",
              [](const Grown& g) { return std::vector<Point>(g.points.begin(), g.points.end()); })
       .field("parameters", "",
-             "of each point: it is the image, by the iterates of its generation, of the local manifold there",
+             "parameter of each point, the image of the local manifold there by the iterates of its generation",
              [](const Grown& g) { return std::vector<double>(g.parameters.begin(), g.parameters.end()); })
       .not_in_json();
   return made.fields();
@@ -183,7 +184,7 @@ class GrowthFraction {
  private:
   const GrowthOptions& options_;
   GrowthForecast cost_;  // images of points, iterate by iterate
-  double begin_ = 0;     // of the present iterate
+  double begin_ = 0;     // begin of the present iterate
   int iterates_ = 0;
 };
 

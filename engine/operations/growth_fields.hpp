@@ -29,15 +29,16 @@ template <typename Grown>
     });
   }
   Schema<One> one;
-  one.field("segment", "", "the first one, from 0", [](const One& o) { return o.diagnostic->first; })
+  one.field("segment", "", "number of the first segment, from 0", [](const One& o) { return o.diagnostic->first; })
       .field("count", "", "number of segments in a row", [](const One& o) { return o.diagnostic->count; })
       .field("cause", "", "failed, spacing, max_rounds or left-box",
              [](const One& o) { return std::string(name(o.diagnostic->cause)); })
-      .field("at", "length", "where the first one begins",
+      .field("at", "length", "point where the first segment begins",
              [](const One& o) { return o.grown->points[o.diagnostic->first]; });
   Schema<Grown> made;
-  made.object("counts", "by cause, of those that there are", counts, [](const Grown& g) { return &g; })
-      .list("list", "in order", one, [](const Grown& g) { return All{&g}; });
+  made.object("counts", "number of segments by cause, for each cause that occurs", counts,
+              [](const Grown& g) { return &g; })
+      .list("list", "places in order", one, [](const Grown& g) { return All{&g}; });
   return made;
 }
 

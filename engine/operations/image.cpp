@@ -105,30 +105,30 @@ std::vector<ImageDiagnostics> diagnostics_by_cause(const FollowedImage& one) {
 std::vector<Field> image_fields() {
   Schema<ImagePart> part;
   part.field("points", "", "number of points", [](const ImagePart& p) { return p.points.size(); })
-      .field("closed", "", "whether the last one is joined to the first", &ImagePart::closed);
+      .field("closed", "", "whether the last point is joined to the first one", &ImagePart::closed);
   Schema<ImageDiagnostics> diagnostic;
   diagnostic
       .field("cause", "", "failed: gaps, where points have no image; spacing, max_rounds or left-box",
              [](const ImageDiagnostics& d) { return std::string(name(d.cause)); })
       .field("count", "", "number of segments", &ImageDiagnostics::count)
-      .field("first_at", "length", "where the first one begins", &ImageDiagnostics::first_at);
+      .field("first_at", "length", "point where the first segment begins", &ImageDiagnostics::first_at);
   Schema<FollowedImage> image;
   image
-      .field("iterate", "", "number of iterates; negative of pre-images",
+      .field("iterate", "", "number of iterates; negative for pre-images",
              [](const FollowedImage& o) { return o.image.iterate; })
-      .field("curve", "", "0; 1 of the second boundary of a cylinder", &FollowedImage::curve)
+      .field("curve", "", "0; 1 for the second boundary of a cylinder", &FollowedImage::curve)
       .field("points", "", "number of points", [](const FollowedImage& o) { return o.image.points.size(); })
-      .field("length", "length", "of all parts", &FollowedImage::length)
-      .field("area", "area", "signed, of an image that is whole and meets the tolerance everywhere",
+      .field("length", "length", "length of all parts", &FollowedImage::length)
+      .field("area", "area", "signed area of an image that is whole and meets the tolerance everywhere",
              &FollowedImage::area)
       .or_null()
-      .field("complete", "", "whether max_points left all of it",
+      .field("complete", "", "whether max_points sufficed for all of it",
              [](const FollowedImage& o) { return o.image.stop != GrowthStop::points; })
       .list("parts", "curves between gaps", part, &FollowedImage::parts)
       .list("diagnostics", "segments that do not meet the tolerance, by cause", diagnostic, diagnostics_by_cause)
       .field("polygon", "length", "the points",
              [](const FollowedImage& o) { return std::vector<Point>(o.image.points.begin(), o.image.points.end()); })
-      .field("parameters", "", "of each point: the number of a segment of the curve and a fraction of it",
+      .field("parameters", "", "parameter of each point: the number of a segment of the curve and a fraction of it",
              [](const FollowedImage& o) {
                return std::vector<double>(o.image.parameters.begin(), o.image.parameters.end());
              })
@@ -136,9 +136,10 @@ std::vector<Field> image_fields() {
   Schema<CurveImages> made;
   made.field("what", "", "the curve, in words, where none was given", &CurveImages::what)
       .not_in_json()
-      .field("closed", "", "whether the curve is", &CurveImages::closed)
+      .field("closed", "", "whether the curve is closed", &CurveImages::closed)
       .not_in_json()
-      .list("images", "in the order of iterates; of two curves, first those of the one", image, &CurveImages::images);
+      .list("images", "images in the order of iterates; of two curves, those of the first one come first", image,
+            &CurveImages::images);
   return made.fields();
 }
 
@@ -211,7 +212,7 @@ FollowedCurve boundary(const System& system, double tolerance, const Context& co
   return given;
 }
 
-// What images are taken of has to be said once.
+// The curve of the images has to be given exactly once.
 void check_image(const Options& options, std::size_t inputs) {
   const ImageHow how = image_options().how(options);
   const int ways = (inputs > 1 ? 1 : 0) + (how.circle ? 1 : 0) + (how.rectangle ? 1 : 0) + (how.boundary ? 1 : 0);

@@ -39,7 +39,7 @@ Schema<CurveInterior> interior_error() {
   Schema<CurveInterior> made;
   const auto known = [](const std::optional<Areas>& areas) { return areas ? &*areas : nullptr; };
   made.object("rounding",
-              "bounds on what the sums lose in double-double; with split, on |area - exact area of the polygons|",
+              "bounds on the rounding of the sums in double-double; with split, on |area - exact area of the polygons|",
               areas_schema(), &CurveInterior::rounding)
       .object("splitting", "|area - area with segments split where the curves meet|; with ends", areas_schema(),
               [known](const CurveInterior& i) { return known(i.splitting); })
@@ -55,17 +55,17 @@ std::vector<Field> interior_fields() {
   statistics.parts(search_schema<InteriorStatistics>(), [](const InteriorStatistics& s) { return &s; })
       .field("arcs", "", "parts that the curves were split into", &InteriorStatistics::arcs)
       .field("queries", "", "winding numbers that were computed", &InteriorStatistics::queries)
-      .field("points_inserted", "", "by passes and points", &InteriorStatistics::points_inserted);
+      .field("points_inserted", "", "points inserted by passes and points", &InteriorStatistics::points_inserted);
   Schema<CurveInterior> made;
   made.object("crossings", "where the curves meet", meetings_schema(), &CurveInterior::nodes)
       .field("q1", "area", "Q1, the symmetric difference", &CurveInterior::q1)
       .field("q2", "area", "Q2, the union", &CurveInterior::q2)
       .field("q3", "area", "Q3, the intersection", &CurveInterior::q3)
-      .object("areas", "of the polygons", areas_schema(), &CurveInterior::areas)
+      .object("areas", "areas of the polygons", areas_schema(), &CurveInterior::areas)
       .field("delta", "area", "1/4 |Q2 - Q3 - Q1|, zero by algebra: the rounding of the three sums",
              &CurveInterior::delta)
       .object("error", "error bars of the areas", interior_error(), [](const CurveInterior& i) { return &i; })
-      .object("statistics", "work that it took", statistics, &CurveInterior::statistics);
+      .object("statistics", "work that was done", statistics, &CurveInterior::statistics);
   add_orientations(made);
   return made.fields();
 }
@@ -75,7 +75,7 @@ Outcome run_interior(std::span<const Input> inputs, const Options& options, cons
   const IndexedCurve c1 = indexed_curve(operation, inputs, 0), c2 = indexed_curve(operation, inputs, 1);
   InteriorHow how = interior_options().how(options);
   if (how.method == InteriorMethod::split && (how.passes > 0 || how.points > 0)) {
-    throw UsageError("option \"passes\" and option \"points\" are of the method ends");
+    throw UsageError("option \"passes\" and option \"points\" need the method ends");
   }
   how.progress = context.progress;
   if (known_simple(inputs, 0) && known_simple(inputs, 1)) how.check_simple = false;

@@ -138,7 +138,7 @@ void append_object(std::string& text, std::span<const Field> fields, const void*
   text += '}';
 }
 
-// Hands on what has been written so far, and goes on with lists of any length.
+// Hands on the text written so far, and goes on with lists of any length.
 class Stream {
  public:
   explicit Stream(const std::function<void(std::string_view)>& write) : write_(write) {}

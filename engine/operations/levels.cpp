@@ -43,7 +43,7 @@ const OptionList<LevelsHow>& levels_options() {
   static const OptionList<LevelsHow> options = [] {
     OptionList<LevelsHow> list;
     list.option("at", &LevelsHow::at, "values of the levels, with commas between",
-                {.otherwise = "as many as the number of levels says", .value = "E1,E2,..."})
+                {.otherwise = "the given number of levels", .value = "E1,E2,..."})
         .option("number", &LevelsHow::number,
                 "number of levels, at values that divide the cells of the grid evenly; those through saddles come on "
                 "top",
@@ -52,8 +52,8 @@ const OptionList<LevelsHow>& levels_options() {
                 "energy of Hill's region: where the potential exceeds it no motion is possible (flows of two degrees "
                 "of freedom)",
                 {.otherwise = "the other levels", .value = "E"})
-        .option("time", &LevelsHow::time, "time at which a forced flow is looked at", {.value = "T"})
-        .option("box", &LevelsHow::box, "corners of the box that is looked at, x0 < x1 and y0 < y1",
+        .option("time", &LevelsHow::time, "time of a forced flow", {.value = "T"})
+        .option("box", &LevelsHow::box, "corners of the box of the grid, x0 < x1 and y0 < y1",
                 {.otherwise = "the system's window and saddles for a planar flow, a square about the origin with the "
                               "saddles else"})
         .option("grid", &LevelsHow::grid,
@@ -78,7 +78,7 @@ std::vector<Point> outline_of(const SystemLevel& level) {
 
 std::vector<Field> levels_fields() {
   Schema<Equilibrium> saddle;
-  saddle.field("at", "length", "where it is", &Equilibrium::at)
+  saddle.field("at", "length", "position of the saddle", &Equilibrium::at)
       .field("energy", "energy", "its energy", &Equilibrium::energy);
   Schema<SystemLevel> level;
   level.field("energy", "energy", "value of the level", &SystemLevel::value)
@@ -88,14 +88,14 @@ std::vector<Field> levels_fields() {
              })
       .or_null()
       .field("curves", "", "number of curves", [](const SystemLevel& l) { return l.curves.size(); })
-      .field("closed", "", "number of those that are closed", &SystemLevel::closed)
-      .field("points", "", "number of points of all", &SystemLevel::points)
+      .field("closed", "", "number of closed curves", &SystemLevel::closed)
+      .field("points", "", "number of points of all curves", &SystemLevel::points)
       .field("outline", "length", "the curves, closed ones with their first point again, each with a NaN behind it",
              outline_of);
   Schema<SystemLevels> made;
-  made.list("saddles", "of the flow at that time, near the ends of its connections or in the bottlenecks of its well",
+  made.list("saddles", "saddles of the flow at that time, near the ends of its connections or in its bottlenecks",
             saddle, [](const SystemLevels& l) -> const std::vector<Equilibrium>& { return l.saddles; })
-      .list("levels", "by value, ascending", level,
+      .list("levels", "levels by value, ascending", level,
             [](const SystemLevels& l) -> const std::vector<SystemLevel>& { return l.levels; });
   return made.fields();
 }
@@ -158,7 +158,7 @@ Point cells_of(const LevelsHow& how, const Rectangle& box) {
   const Point cells = how.grid.value_or(Point{480, std::max(1.0, std::round(480 * size.height / size.width))});
   for (const double count : {cells.x, cells.y}) {
     if (!(count >= 1 && count <= 30'000 && count == std::floor(count)))
-      throw UsageError("option \"grid\": both have to be whole numbers from 1 to 30000");
+      throw UsageError("option \"grid\": both numbers have to be whole, from 1 to 30000");
   }
   return cells;
 }
@@ -245,7 +245,7 @@ Operation levels_operation() {
   operation.options = levels_options().specs();
   operation.result = levels_fields();
   operation.examples = {{{"ovp eps=0"}, {}, "streamlines of the vortex pair, with its separatrix"},
-                        {{"capsize"}, {{"energy", 0.25}}, "where the ship can move"}};
+                        {{"capsize"}, {{"energy", 0.25}}, "the region in which the ship can move"}};
   operation.run = run_levels;
   return operation;
 }

@@ -18,12 +18,12 @@ std::optional<T> if_true(bool condition, T value) {
 Schema<Pip> tangle_pip() {
   Schema<Position> position;
   position.field("segment", "", "number of the segment, from 0", &Position::segment)
-      .field("t", "", "in [0, 1) along it", &Position::t);
+      .field("t", "", "position in [0, 1) along the segment", &Position::t);
   Schema<Pip> made;
-  made.field("x", "length", "of the pip", [](const Pip& p) { return p.at.x; })
-      .field("y", "length", "of the pip", [](const Pip& p) { return p.at.y; })
-      .object("u", "where it is on U", position, &Pip::u)
-      .object("s", "where it is on S", position, &Pip::s)
+  made.field("x", "length", "x of the pip", [](const Pip& p) { return p.at.x; })
+      .field("y", "length", "y of the pip", [](const Pip& p) { return p.at.y; })
+      .object("u", "its position on U", position, &Pip::u)
+      .object("s", "its position on S", position, &Pip::s)
       .field("rho", "", "1: S passes from the right of U to its left; -1: from left to right", &Pip::rho)
       .field("crossing", "", "its number among all crossings, in order along U", &Pip::node);
   return made;
@@ -46,30 +46,30 @@ Schema<NumberedLobe> tangle_lobe() {
   using One = NumberedLobe;
   Schema<One> made;
   made.field("index", "", "its number, from 0 outward along U", &One::number)
-      .field("area", "area", "signed: positive where the lobe lies on the left of U",
+      .field("area", "area", "signed area, positive where the lobe lies on the left of U",
              [](const One& l) { return l.lobe().area; })
-      .field("inside", "area", "of the part inside the boundary; not known without one",
+      .field("inside", "area", "area of the part inside the boundary; not known without one",
              [](const One& l) { return l.lobe().inside; })
-      .field("outside", "area", "of the part outside", [](const One& l) { return l.lobe().outside; })
-      .field("perimeter", "length", "of the polygon", [](const One& l) { return l.shape().perimeter; })
+      .field("outside", "area", "area of the part outside the boundary", [](const One& l) { return l.lobe().outside; })
+      .field("perimeter", "length", "perimeter of the polygon", [](const One& l) { return l.shape().perimeter; })
       .field("simple", "", "whether its two arcs meet nowhere but at its pips",
              [](const One& l) { return l.lobe().simple; })
-      .field("label", "", "the region that it leaves, that which it enters, and when: L12(1)",
+      .field("label", "", "the region that it leaves, the region that it enters, and when: L12(1)",
              [](const One& l) {
                const std::string label = text(l.tangle->images.labels[l.number]);
                return if_true(!label.empty(), label);
              })
       .field("width", "length", "mean width of a thin lobe, 2 |area| / perimeter",
              [](const One& l) { return l.shape().width; })
-      .field("centroid", "length", "of the polygon", [](const One& l) { return l.shape().centroid; })
+      .field("centroid", "length", "centroid of the polygon", [](const One& l) { return l.shape().centroid; })
       .field("rounding", "area", "bound on |area - exact area of the polygon|",
              [](const One& l) { return l.tangle->rounding(l.lobe().area); })
       .field("discretisation", "area",
-             "estimate of |area of the polygon - area between smooth curves|; with smooth, of what these may be off",
+             "estimate of |area of the polygon - area between smooth curves|; with smooth, of the error of the latter",
              [](const One& l) { return l.tangle->discretisation(l.number); })
       .field("polygon_area", "area", "signed area of the polygon; with smooth",
              [](const One& l) { return if_true(l.tangle->smooth, l.lobe().polygon_area); })
-      .field("pieces", "area", "of each simple polygon of a lobe that is not simple", [](const One& l) {
+      .field("pieces", "area", "area of each simple polygon of a lobe that is not simple", [](const One& l) {
         return l.lobe().simple ? std::nullopt : std::optional(lobe_pieces(*l.tangle, l.number));
       });
   return made;
@@ -79,17 +79,17 @@ Schema<CurveTangle> tangle_bip() {
   const auto at = [](const CurveTangle& t) { return t.pips[t.boundary->bip].at; };
   Schema<CurveTangle> made;
   made.field("index", "", "number of the pip", [](const CurveTangle& t) { return t.boundary->bip; })
-      .field("x", "length", "of the pip", [at](const CurveTangle& t) { return at(t).x; })
-      .field("y", "length", "of the pip", [at](const CurveTangle& t) { return at(t).y; });
+      .field("x", "length", "x of the pip", [at](const CurveTangle& t) { return at(t).x; })
+      .field("y", "length", "y of the pip", [at](const CurveTangle& t) { return at(t).y; });
   return made;
 }
 
 Schema<CurveTangle> tangle_boundary() {
   Schema<CurveTangle> made;
-  made.field("area", "area", "of what it encloses", [](const CurveTangle& t) { return t.boundary->area; })
+  made.field("area", "area", "area that the boundary encloses", [](const CurveTangle& t) { return t.boundary->area; })
       .field("points", "", "number of points of its polygon",
              [](const CurveTangle& t) { return boundary_outline(t).size(); })
-      .field("orientation", "", "of the polygon along U: clockwise or counter_clockwise",
+      .field("orientation", "", "orientation of the polygon along U: clockwise or counter_clockwise",
              [](const CurveTangle& t) { return t.boundary->orientation > 0 ? "counter_clockwise" : "clockwise"; })
       .field("crosses_itself", "", "whether the path that closes it meets the manifolds",
              [](const CurveTangle& t) { return t.boundary->crosses_itself; })
@@ -123,10 +123,10 @@ Schema<Images> tangle_turnstile() {
                  lobes.push_back(static_cast<std::int64_t>(k));
                return lobes;
              })
-      .field("lobe_area12", "area", "sum of those that leave the region inside, each counted fully",
+      .field("lobe_area12", "area", "sum of the lobes that leave the region inside, each counted fully",
              [](const Images& i) { return if_true(has_turnstile(i), i.lobe_area12); })
       .or_null()
-      .field("lobe_area21", "area", "sum of those that enter it",
+      .field("lobe_area21", "area", "sum of the lobes that enter it, each counted fully",
              [](const Images& i) { return if_true(has_turnstile(i), i.lobe_area21); })
       .or_null()
       .field("reason", "", "why they are not known", [](const Images& i) {
@@ -140,10 +140,10 @@ Schema<LobeOverlap> tangle_overlap() {
   Schema<LobeOverlap> made;
   made.field("i", "", "number of a lobe", &LobeOverlap::i)
       .field("j", "", "number of another one, i < j", &LobeOverlap::j)
-      .field("area", "area", "that they have in common", &LobeOverlap::area)
+      .field("area", "area", "area that the lobes have in common", &LobeOverlap::area)
       .field("error", "area", "bound on rounding; with smooth, an estimate against the smooth curves",
              &LobeOverlap::error)
-      .field("perimeter", "length", "of what they have in common", &LobeOverlap::perimeter);
+      .field("perimeter", "length", "perimeter of their common region", &LobeOverlap::perimeter);
   return made;
 }
 
@@ -160,16 +160,16 @@ auto worst_lobe(Of of) {
 Schema<CurveTangle> tangle_errors() {
   Schema<CurveTangle> rounding, discretisation, consistency;
   rounding
-      .field("lobe", "area", "of the worst lobe",
+      .field("lobe", "area", "error of the worst lobe",
              worst_lobe([](const CurveTangle& t, std::size_t k) { return t.rounding(t.lobes[k].area); }))
       .field(
-          "boundary", "area", "of the boundary",
+          "boundary", "area", "error of the boundary",
           [](const CurveTangle& t) { return t.boundary ? std::optional(t.rounding(t.boundary->area)) : std::nullopt; })
       .or_null();
   discretisation
-      .field("lobe", "area", "of the worst lobe",
+      .field("lobe", "area", "error of the worst lobe",
              worst_lobe([](const CurveTangle& t, std::size_t k) { return t.discretisation(k); }))
-      .field("boundary", "area", "of the boundary",
+      .field("boundary", "area", "error of the boundary",
              [](const CurveTangle& t) { return t.boundary ? std::optional(t.boundary_discretisation) : std::nullopt; })
       .or_null();
   consistency
@@ -185,9 +185,10 @@ Schema<CurveTangle> tangle_errors() {
                return if_true(t.images.period != 0 && t.images.compared > 0, t.images.area_change);
              })
       .or_null()
-      .field("turnstile_sum", "",
-             "largest sum of signed areas from a pip to its image, relative to the mean lobe; likewise",
-             [](const CurveTangle& t) { return if_true(t.images.period != 0, t.images.turnstile_sum); })
+      .field(
+          "turnstile_sum", "",
+          "largest sum of signed areas from a pip to its image, relative to the mean lobe; 0 if the map preserves area",
+          [](const CurveTangle& t) { return if_true(t.images.period != 0, t.images.turnstile_sum); })
       .or_null();
   Schema<CurveTangle> made;
   const auto whole = [](const CurveTangle& t) { return &t; };
@@ -196,7 +197,7 @@ Schema<CurveTangle> tangle_errors() {
               "estimate of |area of the polygon - area between smooth curves through the same points|; with smooth, of "
               "|area - area between the smooth curves|",
               discretisation, whole)
-      .object("consistency", "what should be zero", consistency, whole);
+      .object("consistency", "numbers that should be zero", consistency, whole);
   return made;
 }
 
@@ -207,13 +208,13 @@ Schema<CurveTangle> tangle_statistics() {
       .field("skipped_blocks", "", "blocks of the curves whose box meets nothing",
              [](const SimpleCheck& c) { return c.search.blocks_skipped; });
   Schema<CurveTangle> made;
-  made.field("index", "", "that was used", [](const CurveTangle& t) { return std::string(name(t.index)); })
+  made.field("index", "", "index that was used", [](const CurveTangle& t) { return std::string(name(t.index)); })
       .field("fallback_segments", "", "segments that stay straight; with smooth",
              [](const CurveTangle& t) { return if_true(t.smooth, t.fallback_segments); })
       .field("fallback_pips", "", "pips that stay where the polygons have them; with smooth",
              [](const CurveTangle& t) { return if_true(t.smooth, t.fallback_pips); })
       .parts(counts_schema(), [](const CurveTangle& t) { return &t.nodes.counts(); })
-      .object("check_simple", "of each curve against itself", check, &CurveTangle::check_simple);
+      .object("check_simple", "the search of each curve against itself", check, &CurveTangle::check_simple);
   return made;
 }
 
@@ -230,21 +231,21 @@ Schema<CurveTangle> lobes_schema() {
       .field("period", "", "number of pips from one to its image; 0 where it is not known",
              [](const CurveTangle& t) { return t.images.period; });
   Schema<CurveTangle> made;
-  made.object("counts", "how many there are", counts, whole)
+  made.object("counts", "number of crossings", counts, whole)
       .not_in_json()
       .object("crossings", "where U and S meet", meetings_schema(), &CurveTangle::nodes)
       .list("pips", "primary intersections, outward along U", tangle_pip(), &CurveTangle::pips)
-      .list("lobes", "between a pip and the next one", tangle_lobe(),
+      .list("lobes", "lobes, each between a pip and the next one", tangle_lobe(),
             [](const CurveTangle& t) { return NumberedLobes{&t}; })
       .object("bip", "the pip at which the boundary passes from U to S", tangle_bip(), bounded)
       .object("boundary", "U up to the bip and S from there", tangle_boundary(), bounded)
-      .object("images", "what is known of the map", tangle_images(), &CurveTangle::images)
+      .object("images", "the action of the map on lobes, as far as it is known", tangle_images(), &CurveTangle::images)
       .object("turnstile", "its lobes", tangle_turnstile(), &CurveTangle::images)
       .list("overlaps", "pairs of lobes that have something in common; with overlaps", tangle_overlap(),
             &CurveTangle::overlaps)
-      .field("remarks", "", "what is unusual about the manifolds", &CurveTangle::remarks)
+      .field("remarks", "", "remarks on unusual manifolds", &CurveTangle::remarks)
       .object("error", "error bars of the areas", tangle_errors(), whole)
-      .object("statistics", "work that it took", tangle_statistics(), whole);
+      .object("statistics", "work that was done", tangle_statistics(), whole);
   return made;
 }
 

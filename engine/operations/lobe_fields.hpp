@@ -1,4 +1,4 @@
-// What results say of a tangle's crossings, pips, lobes and boundary (private to operations/).
+// Fields of results for a tangle's crossings, pips, lobes and boundary (private to operations/).
 #pragma once
 
 #include "engine/operations/describe.hpp"

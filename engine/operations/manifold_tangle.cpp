@@ -53,9 +53,9 @@ std::vector<Field> manifold_tangle_fields() {
     return std::vector<Point>(grown.points.begin(), grown.points.end());
   };
   Schema<SystemTangle> made;
-  made.field("tolerance", "length", "that the manifolds were grown to in the end",
+  made.field("tolerance", "length", "tolerance that the manifolds were grown to in the end",
              [](const SystemTangle& t) { return t.manifolds->tolerance; })
-      .object("saddles", "of the tangle", saddles_schema(), manifolds)
+      .object("saddles", "saddles of the tangle", saddles_schema(), manifolds)
       .field("reflection", "", "whether the map exchanges the branches of a saddle",
              [](const SystemTangle& t) { return t.manifolds->local_u.multiplier < 0; })
       .field("steps_of_image", "", "iterates of the map that make an image; 2 with reflection",
@@ -77,7 +77,7 @@ Outcome run_manifold_tangle(std::span<const Input> inputs, const Options& option
   const Connection connection = chosen_connection(choice, system);
   if (choice.bip) how.bip_near = choice.bip;
   if (how.seconds) how.budget = *how.seconds;
-  constexpr std::size_t bytes_per_point = 240;  // of two manifolds that are grown, and what is made of them
+  constexpr std::size_t bytes_per_point = 240;  // two manifolds that are grown, and data made from them
   how.max_points = std::min(how.max_points, std::max<std::size_t>(context.memory / bytes_per_point, 1000));
   how.progress = context.progress;
   const Stopwatch watch;

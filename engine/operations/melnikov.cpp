@@ -30,16 +30,16 @@ std::vector<LobeOfEps> lobes_of(const Comparison& c) {
 
 Schema<LobeOfEps> melnikov_lobe_schema() {
   Schema<LobeOfEps> made;
-  made.field("begin", "time", "t0 of the zero that it begins at", [](const LobeOfEps& l) { return l.lobe.begin; })
+  made.field("begin", "time", "t0 of the zero where the lobe begins", [](const LobeOfEps& l) { return l.lobe.begin; })
       .field("end", "time", "t0 of the next zero", [](const LobeOfEps& l) { return l.lobe.end; })
-      .field("area", "area", "signed, to first order", [](const LobeOfEps& l) { return -l.eps * l.lobe.integral; });
+      .field("area", "area", "signed area to first order", [](const LobeOfEps& l) { return -l.eps * l.lobe.integral; });
   return made;
 }
 
 Schema<Melnikov::Sides> sides_schema() {
   Schema<Melnikov::Sides> made;
   made.field("left", "area", "sum of the lobes on the left of U", &Melnikov::Sides::left)
-      .field("right", "area", "sum of those on its right", &Melnikov::Sides::right);
+      .field("right", "area", "sum of the lobes on its right", &Melnikov::Sides::right);
   return made;
 }
 
@@ -98,19 +98,21 @@ const Schema<MelnikovComparison>& melnikov_schema() {
     Schema<Comparison> made;
     made.field("parameter", "", "the size of the perturbation", &Comparison::parameter)
         .field("eps", "", "its value", &Comparison::eps)
-        .field("period", "time", "of M", [](const Comparison& c) { return c.function.period; })
-        .list("saddles", "of U and of S, without the perturbation", saddle_schema(),
+        .field("period", "time", "period of M", [](const Comparison& c) { return c.function.period; })
+        .list("saddles", "saddles of U and of S, without the perturbation", saddle_schema(),
               [](const Comparison& c) {
                 return std::vector<Saddle>{{c.function.from}, {c.function.to}};
               })
         .field("cosines", "area per time", "coefficients of M(t0), from the constant on",
                [](const Comparison& c) { return c.function.cosines; })
-        .field("sines", "area per time", "likewise; the first one is not used",
+        .field("sines", "area per time", "sine coefficients of M(t0); the first one is not used",
                [](const Comparison& c) { return c.function.sines; })
         .field("largest", "area per time", "|M|", [](const Comparison& c) { return c.function.largest; })
-        .field("error", "area per time", "estimate of that of M", [](const Comparison& c) { return c.function.error; })
-        .list("zeros", "of M in a period", melnikov_zero_schema(), [](const Comparison& c) { return c.function.zeros; })
-        .list("lobes", "from each zero to the next", melnikov_lobe_schema(), lobes_of)
+        .field("error", "area per time", "estimate of the error of M",
+               [](const Comparison& c) { return c.function.error; })
+        .list("zeros", "zeros of M in a period", melnikov_zero_schema(),
+              [](const Comparison& c) { return c.function.zeros; })
+        .list("lobes", "lobes, each from a zero to the next one", melnikov_lobe_schema(), lobes_of)
         .object("first_order", "areas of lobes to first order", sides_schema(), &Comparison::estimate)
         .object("exact", "areas of lobes by action, by geometry where the map has none", sides_schema(),
                 &Comparison::exact);

@@ -11,11 +11,12 @@ using namespace operations;
 /// a parameter.
 [[nodiscard]] const Parameter& perturbation_of(const System& system);
 
-/// Of a system with such a parameter, as it is with `values` of others. Throws as `perturbation_of` and `melnikov`.
+/// Melnikov's function of a system with such a parameter, with `values` of others. Throws as `perturbation_of` and
+/// `melnikov` do.
 [[nodiscard]] Melnikov melnikov_of(const SystemInput& input, const ParameterValues& values, const System& system,
                                    const Connection& connection);
 
-/// With sums of the lobes of the turnstile, by action where the map has one.
+/// The function with sums of the lobes of the turnstile, by action where the map has one.
 [[nodiscard]] MelnikovComparison melnikov_comparison(Melnikov function, const System& system,
                                                      const ManifoldTangle& manifolds);
 

@@ -1,4 +1,4 @@
-// Options of operations: what was chosen, checked, and one spelling of it that keys and exports use.
+// Options of operations: the chosen values, checked, and their one spelling in keys and exports.
 #include <algorithm>
 #include <charconv>
 #include <cmath>

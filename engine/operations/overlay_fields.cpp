@@ -25,11 +25,11 @@ struct Nodes {
 
 template <Point Node::*at, Position Node::*on1, Position Node::*on2>
 void add_place(Schema<NumberedNode>& schema) {
-  schema.field("x", "length", "of the point, rounded to double", [](const NumberedNode& n) { return (n.node.*at).x; })
-      .field("y", "length", "of the point", [](const NumberedNode& n) { return (n.node.*at).y; })
-      .field("segment1", "", "of C1, from 0", [](const NumberedNode& n) { return (n.node.*on1).segment; })
+  schema.field("x", "length", "x of the point, rounded to double", [](const NumberedNode& n) { return (n.node.*at).x; })
+      .field("y", "length", "y of the point, rounded to double", [](const NumberedNode& n) { return (n.node.*at).y; })
+      .field("segment1", "", "segment of C1, from 0", [](const NumberedNode& n) { return (n.node.*on1).segment; })
       .field("t1", "", "in [0, 1) along it", [](const NumberedNode& n) { return (n.node.*on1).t; })
-      .field("segment2", "", "of C2, from 0", [](const NumberedNode& n) { return (n.node.*on2).segment; })
+      .field("segment2", "", "segment of C2, from 0", [](const NumberedNode& n) { return (n.node.*on2).segment; })
       .field("t2", "", "in [0, 1) along it", [](const NumberedNode& n) { return (n.node.*on2).t; });
 }
 
@@ -44,10 +44,10 @@ Schema<NumberedNode> node_schema() {
       .field("rho", "", "1: C1 leaves the region of C2; -1: it enters; 0: it does not cross",
              [](const NumberedNode& n) { return n.node.rho; });
   add_place<&Node::begin, &Node::begin1, &Node::begin2>(made);
-  made.field("shared", "", "1: an arc that both share in the same direction; -1: in opposite ones",
+  made.field("shared", "", "1: an arc that both share in the same direction; -1: in opposite directions",
              [](const NumberedNode& n) { return n.node.shared != 0 ? std::optional(n.node.shared) : std::nullopt; })
       .if_asked_for()
-      .object("end", "where a shared arc ends along C1", end,
+      .object("end", "end of a shared arc along C1", end,
               [](const NumberedNode& n) { return n.node.shared != 0 ? &n : nullptr; })
       .if_asked_for()
       .field("class", "", "equivalence class under sigma; a touch has none",
@@ -57,7 +57,7 @@ Schema<NumberedNode> node_schema() {
                                                                                 : std::optional(classes[n.number]);
              })
       .or_null()
-      .field("order2", "", "its place along C2, from 0",
+      .field("order2", "", "its position in order along C2, from 0",
              [](const NumberedNode& n) { return n.overlay->nodes.rank2(n.number); });
   return made;
 }
@@ -83,8 +83,8 @@ Schema<Steps> steps_schema() {
       .field("along1", "", "the next crossing along C1 in the direction of the pairing", &SigmaStep::along1)
       .field("along2", "", "the next crossing along C2 in the direction of the pairing", &SigmaStep::along2)
       .field("sigma", "", "along1 where rho is 1, else along2", &SigmaStep::sigma)
-      .field("class", "", "of sigma, from 0", &SigmaStep::class_number)
-      .field("s", "area", "S, the integral of x dy - y dx from the crossing to sigma of it", &SigmaStep::s);
+      .field("class", "", "class of sigma, from 0", &SigmaStep::class_number)
+      .field("s", "area", "S, the integral of x dy - y dx from the crossing to its sigma", &SigmaStep::s);
   Schema<Steps> made;
   made.field("classes", "", "number of classes",
              [](const Steps& steps) {
@@ -104,8 +104,8 @@ Schema<Steps> steps_schema() {
 
 Schema<CurveOverlay> sigma_schema() {
   Schema<CurveOverlay> made;
-  made.object("c1_minus_c2", "of A1 \\ A2", steps_schema(), [](const CurveOverlay& o) { return &(*o.steps)[0]; })
-      .object("c2_minus_c1", "of A2 \\ A1", steps_schema(), [](const CurveOverlay& o) { return &(*o.steps)[1]; });
+  made.object("c1_minus_c2", "steps of A1 \\ A2", steps_schema(), [](const CurveOverlay& o) { return &(*o.steps)[0]; })
+      .object("c2_minus_c1", "steps of A2 \\ A1", steps_schema(), [](const CurveOverlay& o) { return &(*o.steps)[1]; });
   return made;
 }
 
@@ -154,14 +154,14 @@ class MeasuredPieces {
 Schema<MeasuredPieces::Element> piece_schema() {
   using Element = MeasuredPieces::Element;
   Schema<Element> made;
-  made.field("area", "area", "of the piece", [](const Element& e) { return e.piece.area; })
-      .field("centroid", "length", "of the piece", &Element::centroid)
+  made.field("area", "area", "area of the piece", [](const Element& e) { return e.piece.area; })
+      .field("centroid", "length", "centroid of the piece", &Element::centroid)
       .field("crossings", "", "numbers of the nodes on its boundary, in the order of a walk that keeps it on the left",
              [](const Element& e) {
                return std::vector<std::int64_t>(e.piece.crossings.begin(), e.piece.crossings.end());
              })
       .field("holes", "", "number of its holes", [](const Element& e) { return e.piece.holes; })
-      .field("sliver", "", "whether it is no wider than the rounding of its vertices", &Element::sliver);
+      .field("sliver", "", "whether it is at most as wide as the rounding of its vertices", &Element::sliver);
   return made;
 }
 
@@ -186,7 +186,7 @@ Schema<CurveOverlay> counted_pieces() {
 Schema<CurveOverlay> slivers_schema() {
   Schema<Slivers> slivers;
   slivers.field("count", "", "number of them", [](const Slivers& s) { return s.pieces.size(); })
-      .field("area", "area", "of all of them", &Slivers::area);
+      .field("area", "area", "total area of the slivers", &Slivers::area);
   Schema<CurveOverlay> made;
   for (const Pairing pairing : all_pairings) {
     made.object(std::string(name(pairing)), "pieces no wider than the rounding of their vertices", slivers,
@@ -228,25 +228,25 @@ Schema<CurveOverlay> overlay_errors() {
 std::vector<Field> overlay_fields() {
   Schema<OverlayStatistics> statistics;
   statistics.parts(search_schema<OverlayStatistics>(), [](const OverlayStatistics& s) { return &s; })
-      .field("index_bytes", "", "of memory", &OverlayStatistics::index_bytes);
+      .field("index_bytes", "", "bytes of memory", &OverlayStatistics::index_bytes);
   const auto with_pieces = [](const CurveOverlay& o) { return o.has_pieces ? &o : nullptr; };
   Schema<CurveOverlay> made;
   made.object("crossings", "where the curves meet", crossings_schema(), [](const CurveOverlay& o) { return &o; })
       .object("sigma", "rho, A, gamma, sigma, class and S of each crossing; with classes", sigma_schema(),
               [](const CurveOverlay& o) { return o.steps ? &o : nullptr; })
       .if_asked_for()
-      .object("areas", "of the polygons", areas_schema(), &CurveOverlay::areas)
+      .object("areas", "areas of the polygons", areas_schema(), &CurveOverlay::areas)
       .object("smooth", "areas between smooth curves; with smooth", smooth_schema(),
               [](const CurveOverlay& o) { return o.smooth ? &*o.smooth : nullptr; })
       .if_asked_for()
-      .object("piece_counts", "of each pairing; not with areas_only", counted_pieces(), with_pieces)
+      .object("piece_counts", "number of pieces of each pairing; not with areas_only", counted_pieces(), with_pieces)
       .if_asked_for()
-      .object("pieces", "of each pairing; not with areas_only", pieces_schema(), with_pieces)
+      .object("pieces", "pieces of each pairing; not with areas_only", pieces_schema(), with_pieces)
       .if_asked_for()
-      .object("slivers", "of each pairing; not with areas_only", slivers_schema(), with_pieces)
+      .object("slivers", "slivers of each pairing; not with areas_only", slivers_schema(), with_pieces)
       .if_asked_for()
       .object("error", "error bars of the areas", overlay_errors(), [](const CurveOverlay& o) { return &o; })
-      .object("statistics", "work that it took", statistics, &CurveOverlay::statistics);
+      .object("statistics", "work that was done", statistics, &CurveOverlay::statistics);
   add_orientations(made);
   return made.fields();
 }

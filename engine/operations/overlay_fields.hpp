@@ -1,4 +1,4 @@
-// What the result of an overlay consists of (private to operations/).
+// The fields of the result of an overlay (private to operations/).
 #pragma once
 
 #include <vector>

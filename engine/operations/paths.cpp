@@ -35,7 +35,7 @@ const Field& first_field(std::span<const Field> fields, std::string_view path) {
   throw UsageError("there is no field \"" + std::string(name) + "\"; there are " + known);
 }
 
-// What follows number `depth` of the path. Captures of one pointer, which take no memory of their own, lead from one
+// Walks the path behind number `depth`. Captures of one pointer, which take no memory of their own, lead from one
 // field to the next.
 template <typename Use>
 struct Walk {

@@ -8,12 +8,12 @@
 
 namespace lober::detail {
 
-/// Of the plot, in pixels.
+/// The size of the plot, in pixels.
 struct PictureSize {
   double width = 960, height = 960;
 };
 
-/// As the box is, but for boxes that are far longer than wide or wider than long.
+/// The size with the proportions of the box, except for boxes far longer than wide or wider than long.
 [[nodiscard]] inline PictureSize picture_size(const Rectangle& box) {
   constexpr double full = PictureSize{}.width, min_aspect = 0.5, max_aspect = 1.25;  // height to width
   // Halves, because a difference of two finite numbers need not be finite.

@@ -28,9 +28,9 @@ const OptionList<RegionsHow>& region_options() {
 
 Schema<RegionCounts> arrangement_schema() {
   Schema<RegionCounts> meetings;
-  meetings.field("c1", "", "of C1 with itself", &RegionCounts::self1)
-      .field("c2", "", "of C2 with itself", &RegionCounts::self2)
-      .field("c1_c2", "", "of C1 with C2", &RegionCounts::mutual);
+  meetings.field("c1", "", "pairs of C1 with itself", &RegionCounts::self1)
+      .field("c2", "", "pairs of C2 with itself", &RegionCounts::self2)
+      .field("c1_c2", "", "pairs of C1 with C2", &RegionCounts::mutual);
   Schema<RegionCounts> made;
   made.field("nodes", "", "points where edge chains meet or a spike ends", &RegionCounts::nodes)
       .field("edges", "", "edge chains between nodes, those that coincide counted once", &RegionCounts::edges)
@@ -45,7 +45,8 @@ Schema<RegionCounts> regions_statistics() {
   skipped.field("blocks", "", "blocks of the curves whose box meets nothing",
                 [](const RegionCounts& c) { return c.search.blocks_skipped; });
   Schema<RegionCounts> made;
-  made.field("index", "", "used for C1 against C2", [](const RegionCounts& c) { return std::string(name(c.index)); })
+  made.field("index", "", "index used for C1 against C2",
+             [](const RegionCounts& c) { return std::string(name(c.index)); })
       .field("boxes_tested", "", "pairs of boxes", [](const RegionCounts& c) { return c.search.boxes_tested; })
       .field("pairs_tested", "", "pairs of segments that the index proposed",
              [](const RegionCounts& c) { return c.search.pairs_proposed; })
@@ -53,16 +54,16 @@ Schema<RegionCounts> regions_statistics() {
              [](const RegionCounts& c) { return c.predicates.filter_failures; })
       .field("exact_calls", "", "signs that took exact arithmetic",
              [](const RegionCounts& c) { return c.predicates.exact_calls; })
-      .field("exact_parameters", "", "crossings whose place took exact arithmetic", &RegionCounts::exact_parameters)
+      .field("exact_parameters", "", "crossings whose position took exact arithmetic", &RegionCounts::exact_parameters)
       .field("exact_orders", "", "pairs of crossings that were ordered in exact arithmetic",
              &RegionCounts::exact_orders)
-      .object("skipped", "what was not looked at", skipped, [](const RegionCounts& c) { return &c; });
+      .object("skipped", "parts that were not looked at", skipped, [](const RegionCounts& c) { return &c; });
   return made;
 }
 
 Schema<CurveRegions> region_pieces() {
   Schema<RegionPiece> piece;
-  piece.field("area", "area", "of the piece", &RegionPiece::area)
+  piece.field("area", "area", "area of the piece", &RegionPiece::area)
       .field("holes", "", "number of its holes", &RegionPiece::holes);
   Schema<CurveRegions> made;
   for (const Pairing pairing : all_pairings) {
@@ -76,8 +77,8 @@ Schema<CurveRegions> region_pieces() {
 
 Schema<CurveRegions> signed_schema() {
   Schema<CurveRegions> made;
-  made.field("c1", "area", "of C1", [](const CurveRegions& r) { return r.regions.signed_areas()[0]; })
-      .field("c2", "area", "of C2", [](const CurveRegions& r) { return r.regions.signed_areas()[1]; });
+  made.field("c1", "area", "signed area of C1", [](const CurveRegions& r) { return r.regions.signed_areas()[0]; })
+      .field("c2", "area", "signed area of C2", [](const CurveRegions& r) { return r.regions.signed_areas()[1]; });
   return made;
 }
 
@@ -85,15 +86,15 @@ std::vector<Field> region_fields() {
   Schema<WindingArea> winding;
   winding.field("c1", "", "winding number of C1", &WindingArea::w1)
       .field("c2", "", "winding number of C2", &WindingArea::w2)
-      .field("area", "area", "where they wind so", &WindingArea::area);
+      .field("area", "area", "area of the points with these winding numbers", &WindingArea::area);
   Schema<CurveRegions> error;
   error.object("rounding", "bounds on |area - exact area of the region of the polygons as given|", areas_schema(),
                &CurveRegions::rounding);
   const auto counts = [](const CurveRegions& r) { return r.regions.counts(); };
   Schema<CurveRegions> made;
-  made.field("rule", "", "that says which winding numbers are inside",
+  made.field("rule", "", "rule that says which winding numbers are inside",
              [](const CurveRegions& r) { return std::string(name(r.rule)); })
-      .object("arrangement", "of both curves", arrangement_schema(), counts)
+      .object("arrangement", "arrangement of both curves", arrangement_schema(), counts)
       .list("winding", "pairs of winding numbers that occur", winding,
             [](const CurveRegions& r) -> std::span<const WindingArea> { return r.regions.table(); })
       .object("signed_areas", "sums of winding number times area", signed_schema(),
@@ -102,12 +103,12 @@ std::vector<Field> region_fields() {
              [](const CurveRegions& r) { return r.areas.symmetric_difference; })
       .field("q2", "area", "Q2, the union", [](const CurveRegions& r) { return r.areas.union_; })
       .field("q3", "area", "Q3, the intersection", [](const CurveRegions& r) { return r.areas.intersection; })
-      .object("areas", "by the rule", areas_schema(), &CurveRegions::areas)
-      .object("pieces", "of each pairing, where they were asked for", region_pieces(),
+      .object("areas", "areas by the rule", areas_schema(), &CurveRegions::areas)
+      .object("pieces", "pieces of each pairing, where they were asked for", region_pieces(),
               [](const CurveRegions& r) { return r.pieces ? &r : nullptr; })
       .if_asked_for()
       .object("error", "error bars of the areas", error, [](const CurveRegions& r) { return &r; })
-      .object("statistics", "work that it took", regions_statistics(), counts);
+      .object("statistics", "work that was done", regions_statistics(), counts);
   return made.fields();
 }
 

@@ -47,7 +47,7 @@ const OptionList<SectionHow>& section_options() {
                 {.min = 1, .max = 1e7, .value = "M"})
         .option("box", &SectionHow::box,
                 "corners of the box in which orbits start and which is drawn, x0 < x1 and y0 < y1",
-                {.otherwise = "all that the system is about, as a rule its window"})
+                {.otherwise = "the whole region of interest of the system, usually its window"})
         .option("lifted", &SectionHow::lifted,
                 "whether to leave lifted angles as they come (default: points of a map that repeats after a shift, "
                 "such as 2 pi, are shifted into one cell from the left side of the box on, and from its lower side "
@@ -77,21 +77,21 @@ std::vector<Leaving> leaving(const ExitTimes& times) {
 
 std::vector<Field> section_fields() {
   Schema<Leaving> leaves;
-  leaves.field("crossings", "", "number of crossings after which they leave", &Leaving::crossings)
-      .field("orbits", "", "number of orbits that do", &Leaving::orbits);
+  leaves.field("crossings", "", "number of crossings after which orbits leave", &Leaving::crossings)
+      .field("orbits", "", "number of orbits that leave then", &Leaving::orbits);
   Schema<ExitTimes> times;
   times.field("columns", "", "number of cells across", &ExitTimes::columns)
       .field("rows", "", "number of cells up", &ExitTimes::rows)
-      .list("leaving", "after 1, 2, ... crossings", leaves, leaving)
+      .list("leaving", "orbits that leave after 1, 2, ... crossings", leaves, leaving)
       .field("staying", "", "number of orbits that do not leave", &ExitTimes::staying);
   Schema<SystemSection> made;
   made.field("points", "", "number of points of all orbits", &SystemSection::points)
-      .field("points_in_box", "", "number of those in the box", &SystemSection::inside)
+      .field("points_in_box", "", "number of points in the box", &SystemSection::inside)
       .field("lost_orbits", "", "number of orbits that cannot be followed to the end, or that leave",
              &SystemSection::lost)
       .field("unreached_starts", "", "number of starts that the energy does not reach or the section excludes",
              &SystemSection::unreached)
-      .object("exit_times", "when orbits leave, where it was asked for", times,
+      .object("exit_times", "times at which orbits leave, where they were asked for", times,
               [](const SystemSection& s) { return s.exit_times ? &*s.exit_times : nullptr; })
       .field("orbits", "length", "points of the orbits, iterates + 1 of each, NaN from where it is lost",
              &SystemSection::kept);

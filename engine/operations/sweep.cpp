@@ -101,19 +101,20 @@ std::optional<std::string> where_said(const std::string& text) {
 
 Schema<Row> sweep_row_schema() {
   Schema<Row> made;
-  made.field("value", "", "of the parameter", [](const Row& r) { return r.row->value; })
+  made.field("value", "", "value of the parameter", [](const Row& r) { return r.row->value; })
       .field("failure", "", "why there is no result", [](const Row& r) { return where_said(r.row->failure); })
       .field("from", "length", "saddle of U", where_known(&SweepRow::from))
       .field("to", "length", "saddle of S", where_known(&SweepRow::to))
       .field("multiplier", "", "multiplier of U at its saddle", where_known(&SweepRow::multiplier))
       .field("period", "", "number of pips from one to its image", where_known(&SweepRow::period))
       .field("bip", "length", "boundary intersection point (q)", where_known(&SweepRow::bip))
-      .field("areas", "area", "of the lobes of the turnstile by geometry, signed", where_known(&SweepRow::areas))
+      .field("areas", "area", "signed areas of the lobes of the turnstile by geometry", where_known(&SweepRow::areas))
       .field("errors", "area", "their error bars", where_known(&SweepRow::errors))
-      .field("areas_by_action", "area", "of the lobes of the turnstile by action, signed; empty where the map has none",
+      .field("areas_by_action", "area",
+             "signed areas of the lobes of the turnstile by action; empty where the map has none",
              where_known(&SweepRow::areas_by_action))
-      .field("flux12", "area", "of what leaves in one iterate", where_known(&SweepRow::flux12))
-      .field("flux21", "area", "of what enters in one iterate", where_known(&SweepRow::flux21))
+      .field("flux12", "area", "area that leaves in one iterate", where_known(&SweepRow::flux12))
+      .field("flux21", "area", "area that enters in one iterate", where_known(&SweepRow::flux21))
       .field("lobe_area12", "area", "sum of the lobes that leave, each counted fully",
              where_known(&SweepRow::lobe_area12))
       .field("lobe_area21", "area", "sum of the lobes that enter, each counted fully",
@@ -125,20 +126,20 @@ Schema<Row> sweep_row_schema() {
              where_known(&SweepRow::difference))
       .field("follows", "", "whether the pips are those of the row before, followed from there",
              where_known(&SweepRow::follows))
-      .field("first_order", "area", "of the lobes of one side to first order", &Row::first_order);
+      .field("first_order", "area", "area of the lobes of one side to first order", &Row::first_order);
   return made;
 }
 
 Schema<SweepZero> sweep_zero_schema() {
   Schema<SweepZero> made;
-  made.field("between", "", "the values that it lies between",
+  made.field("between", "", "the values between which the zero lies",
              [](const SweepZero& z) {
                return std::vector<double>{z.low, z.high};
              })
-      .field("value", "", "of the parameter", &SweepZero::value)
-      .field("width", "", "within which it is known", &SweepZero::width)
-      .field("difference", "area", "what is left there", &SweepZero::difference)
-      .field("evaluations", "", "further values that it took", &SweepZero::evaluations)
+      .field("value", "", "value of the parameter", &SweepZero::value)
+      .field("width", "", "width of the interval in which the zero is known to lie", &SweepZero::width)
+      .field("difference", "area", "difference that is left there", &SweepZero::difference)
+      .field("evaluations", "", "number of further values that it took", &SweepZero::evaluations)
       .field("failure", "", "why it could not be refined", [](const SweepZero& z) { return where_said(z.failure); });
   return made;
 }
@@ -147,12 +148,12 @@ std::vector<Field> sweep_fields() {
   Schema<SystemSweep> made;
   made.field("parameter", "", "name of the parameter", &SystemSweep::parameter)
       .list("rows", "a value each", sweep_row_schema(), rows_of)
-      .list("zeros", "of the difference", sweep_zero_schema(),
+      .list("zeros", "zeros of the difference", sweep_zero_schema(),
             [](const SystemSweep& s) -> const std::vector<SweepZero>& { return s.zeros; })
-      .field("no_zero", "", "why none was found, where they were looked for",
+      .field("no_zero", "", "why no zero was found, where zeros were looked for",
              [](const SystemSweep& s) { return where_said(s.no_zero); })
       .field("failures", "", "number of values without a result", [](const SystemSweep& s) { return s.failures(); })
-      .field("remarks", "", "what to know of the result", &SystemSweep::remarks);
+      .field("remarks", "", "remarks on the result", &SystemSweep::remarks);
   return made.fields();
 }
 
@@ -242,7 +243,7 @@ class Sweeper {
     return context_.progress(before + share * part, what);
   }
 
-  // Of every value that has lobes; one that has no connecting orbit there has no estimate.
+  // Adds the estimate of every value that has lobes; one without a connecting orbit there has no estimate.
   void add_first_order(SystemSweep& found) const {
     std::optional<Melnikov> function;
     found.first_order.emplace();

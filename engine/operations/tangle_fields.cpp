@@ -20,7 +20,7 @@ const Schema<GrownBranch>& branch_schema() {
                [](const GrownBranch& b) { return b.local->multiplier; })
         .field("tangent", "", "unit vector along the manifold at the saddle",
                [](const GrownBranch& b) { return b.local->tangent; })
-        .field("reach", "length", "to which the polynomial of the local manifold is used",
+        .field("reach", "length", "parameter up to which the polynomial of the local manifold is used",
                [](const GrownBranch& b) { return b.local->reach; })
         .field("defect", "length", "largest distance of the local manifold from its image",
                [](const GrownBranch& b) { return b.local->defect; })
@@ -68,7 +68,7 @@ Schema<TurnstileLobe> lobe_schema() {
                             l.action_part(l.manifolds->action_errors).value_or(not_known)};
           },
           "action_error")
-      .field("difference", "area", "of both", [](const TurnstileLobe& l) {
+      .field("difference", "area", "difference of both areas", [](const TurnstileLobe& l) {
         return std::fabs(l.lobe().area - l.action_part(l.manifolds->areas_by_action).value_or(not_known));
       });
   return made;
@@ -77,8 +77,9 @@ Schema<TurnstileLobe> lobe_schema() {
 Schema<ConnectingOrbit> pip_schema() {
   Schema<ConnectingOrbit> made;
   made.field("at", "length", "the pip", &ConnectingOrbit::at)
-      .field("residual", "length", "by which its two halves fail to meet", &ConnectingOrbit::residual)
-      .field("action", "area", "of the orbit through it; not known where the map has none",
+      .field("residual", "length", "distance by which the two halves of its orbit fail to meet",
+             &ConnectingOrbit::residual)
+      .field("action", "area", "action of the orbit through it; not known where the map has none",
              [](const ConnectingOrbit& o) { return o.action ? static_cast<double>(*o.action) : not_known; });
   return made;
 }
@@ -103,7 +104,7 @@ const Schema<ManifoldTangle>& saddles_schema() {
 Schema<ManifoldTangle> turnstile_schema() {
   Schema<ManifoldTangle> made;
   made.field("period", "", "number of pips from one to its image", &ManifoldTangle::period)
-      .list("pips", "from f^-1(q) to q", pip_schema(), &ManifoldTangle::orbits)
+      .list("pips", "pips from f^-1(q) to q", pip_schema(), &ManifoldTangle::orbits)
       .list("lobes", "between them", lobe_schema(), turnstile_lobes);
   return made;
 }

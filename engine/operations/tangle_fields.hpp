@@ -1,4 +1,4 @@
-// What results say of a tangle that was grown (private to operations/).
+// Fields of results for a tangle that was grown (private to operations/).
 #pragma once
 
 #include "engine/operations/describe.hpp"

@@ -61,12 +61,12 @@ Schema<Transport> region_schema() {
   const auto tangle = [](const Transport& t) -> const Tangle& { return t.manifolds().tangle; };
   Schema<Transport> made;
   made.field(
-          "area", "area", "of R1", [](const Transport& t) { return t.regions.front().area; }, "error")
-      .field("crosses_itself", "", "whether the polygon of the boundary does",
+          "area", "area", "area of R1", [](const Transport& t) { return t.regions.front().area; }, "error")
+      .field("crosses_itself", "", "whether the polygon of the boundary crosses itself",
              [tangle](const Transport& t) { return tangle(t).boundary->crosses_itself; })
       .field("bip", "length", "the pip q at which the boundary passes from U to S",
              [](const Transport& t) { return t.manifolds().orbits.back().at; })
-      .field("orientation", "", "of the boundary along U: clockwise or counter_clockwise",
+      .field("orientation", "", "orientation of the boundary along U: clockwise or counter_clockwise",
              [tangle](const Transport& t) {
                return tangle(t).boundary->orientation > 0 ? "counter_clockwise" : "clockwise";
              });
@@ -78,8 +78,8 @@ const Schema<TransportBoundary>& boundary_turnstile() {
   static const Schema<Boundary> schema = [] {
     Schema<Boundary> made;
     made.parts(turnstile_schema(), [](const Boundary& b) { return b.manifolds.get(); })
-        .field("flux12", "area", "of what leaves the region inside in one step", &Boundary::flux12)
-        .field("flux21", "area", "of what enters it in one step", &Boundary::flux21)
+        .field("flux12", "area", "area that leaves the region inside in one step", &Boundary::flux12)
+        .field("flux21", "area", "area that enters the region inside in one step", &Boundary::flux21)
         .field("lobe_area12", "area", "sum of the lobes that leave, each counted fully", &Boundary::lobe_area12)
         .field("lobe_area21", "area", "sum of the lobes that enter, each counted fully", &Boundary::lobe_area21)
         .field("lobe_area12_by_action", "area", "the same by action; not known where the map has none",
@@ -94,10 +94,10 @@ const Schema<TransportBoundary>& boundary_turnstile() {
 Schema<TransportBoundary> boundary_schema() {
   using Boundary = TransportBoundary;
   Schema<Boundary> made;
-  made.object("saddles", "of its tangle", saddles_schema(), [](const Boundary& b) { return b.manifolds.get(); })
+  made.object("saddles", "saddles of its tangle", saddles_schema(), [](const Boundary& b) { return b.manifolds.get(); })
       .object("turnstile", "lobes and fluxes", boundary_turnstile(), [](const Boundary& b) { return &b; })
       .field("enclosed", "area",
-             "of what it encloses; where it runs round a cylinder, above the line along the lattice",
+             "area that it encloses; where it runs round a cylinder, above the line along the lattice",
              &Boundary::enclosed)
       .field("point_error", "length", "how far the manifolds may lie beside the true ones by integration and rounding",
              &Boundary::point_error)
@@ -124,17 +124,18 @@ Schema<Transport> statistics_schema() {
   };
   const auto nodes = [](const Transport& t) -> const Crossings& { return t.manifolds().tangle.nodes; };
   Schema<Transport> made;
-  made.field("points", "", "of U and of S", of_both([](const GrownManifold& m) { return m.points.size(); }))
+  made.field("points", "", "number of points of U and of S",
+             of_both([](const GrownManifold& m) { return m.points.size(); }))
       .field("images", "", "steps of the map taken for U and for S",
              of_both([](const GrownManifold& m) { return m.images; }))
       .field("pips", "", "number of pips", [](const Transport& t) { return t.manifolds().tangle.pips.size(); })
       .field("count", "", "number of crossings of U and S",
              [nodes](const Transport& t) { return nodes(t).crossings(); })
-      .field("contacts", "", "number of points where they touch",
+      .field("contacts", "", "number of points where U and S touch",
              [nodes](const Transport& t) { return nodes(t).touches(); })
-      .field("shared_arcs", "", "number of arcs that they share",
+      .field("shared_arcs", "", "number of arcs that U and S share",
              [nodes](const Transport& t) { return nodes(t).shared_arcs(); })
-      .field("same_curve", "", "whether they are one and the same",
+      .field("same_curve", "", "whether U and S are one and the same",
              [nodes](const Transport& t) { return nodes(t).same_curve(); });
   return made;
 }
@@ -145,22 +146,22 @@ const TransportBoundary& first_boundary(const Transport& t) {
 
 std::vector<Field> transport_fields() {
   Schema<SystemTransport> made;
-  made.object("saddles", "of the first tangle", saddles_schema(), &Transport::manifolds)
+  made.object("saddles", "saddles of the first tangle", saddles_schema(), &Transport::manifolds)
       .object("region", "R1, inside the first boundary", region_schema(),
               [](const SystemTransport& t) -> const Transport* { return &t; })
       .list("regions", "R1, R2, ...", regions_schema(), &Transport::regions)
-      .object("turnstile", "of the first boundary", boundary_turnstile(), first_boundary)
+      .object("turnstile", "turnstile of the first boundary", boundary_turnstile(), first_boundary)
       .list("boundaries", "a tangle each", boundary_schema(), &Transport::boundaries)
       .object("melnikov", "Melnikov's function, where it was asked for", melnikov_schema(),
               [](const SystemTransport& t) { return t.melnikov ? &*t.melnikov : nullptr; })
       .if_asked_for()
-      .field("iterates_a_step", "", "of the map; 2 where both multipliers of a saddle are negative",
+      .field("iterates_a_step", "", "iterates of the map in a step; 2 where both multipliers of a saddle are negative",
              &Transport::iterates_a_step)
       .list("steps", "n = 1, 2, ...", step_schema(), &Transport::steps)
-      .field("remarks", "", "what to know of the result", &Transport::remarks)
-      .object("error", "error bars of T21(n) and what speaks for them", error_schema(),
+      .field("remarks", "", "remarks on the result", &Transport::remarks)
+      .object("error", "error bars of T21(n) and the checks that support them", error_schema(),
               [](const SystemTransport& t) -> const Transport* { return &t; })
-      .object("statistics", "of the first tangle", statistics_schema(),
+      .object("statistics", "statistics of the first tangle", statistics_schema(),
               [](const SystemTransport& t) -> const Transport* { return &t; });
   return made.fields();
 }
@@ -176,7 +177,7 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
   how.lattice = system.lattice;
   how.further = further_of(choice, system, how.all_regions);
   if (choice.bip) how.bip_near = choice.bip;
-  constexpr std::size_t bytes_per_point = 240;  // of two manifolds that are grown, and what is made of them
+  constexpr std::size_t bytes_per_point = 240;  // two manifolds that are grown, and data made from them
   how.max_points = std::min(how.max_points, std::max<std::size_t>(context.memory / bytes_per_point, 1000));
   how.progress = context.progress;
   if (context.on_element) {
@@ -200,7 +201,7 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
 Operation transport_operation() {
   Operation operation;
   operation.name = "transport";
-  operation.title = "what a boundary of a system lets pass, iterate by iterate: a(n) and T(n)";
+  operation.title = "transport across a boundary of a system, iterate by iterate: a(n) and T(n)";
   operation.summary =
       "Computes the transport across the boundary that a stable and an unstable manifold of a map make: grows them, "
       "finds the turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries.";
@@ -210,7 +211,7 @@ Operation transport_operation() {
                            transport_options().specs().end());
   operation.result = transport_fields();
   operation.examples = {
-      {{"ovp"}, {}, "what the vortex pair loses in seven periods of the strain"},
+      {{"ovp"}, {}, "area that the vortex pair loses in seven periods of the strain"},
       {{"standard K=1.2"}, {{"iterates", std::int64_t{3}}}, "flux across the strip of the standard map"}};
   operation.run = [steps = field_at(operation.result, "steps")](std::span<const Input> inputs, const Options& options,
                                                                 const Context& context) {

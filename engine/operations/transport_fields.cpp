@@ -4,7 +4,7 @@ namespace lober::detail::table {
 using namespace operations;
 namespace {
 
-// Of the first two regions.
+// Entries of matrices for the first two regions.
 Measured entry(const RegionMatrix& matrix, std::size_t i, std::size_t j) {
   return matrix(i, j);
 }
@@ -17,17 +17,17 @@ Schema<TransportStep> step_schema() {
     return [i, j](const Step& s) { return s.overlaps[i][j].value; };
   };
   Schema<Step> overlaps;
-  overlaps.field("L12_L12", "area", "of L12(1) and f^(n-1) L12(1)", overlap(0, 0))
-      .field("L12_L21", "area", "of L12(1) and f^(n-1) L21(1)", overlap(0, 1))
-      .field("L21_L12", "area", "of L21(1) and f^(n-1) L12(1)", overlap(1, 0))
-      .field("L21_L21", "area", "of L21(1) and f^(n-1) L21(1)", overlap(1, 1));
+  overlaps.field("L12_L12", "area", "common area of L12(1) and f^(n-1) L12(1)", overlap(0, 0))
+      .field("L12_L21", "area", "common area of L12(1) and f^(n-1) L21(1)", overlap(0, 1))
+      .field("L21_L12", "area", "common area of L21(1) and f^(n-1) L12(1)", overlap(1, 0))
+      .field("L21_L21", "area", "common area of L21(1) and f^(n-1) L21(1)", overlap(1, 1));
   Schema<Step> made;
   made.field("n", "", "iterates", &Step::n)
       .field(
           "a", "area", "a21(n)", [](const Step& s) { return entry(s.flux, 1, 0); }, "a_error")
       .field(
           "T", "area", "T21(n) by lobes", [](const Step& s) { return entry(s.total, 1, 0); }, "discretisation")
-      .field("overlap", "area", "of L12(1) and f^(n-1) L21(1)", overlap(0, 1))
+      .field("overlap", "area", "common area of L12(1) and f^(n-1) L21(1)", overlap(0, 1))
       .field(
           "T_by_boundaries", "area", "T21(n) by boundaries", [](const Step& s) { return entry(s.by_boundaries, 1, 0); },
           "boundary_error")
@@ -35,11 +35,11 @@ Schema<TransportStep> step_schema() {
              [](const Step& s) { return std::fabs(s.total(1, 0).value - s.by_boundaries(1, 0).value); })
       .field("a12", "area", "a12(n) = T12(n) - T12(n - 1)", [](const Step& s) { return entry(s.flux, 0, 1); })
       .field("a21", "area", "a21(n) = T21(n) - T21(n - 1)", [](const Step& s) { return entry(s.flux, 1, 0); })
-      .field("T12", "area", "area of what was in R1 and is in R2 after n iterates, by lobes",
+      .field("T12", "area", "area of the fluid from R1 that is in R2 after n iterates, by lobes",
              [](const Step& s) { return entry(s.total, 0, 1); })
-      .field("T21", "area", "area of what was in R2 and is in R1 after n iterates, by lobes",
+      .field("T21", "area", "area of the fluid from R2 that is in R1 after n iterates, by lobes",
              [](const Step& s) { return entry(s.total, 1, 0); })
-      .object("overlaps", "of the lobes of the first turnstile with images of its lobes", overlaps,
+      .object("overlaps", "common areas of the lobes of the first turnstile with images of its lobes", overlaps,
               [](const Step& s) { return &s; })
       .field(
           "T_by_particles", "area", "T21(n) counted, with one standard deviation",

@@ -1,4 +1,4 @@
-// What results say of transport, n by n (private to operations/).
+// Fields of results for transport, n by n (private to operations/).
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace lober::detail::table {
 using namespace operations;
 
-/// Of n = 1, 2, ...
+/// Fields for n = 1, 2, ...
 [[nodiscard]] Schema<TransportStep> step_schema();
-/// Of R1, R2, ...
+/// Fields for R1, R2, ...
 [[nodiscard]] Schema<Region> regions_schema();
 
-/// Error bars of T21(n), and what speaks for them, for others to go on with: of what has `steps`.
+/// Error bars of T21(n) and the checks that support them, for any result that has `steps`.
 template <typename T>
 [[nodiscard]] Schema<T> step_errors() {
   const auto worst = [](auto of) {

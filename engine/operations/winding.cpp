@@ -29,25 +29,26 @@ struct PointWindings {
 std::vector<Field> winding_fields() {
   Schema<CurveWinding::Count> count;
   count.field("winding", "", "a winding number", &CurveWinding::Count::winding)
-      .field("points", "", "number of points that have it", &CurveWinding::Count::points);
+      .field("points", "", "number of points that have this winding number", &CurveWinding::Count::points);
   Schema<PointWinding> point;
-  point.field("x", "length", "of the point", [](const PointWinding& p) { return p.all->points[p.k].x; })
-      .field("y", "length", "of the point", [](const PointWinding& p) { return p.all->points[p.k].y; })
-      .field("winding", "", "how often the curve winds round it, counter-clockwise positive; 0 on the curve",
+  point.field("x", "length", "x of the point", [](const PointWinding& p) { return p.all->points[p.k].x; })
+      .field("y", "length", "y of the point", [](const PointWinding& p) { return p.all->points[p.k].y; })
+      .field("winding", "", "number of turns of the curve round the point, counter-clockwise positive; 0 on the curve",
              [](const PointWinding& p) { return p.all->windings[p.k].number; })
-      .field("on", "", "whether it lies on the curve", [](const PointWinding& p) { return p.all->windings[p.k].on; })
+      .field("on", "", "whether the point lies on the curve",
+             [](const PointWinding& p) { return p.all->windings[p.k].on; })
       .field("j", "", "J, 2 pi times the winding number; on the curve the principal value",
              [](const PointWinding& p) { return p.all->values[p.k].j; });
   Schema<CurveWinding> error;
   error
       .field("consistency", "", "largest |J / 2 pi - winding number| of the points that are not on the curve",
              &CurveWinding::difference)
-      .field("bar", "", "bound on what rounding of J explains", &CurveWinding::bar);
+      .field("bar", "", "bound on the part that rounding of J explains", &CurveWinding::bar);
   Schema<CurveWinding> made;
   made.list("counts", "winding numbers of points that are not on the curve, ascending", count, &CurveWinding::counts)
       .field("on", "", "number of points on the curve", &CurveWinding::on)
-      .list("points", "in the order given", point, [](const CurveWinding& w) { return PointWindings{&w}; })
-      .object("error", "of J", error, [](const CurveWinding& w) { return &w; });
+      .list("points", "points in the given order", point, [](const CurveWinding& w) { return PointWindings{&w}; })
+      .object("error", "error of J", error, [](const CurveWinding& w) { return &w; });
   return made.fields();
 }
 

@@ -7,7 +7,7 @@ namespace py = pybind11;
 namespace lober::python {
 namespace {
 
-// Of the innermost call of the main thread.
+// The flag of the innermost call of the main thread.
 std::atomic<std::atomic<bool>*> flag_of_main{nullptr};
 struct sigaction handler_before;  // what SIGINT did before the outermost one
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free, "the handler of a signal reads it");

@@ -34,7 +34,7 @@ void write_zones(const std::string& path, const std::vector<std::pair<std::strin
   write_tecplot(path, copies);
 }
 
-// Of one curve; `format` is npy, raw, csv or text.
+// Writes one curve; `format` is npy, raw, csv or text.
 void write_one(const std::string& path, const Array& curve, const std::string& format) {
   const std::span<const Point> points = points_of(curve);
   const py::gil_scoped_release released;

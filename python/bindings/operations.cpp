@@ -281,7 +281,7 @@ py::dict option_of(const ops::OptionSpec& spec) {
   return one;
 }
 
-// What the functions of the package are made from.
+// The table that the functions of the package are made from.
 py::list table() {
   py::list list;
   for (const ops::Operation& operation : ops::all()) {

@@ -17,7 +17,7 @@ namespace py = pybind11;
 namespace lober::python {
 namespace {
 
-/// Of an object with
+/// The map of an object with
 ///   once(points, forward) -> (images, evaluations of the field, 0 for none)
 ///   iterate_with_derivatives(points, iterates) -> (images, derivatives)
 ///   action(from, to) -> number or None, action_accuracy, finer() -> such an object or None,

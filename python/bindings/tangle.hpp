@@ -9,7 +9,7 @@
 
 namespace lober::python {
 
-/// What lober/_tangle.py wraps; `keeper` keeps alive what a tangle of grown manifolds is a view of.
+/// The tangle that lober/_tangle.py wraps; `keeper` keeps alive the grown manifolds that it may be a view of.
 struct TangleHandle {
   Tangle tangle;
   bool smooth = false;

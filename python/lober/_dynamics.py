@@ -59,7 +59,7 @@ class FixedPoints:
 
     @property
     def at(self) -> Points:
-        """Of all points, as an array."""
+        """Positions of all points, as an array."""
         return np.array([point.at for point in self.points], dtype=np.float64).reshape(-1, 2)
 
     def _repr_html_(self) -> str:

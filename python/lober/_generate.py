@@ -159,7 +159,7 @@ def function(operation: dict[str, Any]) -> str:
         about += "\n    " + wrapped(f"{member}: {option['meaning']}{otherwise}", 8)
     classes = Classes()
     title = "".join(part.capitalize() for part in name.split("_"))
-    result = classes.add(title, operation["result"], False, f"What `{name}` returns", operation["compares"])
+    result = classes.add(title, operation["result"], False, f"The result of `{name}`", operation["compares"])
     given, passed, what = inputs(operation["inputs"])
     made = f'call("{name}", {passed}, settings, threads, progress)'
     arguments = f"*{made}" if operation["compares"] else f"{made}[0]"

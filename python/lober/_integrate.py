@@ -25,7 +25,7 @@ _FIRST_LEVEL, _DEEPEST_LEVEL = 3, 40
 
 
 def _weight(column: int, first: int) -> float:
-    """What a column counts for in the extrapolation from the columns first, first + 1, ..."""
+    """The weight of a column in the extrapolation from the columns first, first + 1, ..."""
     weight = 0.0 if column < first else 1.0
     for other in range(first, COLUMNS):
         if other != column:

@@ -32,7 +32,7 @@ class NumPyForm:
         return in_numpy([X, Y, T, *self._form.symbols], self._form.jacobian)
 
     def values(self, points: NDArray[np.float64], times: NDArray[np.float64], values: Sequence[float]) -> NDArray[np.float64]:
-        """What `lober_values` of the library writes (_c_source.py), a column for each point."""
+        """The values that `lober_values` of the library writes (_c_source.py), a column for each point."""
         arguments: list[Any] = [points[0], points[1], times, *map(np.float64, values)]
         found = np.zeros((VALUES, len(times)))
         with np.errstate(all="ignore"):

@@ -47,7 +47,7 @@ class Pieces:
 
     @property
     def area(self) -> NDArray[np.float64]:
-        """Of each piece; memory of the result, without a copy."""
+        """Area of each piece; memory of the result, without a copy."""
         return self._overlay._of.piece_areas(self._pairing)
 
     @cached_property
@@ -73,7 +73,7 @@ class Pieces:
 
 
 class Overlay(Recomputed):
-    """What `overlay` returns. Arrays are views of it where it holds the numbers; the rest is computed when asked for."""
+    """The result of `overlay`. Arrays are views of it where it holds the numbers; the rest is computed when asked for."""
 
     def __init__(self, of: _lober.Overlay, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
         self._of = of
@@ -101,7 +101,7 @@ class Overlay(Recomputed):
 
     @property
     def classes(self) -> NDArray[np.uint32]:
-        """Of each node its equivalence class under sigma (Naik, Lekien & Ross 2017); 2^32 - 1 for touches."""
+        """The equivalence class of each node under sigma (Naik, Lekien & Ross 2017); 2^32 - 1 for touches."""
         return self._of.classes()
 
     @property
@@ -131,7 +131,7 @@ class Overlay(Recomputed):
 
     @property
     def orientation(self) -> tuple[str, str]:
-        """Of the two curves as given."""
+        """Orientations of the two curves as given."""
         return self._of.orientation1, self._of.orientation2
 
     def pieces(self, pairing: str = "c1_minus_c2") -> Pieces:
@@ -202,7 +202,7 @@ def overlay(
 
 
 class Interior(Recomputed):
-    """What `interior` returns."""
+    """The result of `interior`."""
 
     def __init__(self, of: _lober.Interior, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
         self._of = of

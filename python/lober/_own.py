@@ -62,7 +62,7 @@ def _member(family: Family, values: dict[str, float], tolerance: float) -> Syste
 
 
 class _Columns:
-    """What a function gives for two coordinates, and what else it takes, as an array of 2 x N.
+    """The answer of a function for two coordinates and its other arguments, as an array of 2 x N.
 
     It has to give two coordinates, numbers or arrays of N. For two points one array of 2 x 2 could hold them either way, so
     that the first call is for three.
@@ -134,7 +134,7 @@ def differences(function: Callable[[Array], Array], x: Array) -> tuple[Array, Ar
 
 
 class _OwnMap:
-    """What the engine asks of a map (bindings/python_map.cpp)."""
+    """The methods that the engine needs of a map (bindings/python_map.cpp)."""
 
     action_accuracy = 1e-15
 

@@ -24,7 +24,7 @@ class RegionPieces:
 
     @property
     def area(self) -> NDArray[np.float64]:
-        """Of each piece; memory of the result, without a copy."""
+        """Area of each piece; memory of the result, without a copy."""
         return self._of.areas()
 
     def holes(self, number: int) -> int:
@@ -42,7 +42,7 @@ class RegionPieces:
 
 
 class Regions(Recomputed):
-    """What `regions` returns."""
+    """The result of `regions`."""
 
     def __init__(self, of: _lober.Regions, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
         self._of = of
@@ -55,7 +55,7 @@ class Regions(Recomputed):
 
     @property
     def signed_area(self) -> tuple[float, float]:
-        """Of C1 and C2: the sums of winding number times area."""
+        """Signed areas of C1 and C2: the sums of winding number times area."""
         return self._of.signed_areas()
 
     def area(self, rule: str = "nonzero") -> Areas:

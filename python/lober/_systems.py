@@ -32,7 +32,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class SystemInfo:
-    """What a system is, before its parameters are chosen."""
+    """The description of a system before its parameters are chosen."""
 
     name: str
     summary: str
@@ -121,7 +121,7 @@ class System:
 
     @property
     def picture(self) -> tuple[float, float, float, float]:
-        """What a picture of orbits shows: x0, y0, x1, y1; the window, unless the system says otherwise."""
+        """The box that a picture of orbits shows: x0, y0, x1, y1; the window, unless the system says otherwise."""
         return self._of.picture
 
     @property
@@ -137,12 +137,12 @@ class System:
 
     @property
     def dimension(self) -> int:
-        """Of the flow; 0 for a map."""
+        """Dimension of the flow; 0 for a map."""
         return self._of.dimension
 
     @property
     def period(self) -> float:
-        """Of the flow in time; 0 for autonomous flows and for maps."""
+        """Period of the flow in time; 0 for autonomous flows and for maps."""
         return self._of.period
 
     @property

@@ -55,7 +55,7 @@ class Lobes:
 
     @property
     def polygon_area(self) -> NDArray[np.float64]:
-        """Of the polygons; differs from `area` with `smooth` only."""
+        """Areas of the polygons; differs from `area` with `smooth` only."""
         return self._rows["polygon_area"]
 
     @property
@@ -102,7 +102,7 @@ class Lobes:
 
 
 class Tangle(Recomputed):
-    """What `tangle` returns."""
+    """The result of `tangle`."""
 
     def __init__(self, of: _lober.Tangle, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
         self._of = of
@@ -149,7 +149,7 @@ class Tangle(Recomputed):
 
     @cached_property
     def images(self) -> dict[str, Any]:
-        """What is known of the map: `period`, the pips from one to its image, or None with the `reason`."""
+        """The map on pips: `period`, the pips from one to its image, or None with the `reason`."""
         return self._of.images()
 
     @property
@@ -164,12 +164,12 @@ class Tangle(Recomputed):
 
     @cached_property
     def overlaps(self) -> NDArray[Any]:
-        """What lobes i < j have in common: `i`, `j`, `area`, `error`, `perimeter`, for every pair that has any."""
+        """The common areas of lobes i < j: `i`, `j`, `area`, `error`, `perimeter`, for every pair that has any."""
         return self._of.overlaps()
 
     @property
     def remarks(self) -> list[str]:
-        """What is unusual about the input."""
+        """Remarks on unusual input."""
         return self._of.remarks
 
     def __repr__(self) -> str:

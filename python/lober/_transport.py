@@ -144,7 +144,7 @@ class TransportBoundary:
 
 @dataclass(frozen=True)
 class Transport:
-    """What `transport` returns. Matrices are arrays of n x regions x regions, for n = 1, 2, ..., NaN where a route
+    """The result of `transport`. Matrices are arrays of n x regions x regions, for n = 1, 2, ..., NaN where a route
     does not lead."""
 
     n: NDArray[np.int64]
@@ -191,7 +191,7 @@ def transport(
     threads: int = 0,
     progress: Progress = None,
 ) -> Transport:
-    """What leaves a region, iterate by iterate: a_ij(n) and T_ij(n) by lobes and by boundaries, counted too where
+    """The area that leaves a region, iterate by iterate: a_ij(n) and T_ij(n) by lobes and by boundaries, counted too where
     `particles` are asked for.
 
     `all_regions` takes the further boundaries of the system. There are fewer rows where points or work do not suffice;
@@ -259,7 +259,7 @@ class Bottleneck:
 
 @dataclass(frozen=True)
 class Escape:
-    """What `escape` returns.
+    """The result of `escape`.
 
     `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings`, `iterates`,
     `fraction`, `error`, and `other`, `other_error`, the same from another split; NaN where it is not known. `stop` says

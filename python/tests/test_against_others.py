@@ -86,7 +86,7 @@ def winding_by_fractions(polygon, x, y) -> tuple[bool, int]:
 
 @given(st.lists(st.tuples(st.integers(-9, 9), st.integers(-9, 9)), min_size=3, max_size=12))
 def test_regions_of_any_polygon_add_up(polygon):
-    """Of polygons that cross and overlap themselves at will."""
+    """Regions of polygons that cross and overlap themselves at will."""
     points = np.array(polygon, dtype=float)
     if len(np.unique(points, axis=0)) < 3:
         return

@@ -1,4 +1,4 @@
-"""What is taken as a curve, and that nothing is copied that need not be."""
+"""Objects that are taken as a curve, and that nothing is copied without need."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ def test_numbers_that_no_double_holds(compiler):
 
 
 def test_functions_that_both_forms_have():
-    """What C and NumPy mean by another name: remainders, roots of negative numbers, maxima with constants."""
+    """Functions with other names in C and NumPy: remainders, roots of negative numbers, maxima with constants."""
     velocity = [p + sympy.Mod(-t, 2) + sympy.sqrt(sympy.Max(1, p)), -q + sympy.cbrt(q) + sympy.Abs(p)]
     families = [lober.equations(velocity, (q, p), t, period=sympy.Rational(1, 10), compiler=c) for c in (None, "")]
     points = np.random.default_rng(4).uniform(-2, 2, (200, 2))
@@ -132,7 +132,7 @@ NAMES = ['a"; } int system(const char *); //', "int", "a\\", "two words", "line\
 @ALL
 @pytest.mark.parametrize("name", NAMES)
 def test_names_are_texts_only(name, compiler, tmp_path, monkeypatch):
-    """Of systems, of parameters and of coordinates."""
+    """Names of systems, of parameters and of coordinates."""
     monkeypatch.chdir(tmp_path)
     k, other, coordinate = sympy.Symbol(name), sympy.Symbol("other"), sympy.Symbol(name, real=True)
     params = {other: 2.0, k: 1.0}

@@ -1,4 +1,4 @@
-// What cannot be done is said in one line, with the right exit status, and leaves files as they were.
+// Requests that cannot be met are refused in one line, with the right exit status, and leaves files as they were.
 
 #include <algorithm>
 

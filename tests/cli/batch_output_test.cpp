@@ -79,7 +79,7 @@ TEST_F(BatchOutput, StaysBelowItsFolder) {
     expect_refused(output, "lies outside of");
   }
   EXPECT_EQ(read("victim"), "precious");
-  expect_refused("to_nothing", "would replace what is not a curve in NPY");
+  expect_refused("to_nothing", "would replace a file that is not a curve in NPY");
   expect_refused("nowhere/{name}", "which does not exist; make it first");
   EXPECT_TRUE(fs::is_empty(folder() / "out"));
 
@@ -98,7 +98,7 @@ TEST_F(BatchOutput, ReplacesEarlierResultsAndNothingElse) {
   write("in/table.npy", read("in/c1.npy").replace(6, 1, "\2"));
   fs::create_directory(folder() / "in" / "folder.npy");
   for (const char* const output : {"notes.npy", "table.npy", "folder.npy"}) {
-    expect_refused(output, "would replace what is not a curve in NPY");
+    expect_refused(output, "would replace a file that is not a curve in NPY");
   }
   EXPECT_EQ(read("in/notes.npy"), "not a curve");
   fs::create_directory(folder() / "out");

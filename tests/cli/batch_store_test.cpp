@@ -1,4 +1,4 @@
-// What may happen to the store, the inputs and the memory of a batch from outside.
+// Damage from outside to the store, the inputs and the memory of a batch.
 
 #include <signal.h>
 #include <sys/stat.h>
@@ -115,7 +115,7 @@ TEST_F(BatchStore, OutputsThatMayNotGrowAreErrorsAndLeaveNothing) {
         "grow henon --unstable --iterates 5 --tolerance 1e-4 -o big.dat", "interior separ.0 separ.1 --json big.json"}) {
     const Outcome outcome = shell(std::string("ulimit -f 1; exec \"$LOBER\" ") + command);
     EXPECT_EQ(outcome.status, 1) << command << ": " << outcome.err;
-    // Of a store SQLite says it in its own words: its index in shared memory is a file too.
+    // For a store SQLite says it in its own words: its index in shared memory is a file too.
     const bool of_store = std::string_view(command).starts_with("batch");
     EXPECT_NE(outcome.err.find(of_store ? "disk I/O error" : "File too large"), std::string::npos)
         << command << ": " << outcome.err;

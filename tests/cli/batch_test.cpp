@@ -196,7 +196,7 @@ TEST_F(Batch, FailuresAreRecordedAndTheRestGoesOn) {
   EXPECT_EQ(report({"job.toml"}, 1)["failed"], 5);  // the self-crossing one fails again
 }
 
-// What cannot be read is known by its content too: the second run forgot that it had failed.
+// A file that cannot be read is known by its content too: the second run forgot that it had failed.
 TEST_F(Batch, UnreadableInputsStayFailures) {
   write_curves(3);
   write("separ.bad", "0,0\n1,0\nnan,1\n");
@@ -266,7 +266,7 @@ TEST_F(Batch, FilesInThePlaceOfASubcommandAreExplained) {
   EXPECT_NE(manifest.err.find("give lober batch run job.toml"), std::string::npos) << manifest.err;
 }
 
-// What numpy.load would need: a header that is aligned and a body of whole rows.
+// The needs of numpy.load: a header that is aligned and a body of whole rows.
 TEST_F(Batch, NpyExportIsAStructuredArray) {
   write_curves(4);
   write("separ.7", "0 0\n1 1\n1 0\n0 1\n");  // fails

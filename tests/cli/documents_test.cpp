@@ -1,4 +1,4 @@
-// What the documents say of systems is true of them.
+// The claims of the documents about systems are true.
 
 #include <gtest/gtest.h>
 

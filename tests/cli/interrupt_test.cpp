@@ -138,7 +138,7 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  // What has been written on it, after a number of seconds.
+  // The text written on it, after a number of seconds.
   [[nodiscard]] std::string read_for(double seconds) const {
     std::string text;
     const auto end = std::chrono::steady_clock::now() + Seconds(seconds);

@@ -1,4 +1,4 @@
-// What the program says to command lines that cannot be understood.
+// Messages of the program for command lines that cannot be understood.
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

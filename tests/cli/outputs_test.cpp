@@ -1,5 +1,5 @@
-// What a command may write over: never an input, never under the name of another format, and by the published form
-// nothing but an earlier result.
+// Files that a command may write over: never an input, never under the name of another format, and by the published
+// form nothing but an earlier result.
 
 #include <array>
 #include <cstdlib>

@@ -55,7 +55,7 @@ class ProgramTest : public testing::Test {
 /// The names of the members of an object.
 [[nodiscard]] std::set<std::string> members(const Json& object);
 
-/// What the JSON holds before its last member, `timing`.
+/// The JSON up to its last member, `timing`.
 [[nodiscard]] std::string without_timing(const std::string& json);
 
 /// A wavy circle about `centre`.

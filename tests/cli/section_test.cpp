@@ -97,7 +97,7 @@ TEST_F(SectionProgram, FoldsTwoAngles) {
   EXPECT_EQ(json["points"], json["points_in_box"]);
   const Outcome table = run({"section", "abc", "--orbits", "10", "--iterates", "5", "--svg", "abc.svg"});
   EXPECT_NE(table.out.find("and (0, 6.28318"), std::string::npos) << table.out;
-  // What preserves a flux and no area has no transport of areas.
+  // A map that preserves a flux and no area has no transport of areas.
   const Outcome refused = run({"transport", "abc"});
   EXPECT_NE(refused.status, 0);
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;

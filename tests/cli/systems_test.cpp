@@ -20,7 +20,7 @@ TEST_F(SystemsProgram, ListsThemAll) {
     EXPECT_EQ(list[k]["name"], known[k].name);
     EXPECT_EQ(list[k]["parameters"].size(), known[k].parameters.size());
     EXPECT_NE(("\n" + outcome.out).find("\n" + known[k].name + " "), std::string::npos) << outcome.out;
-    // What the list says of one is what the commands take.
+    // The list describes a system as the commands take it.
     const Outcome one = run({"systems", known[k].name, "--json", "-"});
     ASSERT_EQ(one.status, 0) << one.err;
     const Json details = Json::parse(one.out)["systems"];

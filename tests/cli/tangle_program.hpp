@@ -1,4 +1,4 @@
-// What the tests of `lober tangle` have in common.
+// Common parts of the tests of `lober tangle`.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class TangleProgram : public ProgramTest {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   }
-  // What it prints as JSON when it warns.
+  // The JSON that it prints when it warns.
   [[nodiscard]] Json warned(std::vector<std::string> arguments, const std::string& words) const {
     arguments.insert(arguments.begin(), "tangle");
     arguments.insert(arguments.end(), {"--json", "-"});

@@ -74,7 +74,7 @@ TEST_F(TransportCommand, VortexPairFromItsEquations) {
   EXPECT_NE(read("p.svg").find("L21(1)"), std::string::npos);
 }
 
-// What has left a bounded flow comes back: by the sum of one kind of overlap alone T(2) would be 0.70508.
+// Fluid that has left a bounded flow comes back: by the sum of one kind of overlap alone T(2) would be 0.70508.
 TEST_F(TransportCommand, FluidThatComesBack) {
   const nlohmann::json found = json({"duffing", "--iterates", "2", "--tolerance", "1e-4", "--particles", "5000"});
   EXPECT_EQ(found["agreement"], true);

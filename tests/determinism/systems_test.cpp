@@ -106,7 +106,7 @@ TEST(SystemsDeterminism, ImagesOfACurve) {
   EXPECT_GT(points, 1'000U);
 }
 
-// Of a map, a stroboscopic map, and return maps with an energy and with angles.
+// Orbits of a map, a stroboscopic map, and return maps with an energy and with angles.
 TEST(SystemsDeterminism, OrbitsOnSections) {
   for (const char* name : {"standard", "pendulum", "capsize", "abc"}) {
     SCOPED_TRACE(name);

@@ -1,5 +1,4 @@
-// What every fuzz target checks: only DataError leaves a reader, and what was read can be written and read
-// back.
+// The checks of every fuzz target: only DataError leaves a reader, and the points read can be written and read back.
 #pragma once
 
 #include <unistd.h>

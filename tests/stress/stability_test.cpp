@@ -62,7 +62,7 @@ std::array<Rational, 7> areas_of(const ExactOverlay& exact) {
           areas[oracle::c1_minus_c2] + areas[oracle::c2_minus_c1]};
 }
 
-// What is true of a pair. Areas and pieces only.
+// The exact results of a pair: areas and pieces only.
 struct Truth {
   std::array<Rational, 7> areas;
   std::array<std::vector<Rational>, 4> pieces;  // largest first
@@ -85,7 +85,7 @@ Truth scaled(Truth truth, int exponent) {
   return truth;
 }
 
-// What the engine says, by both methods.
+// The results of the engine, by both methods.
 struct Answer {
   struct Method {
     const char* name;
@@ -170,7 +170,7 @@ void compare(const Answer& before, const Answer& after, int exponent, std::ostre
   }
 }
 
-// What all pairs add up to, by transformation; filled by many threads.
+// Sums over all pairs, by transformation; filled by many threads.
 class Tally {
  public:
   struct Row {

@@ -1,5 +1,5 @@
-// What may be done to a pair of curves without changing their areas, or changing them in a known way, and what changes
-// them by rounding only.
+// Transformations of a pair of curves that keep their areas, or change them in a known way, and others that change them
+// by rounding only.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 namespace lober::detail {
 
 /// An exception in a loop around this one makes oneTBB leave out the pieces that have not begun, here too, and return
-/// as if nothing were missing. What is missing must not be used.
+/// as if nothing were missing. Missing parts must not be used.
 inline void require_complete(tbb::task_group_context& context) {
   if (context.is_group_execution_cancelled()) throw_cancelled();
 }

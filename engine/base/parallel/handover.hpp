@@ -1,4 +1,4 @@
-// What ThreadSanitizer cannot see of oneTBB (private to the engine).
+// The synchronisation of oneTBB that ThreadSanitizer cannot see (private to the engine).
 //
 // oneTBB as distributions ship it is not instrumented: ThreadSanitizer does not know that a task starts after it was
 // spawned and that its end comes before what waits for it goes on, and would take every such hand-over for a race. So

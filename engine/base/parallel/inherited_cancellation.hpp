@@ -1,4 +1,4 @@
-// How the pieces of parallel work ask what the thread asks that began it (private to the engine).
+// The cancellation of pieces of parallel work by the flags of the thread that began it (private to the engine).
 #pragma once
 
 #include "lober/cancellation.hpp"

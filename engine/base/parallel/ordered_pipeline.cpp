@@ -18,7 +18,7 @@ void run_pipeline(std::size_t slots, FunctionRef<bool(std::size_t)> next, Functi
   // Slot k is free when block number k + slots starts: no more than `slots` blocks are under way, and they end in
   // order.
   std::size_t blocks = 0;
-  std::vector<HandOver> handed_on(slots);  // of each slot, from step to step
+  std::vector<HandOver> handed_on(slots);  // hand-over of each slot, from step to step
   HandOver next_again, deliver_again;      // from one call to the next
   tbb::task_group_context context;
   HandedOver pipeline;

@@ -56,7 +56,7 @@ int concurrency() {
 void run_in_arena(int threads, FunctionRef<void()> function) {
   require_thread_count(threads);
   // An arena has as many slots as it is asked for, but oneTBB makes no more workers than there are cores until a limit
-  // that is higher allows it. Of several limits the lowest holds, so none is set that would hold others back.
+  // that is higher allows it. The lowest of several limits holds, so none is set that would hold others back.
   std::optional<tbb::global_control> limit;
   if (threads > tbb::info::default_concurrency()) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));

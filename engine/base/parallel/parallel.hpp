@@ -35,7 +35,7 @@ void parallel_if(bool parallel, Functions&&... functions) {
   }
 }
 
-/// How many threads the loops of the calling thread have.
+/// The number of threads that the loops of the calling thread have.
 [[nodiscard]] int concurrency();
 
 /// Runs `function` with at most `threads` threads, also more than the machine has cores (0: one for each), and returns

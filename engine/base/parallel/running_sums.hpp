@@ -1,4 +1,4 @@
-// Count, sum up, write: how a pass over a curve finds the index of what it writes (private to the engine).
+// Count, sum up, write: how a pass over a curve finds the index of its output (private to the engine).
 #pragma once
 
 #include <cstddef>

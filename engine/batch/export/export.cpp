@@ -51,7 +51,7 @@ std::string inputs_of(const Plan& plan, const Job& job, const std::vector<SweptO
   return inputs.empty() ? group.options.to_string() : inputs;
 }
 
-// By what they are: the table of a batch is not to take the place of one of its curves, by whatever name.
+// Compares files, not names: the table of a batch must not replace one of its curves under any name.
 void require_no_curve(const std::string& path, const Store& store, const Plan& plan) {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -82,7 +82,7 @@ const Operation& operation_for(const Plan& plan, const std::optional<std::string
   for (const JobGroup& group : plan.groups) {
     if (name && group.operation->name != *name) continue;
     if (only != nullptr && only->operation != group.operation) {
-      throw UsageError("the plan has several operations, choose one of them, or JSON lines");
+      throw UsageError("the plan has several operations; choose one of them, or JSON lines");
     }
     only = &group;
   }

@@ -18,13 +18,13 @@ namespace lober::detail {
 ExportCounts export_results(const Store& store, const std::string& path, ExportFormat format,
                             const std::optional<std::string>& operation = {});
 
-/// How far the plan of a store is. Reads and verifies all results.
+/// The progress of the plan of a store. Reads and verifies all results.
 struct StoreSurvey {
   ExportCounts counts;
   /// Jobs of the plan that failed with the same message.
   struct Failure {
     std::string message;
-    std::string first;  ///< of them: "FIRST SECOND parameters.K=0.9", its curves and what a grid varies
+    std::string first;  ///< the first of them: "FIRST SECOND parameters.K=0.9", its curves and what a grid varies
     std::size_t jobs = 0;
   };
   std::vector<Failure> failures;  ///< in the order of the plan

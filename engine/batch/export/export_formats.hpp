@@ -1,4 +1,4 @@
-// What the formats of an export have in common (private to the exports).
+// The common parts of the formats of an export (private to the exports).
 #pragma once
 
 #include <functional>

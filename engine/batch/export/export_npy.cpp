@@ -28,7 +28,7 @@ void put_value(std::string& bytes, T value) {
 struct SweptField {
   std::string key;
   OptionValue any;    // whose type all values have
-  std::size_t width;  // of the longest value as text
+  std::size_t width;  // width of the longest value as text
 };
 
 std::string type_of(const SweptField& field) {

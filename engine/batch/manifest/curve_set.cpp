@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> matches(const std::string& manifest_path, const std::string& pattern) {
   std::error_code ignored;
   if (fs::exists(located(manifest_path, pattern), ignored)) return {pattern};
-  // The folder is no part of the pattern, whatever characters it has.
+  // The folder is not part of the pattern, whatever characters it has.
   std::string folder = located(manifest_path, ""), escaped;
   if (fs::path(pattern).is_absolute()) folder.clear();
   for (const char c : folder) {

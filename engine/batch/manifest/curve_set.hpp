@@ -1,4 +1,4 @@
-// From patterns to curves (private to engine/batch).
+// The curves that patterns name (private to engine/batch).
 #pragma once
 
 #include <string>

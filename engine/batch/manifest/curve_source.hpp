@@ -1,4 +1,4 @@
-// Where a curve of a plan comes from.
+// The source of a curve of a plan.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@ namespace lober::detail {
 /// A curve in a file, a manifold of a system, or the image of a curve in a file.
 struct CurveSource {
   std::string file;                        ///< as the manifest spells its path; empty for a manifold
-  std::optional<std::size_t> zone = {};    ///< of the file; none: the only one
-  std::optional<CurveRecipe> recipe = {};  ///< of a manifold, or of an image
+  std::optional<std::size_t> zone = {};    ///< zone of the file; none: the only one
+  std::optional<CurveRecipe> recipe = {};  ///< recipe of a manifold or an image
   bool closed = true;
 
   /// FILE or FILE#K; empty for a manifold.
   [[nodiscard]] std::string location() const { return zone ? file + "#" + std::to_string(*zone) : file; }
-  /// In messages and tables: the location, or how the curve is made.
+  /// The name in messages and tables: the location, or how the curve is made.
   [[nodiscard]] std::string name() const { return recipe ? recipe->name(location()) : location(); }
-  /// What the store calls the curve: open and closed are different inputs.
+  /// Name of the curve in the store: open and closed are different inputs.
   [[nodiscard]] std::string input_name() const { return name() + (closed ? "" : " (open)"); }
   /// Equal for curves that are read together: from one file, and all made in the same way or not at all.
   [[nodiscard]] std::string unit() const { return file + '\n' + (recipe ? recipe->name() : ""); }

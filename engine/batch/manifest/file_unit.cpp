@@ -33,7 +33,7 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
   return loaded;
 }
 
-// Of a file that cannot be read: known by its content all the same, so that a later run knows the failures again.
+// The curves of an unreadable file, known by its content all the same, so that a later run knows the failures again.
 std::vector<LoadedCurve> unreadable(const std::string& path, std::span<const CurveSource> zones, bool digests,
                                     const std::string& error) {
   std::string sha256;

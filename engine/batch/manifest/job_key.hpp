@@ -1,4 +1,4 @@
-// What a result is a result of.
+// Keys of results: the inputs and options that a result follows from.
 #pragma once
 
 #include <cstddef>
@@ -16,22 +16,22 @@ namespace lober::detail {
 
 /// SHA-256 of the content of each input, by CurveSource::input_name.
 using InputDigests = std::map<std::string, std::string>;
-/// Those of the curves of the plan, null where none is known. They point into `inputs`.
+/// The digests of the curves of the plan, null where none is known. They point into `inputs`.
 [[nodiscard]] std::vector<const std::string*> digests_by_curve(const Plan& plan, const InputDigests& inputs);
 
 /// SHA-256 of the contents of the inputs, the operation with its revision, the options and the version of the engine.
 /// Two jobs with the same key have the same result, so one of them is enough. Digests are those of the contents, or
-/// empty for what cannot be read: then the key is that of the failure, which goes by the name.
+/// empty for an input that cannot be read: then the key is that of the failure, which goes by the name.
 class JobKeys {
  public:
   explicit JobKeys(const Plan& plan);
   [[nodiscard]] JobKey operator()(const Job& job, std::string_view digest1, std::string_view digest2) const;
-  /// With the digests of all curves of the plan; none if those of the job are not known (null).
+  /// The key by the digests of all curves of the plan; none if those of the job are not known (null).
   [[nodiscard]] std::optional<JobKey> find(const Job& job, std::span<const std::string* const> digests) const;
 
  private:
   const Plan& plan_;
-  std::vector<std::string> beginnings_;  ///< by group: what is the same for all its jobs, as a digest
+  std::vector<std::string> beginnings_;  ///< by group: a digest of the common part of its jobs
 };
 
 }  // namespace lober::detail

@@ -1,4 +1,4 @@
-// What is to be computed, as a person writes it down (TOML).
+// A manifest: the computations of a batch as a person writes them down (TOML).
 //
 //   operation = "overlay"          # the whole manifest for all pairs of a family of files
 //   curves = "separ.*"

@@ -25,7 +25,7 @@ class Planner {
     const Pairs pairs = pairs_of(group);
     if (pairs.empty()) {
       const LocatedText& text = group.pairs == PairKind::list ? LocatedText{"", 1, "pairs"} : group.curves.front();
-      manifest_.fail(text.line, text.key, "no pair comes of this");
+      manifest_.fail(text.line, text.key, "this gives no pair of curves");
     }
     for (const Options& options : group.options) {
       const auto number = static_cast<std::uint32_t>(plan_.groups.size());

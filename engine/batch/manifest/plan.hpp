@@ -1,4 +1,4 @@
-// The jobs of a manifest, one by one: what is left of it when patterns, pairs and grids are written out.
+// The jobs of a manifest, one by one: the manifest with its patterns, pairs and grids written out.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ struct Plan {
   std::vector<Job> jobs;
 
   [[nodiscard]] const JobGroup& group_of(const Job& job) const { return groups[job.group]; }
-  /// Of a curve; empty for no_curve.
+  /// The name of a curve; empty for no_curve.
   [[nodiscard]] std::string name(CurveId curve) const { return curve == no_curve ? "" : curves[curve].name(); }
   /// The name of the file that a job writes; empty for none.
   [[nodiscard]] std::string output_of(const Job& job) const;
-  /// As CBOR: the same for the same plan.
+  /// The plan as CBOR: the same bytes for the same plan.
   [[nodiscard]] std::string encoded() const;
-  /// Throws DataError for bytes that are no plan, among them those of one that names groups or curves which it does not
-  /// have; UsageError for operations and options that this version does not have.
+  /// Throws DataError for bytes that are not a plan, among them those of one that names groups or curves which it does
+  /// not have; UsageError for operations and options that this version does not have.
   [[nodiscard]] static Plan decoded(std::string_view bytes);
 };
 
@@ -44,21 +44,21 @@ struct Plan {
 
 /// The curves of these jobs, those together that are read together; in the order of the plan.
 [[nodiscard]] std::vector<std::vector<CurveId>> units_of(const Plan& plan, std::span<const std::uint32_t> jobs);
-/// Where the curves of a unit come from.
+/// The sources of the curves of a unit.
 [[nodiscard]] std::vector<CurveSource> sources_of(const Plan& plan, std::span<const CurveId> unit);
 
 /// Points of each curve, from the sizes of the files; zones of a file are taken for equal, and what has to be computed
 /// is a guess.
 [[nodiscard]] std::vector<std::size_t> estimated_points(const Plan& plan, const std::string& manifest_path);
 
-/// How much there is to do, before anything was read.
+/// The amount of work, before anything was read.
 struct Estimate {
   std::size_t jobs = 0, curves = 0, files = 0;
   std::size_t computed = 0;          ///< units that are no files: their points are a guess
-  std::uint64_t points = 0;          ///< of the curves, each once
+  std::uint64_t points = 0;          ///< points of the curves, each once
   std::uint64_t points_in_jobs = 0;  ///< each as often as it is used
   std::size_t memory = 0;            ///< bytes of all curves with their indexes
-  double core_seconds = 0;           ///< of one core, reading included
+  double core_seconds = 0;           ///< seconds of one core, reading included
 };
 [[nodiscard]] Estimate estimate(const Plan& plan, const std::string& manifest_path);
 

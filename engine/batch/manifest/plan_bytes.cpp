@@ -54,7 +54,8 @@ Json to_json(const CurveRecipe& recipe) {
 CurveRecipe recipe_of(const Json& from) {
   CurveRecipe recipe;
   const auto kind = from.at("kind").get<std::uint64_t>();
-  if (kind > static_cast<std::uint64_t>(CurveRecipe::Kind::image)) throw DataError("a stored curve is of no kind");
+  if (kind > static_cast<std::uint64_t>(CurveRecipe::Kind::image))
+    throw DataError("a stored curve has an unknown kind");
   recipe.kind = static_cast<CurveRecipe::Kind>(kind);
   recipe.system = from.at("system").get<std::string>();
   recipe.parameters = from.at("parameters").get<ParameterValues>();
@@ -81,7 +82,7 @@ CurveSource source_of(const Json& from) {
   source.closed = from.at("closed").get<bool>();
   if (const auto zone = from.find("zone"); zone != from.end()) source.zone = zone->get<std::size_t>();
   if (const auto recipe = from.find("recipe"); recipe != from.end()) source.recipe = recipe_of(*recipe);
-  if (source.file.empty() && !source.recipe) throw DataError("a stored curve comes from nowhere");
+  if (source.file.empty() && !source.recipe) throw DataError("a stored curve has neither a file nor a recipe");
   return source;
 }
 
@@ -93,7 +94,7 @@ Plan plan_of(const Json& from) {
   const auto is_curve = [&](CurveId id) { return id == no_curve || id < plan.curves.size(); };
   for (const Job& job : plan.jobs) {
     if (job.group >= plan.groups.size() || !is_curve(job.first) || !is_curve(job.second)) {
-      throw DataError("a job of the stored plan names what the plan does not have");
+      throw DataError("a job of the stored plan names a group or a curve that the plan does not have");
     }
   }
   return plan;
@@ -114,7 +115,7 @@ Plan Plan::decoded(std::string_view bytes) {
   try {
     return plan_of(Json::from_cbor(bytes));
   } catch (const Json::exception& error) {
-    throw DataError(std::string("the stored bytes are no plan: ") + error.what());
+    throw DataError(std::string("the stored bytes cannot be read as a plan: ") + error.what());
   }
 }
 

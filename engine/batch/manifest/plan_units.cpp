@@ -1,4 +1,4 @@
-// What a plan reads, and how much that is.
+// The units that a plan reads, and their size.
 
 #include <numeric>
 #include <unordered_map>
@@ -51,7 +51,7 @@ std::vector<std::size_t> estimated_points(const Plan& plan, const std::string& m
 }
 
 Estimate estimate(const Plan& plan, const std::string& manifest_path) {
-  constexpr double read_seconds_per_point = 20e-9;  // of text; binary files take a tenth
+  constexpr double read_seconds_per_point = 20e-9;  // seconds for text; binary files take a tenth
   Estimate sum;
   sum.jobs = plan.jobs.size();
   sum.curves = plan.curves.size();

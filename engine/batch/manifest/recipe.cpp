@@ -14,7 +14,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t guessed_points = 100'000;  // of a manifold that was never grown
+constexpr std::size_t guessed_points = 100'000;  // points of a manifold that was never grown
 
 System made_system(const CurveRecipe& recipe) {
   return system_of(recipe.system, recipe.parameters, recipe.integration_tolerance);
@@ -36,7 +36,7 @@ class WatchedMap final : public PlanarMap {
   }
   [[nodiscard]] std::optional<long double> action(Point from, Point to) const override { return map_.action(from, to); }
 
-  // What growing reports from the calling thread is turned into a booking: the finished part, the iterate before the
+  // Turns a report of growing, from the calling thread, into a booking: the finished part, the iterate before the
   // present one, which is the guide, and the present one.
   [[nodiscard]] bool report(const GrowthProgress& progress) {
     if (progress.iterates != iterates_) {

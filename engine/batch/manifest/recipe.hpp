@@ -21,7 +21,7 @@ struct CurveRecipe {
   int iterates = -1;           ///< GrowthOptions::iterates, or of the image
   double tolerance = 0;
   double integration_tolerance = 1e-12;
-  // Of a manifold:
+  // For a manifold:
   double length = 0;              ///< 0: by iterates alone
   std::optional<Point> saddle{};  ///< default: that of the system's Connection
   int branch = 0;                 ///< -1, +1; 0: that of the Connection, or +1 with a saddle given
@@ -31,13 +31,13 @@ struct CurveRecipe {
   [[nodiscard]] std::string name(std::string_view of = {}) const;
 };
 
-/// What a point of a curve takes while it is computed, with all that is around it.
+/// Memory for a point of a curve while it is computed, with all its working data.
 inline constexpr std::size_t computed_bytes_per_point = 120;
 
-/// Throws UsageError for what can be seen before anything is computed.
+/// Throws UsageError for faults that can be seen before anything is computed.
 void check(const CurveRecipe& recipe);
 
-/// Of the curve that the recipe makes of a curve with the digest `of`; empty when an image is one of nothing.
+/// Digest of the curve that the recipe makes of a curve with the digest `of`; empty for an image without a curve.
 [[nodiscard]] std::string recipe_digest(const CurveRecipe& recipe, std::string_view of = {});
 
 /// A manifold: one curve.

@@ -1,4 +1,4 @@
-// What a grid varies.
+// The options that a grid varies.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct SweptOption {
   std::string column;  ///< the key, or "options.KEY" where a column of results has that name
 };
 
-/// In the order of the keys.
+/// The options in the order of their keys.
 [[nodiscard]] std::vector<SweptOption> swept_options(const Plan& plan, const Operation& operation);
 
 /// "parameters.K=0.9", the values of a group.

@@ -1,4 +1,4 @@
-// What work that makes data, instead of reading it, may take.
+// Limits for work that makes data instead of reading it.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ class Allowance {
 
   /// Bytes that the work may hold at most: the memory of the queue, so that it does not depend on what else runs.
   [[nodiscard]] virtual std::size_t most() const { return std::numeric_limits<std::size_t>::max(); }
-  /// Says how many bytes the work holds in all. Throws DataError when that is more than `most`. What it throws
-  /// while other work holds the memory is no Error and has to be let through: the queue then begins the work anew
+  /// Says how many bytes the work holds in all. Throws DataError when that is more than `most`. An exception thrown
+  /// while other work holds the memory is not an Error and has to be let through: the queue then begins the work anew
   /// later.
   virtual void book(std::size_t /*bytes*/) const {}
   /// Throws Cancelled when the queue was stopped: the work is then dropped, not failed.

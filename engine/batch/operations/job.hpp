@@ -1,4 +1,4 @@
-// What is to be done: an operation with its options on no curve, on one, or on two.
+// A job: an operation with its options on no curve, on one, or on two.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ class CurvePair {
   std::size_t count_;
 };
 
-/// What many jobs have in common.
+/// The common part of many jobs.
 struct JobGroup {
   std::string name;                      ///< in exports; may be empty
   const Operation* operation = nullptr;  ///< has to outlive the group

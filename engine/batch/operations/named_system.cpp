@@ -7,7 +7,7 @@ namespace lober::detail {
 void require_for_manifests(const std::string& name) {
   if (name.empty()) throw UsageError("the name of a system is missing");
   if (name.find('/') != std::string::npos || name.ends_with(".so")) {
-    throw UsageError("systems from shared libraries are not for manifests");
+    throw UsageError("a manifest cannot use systems from shared libraries");
   }
 }
 

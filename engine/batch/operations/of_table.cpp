@@ -19,7 +19,7 @@ operations::SystemInput system_input_of(const Options& options, double integrati
   return operations::system_input(options.text("system"), options.reals_of("parameters"), integration);
 }
 
-// Those of the system are refused before the first job; a member of a grid that has no tangle fails alone.
+// Wrong options of the system are refused before the first job; a member of a grid that has no tangle fails alone.
 void check_system(const Options& options, bool needs_tangle) {
   try {
     const System system = system_of(options.text("system"), options.reals_of("parameters"), 1e-12);
@@ -78,7 +78,7 @@ void write_output(const JobCurves& curves, const Options& options, std::span<con
   write_npy(curves.outputs() != nullptr ? curves.outputs()->accept(name) : name, points);
 }
 
-// What a job runs, with all ways to its numbers.
+// The operation that a job runs, with the paths to its numbers.
 struct Runner {
   const operations::Operation* entry;
   std::vector<operations::NumberPath> columns, lists;

@@ -14,14 +14,14 @@
 
 namespace lober::detail {
 
-/// What a batch needs to know beside the table.
+/// Facts about an operation that a batch needs beside the table.
 struct TableJob {
   using Names = std::vector<std::pair<std::string, std::string>>;
   std::string view;          ///< as Operation::view
   Names columns;             ///< names, and the paths of the numbers in the result
   Names lists;               ///< likewise
   bool needs_tangle = true;  ///< whether the system has to name one
-  double microseconds = 0;   ///< of a usual job, as Operation::cost
+  double microseconds = 0;   ///< time of a usual job, as Operation::cost
   double microseconds_a_point = 0;
   std::size_t memory = 0;  ///< as Operation::memory
   /// An option of jobs alone, a flag: whether to keep the lists.

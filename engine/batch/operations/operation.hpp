@@ -1,4 +1,4 @@
-// What a job does. One table of operations; each is a file in operations/.
+// The work of a job. One table of operations; each is a file in operations/.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ namespace lober::detail {
 
 class OutputFolder;
 
-/// How many curves a job of an operation has.
+/// The number of curves that a job of an operation has.
 enum class Arity : std::uint8_t { none, one, two, one_or_two };
 [[nodiscard]] bool takes(Arity arity, std::size_t curves);
 
-/// Those of a job, in order, and what the job may take.
+/// The curves of a job, in order, and the limits of the job.
 class JobCurves {
  public:
   JobCurves(std::span<const PreparedCurve* const> curves, const Allowance& allowance,
@@ -44,7 +44,7 @@ class JobCurves {
 struct Operation {
   std::string name;
   std::string summary = {};  ///< one line; of those in the table
-  std::string view = {};     ///< of its results in a store, for SQL; only for those in the table
+  std::string view = {};     ///< view of its results in a store, for SQL; only for those in the table
   int revision = 1;          ///< goes into the key of results: raise it when the numbers change
   Arity arity = Arity::two;
   bool open = false;  ///< curves of a manifest are open unless it says otherwise
@@ -54,16 +54,16 @@ struct Operation {
   /// Throws UsageError "key: message" for options that cannot go together; may be empty.
   std::function<void(const Options&)> check = {};
   std::function<Requirements(const Options&)> requirements;
-  /// Makes the values and the lists. Called from several threads at the same time. May throw what is a std::exception:
-  /// the job has failed then.
+  /// Makes the values and the lists. Called from several threads at the same time. May throw any std::exception: the
+  /// job has failed then.
   std::function<Result(JobCurves curves, const Options& options)> run;
   /// The name of the file that a job on curves of these names writes, as its options have it; empty for none.
   std::function<std::string(const Options& options, std::string_view first, std::string_view second)> output = {};
-  /// Microseconds on one core for a number of points, roughly: what comes first is what costs most.
+  /// Microseconds on one core for a number of points, roughly: the first term costs most.
   std::function<double(std::size_t points)> cost;
-  /// Bytes of what it makes of its first curve, roughly, where its options decide that; may be empty.
+  /// Bytes of the data that it makes of its first curve, roughly, where its options decide that; may be empty.
   std::function<double(const Curve& curve, const Options& options)> result_bytes = {};
-  std::size_t memory = 0;  ///< bytes that a job takes besides what is usual for that number of points
+  std::size_t memory = 0;  ///< bytes that a job takes beyond the usual ones for that number of points
 };
 
 /// The operations that a manifest can name.

@@ -12,7 +12,8 @@ using operations::OptionSpec;
 using operations::OptionValue;
 using operations::to_string;
 
-/// As JSON, where SQL can look into it: {"system": "henon", "parameters": {"k": 1.5}}, keys nested at their dots.
+/// The options as JSON, where SQL can look into them: {"system": "henon", "parameters": {"k": 1.5}}, keys nested at
+/// their dots.
 [[nodiscard]] std::string encoded_settings(const Options& options);
 
 }  // namespace lober::detail

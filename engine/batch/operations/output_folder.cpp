@@ -68,7 +68,7 @@ std::string OutputFolder::accept(const std::string& name) const {
   }
   const fs::file_status status = fs::symlink_status(target, ignored);
   if (fs::exists(status) && !(fs::is_regular_file(status) && is_curve_in_npy(target.string()))) {
-    refuse("would replace what is not a curve in NPY, as an earlier run would have written it; name a new file");
+    refuse("would replace a file that is not a curve in NPY, as earlier runs write it; name a new file");
   }
   return target.string();
 }

@@ -1,4 +1,4 @@
-// Where the jobs of a manifest write their files.
+// The folder where the jobs of a manifest write their files.
 #pragma once
 
 #include <sys/types.h>
@@ -12,8 +12,8 @@
 
 namespace lober::detail {
 
-/// A folder below which all outputs of a plan stay, and the files that they may not replace. Knows those by what they
-/// are, however they are named: by device and inode, and by the path that is left when links are resolved.
+/// A folder below which all outputs of a plan stay, and the files that they may not replace. Knows those as files,
+/// under any name: by device and inode, and by the path that is left when links are resolved.
 class OutputFolder {
  public:
   /// `root`: the folder; empty for that of the manifest. Takes down the inputs, the manifest, relative to which they
@@ -22,8 +22,8 @@ class OutputFolder {
                const std::string& store);
 
   /// The path of an output, relative names being those below the folder. Throws UsageError when it leads out of the
-  /// folder, replaces an input, or replaces what is not an earlier result: a curve in NPY. May be called from several
-  /// threads at once; jobs ask again before they write.
+  /// folder, replaces an input, or replaces a file that is not an earlier result: a curve in NPY. May be called from
+  /// several threads at once; jobs ask again before they write.
   [[nodiscard]] std::string accept(const std::string& name) const;
 
  private:

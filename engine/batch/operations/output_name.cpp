@@ -6,7 +6,7 @@
 namespace lober::detail {
 namespace {
 
-// Of the curve's file, and its zone.
+// Name of the curve's file without folders, and its zone.
 std::string stem_of(std::string_view curve) {
   std::string stem(curve.substr(curve.rfind('/') + 1));
   std::replace(stem.begin(), stem.end(), '#', '_');

@@ -12,7 +12,7 @@
 
 namespace lober::detail {
 
-/// What an operation asks of its curves.
+/// Requirements of an operation on its curves.
 struct Requirements {
   bool index = false;           ///< the box tree
   bool simple = false;          ///< that the curve be simple
@@ -31,7 +31,8 @@ struct Requirements {
 /// Stays where it is: the index refers to the points.
 class PreparedCurve {
  public:
-  /// Takes the curve and finds what is needed. Nothing is thrown for a curve that cannot be used: `error` says why.
+  /// Takes the curve and prepares the required data. Nothing is thrown for a curve that cannot be used: `error` says
+  /// why.
   PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements);
   /// A curve that could not even be read.
   explicit PreparedCurve(std::string error) : curve_(std::make_shared<const Curve>()), error_(std::move(error)) {}

@@ -1,4 +1,4 @@
-// Which program computes, and where.
+// The program that computes, and the machine.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct Provenance {
 };
 [[nodiscard]] Provenance provenance();
 
-/// What goes into the keys of results: the version, not the commit.
+/// The version in the keys of results, not the commit.
 [[nodiscard]] std::string_view engine_version();
 
 }  // namespace lober::detail

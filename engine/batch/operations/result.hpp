@@ -1,4 +1,4 @@
-// What became of a job.
+// The outcome of a job.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct Column {
 /// SHA-256 of what a result depends on; see JobKeys.
 using JobKey = std::array<std::byte, 32>;
 
-/// In place of a number: no job of the present plan.
+/// Stands for a job number: no job of the present plan.
 inline constexpr std::uint32_t no_job = 0xffffffff;
 
 /// An operation fills in the values and the lists, the queue and the store the rest.
@@ -31,10 +31,11 @@ struct Result {
   std::string error = {};                       ///< why the job failed; empty if it did not
   double seconds = 0;                           ///< the operation alone
   std::uint32_t job = 0;                        ///< as `submit` numbered it, or its number in the plan
-  /// Of the contents of the curves, hexadecimal; only if JobQueueOptions::digests. Empty for a curve that was not read.
+  /// Digests of the curves' contents, hexadecimal, only if JobQueueOptions::digests; empty for a curve that was not
+  /// read.
   std::array<std::string, 2> digests = {};
-  JobKey key = {};       ///< of a job of a plan
-  std::int64_t run = 0;  ///< of the store in which it was computed; 0: the present one
+  JobKey key = {};       ///< key of a job of a plan
+  std::int64_t run = 0;  ///< run of the store in which it was computed; 0: the present one
 
   [[nodiscard]] bool failed() const { return !error.empty(); }
 };

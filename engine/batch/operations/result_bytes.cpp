@@ -89,7 +89,7 @@ std::vector<Result> decoded_results(std::string_view bytes) {
   try {
     return results_of(Json::from_cbor(bytes));
   } catch (const Json::exception& error) {
-    throw DataError(std::string("the bytes are no results: ") + error.what());
+    throw DataError(std::string("the bytes cannot be read as results: ") + error.what());
   }
 }
 
@@ -115,7 +115,7 @@ std::vector<std::vector<double>> decoded_lists(std::string_view text, std::span<
       for (const Json& value : *list) lists[k].push_back(number_from(value));
     }
   } catch (const Json::exception& error) {
-    throw DataError(std::string("the stored text is no lists: ") + error.what());
+    throw DataError(std::string("the stored text cannot be read as lists: ") + error.what());
   }
   return lists;
 }

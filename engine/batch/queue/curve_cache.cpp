@@ -97,7 +97,7 @@ void CurveCache::expect(UnitId number, std::size_t bytes) {
 
 namespace {
 
-// Calls load(); what goes wrong is passed to failed(message), unless the work is to be dropped.
+// Calls load(); an error is passed to failed(message), unless the work is to be dropped.
 template <typename Load, typename Failed>
 void load_or(const Load& load, const Failed& failed) {
   try {

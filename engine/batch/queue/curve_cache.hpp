@@ -17,24 +17,24 @@ namespace lober::detail {
 
 struct LoadedCurve {
   std::shared_ptr<const Curve> curve;
-  std::string digest;  ///< of the content; may be empty when none was asked for
+  std::string digest;  ///< digest of the content; may be empty when none was asked for
   std::string error;   ///< why there is no such curve; empty if there is
 };
 
-/// How a unit is to be loaded.
+/// The way in which a unit is to be loaded.
 struct Loading {
-  bool digests;  ///< hash what is read
+  bool digests;  ///< hash the curves that are read
   const Allowance& allowance;
 };
 
-/// What is read at once and leaves memory at once: a file with those of its zones that jobs use, or one curve that
-/// comes from elsewhere.
+/// Curves that are read at once and leave memory at once: a file with those of its zones that jobs use, or one curve
+/// that comes from elsewhere.
 struct CurveUnit {
   std::size_t curves = 1;
   std::size_t points = 0;          ///< an estimate for all of them together, before they are read
   std::size_t reading_memory = 0;  ///< bytes needed besides while reading
   bool keep = false;               ///< cannot be read again
-  /// Returns that number of curves, in order; throws what is a std::exception when nothing can be read. The same
+  /// Returns that number of curves, in order; throws a std::exception when nothing can be read. The same
   /// content every time.
   std::function<std::vector<LoadedCurve>(const Loading&)> load;
 };
@@ -72,7 +72,7 @@ class CurveCache {
   void begin_loading(UnitId unit);
   struct Loaded;
   /// Reads and prepares, in parallel inside. Needs no lock. A curve that cannot be read or prepared, be it for want of
-  /// memory, is one with an error; Cancelled and what is no std::exception is thrown.
+  /// memory, is one with an error; Cancelled and exceptions other than std::exception are thrown.
   [[nodiscard]] std::shared_ptr<Loaded> read(UnitId unit, const Loading& loading) const;
   void end_loading(UnitId unit, const Loaded& loaded);
   /// Instead, when `read` has thrown.
@@ -80,7 +80,7 @@ class CurveCache {
   /// The number of bytes that the unit will take at least, as far as is known now.
   void expect(UnitId unit, std::size_t bytes);
 
-  /// Of a resident unit.
+  /// A curve of a resident unit.
   [[nodiscard]] const PreparedCurve& curve(CurveId curve) const { return *members_[curve].prepared; }
   [[nodiscard]] const std::string& digest(CurveId curve) const { return members_[curve].digest; }
 
@@ -91,7 +91,7 @@ class CurveCache {
     UnitId unit;
     Requirements requirements;
     std::shared_ptr<const PreparedCurve> prepared;
-    std::string digest;      ///< of the first reading
+    std::string digest;      ///< digest at the first reading
     std::size_t points = 0;  ///< 0: not read yet
   };
   struct Unit {

@@ -53,7 +53,7 @@ class Dispatcher {
     return {{job.unit1, job.unit2}, job.unit1 == job.unit2 ? std::size_t{1} : std::size_t{2}};
   }
 
-  // The memory of one reading or one job: what was booked before it began, and what it asks for on top.
+  // The memory of one reading or one job: the bytes booked before it began, and those that it asks for on top.
   class Booking final : public Allowance {
    public:
     Booking(Dispatcher& dispatcher, std::size_t booked) : dispatcher_(dispatcher), booked_(booked) {}
@@ -129,7 +129,7 @@ class Dispatcher {
     }
   }
 
-  // Reads what is to be read, each of which is then taken off the list, and runs the job. Returns what was thrown.
+  // Reads the units of the list, taking each off it, and runs the job. Returns the exception.
   std::exception_ptr attempt(const ScheduledJob& job, std::vector<CurveCache::UnitId>& to_read) {
     try {
       for (; !to_read.empty(); to_read.erase(to_read.begin())) load(to_read.front());
@@ -140,7 +140,7 @@ class Dispatcher {
     return nullptr;
   }
 
-  // With the lock held.
+  // Takes back a job, with the lock held.
   void take_back(std::size_t number, const std::vector<CurveCache::UnitId>& unread, const std::exception_ptr& thrown) {
     for (const CurveCache::UnitId unit : unread) cache_.give_up_loading(unit);
     try {
@@ -196,7 +196,7 @@ class Dispatcher {
     return head_;  // too large for the budget, so alone
   }
 
-  // Memory that the job takes on top of what is taken.
+  // Memory that the job takes on top of the memory taken already.
   [[nodiscard]] std::size_t bytes_for(const ScheduledJob& job) const {
     std::size_t bytes = job.working_bytes;
     for (const CurveCache::UnitId unit : units_of(job)) {

@@ -138,7 +138,7 @@ class JobQueue::Run final : public JobRunner {
     count(points, failed, costs[number - queue_.first_waiting_], seconds, callback_watch.seconds());
   }
 
-  std::vector<double> costs;  ///< of the jobs that wait
+  std::vector<double> costs;  ///< costs of the jobs that wait
   QueueReport report;
 
  private:
@@ -176,7 +176,7 @@ class JobQueue::Run final : public JobRunner {
   std::atomic<bool> thrown_{false};
 };
 
-// That `run` works: however it ends, no job waits any more, and a wish to stop was for this run.
+// Marks that `run` works: however it ends, no job waits any more, and a wish to stop was for this run.
 class JobQueue::Running {
  public:
   explicit Running(JobQueue& queue) : queue_(queue) {

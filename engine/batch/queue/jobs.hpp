@@ -13,7 +13,7 @@
 //     if (!result.failed()) use(result.job, result.values[0]);   // operation->columns says what they are
 //   });
 //
-// An operation may be the caller's own (operation.hpp). What a manifest describes is run with a store behind it by
+// An operation may be the caller's own (operation.hpp). The jobs of a manifest are run with a store behind them by
 // batch.hpp.
 #pragma once
 
@@ -38,7 +38,7 @@ inline constexpr std::span<const OptionSetting> no_settings{};
 struct JobQueueOptions {
   int threads = 0;          ///< 0: as many as the calling thread may use
   std::size_t memory = 0;   ///< bytes, as QueueOptions::memory
-  bool digests = false;     ///< hash what is read
+  bool digests = false;     ///< hash the curves that are read
   bool concurrent = false;  ///< `done` may be called from several threads at the same time
 };
 

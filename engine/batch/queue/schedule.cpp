@@ -8,8 +8,8 @@ namespace lober::detail {
 namespace {
 
 struct Grouping {
-  std::vector<std::uint32_t> rank;   ///< of each unit, in order of first use
-  std::vector<std::uint32_t> block;  ///< of each unit; 0 for all if everything fits
+  std::vector<std::uint32_t> rank;   ///< rank of each unit, in order of first use
+  std::vector<std::uint32_t> block;  ///< block of each unit; 0 for all if everything fits
 };
 
 Grouping group(std::span<const ScheduledJob> jobs, std::span<const std::size_t> bytes, const MemoryBudget& budget) {

@@ -1,4 +1,4 @@
-// In which order jobs start.
+// The order in which jobs start.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace lober::detail {
 /// A job of a queue as scheduling sees it.
 struct ScheduledJob {
   static constexpr std::uint32_t nothing = 0xffffffff;
-  std::uint32_t unit1 = nothing, unit2 = nothing;  ///< what it reads; equal if it reads only one or nothing
+  std::uint32_t unit1 = nothing, unit2 = nothing;  ///< the units it reads; equal if it reads only one or nothing
   double cost = 0;
   std::uint32_t number = 0;       ///< in the queue
   std::size_t working_bytes = 0;  ///< that it takes besides its curves

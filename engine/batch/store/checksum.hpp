@@ -1,4 +1,4 @@
-// Against damage of what is stored, not against forgery.
+// Checksums against damage of stored data, not against forgery.
 #pragma once
 
 #include <algorithm>

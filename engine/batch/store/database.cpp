@@ -15,7 +15,7 @@ Database::Database(const std::string& path, bool create) : path_(path) {
   if (code != SQLITE_OK) fail();
   sqlite3_busy_timeout(handle, 60'000);
   note_input(path);
-  // What a damaged or foreign file says about itself is not believed.
+  // Claims of a damaged or foreign file about itself are not trusted.
   execute("PRAGMA cell_size_check = ON; PRAGMA trusted_schema = OFF");
 }
 

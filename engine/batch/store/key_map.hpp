@@ -56,7 +56,7 @@ class KeyMap {
     std::memcpy(&tag, key.data(), sizeof(tag));
     return tag;
   }
-  // That of the key, or the free one where it would be.
+  // The slot of the key, or the free one where it would be.
   [[nodiscard]] std::size_t slot_of(const JobKey& key) const {
     std::uint64_t hash = 0;
     std::memcpy(&hash, key.data() + sizeof(std::uint32_t), sizeof(hash));

@@ -34,17 +34,17 @@ class Reading {
   Statement& statement_;
 };
 
-// What a row says of the job that it is the result of.
+// The columns of a row that describe its job.
 class Labels {
  public:
-  /// `plan` may be null: of none.
+  /// `plan` may be null: the labels of no job.
   Labels(const Plan* plan, std::uint32_t job) : job_(job) {
     if (plan == nullptr) return;
     planned_ = &plan->jobs[job];
     first_ = plan->name(planned_->first);
     second_ = plan->name(planned_->second);
   }
-  /// To four parameters. The statement has to run before this goes.
+  /// Binds four parameters. The statement has to run before the labels go.
   void bind(Statement& statement, int index) const {
     for (int k = 0; k < 4; ++k) statement.bind_null(index + k);
     if (planned_ == nullptr) return;

@@ -29,7 +29,7 @@ class ResultTable {
   /// none are left out. Throws DamagedError.
   void each_row(std::int64_t last, bool backwards, const std::function<void(const Row&)>& take) const;
 
-  /// None when it is not there, or is damaged.
+  /// The result; none when it is not there or is damaged.
   [[nodiscard]] std::optional<Result> get(std::int64_t row) const;
   /// Into that row, which has to be free, or into a new one. `plan` has the job of the result, or is null. Returns the
   /// row.

@@ -7,7 +7,7 @@
 namespace lober::detail {
 namespace {
 
-// A kill loses what was computed since the last commit: at most this long, or this number of results.
+// A kill loses the results since the last commit: at most this long, or this number of results.
 constexpr std::chrono::milliseconds interval(100);
 constexpr std::size_t many = 4096;
 

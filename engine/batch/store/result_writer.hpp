@@ -16,7 +16,7 @@ class ResultWriter {
  public:
   /// `failed` is called once, from the writer's thread, when the store cannot be written (a full disk).
   ResultWriter(Store& store, std::function<void()> failed);
-  /// Writes what is left, unless that has failed.
+  /// Writes the results that are left, unless writing has failed.
   ~ResultWriter();
   ResultWriter(const ResultWriter&) = delete;
   ResultWriter& operator=(const ResultWriter&) = delete;
@@ -25,7 +25,7 @@ class ResultWriter {
   void add(const std::string& input, const std::string& digest);
   /// Returns when all is committed; throws what went wrong. Nothing may be added afterwards.
   void finish();
-  [[nodiscard]] double seconds() const { return seconds_; }  ///< of processor time, after `finish`
+  [[nodiscard]] double seconds() const { return seconds_; }  ///< processor time, after `finish`
 
  private:
   void work();

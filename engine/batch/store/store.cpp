@@ -41,12 +41,12 @@ Store::Store(const std::string& path, bool create)
 
 // Makes a store of a file that is empty.
 void Store::check_format(bool create) {
-  database_->execute("BEGIN");  // another process may create the tables right now: all of what follows, or nothing
+  database_->execute("BEGIN");  // another process may create the tables right now: all that follows, or nothing
   const std::int64_t id = pragma(*database_, "PRAGMA application_id"),
                      found = pragma(*database_, "PRAGMA user_version");
   const bool fresh = pragma(*database_, "SELECT count(*) FROM sqlite_master") == 0;
   database_->execute("COMMIT");
-  if (id != application && !(fresh && create)) throw DataError(path_ + ": is no store of results");
+  if (id != application && !(fresh && create)) throw DataError(path_ + ": is not a store of results");
   if (found != store_format && !fresh) {
     throw DataError(path_ + ": is a store of format " + std::to_string(found) + ", as " +
                     (found < store_format ? "older" : "newer") + " versions of lober have it; this one has format " +
@@ -74,9 +74,9 @@ void Store::require_whole() {
     damaged_ = !check.step() || check.bytes(0) != "ok";
   }
   if (!damaged_) return;
-  throw DataError(path_ + ": is damaged, its tables do not hold together; lober batch merge NEW " + path_ +
-                  " takes over into NEW what can be read; then run the manifest with " + std::string(quantity::store) +
-                  ", NEW");
+  throw DataError(path_ + ": is damaged, its tables do not hold together; run lober batch merge NEW " + path_ +
+                  ", which copies the readable results into NEW, and then the manifest with " +
+                  std::string(quantity::store) + ", NEW");
 }
 
 void Store::begin_run(const Provenance& who, int threads, const Manifest& manifest, const std::string& shard,
@@ -159,9 +159,10 @@ std::optional<Plan> Store::plan() const {
   } catch (const DataError&) {
   }
   if (file_->has_several_names()) {
-    throw DataError(path_ + ": cannot be read by this name, one of several (hard links); give the one that wrote it");
+    throw DataError(path_ + ": cannot be read by this name, one of several (hard links); give the name that wrote it");
   }
-  throw DataError(path_ + ": its plan is damaged; lober batch run, with its manifest and this store, writes it again");
+  throw DataError(path_ +
+                  ": its plan is damaged; use lober batch run with its manifest and this store to write it again");
 }
 
 InputDigests Store::digests() const {
@@ -320,7 +321,7 @@ void Store::take_over(const Store& other) {
   std::optional<Plan> theirs = other.plan();
   if (!theirs) throw DataError(other.path_ + ": holds no plan yet");
   if (planned && planned->encoded() != theirs->encoded()) {
-    throw DataError(other.path_ + ": is for another manifest than " + path_ + ", or its files were others");
+    throw DataError(other.path_ + ": is for another manifest than " + path_ + ", or for other files");
   }
   InputDigests inputs = digests(), digests_there = other.digests();
   for (const auto& [name, digest] : digests_there) {

@@ -20,12 +20,12 @@
 //   results_OPERATION  a row for each key: the job that it is the result of, run, seconds, message of a failure, values
 //   repeats            further jobs with the same key: of inputs with the same contents
 //
-// What is committed stays: a job whose key is there is never computed again. Rows of jobs that no plan names any more
+// Committed results stay: a job whose key is there is never computed again. Rows of jobs that no plan names any more
 // stay too; a plan that names them again finds them.
 //
 // Plan, digests and results carry checksums, which exports and runs verify whenever they read: what does not match its
 // checksum counts as not there. A file in which not even the tables hold together can be read as far as that goes, and
-// `merge` takes over what can be read; nothing is written to it any more.
+// `merge` takes over the readable rows; nothing is written to it any more.
 #pragma once
 
 #include <cstdint>
@@ -47,8 +47,8 @@ namespace lober::detail {
 
 class Store {
  public:
-  /// Opens or creates. Throws DataError when the file is no store, or one of another format, UsageError for a name that
-  /// is not that of a file.
+  /// Opens or creates. Throws DataError when the file is not a store, or is one of another format, UsageError for a
+  /// name that is not that of a file.
   [[nodiscard]] static Store create(const std::string& path) { return {path, true}; }
   /// Throws DataError when there is none.
   [[nodiscard]] static Store open(const std::string& path) { return {path, false}; }
@@ -56,20 +56,20 @@ class Store {
   /// Notes a new run and makes `plan` the one that exports and views follow. Throws DataError when the tables of the
   /// file do not hold together: O(size) when there are results already.
   void begin_run(const Provenance& who, int threads, const Manifest& manifest, const std::string& shard, Plan plan);
-  /// Of a plan whose inputs have these digests now, or else those that they had: makes the views show the results that
+  /// For a plan whose inputs have these digests now, or else those that they had: makes the views show the results that
   /// hold, and no others.
   void show(const InputDigests& inputs);
   /// Throws DataError as `append` does.
   void end_run(const std::string& how);
 
-  /// None if there never was one. Throws DataError for one that is damaged.
+  /// The plan; none if there never was one. Throws DataError for one that is damaged.
   [[nodiscard]] std::optional<Plan> plan() const;
   /// Without those that are damaged.
   [[nodiscard]] InputDigests digests() const;
 
   struct Known {
     std::int64_t row;
-    std::uint32_t job;    ///< of the newest plan; no_job for none
+    std::uint32_t job;    ///< job of the newest plan; no_job for none
     std::uint32_t table;  ///< the operation, by its number
     bool failed;
     bool damaged = false;  ///< to be replaced by anything
@@ -86,16 +86,16 @@ class Store {
   [[nodiscard]] bool damaged() const { return damaged_; }
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// Results of the plan of `begin_run`, in one transaction. What is there already, from whatever process, is left out;
-  /// a failure gives way to anything. Throws DataError when it cannot be written, and, as `require_in_place`, when the
-  /// file is not in its place any more; what there is has then been saved (store_file.hpp).
+  /// Results of the plan of `begin_run`, in one transaction. Results that are there already, from whatever process, are
+  /// left out; a failure gives way to anything. Throws DataError when it cannot be written, and, as `require_in_place`,
+  /// when the file is not in its place any more; its results have then been saved (store_file.hpp).
   void append(std::span<const Result> results, const InputDigests& digests);
   void require_in_place() const { file_->require_in_place(*database_); }
 
   struct Run {
     std::int64_t id;
     std::string started, ended, how, version, commit, compiler, flags, host, shard, manifest;
-    std::string folder;  ///< of the manifest: what names of curves are relative to
+    std::string folder;  ///< folder of the manifest: names of curves are relative to it
     int threads;
     /// Whether both are one run, of which one may have been noted before it had ended.
     [[nodiscard]] bool is_same(const Run& other) const {
@@ -129,9 +129,9 @@ class Store {
   std::unique_ptr<StoreFile> file_;
   std::unique_ptr<Database> database_;
   std::vector<ResultTable> tables_;      ///< in the order of all_operations
-  std::vector<std::int64_t> last_rows_;  ///< of each table, that were read
+  std::vector<std::int64_t> last_rows_;  ///< last row of each table that was read
   StoredResults known_;
-  std::optional<Plan> plan_;  ///< of this run
+  std::optional<Plan> plan_;  ///< plan of this run
   bool plan_is_new_ = false;  ///< rows may still bear the names of another one
   std::int64_t run_ = 0, plan_sum_ = 0;
   bool damaged_ = false;

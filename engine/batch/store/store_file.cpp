@@ -27,15 +27,15 @@ std::string saved_beside(const std::string& path, Database& database) {
 StoreFile::StoreFile(std::string path, bool written) : path_(std::move(path)) {
   // SQLite takes these for databases that go with the process.
   if (path_.empty()) throw UsageError("the name of the store is empty");
-  if (path_ == ":memory:") throw UsageError(":memory: keeps no results, name a file for the store");
+  if (path_ == ":memory:") throw UsageError(":memory: keeps no results; name a file for the store");
   struct stat status {};
   if (::stat(path_.c_str(), &status) != 0) return;
-  if (!S_ISREG(status.st_mode)) throw DataError(path_ + ": is no file, a store cannot be there");
-  if (status.st_size > 0 && status.st_size < shortest_database) throw DataError(path_ + ": is no store of results");
+  if (!S_ISREG(status.st_mode)) throw DataError(path_ + ": is not a file; name a file for the store");
+  if (status.st_size > 0 && status.st_size < shortest_database) throw DataError(path_ + ": is not a store of results");
   several_names_ = status.st_nlink > 1;
   if (!written || !several_names_) return;
   throw DataError(path_ + ": has " + std::to_string(status.st_nlink) +
-                  " names (hard links), and a store can have one only; copy the file, or remove the other names");
+                  " names (hard links), but a store can have only one; copy the file, or remove the other names");
 }
 
 StoreFile::~StoreFile() {

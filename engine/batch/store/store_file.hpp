@@ -26,8 +26,8 @@ class StoreFile {
   [[nodiscard]] bool has_several_names() const { return several_names_; }
   /// When the file is there: notes which one it is.
   void opened();
-  /// Throws DataError when the name no longer leads to that file. What the database holds is saved before: into the
-  /// file if it only has another name now, into a new one beside the old place if it was deleted. The message says
+  /// Throws DataError when the name no longer leads to that file. The contents of the database are saved before: into
+  /// the file if it only has another name now, into a new one beside the old place if it was deleted. The message says
   /// where. Not inside a transaction.
   void require_in_place(Database& database) const;
 

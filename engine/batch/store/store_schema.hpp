@@ -1,7 +1,7 @@
-// The tables of a store, and the views by which people ask for what is in it (private to the store).
+// The tables of a store, and the views by which people query it (private to the store).
 //
 // Columns are named as in exports. Numbers have columns without a type: with the type REAL, SQLite would turn -0.0 into
-// 0.0. What is not known is NULL.
+// 0.0. Unknown values are NULL.
 #pragma once
 
 #include <string>

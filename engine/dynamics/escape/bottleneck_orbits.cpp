@@ -1,4 +1,4 @@
-// The saddles of a well, their periodic orbits and tubes, and what is said where these do not serve.
+// The saddles of a well, their periodic orbits and tubes, and the messages where these do not serve.
 #include "engine/dynamics/escape/bottlenecks.hpp"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ void Bottlenecks::find_orbits(std::span<const FlowState> guesses, double energy)
     for (const Bottleneck& other : list) {
       double distance = 0;
       for (std::size_t k = 0; k < 4; ++k) distance += std::fabs(other.orbit.state[k] - bottleneck.orbit.state[k]);
-      if (distance < 1e-9) throw UsageError("two of the saddles are one");
+      if (distance < 1e-9) throw UsageError("two of the saddles are the same point; give each saddle once");
     }
     list.push_back(std::move(bottleneck));
   }

@@ -27,7 +27,7 @@ inline constexpr double cut_coarseness = 10;
 // Trajectories that are followed for each point of a curve: those that show where points are needed, and the points.
 inline constexpr double evaluations_a_point = 2;
 
-// What is under way: the number of the images, when all is expected to be done, by a watch, and the work that all
+// The work under way: the number of the images, when all is expected to be done, by a watch, and the work that all
 // curves may take (PlanarMap::work).
 struct EscapeWork {
   int images;
@@ -44,7 +44,7 @@ std::array<double, count> middles() {
   return u;
 }
 
-// Tells what is being done, from whatever thread, one at a time.
+// Reports the step being done, from any thread, one at a time.
 class Reporter {
  public:
   explicit Reporter(const EscapeOptions& options) : options_(options) {}
@@ -90,8 +90,8 @@ class Bottlenecks {
   // end of the well, which cuts the next one; cut ones only if asked for.
   void carry(int images, bool cut_too, const EscapeWork& work);
 
-  // What the next images are expected to need: points of the largest one, crossings of trajectories of all; whether
-  // not even cutting can be afforded.
+  // Expected needs of the next images: points of the largest one, crossings of trajectories of all; whether not even
+  // cutting can be afforded.
   struct Ahead {
     double points = 0, crossings = 0;
     bool too_much = false;
@@ -114,10 +114,10 @@ class Bottlenecks {
   [[nodiscard]] bool out_of_points() const;
 
  private:
-  // What each of them may take of the work that is left: one may need more than the others do.
+  // The share that each curve may take of the work that is left: one may need more than the others do.
   [[nodiscard]] double share_of(double left) const { return 2 * left / static_cast<double>(carried_.size()); }
 
-  // What has been cut from a tube.
+  // The curves that have been cut from a tube.
   struct Carried {
     std::vector<TubeCurve>* curves;
     Branch branch;
@@ -133,13 +133,13 @@ class Bottlenecks {
   // well: the section has met its branch on the other side of the bottleneck first.
   void require_in_well(std::size_t k) const;
 
-  // Of tube k: "the unstable tube of the bottleneck (1, 0.5)".
+  // Name of tube k: "the unstable tube of the bottleneck (1, 0.5)".
   [[nodiscard]] std::string name_of_tube(std::size_t k) const;
 
-  // What to do where the section or the saddles do not serve.
+  // Advice for a section or saddles that do not serve.
   [[nodiscard]] std::string way_on() const;
 
-  // Those of rank 1 below the energy, of Newton's method from a grid about the named ones: a help for a message.
+  // Saddles of rank 1 below the energy, by Newton's method from a grid about the named ones: a help for a message.
   [[nodiscard]] std::vector<SaddlePoint> open_saddles() const;
 
   void carry_one(std::size_t k, bool cut_too);
@@ -159,7 +159,7 @@ class Bottlenecks {
   // Orbits shrink with the square root of the energy above the saddle, which is a difference of rounded numbers.
   static double least_energy(const SaddlePoint& saddle);
   static std::string text_of_least(const SaddlePoint& saddle) { return format_rounded(least_energy(saddle), 9); }
-  // What fails near a saddle's energy fails because of that.
+  // A failure near a saddle's energy is put down to that.
   template <typename Function>
   static void near_saddle(const SaddlePoint& saddle, double energy, const Function& function) {
     try {

@@ -95,7 +95,7 @@ class CutImages::Cutting {
   // it was missed at most (capsize, energies from 0.28 to 0.7, tolerances from 1e-4 to 1e-6). More than E
   // holds is not due to rounding: there the section tears the curve, which no bar makes good and comparisons show.
   [[nodiscard]] double area_at_jumps(const CurveImage& image) const {
-    constexpr double share = 2;  // of the square over a jump
+    constexpr double share = 2;  // share of the square over a jump
     double area = 0;
     for (const GrowthDiagnostic& diagnostic : image.diagnostics) {
       if (diagnostic.cause == GrowthDiagnosticCause::left_box) continue;
@@ -169,7 +169,7 @@ class CutImages::Cutting {
     const std::array<double, 2> ends{0, 1};
     exit.regularising_curve = std::move(images_of(curve, ends, tracing_, [](const CurveImage&) { return false; })[0]);
     if (!exit.regularising_curve.diagnostics.empty() || exit.regularising_curve.points.size() < 3) {
-      throw DataError("what is about to leave by a bottleneck could not be followed back to the section");
+      throw DataError("trajectories about to leave by a bottleneck could not be followed back to the section");
     }
     exit.index = std::make_unique<IndexedCurve>(CurveView(exit.regularising_curve));
     for (const Point& p : exit.regularising_curve.points) {
@@ -230,7 +230,7 @@ class CutImages::Cutting {
     return at_best;
   }
 
-  // Replaces what lies in the exit by arcs of its regularising curve. False: nothing does.
+  // Replaces the part in the exit by arcs of its regularising curve. False: no part lies there.
   bool cut_at(const Exit& exit) {
     std::vector<char> inside(points_.size());
     for_each_block(points_.size(), 512, [&](std::size_t begin, std::size_t end) {
@@ -253,7 +253,7 @@ class CutImages::Cutting {
     std::vector<TrajectoryArc> arcs;
     std::vector<double> guide;
     std::vector<std::size_t> regularising_curves;
-    double turns = 0;  // of what is kept and the regularising curves, about the middle
+    double turns = 0;  // turns of the kept parts and the regularising curves, about the middle
     for (std::size_t i = 0; i < out.size(); ++i) {
       turns += turns_outside(leaves[i], enters[i], exit.middle);
       keep(out[i].parameter, in[i].parameter, arcs, guide);
@@ -278,7 +278,7 @@ class CutImages::Cutting {
     return signed_area(CurveView(exit.regularising_curve)) > 0 ? 1 : -1;
   }
 
-  // From segment `leave` to segment `enter` along the polygon.
+  // The turns from segment `leave` to segment `enter` along the polygon.
   [[nodiscard]] double turns_outside(std::size_t leave, std::size_t enter, Point middle) const {
     double angle = 0;
     const std::size_t count = points_.size();

@@ -1,4 +1,4 @@
-// Images of what has entered, after part of it has left (private to escape/).
+// Images of the entry region after part of it has left (private to escape/).
 //
 // Where the image A of an entry region meets an exit X, the map f to the next crossing ends: outside X, close to its
 // regularising curve, trajectories pass the bottleneck's orbit without leaving and come back close to the regularising
@@ -23,7 +23,7 @@ namespace lober::detail {
 struct CutImageOptions {
   TubeCurveOptions tracing;
   double strip = 0;  ///< area between X and X_I
-  double area = 0;   ///< of the smallest E
+  double area = 0;   ///< area of the smallest E
 };
 
 /// Goes on where the whole images of E (`entry`) or X of bottleneck `bottleneck` end; `last` is the last of them,

@@ -38,7 +38,7 @@ double last_second(const EscapeOptions& options) {
   return options.budget > 0 ? beyond_budget * options.budget : std::numeric_limits<double>::infinity();
 }
 
-// What comes before the first row. Throws DataError when it takes too long.
+// Does the work before the first row. Throws DataError when it takes too long.
 void within_first_limit(const Stopwatch& watch, const EscapeOptions& options, const std::function<void()>& function) {
   const double seconds =
       options.budget > 0 ? std::max(last_second(options), first_seconds) : first_seconds_without_budget;
@@ -167,7 +167,7 @@ class EscapeBuilder {
     return followed_ + measured_ + work > options_.max_work ? EscapeStop::work : EscapeStop::done;
   }
 
-  // What is reported while images of this number are made.
+  // The progress report while images of this number are made.
   [[nodiscard]] EscapeWork work(int images) const {
     const int left = std::max(1, options_.crossings + 1 - images);
     return {images, watch_.seconds() + cost_.sum(left), watch_, work_left()};
@@ -211,7 +211,7 @@ class EscapeBuilder {
     });
   }
 
-  // What the curves determine of the rows and has not been reported yet. Returns the work.
+  // Measures the rows that the curves determine and that have not been reported yet. Returns the work.
   double measure() {
     std::atomic<std::uint64_t> nodes = 0;
     for_each_block(result_.table.size(), 1, [&](std::size_t k, std::size_t) { measure(result_.table[k], nodes); });
@@ -253,7 +253,7 @@ class EscapeBuilder {
     }
     const CommonArea common = common_area(a.view(), b.view());
     const double share = common.area / from.area;
-    // What the action shows of the curves' areas may be missing in the common area too.
+    // The defect of the curves' areas that the action shows may be missing in the common area too.
     return {share, (common.error + a.displacement_area + b.displacement_area) / from.area +
                        share * (std::fabs(a.area / from.area - 1) + std::fabs(b.area / to.area - 1))};
   }
@@ -295,7 +295,7 @@ class EscapeBuilder {
                          "split " + split_text(row.other_forward, row.other_backward), row.fraction, row.other,
                          row.error + row.other_error});
       for (const EscapeSymmetry& symmetry : *symmetries_) compare_by(symmetry, row, agreement);
-      agreement.compare({name(row), "its curves", "what a fraction can be", row.fraction,
+      agreement.compare({name(row), "its curves", "the range from 0 to 1", row.fraction,
                          std::clamp(row.fraction, 0.0, 1.0), row.error});
     }
     compare_sums(agreement);
@@ -389,7 +389,7 @@ Escape escape(const Flow& flow, const Section& section, double energy, std::span
   if (options.crossings < 1) throw UsageError("escape takes at least one crossing");
   if (!(options.tolerance > 0)) throw UsageError("escape: the tolerance has to be positive");
   if (section.direction == 0) throw UsageError("escape counts crossings in one direction: the section needs one");
-  if (section.bound_side != 0) throw UsageError("escape takes sections without bound");
+  if (section.bound_side != 0) throw UsageError("escape takes only sections without a bound");
   const Section whole = position_section(flow, section.coordinate, section.value, section.direction);
   return EscapeBuilder(flow, whole, energy, options).build(saddles);
 }

@@ -7,7 +7,7 @@
 
 namespace lober::detail {
 
-/// Of an energy above that of the saddle: what is less is lost in rounding of the energy.
+/// The least excess of an energy over that of the saddle: less is lost in rounding of the energy.
 [[nodiscard]] inline double least_excess(const SaddlePoint& saddle) {
   return 1e-7 * (1 + std::fabs(saddle.energy));
 }

@@ -37,7 +37,7 @@ class TrajectoryCounter {
     for (const EscapeFraction& row : result.table) most_ = std::max(most_, row.iterates);
   }
 
-  // counts[exit][m]; the last entry counts what is lost.
+  // counts[exit][m]; the last entry counts lost trajectories.
   [[nodiscard]] std::vector<std::uint64_t> count(std::size_t entry, std::uint64_t begin, std::uint64_t end) const {
     std::vector<std::uint64_t> counts(columns() + 1);
     const int start = entries_[entry].direction;

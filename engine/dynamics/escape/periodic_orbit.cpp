@@ -41,7 +41,7 @@ Section local_section(const Flow& flow, const SaddlePoint& saddle) {
 struct Corrected {
   Point at;
   double residual;
-  double trace;  // of the derivative of the return map
+  double trace;  // trace of the derivative of the return map
 };
 
 // Finds where the trajectories forward and backward from a point of the section meet it next, in the other direction.
@@ -225,7 +225,7 @@ class Continuation {
   IntegrationOptions options_;
   std::vector<Known> known_;
   Point slope_;
-  double size_ = 0;  // of the linear orbit at r = 1
+  double size_ = 0;  // size of the linear orbit at r = 1
 };
 
 // The two states where the section's coordinate turns round, the lower one first.

@@ -1,4 +1,4 @@
-// A closed curve about an exit that the map can carry over: what is cut off an image is what lies in it (private to
+// A closed curve about an exit that the map can carry over: the part of an image in it is cut off (private to
 // escape/, see cut_images.hpp).
 #pragma once
 
@@ -16,7 +16,7 @@ struct BottleneckTubes {
 };
 
 /// The trajectories with s w = I (1 + small) next to the orbit of a bottleneck, with w and s both near the square root
-/// of I: those of one turn. Sums of points of the two local manifolds are no exact coordinates, so that turn and
+/// of I: those of one turn. Sums of points of the two local manifolds are not exact coordinates, so that turn and
 /// product are adapted until the end of the turn is the image of its beginning. Flow and tubes must outlive it.
 class RegularisingCurve {
  public:

@@ -90,8 +90,8 @@ FlowState state_at_rest(const Flow& flow, Point position) {
     const std::vector<double> step = least_squares(by_momenta, {speed[q[0]], speed[q[1]]});
     for (std::size_t k = 0; k < 2; ++k) x[p[k]] -= step[k];
   }
-  throw DataError("no momenta give the position (" + format_number(position.x) + ", " + format_number(position.y) +
-                  ") the velocity 0");
+  throw DataError("no momenta make the velocity zero at the position (" + format_number(position.x) + ", " +
+                  format_number(position.y) + ")");
 }
 
 SaddlePoint saddle_point(const Flow& flow, const FlowState& guess) {

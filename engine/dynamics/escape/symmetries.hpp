@@ -22,8 +22,8 @@ struct EscapeSymmetry {
   std::vector<std::size_t> becomes;  ///< by bottleneck
 };
 
-/// Those that the Hamiltonian has, by its values at a few dozen states about the orbits, and that map bottlenecks onto
-/// bottlenecks; the identity left out.
+/// The symmetries of the Hamiltonian, by its values at a few dozen states about the orbits, and that map bottlenecks
+/// onto bottlenecks; the identity left out.
 [[nodiscard]] std::vector<EscapeSymmetry> symmetries(const Flow& flow, const Section& section,
                                                      std::span<const Bottleneck> bottlenecks);
 

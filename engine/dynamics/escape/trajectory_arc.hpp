@@ -9,8 +9,8 @@
 
 namespace lober::detail {
 
-/// From 0 to 1, slow at both ends: there cut curves wind about a tube, each turn in a fraction 1 / multiplier of what
-/// is left.
+/// A map of [0, 1] to itself, slow at both ends: there cut curves wind about a tube, each turn in a fraction 1 /
+/// multiplier of the rest.
 inline constexpr double grading = 30;
 [[nodiscard]] inline double graded(double t) {
   return t <= 0.5 ? 0.5 * elementary::expm1(2 * grading * t) / elementary::expm1(grading) : 1 - graded(1 - t);

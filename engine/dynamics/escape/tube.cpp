@@ -106,9 +106,9 @@ int Tube::direction_of(Branch branch, const Section& section, int k) const {
   return direction;
 }
 
-// Which area lies between the curve and where it would be without the errors of the integration and of the local
-// manifold. The former are measured at a few points, by integrating ten times less accurately; the latter move the
-// whole tube, and the flow keeps the area between.
+// The area between the curve and its position without the errors of the integration and of the local manifold. The
+// former are measured at a few points, by integrating ten times less accurately; the latter move the whole tube, and
+// the flow keeps the area between.
 double Tube::displacement_area(Branch branch, const Section& section, int k, const CurveImage& image) const {
   constexpr std::size_t samples = 64;
   constexpr double coarser = 10;
@@ -186,7 +186,7 @@ double Tube::area_by_action(const Section& section) const {
   for (const ConjugatePair& pair : flow_.conjugate_pairs()) {
     if (pair.q == section.chart_x) return std::fabs(orbit_.action / pair.factor);
   }
-  throw UsageError("the section's chart is no conjugate pair");
+  throw UsageError("the section's chart is not a conjugate pair");
 }
 
 }  // namespace lober

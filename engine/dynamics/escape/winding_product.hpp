@@ -1,4 +1,4 @@
-// What two closed curves that cross themselves have in common (private to escape/).
+// The common area of two closed curves that cross themselves (private to escape/).
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@ namespace lober::detail {
 
 struct CommonWindingArea {
   double area = 0, error = 0;
-  std::uint64_t nodes = 0;  ///< that the polygons have with themselves and each other: what it took
+  std::uint64_t nodes = 0;  ///< nodes of the polygons with themselves and each other: the work
 };
 
 /// The integral of the product of both winding numbers, |.|: for curves that may cross themselves, have corners and go
-/// to and fro. Of the polygons with all vertices and with every second one; the error of polygons, which goes with the
-/// square of the length of segments, is extrapolated away; the error bar is the whole difference of the two, or half of
-/// that to every fourth vertex where it is more.
+/// to and fro. It is computed for the polygons with all vertices and with every second one; the error of polygons,
+/// which goes with the square of the length of segments, is extrapolated away; the error bar is the whole difference of
+/// the two, or half of that to every fourth vertex where it is more.
 [[nodiscard]] CommonWindingArea common_area_by_winding(const ClosedCurve& first, const ClosedCurve& second);
 
 }  // namespace lober::detail

@@ -1,4 +1,4 @@
-// What the derivative says about a fixed point.
+// The kind of a fixed point by its derivative.
 #pragma once
 
 #include "lober/fixed_points.hpp"

@@ -17,7 +17,7 @@ struct Displacement {
 
 Displacement displacement(const PlanarMap& map, Point z, int period, Point shift);
 
-/// What an error of z is relative to.
+/// The size that an error of z is relative to.
 inline double size_at(Point z) {
   return 1 + length(z);
 }

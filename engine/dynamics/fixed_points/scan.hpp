@@ -42,8 +42,8 @@ class SearchAllowance {
   Stopwatch watch_;
 };
 
-/// What Newton's method finds in the box from the seeds of the grid, sorted by period, x, y; with an allowance, from
-/// those before it ends.
+/// The points that Newton's method finds in the box from the seeds of the grid, sorted by period, x, y; with an
+/// allowance, from the seeds before it ends.
 [[nodiscard]] std::vector<FixedPoint> scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
                                            const DisplacementGrid& grid, const SearchAllowance* allowance = nullptr);
 

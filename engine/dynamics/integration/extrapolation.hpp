@@ -2,8 +2,8 @@
 //
 // The modified midpoint rule is taken with 2, 4, ..., 12 substeps, and the six results are extrapolated to substeps of
 // length zero: order 12, with the extrapolation without the coarsest one (order 10) for the error (Gragg 1965; Hairer,
-// Norsett & Wanner, Solving Ordinary Differential Equations I, II.9). What is carried along and extrapolated is the
-// change over the step, not the state, so that rounding falls with the step. Beside a Runge-Kutta pair of order 8 a
+// Norsett & Wanner, Solving Ordinary Differential Equations I, II.9). The quantity carried along and extrapolated is
+// the change over the step, not the state, so that rounding falls with the step. Beside a Runge-Kutta pair of order 8 a
 // step takes three times as many evaluations of the field and is three times as long; but an evaluation comes with one
 // product and one sum a coordinate instead of up to a dozen of each, and columns do not wait for one another
 // (bench/RESULTS.md, "Integrators").
@@ -27,7 +27,7 @@ LOBER_INLINE constexpr int first_stage_of(int column) {
 }
 static_assert(first_stage_of(step_columns) == step_stages);
 
-/// At what fraction of the step evaluation number `stage` takes place.
+/// The fraction of the step at which evaluation number `stage` takes place.
 constexpr double stage_offset(int stage) {
   if (stage == 0) return 0;
   int column = 0;
@@ -35,7 +35,7 @@ constexpr double stage_offset(int stage) {
   return static_cast<double>(stage - first_stage_of(column) + 1) / substeps_of(column);
 }
 
-/// What a column counts for in the extrapolation from the columns `first`, `first` + 1 ...: the value at 0 of the
+/// The weight of a column in the extrapolation from the columns `first`, `first` + 1 ...: the value at 0 of the
 /// polynomial in the square of the substep that is 1 at this column and 0 at the others.
 constexpr double column_weight(int column, int first) {
   double weight = column < first ? 0 : 1;
@@ -49,7 +49,7 @@ constexpr double column_weight(int column, int first) {
 
 struct ExtrapolationWeights {
   double change[step_columns];
-  double error[step_columns];  ///< of the difference between both extrapolations
+  double error[step_columns];  ///< weights of the difference between both extrapolations
 };
 inline constexpr ExtrapolationWeights extrapolation_weights = [] {
   ExtrapolationWeights result{};

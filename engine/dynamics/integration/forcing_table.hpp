@@ -1,4 +1,4 @@
-// What a field depends on by time alone, tabulated over its period.
+// The part of a field that depends on time alone, tabulated over its period.
 #pragma once
 
 #include <array>
@@ -23,9 +23,9 @@ void tabulate_step(const Field& field, double from, double h, double* record) {
   }
 }
 
-/// Of a time-periodic field: steps of period / 2^level that begin at whole multiples of themselves, forward or backward
-/// from `start`, see the same few times over and over. The table of a level is made when it is first asked for; from
-/// `tabulated_levels` on a step computes its own. Safe to use from several threads.
+/// The forcing of a time-periodic field: steps of period / 2^level that begin at whole multiples of themselves, forward
+/// or backward from `start`, see the same few times over and over. The table of a level is made when it is first asked
+/// for; from `tabulated_levels` on a step computes its own. Safe to use from several threads.
 template <typename Field>
 class ForcingTable {
  public:

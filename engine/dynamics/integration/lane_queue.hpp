@@ -11,7 +11,7 @@
 
 namespace lober::detail {
 
-/// How often each trajectory of a queue is still to arrive.
+/// The number of arrivals still due for each trajectory of a queue.
 class Arrivals {
  public:
   Arrivals(int each, std::size_t trajectories) : each_(each), left_(each > 1 ? trajectories : 0) {}
@@ -30,7 +30,7 @@ class Arrivals {
 template <int size>
 struct SingleTrajectory {
   double (&state)[size];  ///< where it begins, then where it has arrived
-  double time = 0;        ///< of the arrival at a section
+  double time = 0;        ///< time of the arrival at a section
   bool begun = false;
   bool found = false;  ///< whether it has arrived
 

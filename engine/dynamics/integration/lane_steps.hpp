@@ -1,4 +1,4 @@
-// Which compiled copy of the step a processor takes.
+// The compiled copy of the step that a processor takes.
 #pragma once
 
 #include <cstddef>

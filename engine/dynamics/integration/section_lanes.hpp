@@ -63,7 +63,7 @@ class SectionLanes {
     double t = 0;
     double h = 0;      // as long as errors allow
     double level = 0;  // value of the coordinate on the section: one of them, where it is an angle
-    double side = 0;   // of the section, where the step begins; only the sign matters
+    double side = 0;   // side of the section where the step begins; only the sign matters
     int tries = 0;
     bool locating = false;
     // While a crossing is located:
@@ -76,7 +76,7 @@ class SectionLanes {
 
   [[nodiscard]] static double off(const Lane& here, double coordinate) { return coordinate - here.level; }
 
-  // Of the values at which an angle is on the section, the one nearest to the coordinate.
+  // The value nearest to the coordinate among those at which an angle is on the section.
   [[nodiscard]] double nearest_level(double coordinate) const {
     if (section_.period == 0) return section_.value;
     return section_.value + section_.period * std::floor((coordinate - section_.value) / section_.period + 0.5);
@@ -146,7 +146,7 @@ class SectionLanes {
     return next_bracket(block, lane);
   }
 
-  // Where the section is crossed on the last step.
+  // Finds where the section is crossed on the last step.
   void find_brackets(const StepBlock<size>& block, std::size_t lane) {
     Lane& here = lanes_[lane];
     const double h = here.step, x = off(here, block.x[axis_][lane]), at_end = off(here, block.end[axis_][lane]);
@@ -167,7 +167,7 @@ class SectionLanes {
     here.next = {*beyond, h, -here.side, 0.5 * (*beyond + h)};
   }
 
-  // By the straight line through the values around the first one that is across.
+  // A guess by the straight line through the values around the first one that is across.
   [[nodiscard]] static double guess(const double* values, int across, double h) {
     const double part = h / (inner + 1), a = values[across - 1], b = values[across];
     const double share = a / (a - b);
@@ -233,7 +233,7 @@ class SectionLanes {
     return false;
   }
 
-  // What follows is for steps that begin and end on the same side, and is seldom needed.
+  // The rest is for steps that begin and end on the same side, and is seldom needed.
 
   /// A time within the step at which the trajectory is on the other side. `seen`: at which of the inner points it seems
   /// to be; 0: at none.
@@ -259,13 +259,13 @@ class SectionLanes {
       slope_b = lowest < inner ? probe_.end_slope[axis_][0] : slope_b;
       if (side * slope_a * h >= 0 || side * slope_b * h <= 0) return std::nullopt;
     }
-    // By regula falsi and bisection on the slope of the true trajectory.
+    // Uses regula falsi and bisection on the slope of the true trajectory.
     for (int k = 0; k < 60; ++k) {
       double s = k % 3 == 2 ? 0.5 * (a + b) : a - slope_a * (b - a) / (slope_b - slope_a);
       if (!(std::min(a, b) < s && s < std::max(a, b))) s = 0.5 * (a + b);
       const double value = probe(here, s), slope = probe_.end_slope[axis_][0];
       if (value * side <= 0) return s;
-      // What is left of the way down, were the slope to stay the largest seen.
+      // The rest of the way down, if the slope stayed the largest seen.
       const double steepest = std::max(std::abs(slope_a), std::abs(slope_b));
       (slope * slope_a > 0 ? a : b) = s;
       (slope * slope_a > 0 ? slope_a : slope_b) = slope;
@@ -274,7 +274,7 @@ class SectionLanes {
     return std::nullopt;
   }
 
-  /// How far from the section a step of length s ends; its slope is then in probe_.
+  /// The distance from the section at which a step of length s ends; its slope is then in probe_.
   double probe(const Lane& here, double s) {
     probe_.h[0] = s;
     steps_one_by_one(rhs_, probe_, 1);

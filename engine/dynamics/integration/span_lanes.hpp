@@ -82,7 +82,7 @@ class SpanLanes {
     Lane& here = lanes_[lane];
     const double rest = to_ - here.t;
     here.last = std::abs(rest) <= std::abs(here.h);
-    // The last two steps share what is left, so that none is a mere remainder.
+    // The last two steps share the rest, so that none is a mere remainder.
     block.h[lane] = here.last ? rest : std::abs(rest) < 2 * std::abs(here.h) ? 0.5 * rest : here.h;
     if constexpr (Rhs::forcings > 0) tabulate_step(field_, here.t, block.h[lane], own_[lane]);
     block.forcing[lane] = own_[lane];

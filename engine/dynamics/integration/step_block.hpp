@@ -1,4 +1,4 @@
-// Steps of several trajectories at once: what goes into them and what comes out.
+// Steps of several trajectories at once: their input and output.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct alignas(64) StepBlock {
 
   // Computed.
   Row end[size];    ///< the state where it ends
-  Row error;        ///< estimated, over what is allowed: above 1, or NaN, the step is too long
+  Row error;        ///< estimated over allowed error: above 1, or NaN, the step is too long
   Row slope[size];  ///< dx/dt where it begins
   // For autonomous fields only:
   Row end_slope[size];                  ///< dx/dt where it ends

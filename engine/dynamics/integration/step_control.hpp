@@ -37,7 +37,7 @@ struct StepFactors {
 };
 inline constexpr StepFactors step_factors;
 
-/// By how much to multiply a step whose error was `error` of what is allowed, or NaN. The error counts as the next
+/// The factor for a step whose error was `error` times the allowed one, or NaN. The error counts as the next
 /// power of two, so that no logarithm is taken.
 inline double step_factor(double error) {
   if (!std::isfinite(error)) return 0.125;

@@ -35,9 +35,9 @@ Point passage(const PlaneFunction& function, double level, Point above, Point be
 LevelGrid::LevelGrid(PlaneFunction function, const Rectangle& window, std::size_t columns, std::size_t rows)
     : function_(std::move(function)), window_(window), columns_(columns), rows_(rows) {
   if (!(window.width() > 0 && window.height() > 0)) throw UsageError("the window of a grid needs an area");
-  if (columns == 0 || rows == 0) throw UsageError("a grid needs a cell at least");
+  if (columns == 0 || rows == 0) throw UsageError("a grid needs at least one cell");
   // Sides of cells have 32-bit numbers.
-  if (columns > 30'000 || rows > 30'000) throw UsageError("a grid has 30000 columns and rows at most");
+  if (columns > 30'000 || rows > 30'000) throw UsageError("a grid can have at most 30000 columns and 30000 rows");
   values_.resize((columns + 1) * (rows + 1));
   detail::for_each_block(values_.size(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) values_[k] = function_(node(k % (columns_ + 1), k / (columns_ + 1)));

@@ -21,7 +21,7 @@ std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& loc
   const LocalManifold::Image image = local.image();
   const int direction = image.steps > 0 ? 1 : -1, stride = image.steps * direction;
   std::vector<Point> points;
-  // From P(parameter) outwards to the point itself.
+  // Goes from P(parameter) outwards to the point itself.
   Point at = local.at(position.parameter);
   std::vector<Point> outwards{at};
   for (int k = 0; k < position.images * stride; ++k) {
@@ -29,7 +29,7 @@ std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& loc
     outwards.push_back(at);
   }
   points.assign(outwards.rbegin(), outwards.rend());
-  // And inwards along P, where errors shrink.
+  // Goes inwards along P, where errors shrink.
   constexpr int max_images = 4000;
   constexpr double gone = 1e-22;
   double s = position.parameter;
@@ -110,13 +110,13 @@ ConnectingOrbit closest(const PlanarMap& map, const LocalManifold& unstable, con
   return best;
 }
 
-// What rounding and the errors of integration leave is far below the distance from the saddle.
+// The residual left by rounding and the errors of integration is far below the distance from the saddle.
 bool is_met(const ConnectingOrbit& orbit, const LocalManifold& unstable) {
   return orbit.residual <= 1e-6 * distance(orbit.at, unstable.saddle);
 }
 
-// What the residual changes the action by: the next point of the orbit is off by that times what an iterate stretches
-// by, and the action is stationary.
+// The change of the action by the residual: the next point of the orbit is off by the residual times the stretching of
+// an iterate, and the action is stationary.
 double action_of_residual(const ConnectingOrbit& orbit, const LocalManifold& unstable, const LocalManifold& stable) {
   const double off = orbit.residual * std::max(std::fabs(unstable.multiplier), std::fabs(stable.multiplier));
   return off * off;

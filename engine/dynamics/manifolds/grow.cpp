@@ -19,7 +19,7 @@ void require_sensible(const LocalManifold& local, const GrowthOptions& options) 
     throw UsageError("grow: either the number of iterates or the length has to be given");
   }
   if (!(std::fabs(local.multiplier) > 1) || !(local.reach > 0)) {
-    throw UsageError("grow: this is no local manifold of a saddle");
+    throw UsageError("grow: this is not a local manifold of a saddle");
   }
 }
 

@@ -139,7 +139,7 @@ std::vector<CurveImage> all_images(const PlanarMap& map, int first, int last, co
 void require_sensible(const ImageOptions& options) {
   if (!(options.tolerance > 0)) throw UsageError("image: the tolerance has to be positive");
   if (!(options.max_length > 0)) throw UsageError("image: the maximum length of a segment has to be positive");
-  if (options.max_points < 3) throw UsageError("image: there has to be room for three points");
+  if (options.max_points < 3) throw UsageError("image: the maximum number of points has to be at least 3");
 }
 
 // A few points between any two corners; the corners are kept.

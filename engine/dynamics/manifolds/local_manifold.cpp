@@ -223,7 +223,8 @@ class Solver {
 
 void require_sensible(const LocalManifoldOptions& options) {
   if (options.period < 1) throw UsageError("local manifold: the period has to be 1 or more");
-  if (options.degree < 2 || options.degree > 200) throw UsageError("local manifold: the degree has to be 2 .. 200");
+  if (options.degree < 2 || options.degree > 200)
+    throw UsageError("local manifold: the degree has to be from 2 to 200");
   if (!(options.tolerance > 0)) throw UsageError("local manifold: the tolerance has to be positive");
   if (!(options.max_length > 0)) throw UsageError("local manifold: the maximum length has to be positive");
 }
@@ -272,8 +273,8 @@ Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifo
   return *best;
 }
 
-// From that of a map nearby, with its reach, at which the defect is about as much as it may be: so it may be twice
-// that.
+// The manifold from that of a map nearby, with its reach, at which the defect is about the allowed one: so it may be
+// twice that.
 std::optional<Candidate> from_neighbour(const Solver& solver, const Saddle& saddle,
                                         const LocalManifoldOptions& options) {
   const LocalManifold& other = *options.neighbour;

@@ -14,7 +14,7 @@
 namespace lober::detail {
 namespace {
 
-// What one point costs at the peak: two copies with their parameters, flags, counts and the next guide.
+// Memory for one point at the peak: two copies with their parameters, flags, counts and the next guide.
 constexpr std::size_t bytes_per_point = 120;
 
 // Parameters of P are told apart from here on: P rounds to this number of ulps of the largest coordinate.
@@ -53,7 +53,7 @@ void ManifoldGrowth::set_up_tracing() {
   for (const Point point : points) largest = std::max({largest, std::fabs(point.x), std::fabs(point.y)});
   const double rounding = largest * std::numeric_limits<double>::epsilon();
   if (!(options_.tolerance > 8 * rounding)) {
-    throw UsageError("grow: the tolerance is below what coordinates of this size resolve");
+    throw UsageError("grow: the tolerance is finer than coordinates of this size can resolve");
   }
   trace_options_.tolerance = options_.tolerance;
   trace_options_.batch = std::max(trace_options_.batch, map_.batch());
@@ -68,7 +68,7 @@ void ManifoldGrowth::set_up_tracing() {
   }
   max_points_ = std::min(options_.max_points, options_.max_memory / bytes_per_point);
   max_points_ = std::min<std::size_t>(max_points_, (std::size_t{1} << 31) - 1);
-  if (max_points_ < 2) throw UsageError("grow: there has to be room for two points");
+  if (max_points_ < 2) throw UsageError("grow: the maximum number of points has to be at least 2");
 }
 
 GrowthStop ManifoldGrowth::grow_to(double end) {
@@ -94,7 +94,7 @@ void ManifoldGrowth::grow_piece() {
   const bool local = pieces_done_ == 0;
   const int generation = local ? 0 : (pieces_done_ - 1) / pieces_ + 1;
   const int part = local ? 0 : (pieces_done_ - 1) % pieces_;
-  const double fraction = limit_ - (generation - 1);  // of this generation that is wanted
+  const double fraction = limit_ - (generation - 1);  // the wanted part of this generation
   const double end = !local && (part + 1.0) / pieces_ > fraction
                          ? local_.reach * elementary::power(ratio_, fraction - 1)
                          : part_begin(local ? pieces_ : part + 1);
@@ -271,7 +271,7 @@ Samples ManifoldGrowth::first_guide(double end) const {
   return guide;
 }
 
-// Nothing where the piece does not fit into what is left of points and of images of the map.
+// Nothing where the piece does not fit into the points and images of the map that are left.
 std::optional<Trace> ManifoldGrowth::traced_piece(Samples guide, int generation) {
   TraceOptions options = trace_options_;
   const auto steps = static_cast<std::uint64_t>(std::max(1, generation * std::abs(steps_)));

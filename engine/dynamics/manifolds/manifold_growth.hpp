@@ -34,7 +34,7 @@ class ManifoldGrowth {
   [[nodiscard]] double time() const { return time_at(pieces_done_); }
   /// Duration of a piece.
   [[nodiscard]] double piece() const { return 1.0 / pieces_; }
-  /// What stopped it; `iterates` as long as it can go on.
+  /// The reason why it stopped; `iterates` as long as it can go on.
   [[nodiscard]] GrowthStop stop() const { return stop_; }
   /// Points that the piece would need that was not grown because max_points or max_images would be exceeded.
   [[nodiscard]] double points_needed() const { return points_needed_; }
@@ -47,7 +47,7 @@ class ManifoldGrowth {
   [[nodiscard]] double part_begin(int part) const;
   void grow_piece();
   static void split(Samples samples, std::vector<Samples>& guides);
-  /// Of the result.
+  /// The size of the result.
   struct Size {
     std::size_t points, diagnostics, generations;
     double length;
@@ -71,18 +71,18 @@ class ManifoldGrowth {
   const GrowthOptions& options_;
   double side_;
   int steps_ = 1;
-  double ratio_ = 1;  // of the parameters at the ends of a fundamental segment
-  int pieces_ = 1;    // of a generation
+  double ratio_ = 1;  // ratio of the parameters at the ends of a fundamental segment
+  int pieces_ = 1;    // pieces of a generation
   TraceOptions trace_options_;
   std::size_t max_points_ = 0;
 
-  double limit_ = std::numeric_limits<double>::infinity();  // of time, from options.iterates
+  double limit_ = std::numeric_limits<double>::infinity();  // limit of time, from options.iterates
 
   int pieces_done_ = 0;          // the local manifold is the first
   std::size_t generations_ = 0;  // begun
-  // Of each piece of the generation before and of this one the sections that it was traced in; parameters > 0.
+  // The sections in which each piece of the generation before and of this one was traced; parameters > 0.
   std::vector<std::vector<Samples>> previous_, current_;
-  double length_before_ = 0;  // of the polygon before this generation
+  double length_before_ = 0;  // length of the polygon before this generation
   int short_generations_ = 0;
   GrowthStop stop_ = GrowthStop::iterates;
   double points_needed_ = 0;

@@ -1,4 +1,4 @@
-// From samples to a curve with diagnostics (private to dynamics/).
+// The curve that samples make, with diagnostics (private to dynamics/).
 #pragma once
 
 #include <cstddef>

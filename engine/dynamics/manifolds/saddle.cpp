@@ -16,7 +16,7 @@
 namespace lober::detail {
 namespace {
 
-// What is farther from a guess, in units of its size, is another point than the one that was meant.
+// A point farther than this from a guess, in units of its size, is not the one that was meant.
 constexpr double nearby = 0.5;
 
 std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
@@ -26,10 +26,10 @@ std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point 
 
 // The way on.
 std::string others_by_search() {
-  return std::string(quantity::search) + " shows those that there are";
+  return std::string(quantity::search) + " lists the existing ones";
 }
 
-// By which one iterate stretches at most.
+// The factor by which one iterate stretches at most.
 double stretching_at(const PlanarMap& map, int steps, Point at) {
   Matrix2 a;
   if (!is_finite(map.iterate_with_derivative(at, steps, a))) return 0;
@@ -66,7 +66,7 @@ std::string unresolved(double factor) {
   constexpr double far = 1e8;
   if (!(factor > far)) return "";
   return "; one iterate stretches by " + format_rounded(factor) +
-         " there, which is not resolved in double precision: other parameters may do";
+         " there, which is not resolved in double precision: try other parameters";
 }
 
 Saddle saddle_near(const PlanarMap& map, int steps, Point guess) {

@@ -27,7 +27,7 @@ constexpr double sharpest_guide = 0.7;
 constexpr double edge_resolution = 1e-7;
 constexpr std::size_t chunk = std::size_t{1} << 16;  // evaluations between two reports of progress
 
-// What is to be inserted behind element `segment`.
+// An insertion behind element `segment`.
 struct Insertion {
   std::uint32_t segment;
   double parameter;
@@ -115,7 +115,7 @@ class Tracer {
                                             : 1;
   }
 
-  // What is known of a segment: nothing, that it is fine (for the guide, or once points are placed), or else fine + 1 +
+  // The verdict on a segment: none yet, that it is fine (for the guide, or once points are placed), or else fine + 1 +
   // why it is not.
   using Verdict = std::uint8_t;
   static constexpr Verdict open = 0, fine = 1;
@@ -215,10 +215,10 @@ class Tracer {
     } else {
       kept_.back() = static_cast<std::uint32_t>(segments());
     }
-    // What is near a new point is judged again.
+    // Segments near a new point are judged again.
     verdicts_ = with_inserted(std::span<const Verdict>(verdicts_), insertions, [](const Insertion&) { return open; });
     for (std::size_t k = 0; k < insertions.size(); ++k) {
-      const std::size_t at = insertions[k].segment + k;  // of the part before the new point
+      const std::size_t at = insertions[k].segment + k;  // index of the part before the new point
       for (std::size_t j = at > 1 ? at - 2 : 0; j < std::min(at + 4, segments()); ++j) verdicts_[j] = open;
     }
   }
@@ -278,7 +278,7 @@ class Tracer {
     samples_ = std::move(even);
   }
 
-  // Cuts what lies beyond the length asked for. Chords are shorter than the curve, so enough remains.
+  // Cuts the part beyond the length asked for. Chords are shorter than the curve, so enough remains.
   void end_by_length(Buffer<double>& required) {
     if (options_.max_total_length < std::numeric_limits<double>::infinity()) {
       double length = 0;

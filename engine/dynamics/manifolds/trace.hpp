@@ -30,7 +30,7 @@ struct TraceOptions {
   double tolerance = 0;
   double max_length = 0;
   double min_spacing = 0;  ///< parameters come no closer
-  Box box;                 ///< only what lies in it has to meet the tolerance
+  Box box;                 ///< only the part in it has to meet the tolerance
   std::size_t max_points = 0;
   bool cut = true;  ///< where points run out, the samples end there; else the trace is abandoned
   double max_total_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
@@ -44,7 +44,7 @@ struct Trace {
   std::vector<std::uint32_t> kept;            ///< where the points that stayed are now
   std::vector<GrowthDiagnostic> diagnostics;  ///< segments of the samples, ascending; each one apart
   bool out_of_points = false;  ///< max_points was reached: the samples end where that was, or are worthless
-  double points_needed = 0;    ///< of a trace that was abandoned, about
+  double points_needed = 0;    ///< points that an abandoned trace would need, about
 };
 
 /// Points of the guide with the numbers `kept` (ascending, the first and the last among them) stay; the curve may have

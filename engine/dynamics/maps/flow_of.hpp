@@ -155,7 +155,7 @@ class FlowOf final : public Flow {
   static_assert(Field::dimension >= 1 && Field::dimension <= max_flow_dimension);
   static constexpr bool has_section_maps = (n == 3 || n == 4) && Field::forcings == 0;
 
-  /// What the field depends on at a time.
+  /// The numbers that the field depends on at a time.
   struct Forcing {
     double numbers[Field::forcings + 1]{};
     Forcing(const Field& field, double time) { field.forcing(time, numbers); }

@@ -54,7 +54,7 @@ struct Jet {
     for (int k = 0; k < M; ++k) result.slope[k] = (a.slope[k] - result.value * b.slope[k]) * inverse;
     return result;
   }
-  // With constants, so that no products with slopes of zero are made. A double becomes a V.
+  // Operators with constants, so that no products with slopes of zero are made. A double becomes a V.
   LOBER_INLINE friend Jet operator+(Jet a, V b) {
     a.value = a.value + b;
     return a;

@@ -30,7 +30,7 @@ struct EigenPair {
   std::complex<double> value;
   std::vector<std::complex<double>> vector;
 };
-/// Of a square matrix, in no particular order.
+/// The eigenpairs of a square matrix, in no particular order.
 [[nodiscard]] std::vector<EigenPair> eigen_pairs(const Matrix& matrix);
 
 }  // namespace lober::detail

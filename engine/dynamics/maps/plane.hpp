@@ -9,7 +9,7 @@
 
 namespace lober::detail {
 
-/// What a point becomes whose orbit cannot be followed.
+/// The value of a point whose orbit cannot be followed.
 inline constexpr Point lost_point{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 inline bool is_finite(Point point) {

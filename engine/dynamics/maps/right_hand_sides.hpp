@@ -1,4 +1,4 @@
-// What is integrated along a trajectory: the flow alone, with tangent vectors, or with an action.
+// The right-hand sides integrated along a trajectory: the flow alone, with tangent vectors, or with an action.
 //
 // A Field is a value type:
 //   static constexpr int dimension;

@@ -18,7 +18,7 @@
 
 namespace lober::detail {
 
-/// From the chart of a section to phase space and back.
+/// The maps from the chart of a section to phase space and back.
 template <typename Field>
 class SectionChart {
  public:

@@ -1,4 +1,4 @@
-// What oscillators under a periodic force have in common.
+// The common parts of oscillators under a periodic force.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct ForcedOscillator {
     return std::span<const ConjugatePair>(pair).first(delta == 0 ? 1 : 0);
   }
 
-  /// Of a force that is odd in x, on the section at `phase`.
+  /// Symmetries under a force that is odd in x, on the section at `phase`.
   [[nodiscard]] std::vector<Symmetry> symmetries(double phase) const;
 
   /// The periodic orbit that a saddle of the unforced system becomes, u'' + delta u' = u + rest(u) + eps cos(omega t)

@@ -14,7 +14,7 @@
 namespace lober::detail {
 namespace {
 
-// What finite differences and an iterated inverse may be off by, as a fraction; slips are far larger.
+// Allowed errors of finite differences and of an iterated inverse, as fractions; slips are far larger.
 constexpr double accuracy = 1e-4;
 constexpr double inverse_accuracy = 1e-6;
 constexpr int points_a_side = 5;  // points of the window along each axis
@@ -228,7 +228,7 @@ class FlowChecks {
     }
   }
 
-  // Of two points at a time, of which this is the second one.
+  // Checks the batch for two points at a time, this one second.
   void check_batch(const FlowState& x, double t, const FlowState& speed) const {
     std::vector<double> from(2 * dimension_), to(2 * dimension_);
     for (std::size_t k = 0; k < dimension_; ++k) {

@@ -28,7 +28,7 @@ using Library = std::shared_ptr<void>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// What the functions of a library are called with.
+/// The arguments with which a library's functions are called.
 struct Loaded {
   Library library;
   const lober_system* system;
@@ -100,7 +100,7 @@ class LoadedField {
   void velocity(const double* x, double* dxdt, const double* force) const {
     if (loaded_->system->flow->velocity(parameters(), x, time(force), dxdt) != 0) std::fill_n(dxdt, N, nan);
   }
-  /// Of several points, by velocity_batch.
+  /// The velocities at several points, by velocity_batch.
   template <int elements, InstructionSet isa>
   void velocity(const Wide<elements, isa>* x, Wide<elements, isa>* dxdt, const Wide<elements, isa>* force) const {
     double from[N][elements], to[N][elements], t[elements] = {};
@@ -217,7 +217,7 @@ bool is_finite(const lober_connection& given) {
   return finite;
 }
 
-/// Those that a library of version 2 describes.
+/// Sets the connections that a library of version 2 describes.
 void set_connections(System& made, const lober_system& system, std::span<const double> values) {
   if (system.abi < 2) return;
   for (std::size_t k = 0; k < system.connection_count; ++k) {
@@ -261,7 +261,7 @@ System make(const Library& library, const lober_system& system, std::span<const 
   return made;
 }
 
-/// What is wrong with a flow's description, or null.
+/// The fault in a flow's description, or null.
 const char* fault(const lober_flow& flow, std::size_t parameters) {
   if (flow.dimension < 1 || flow.dimension > LOBER_MAX_DIMENSION) return "the dimension is not 1 to 6";
   if (flow.velocity == nullptr) return "the flow has no velocity";
@@ -304,7 +304,7 @@ std::vector<Parameter> parameters_of(const lober_system& system) {
   return parameters;
 }
 
-/// What is wrong with ranges and roles, or empty.
+/// The fault in ranges and roles, or empty.
 std::string fault(const lober_system& system, const std::vector<Parameter>& parameters) {
   for (const Parameter& parameter : parameters) {
     if (!(parameter.min <= parameter.max)) return "the range of parameter " + parameter.name + " is empty";
@@ -315,12 +315,12 @@ std::string fault(const lober_system& system, const std::vector<Parameter>& para
   }
   const bool named = system.abi >= 4 && system.perturbation != nullptr;
   if (named && std::none_of(parameters.begin(), parameters.end(), [](const Parameter& p) { return p.perturbation; })) {
-    return std::string("the perturbation is called ") + system.perturbation + ", and no parameter is";
+    return std::string("the perturbation is called ") + system.perturbation + ", but no parameter has this name";
   }
   return "";
 }
 
-/// What is wrong with a description, or null.
+/// The fault in a description, or null.
 const char* fault(const lober_system* system) {
   if (system == nullptr) return "lober_system_describe returned null";
   if (system->abi < 1 || system->abi > LOBER_SYSTEM_ABI) return "it was built for another version of lober_system.h";

@@ -7,7 +7,7 @@
 
 namespace lober::detail {
 
-/// Loads the library and checks what it describes; it stays loaded as long as the entry or a system made of it lives.
+/// Loads the library and checks its description; it stays loaded as long as the entry or a system made of it lives.
 /// Throws DataError with the path and the reason.
 SystemEntry load_system(const std::string& path);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double saddle_at_rest = 1.7320508075688772;
 // Strains up to which the saddles are near enough to 1.5 and -1.5 in the phase 0.
 constexpr double own_reach = 0.5;
-// Of the strain, and of the saddle, from step to step when it is followed.
+// Largest change of the strain and move of the saddle from step to step when it is followed.
 constexpr double largest_change = 0.02, longest_move = 0.3;
 
 // The boundaries begin at the one saddle and end at the other, or there are none.

@@ -19,7 +19,7 @@ namespace {
 struct Run {
   std::uint32_t first;
   std::uint32_t last;
-  int direction;  // of C2
+  int direction;  // direction of C2
 };
 
 // A contact before its parameters are known.

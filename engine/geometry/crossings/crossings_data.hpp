@@ -1,4 +1,4 @@
-// What is inside of Crossings (private to geometry/).
+// The contents of Crossings (private to geometry/).
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace lober::detail {
 struct CrossingsData {
   NodeGraph graph;
   CurveView c1, c2;
-  std::shared_ptr<const void> owner1, owner2;  // of their points
+  std::shared_ptr<const void> owner1, owner2;  // owners of their points
   bool clockwise1 = false, clockwise2 = false;
   std::size_t crossings = 0, touches = 0, shared_arcs = 0;
 };

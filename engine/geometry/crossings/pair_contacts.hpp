@@ -1,4 +1,4 @@
-// Where two segments meet, exactly: what contacts of two curves and incidences of a curve with itself have in common.
+// The points where two segments meet, exactly: the common part of contacts of two curves and incidences of one.
 #pragma once
 
 #include <array>

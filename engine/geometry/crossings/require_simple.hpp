@@ -1,11 +1,11 @@
-// The check for simple curves at another scale than the caller's, and with what it took (private to engine/).
+// The check for simple curves at another scale than the caller's, with its counts (private to engine/).
 #pragma once
 
 #include "lober/crossings.hpp"
 
 namespace lober::detail {
 
-/// As require_simple, of a curve whose coordinates are the caller's times 2^exponent; errors give points in the
+/// Like require_simple, for a curve whose coordinates are the caller's times 2^exponent; errors give points in the
 /// caller's own.
 SimpleCheck require_simple_scaled(const IndexedCurve& curve, int number, int exponent);
 

@@ -6,9 +6,9 @@
 
 namespace lober::detail {
 
-/// Where the half-edges of a contact lead: `at` is the contact, the others are points further along the half-edges. All
-/// are vertices of the input, except `at` of a proper crossing, which has no need of them. A half-edge that an open
-/// curve does not have, because it begins or ends here, leads to `at` itself.
+/// The directions of the half-edges of a contact: `at` is the contact, the others are points further along the
+/// half-edges. All are vertices of the input, except `at` of a proper crossing, which has no need of them. A half-edge
+/// that an open curve does not have, because it begins or ends here, leads to `at` itself.
 struct NodeHalfEdges {
   Point at;
   Point target[4];  // indexed by HalfEdge

@@ -39,7 +39,7 @@ std::vector<Point> cut(const std::vector<Point>& polygon, const HalfPlane& half)
   return kept;
 }
 
-// What lies beyond is moved to the border, straight; of points there in a row the first and the last are enough.
+// Moves points beyond straight to the border; of points there in a row the first and the last are enough.
 std::vector<Point> pushed(const std::vector<Point>& path, const HalfPlane& half) {
   std::vector<Point> moved;
   moved.reserve(path.size());
@@ -83,7 +83,7 @@ std::vector<Point> detail::cut_outside(std::span<const Point> polygon, const Rec
   const std::size_t size = polygon.size();
   const Box inside = box_of(rectangle);
   std::vector<bool> kept(size);
-  // Of a run of segments that meet the rectangle each vertex, and `beside` more before and after.
+  // Keeps each vertex of a run of segments that meet the rectangle, and `beside` more before and after.
   std::size_t until = 0;  // exclusive, as if the polygon went on
   for (std::size_t k = 0; k < size; ++k) {
     if (!meet(Box::of(polygon[k], polygon[k + 1 == size ? 0 : k + 1]), inside)) continue;

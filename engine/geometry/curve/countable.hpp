@@ -1,4 +1,4 @@
-// How many of anything there may be: numbers of points, contacts and half-edges have 32 bits, some of them one to
+// The largest number of anything: numbers of points, contacts and half-edges have 32 bits, some of them one to
 // spare.
 #pragma once
 

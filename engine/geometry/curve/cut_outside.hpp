@@ -1,4 +1,4 @@
-// A closed polygon without what lies far from a rectangle (private to engine/).
+// A closed polygon without the parts far from a rectangle (private to engine/).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What operations ask of the curves that they are given.
+// Requirements of operations on the curves that they are given.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ void require_open(CurveView curve, std::string_view name, std::string_view opera
 /// saddle may shrink to a point. O(1) for all others.
 [[nodiscard]] bool bounds_something(std::span<const Point> polygon);
 
-/// What every operation on regions asks of its curves: require_closed and require_enough_vertices.
+/// The requirements of every operation on regions: require_closed and require_enough_vertices.
 void require_region(CurveView curve, std::string_view name, std::string_view operation);
 
 }  // namespace lober::detail

@@ -29,8 +29,7 @@ std::vector<Point> scaled(const CurveView& curve, int exponent) {
     const Point q{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
     if (!(Point{std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent)} == p)) {
       throw DataError(
-          "coordinates range too widely: in double precision products cannot span them; coordinates without the "
-          "smallest or the largest ones will do");
+          "coordinates range too widely for products in double precision; leave out the smallest or the largest ones");
     }
     points.push_back(q);
   }
@@ -40,9 +39,7 @@ std::vector<Point> scaled(const CurveView& curve, int exponent) {
 double scaled_area(double area, int exponent) {
   const double result = std::ldexp(area, exponent);
   if (!std::isfinite(result)) {
-    throw DataError(
-        "an area is larger than the largest double, 1.8e308: coordinates in a larger unit, for which it is not, will "
-        "do");
+    throw DataError("an area is larger than the largest double, 1.8e308; give coordinates in a larger unit");
   }
   return result;
 }
@@ -60,7 +57,7 @@ void require_known(double area, double bound) {
   if (area != 0 || bound < std::numeric_limits<double>::max()) return;
   throw DataError(
       "an area may be larger than the largest double, 1.8e308, or zero: it is lost in the rounding of a curve that is "
-      "much larger; curves of more equal size, or coordinates in a larger unit, will do");
+      "much larger; give curves of more equal size, or coordinates in a larger unit");
 }
 
 void scale_bounds(const Areas& areas, Areas& bounds, int exponent) {

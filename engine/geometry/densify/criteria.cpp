@@ -40,7 +40,7 @@ void detail::require_sensible(const Criteria& criteria) {
     throw UsageError("densify: the minimum length has to be zero or positive, and finite");
   }
   if (criteria.min_length == 0 && counts_angles(criteria)) {
-    throw UsageError("densify: angle criteria need a minimum length, since a corner stays one at any length");
+    throw UsageError("densify: angle criteria need a minimum length, because a corner stays a corner at any length");
   }
 }
 

@@ -1,4 +1,4 @@
-// How many parts the criteria ask for (private to densify/).
+// The number of parts that the criteria ask for (private to densify/).
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace lober::detail {
 /// without `min_length`.
 void require_sensible(const Criteria& criteria);
 
-/// What one vertex asks of a segment that ends there.
+/// The requirement of one vertex on a segment that ends there.
 struct VertexRequirement {
   double growth = 0;  ///< how many times as many parts; 1 or less when the criteria hold
   bool corner = false;
@@ -40,7 +40,7 @@ struct Requirement {
   std::uint32_t parts = 1;
   bool too_short = false;  ///< more parts would be shorter than Criteria::min_length
   bool corner = false;     ///< at one of its ends is a corner, which no number of parts makes as flat as asked for
-  /// Of an estimate: with that number of parts the bounds hold for all points but those next to the ends.
+  /// In an estimate: with this number of parts the bounds hold for all points but those next to the ends.
   std::uint32_t enough = 0;
 };
 
@@ -50,14 +50,14 @@ class Judge {
   /// `extent`: the largest coordinate, which says what length is nothing.
   Judge(const Interpolant& interpolant, const Criteria& criteria, double extent);
 
-  /// From bounds of the segment's own piece and the angles of the polyline given. Final where no angle counts (with one
-  /// part a cubic is its chord) and for linear interpolation. O(1).
+  /// The requirement by bounds of the segment's own piece and the angles of the given polyline. Final where no angle
+  /// counts (with one part a cubic is its chord) and for linear interpolation. O(1).
   [[nodiscard]] Requirement estimate(std::size_t segment) const;
   [[nodiscard]] bool estimate_is_final() const { return !angles_ || interpolant_.kind() == Interpolation::linear; }
 
-  /// By looking at the points that come from `parts` of this segment and of its neighbours; at those next to its ends
-  /// only, where bounds hold for the others: from `enough` parts on (see Requirement). Never less than parts[segment].
-  /// O(parts[segment]).
+  /// The requirement by the points that come from `parts` of this segment and of its neighbours; by those next to its
+  /// ends only, where bounds hold for the others: from `enough` parts on (see Requirement). Never less than
+  /// parts[segment]. O(parts[segment]).
   [[nodiscard]] Requirement judge(std::size_t segment, const Buffer<std::uint32_t>& parts, std::uint32_t enough) const;
 
  private:

@@ -26,7 +26,7 @@ double largest_coordinate(std::span<const Point> points) {
   return *std::max_element(largest.begin(), largest.end());
 }
 
-// What is known about a segment. `waiting`: it or a neighbour changed since it was judged.
+// The state of a segment. `waiting`: it or a neighbour changed since it was judged.
 enum class State : std::uint8_t { met, waiting, too_short, corner, unmet };
 
 State state_of(const Requirement& requirement) {
@@ -182,7 +182,8 @@ DensifiedCurve densify(CurveView curve, const Criteria& criteria, const DensifyO
   require_sensible(criteria);
   const bool linear = options.interpolation == Interpolation::linear;
   if (linear && criteria.angle < Criteria::off) {
-    throw UsageError("densify: points on the chords turn no corner; the angle needs another interpolation than linear");
+    throw UsageError(
+        "densify: points on the chords turn no corner; give the angle with an interpolation other than linear");
   }
   const DistinctCurve distinct(curve);
   const Interpolant interpolant(distinct.view(), options.interpolation);

@@ -7,7 +7,8 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// At the ends of an open curve that of the vertex next to it: the first and the last piece are parts of parabolas.
+// The ends of an open curve have the curvature of the vertex next to them: the first and last pieces are parts of
+// parabolas.
 Buffer<double> curvatures(CurveView curve) {
   const std::span<const Point> points = curve.points;
   const std::size_t size = points.size();

@@ -1,4 +1,4 @@
-// Where a curve meets another one, in order along it (private to densify/).
+// The points where a curve meets another one, in order along it (private to densify/).
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace lober::detail {
 struct Meeting {
   Position at;     ///< t = 1 for the last vertex of an open curve only
   Point point;     ///< the same bits on both curves
-  bool at_vertex;  ///< of this curve: `point` is one of its vertices
+  bool at_vertex;  ///< whether `point` is a vertex of this curve
 };
 
 /// The meetings of two curves, either of which may be open or cross itself, in exact order along the first and along

@@ -14,7 +14,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr double finest = 0x1p-52;  // of a segment; shorter parts would have their ends at the same point
+constexpr double finest = 0x1p-52;  // part of a segment; shorter parts would have their ends at the same point
 
 // Stops, unfinished, when there are more than `max_size` parameters.
 void insert_between(double low, double high, std::span<const double> meetings, int passes, int points,
@@ -34,7 +34,7 @@ void insert_between(double low, double high, std::span<const double> meetings, i
   }
 }
 
-// A point that goes behind vertex `segment` of the curve as it is, and what it is on the curve as it was given.
+// A point that goes behind vertex `segment` of the curve as it is, and its position on the given curve.
 struct Insertion {
   std::uint32_t segment;
   Position at;
@@ -91,7 +91,7 @@ class Refined {
 
 [[noreturn]] void fail_too_many(std::size_t max_points) {
   throw DataError("points inserted near intersections would make a curve of more than " + std::to_string(max_points) +
-                  " points, the limit; fewer passes or fewer points will do");
+                  " points, the limit; give fewer passes or fewer points");
 }
 
 // The points that `passes` passes put into the segments that hold meetings. Stops as soon as the curve would have more

@@ -68,7 +68,7 @@ Buffer<Kept> all_kept(CurveView curve) {
   return kept;
 }
 
-// Removes what may go of the vertices whose number has this parity, so that no two neighbours go together.
+// Removes those removable vertices whose number has this parity, so that no two neighbours go together.
 Buffer<Kept> simplified(const Buffer<Kept>& kept, std::size_t parity, const SimplifyOptions& options) {
   const std::size_t size = kept.size();
   // Removing vertex k leaves the segment before -> after with this bound; infinity when the vertex has to stay.

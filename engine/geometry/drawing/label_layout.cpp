@@ -69,7 +69,7 @@ void LabelLayout::block(const Rectangle& rectangle) {
 }
 
 std::optional<LabelLayout::FreePlace> LabelLayout::roomiest(std::span<const Point> polygon, double flat) const {
-  // Distance to what is not free, by chamfer in two passes; a cell that is not inside has distance 0.
+  // Distance to the cells that are not free, by chamfer in two passes; a cell that is not inside has distance 0.
   std::vector<double> distance(columns_ * rows_, 0.0);
   std::vector<double> meets;
   for (std::size_t row = 0; row < rows_; ++row) {

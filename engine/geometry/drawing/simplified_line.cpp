@@ -8,7 +8,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// What the points since the last one kept allow.
+// The directions that the points since the last kept one allow.
 class Cone {
  public:
   explicit Cone(Point apex) : apex_(apex) {}

@@ -1,5 +1,4 @@
-// What the searches share that look up one segment of the first curve after the other (private to this
-// folder).
+// Common parts of the searches that look up one segment of the first curve after the other (private to this folder).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 
 namespace lober::detail {
 
-/// What two boxes have in common; they must meet. All common points of two curves lie in that of their boxes.
+/// The common part of two boxes, which must meet. All common points of two curves lie in that of their boxes.
 inline Box intersection(const Box& a, const Box& b) {
   return {{std::max(a.lane[0], b.lane[0]), std::max(a.lane[1], b.lane[1]), std::max(a.lane[2], b.lane[2]),
            std::max(a.lane[3], b.lane[3])}};

@@ -1,4 +1,4 @@
-// Which index for which pair of curves.
+// The choice of an index for a pair of curves.
 //
 // The tree is right nearly always. It fails where boxes say little: long slanted segments, whose boxes
 // overlap most others though the segments are apart. Whether that is so is seen by walking a few leaves of
@@ -33,7 +33,7 @@ constexpr double cost_of_candidate = 12;   // to propose and to decide
 constexpr double cost_of_grid_entry = 15;  // to enter, sort and look up
 constexpr double cost_of_grid_comparison = 2;
 
-// What walking leaves of the first curve through the tree of the second tells.
+// Findings of walking leaves of the first curve through the tree of the second.
 struct TreeSample {
   double leaf_pairs = 0;  // per leaf of the first curve
   double candidates = 0;  // per leaf pair
@@ -109,7 +109,7 @@ CellSample sample_cells(const BoxTree& tree, const Raster& raster, std::uint64_t
   return sample;
 }
 
-// Of a grid over the second curve, by entering a sample of it and looking up a sample of the first. Many
+// The cost of a grid over the second curve, by entering a sample of it and looking up a sample of the first. Many
 // points in one cell show as many comparisons, wherever they come from.
 double grid_cost(const BoxTree& first, const BoxTree& second) {
   const Raster raster = Raster::fitted(second, intersection(first.box(), second.box()),
@@ -131,7 +131,7 @@ double grid_cost(const BoxTree& first, const BoxTree& second) {
 
 IndexKind choose_index(const IndexedCurve& first, const IndexedCurve& second) {
   if (!meet(first.tree().box(), second.tree().box())) return IndexKind::tree;
-  // The tree at its worst, every leaf meeting every other one. Of short curves this is all there is to know, and many
+  // The tree at its worst, every leaf meeting every other one. For short curves this is all there is to know, and many
   // jobs of a batch are pairs of such.
   const double worst = static_cast<double>(first.tree().leaves()) * static_cast<double>(second.tree().leaves()) *
                        (cost_of_leaf_pair + cost_of_candidate * leaf_size * leaf_size);

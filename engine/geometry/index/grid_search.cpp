@@ -119,7 +119,7 @@ class Grid {
         [](std::uint64_t) { return true; });
   }
 
-  // Threads enter segments in any order; sorting makes what comes out independent of it.
+  // Threads enter segments in any order; sorting makes the output independent of it.
   void sort_cells() {
     for_each_block(end_.size(), cells_per_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t cell = begin; cell < end; ++cell) {

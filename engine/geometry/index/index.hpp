@@ -34,7 +34,7 @@ class PairConsumer {
   /// Some pairs of block `block`. Over all calls every pair of segments with a common point comes exactly once; pairs
   /// without may come too, at most once. Called from one thread at a time per block; runs of leaf_size segments of
   /// the first curve come in ascending order. Returns the number of the first segment of the first curve that is of
-  /// interest from now on: what lies before (a shared arc that is already known) may be skipped.
+  /// interest from now on: the part before (a shared arc that is already known) may be skipped.
   virtual std::uint32_t consume(std::uint32_t block, std::span<const SegmentPair> pairs) = 0;
 
   /// False when the pairs of a block are of no interest any more: a search of a curve with itself may leave it out.

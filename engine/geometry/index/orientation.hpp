@@ -11,10 +11,10 @@ namespace lober::detail {
 /// unless many leaves reach the greatest x.
 [[nodiscard]] std::uint32_t extreme_segment(const BoxTree& tree);
 
-/// How a closed curve runs. Exact for every simple curve, however thin it is and whatever the range of its coordinates:
-/// where the rounding of the shoelace sum might hide its sign, the turn at the extreme vertex decides. For a curve that
-/// crosses itself, the sign of its area where that is beyond rounding. `degenerate` if a curve that is not simple turns
-/// back at its extreme vertex. Throws UsageError for an open curve. O(N / 1024).
+/// The orientation of a closed curve. Exact for every simple curve, however thin it is and whatever the range of its
+/// coordinates: where the rounding of the shoelace sum might hide its sign, the turn at the extreme vertex decides. For
+/// a curve that crosses itself, the sign of its area where that is beyond rounding. `degenerate` if a curve that is not
+/// simple turns back at its extreme vertex. Throws UsageError for an open curve. O(N / 1024).
 [[nodiscard]] Orientation orientation(const IndexedCurve& curve);
 
 }  // namespace lober::detail

@@ -1,6 +1,6 @@
-// Which cells of a uniform grid a segment passes through (private to this folder: the grid and the chooser).
+// The cells of a uniform grid that a segment passes through (private to this folder: the grid and the chooser).
 //
-// What must hold: two segments with a point in common have a cell in common. Every real point has one
+// The invariant: two segments with a point in common have a cell in common. Every real point has one
 // well-defined cell, because coordinate -> column is a monotone function even as rounded; so the columns of a
 // segment are exactly those from the column of its left end to that of its right end. Inside a column the
 // rows are found by interpolation along the segment, widened by more than its rounding error.

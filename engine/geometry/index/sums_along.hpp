@@ -23,8 +23,8 @@ struct PrecisePosition {
 };
 
 struct SumAlong {
-  DD total;            ///< of the whole curve: if it is closed, twice its signed area
-  double largest = 0;  ///< of the sums at every 1024th vertex, in size: what roundings are relative to
+  DD total;            ///< sum of the whole curve: if it is closed, twice its signed area
+  double largest = 0;  ///< the largest |sum| at every 1024th vertex: roundings are relative to it
 };
 
 /// Bound on what double-double loses in twice an area made of such sums in a scene of this extent (Box::extent): the
@@ -71,7 +71,7 @@ SumAlong sum_along(const BoxTree& tree, Point origin, std::size_t count, const P
   };
   for_each_block(chunks.size(), 4, [&](std::size_t first_chunk, std::size_t last_chunk) {
     LeafPrefixes leaves, prefixes;
-    std::array<std::uint32_t, batch> segments;  // of positions on one leaf
+    std::array<std::uint32_t, batch> segments;  // segments of positions on one leaf
     std::array<DD, batch> t, sums;
     std::size_t k = first_from(first_chunk);
     for (std::size_t chunk = first_chunk; chunk < last_chunk && k < count; ++chunk) {

@@ -29,8 +29,8 @@ static_assert(block_segments == leaf_size << block_level);
 constexpr std::uint32_t task_level = block_level + 2;  // a task is four blocks: what lies above is walked by one thread
 static_assert(block_level % 2 == 0, "the walk passes through even levels");
 
-// From how many boxes a leaf on frames and windows pay for one curve, strips for two: of what boxes propose between
-// folds of one curve nothing is there, two curves may well cross. Making strips takes as long as testing a number of
+// The number of boxes a leaf from which on frames and windows pay for one curve, strips for two: pairs of boxes between
+// folds of one curve never cross, those of two curves may well. Making strips takes as long as testing a number of
 // boxes for each leaf.
 constexpr double worth_frames = 16, worth_windows = 1000, worth_strips = 100, boxes_a_strip = 16;
 
@@ -114,9 +114,9 @@ class TreeSearch {
     }
   }
 
-  // From now on, of a curve with itself. They must outlive the search.
+  // Uses the frames from now on, for a curve with itself. They must outlive the search.
   void use(const NodeFrames& frames) { frames_ = &frames; }
-  // The same, of two curves.
+  // Uses the strips of two curves.
   void use(const NodeStrips& first, const NodeStrips& second) {
     strips1_ = &first;
     strips2_ = &second;
@@ -196,7 +196,7 @@ class TreeSearch {
     counts.boxes_tested += others.size();
   }
 
-  // Of the pairs of a leaf with itself, those with first < second.
+  // Keeps those pairs of a leaf with itself that have first < second.
   static std::size_t keep_upper(SegmentPair* pairs, std::size_t count) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < count; ++k) {
@@ -244,7 +244,7 @@ void collect(const TreeSearch& search, const Meeting& from, std::uint32_t level,
   }
 }
 
-// What is ahead of the walk, by what a few leaves show: a small part of it.
+// The work ahead of the walk, judged by a few leaves, a small part of it.
 struct Forecast {
   double boxes_a_leaf = 0, boxes = 0;
 };

@@ -1,4 +1,4 @@
-// Which leaves of one curve may meet, where it is folded upon itself many times (private to index/).
+// The leaves of one curve that may meet, where it is folded upon itself many times (private to index/).
 #pragma once
 
 #include <cstdint>

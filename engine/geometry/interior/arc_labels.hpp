@@ -7,7 +7,7 @@
 namespace lober::detail {
 
 struct ArcLabels {
-  Buffer<Side> after;         ///< of the part that follows each contact
+  Buffer<Side> after;         ///< side of the part that follows each contact
   std::uint64_t queries = 0;  ///< how many of them took a winding number
 };
 

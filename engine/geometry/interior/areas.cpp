@@ -1,4 +1,4 @@
-// Q1, Q2, Q3 and what follows from them.
+// Q1, Q2, Q3 and the areas that follow from them.
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@ constexpr std::size_t insertions_a_block = 4096;
 
 // Where on one segment the curve changes its side.
 struct SegmentSides {
-  Side before;  // of what comes before the first change
+  Side before;  // side before the first change
   std::span<const SideChange> changes;
 
   // At a change itself the curve is on the other one.
@@ -26,14 +26,14 @@ struct SegmentSides {
   }
 };
 
-// What all blocks together have come to.
+// The number of points of all blocks together.
 class PointBudget {
  public:
   explicit PointBudget(std::size_t limit) : limit_(limit) {}
   void take(std::size_t points) {
     if (taken_.fetch_add(points) + points <= limit_) return;
     throw DataError("points inserted where labels change would make a curve of more than " + std::to_string(limit_) +
-                    " points, the limit; " + std::string(quantity::passes) + " will do");
+                    " points, the limit; give " + std::string(quantity::passes) + " instead");
   }
 
  private:

@@ -53,7 +53,7 @@ std::vector<LabelledPoint> labelled_points(const Crossings& nodes, int curve, co
     const std::size_t max_points = InteriorOptions{}.max_points;
     if (points.size() > max_points) {
       throw DataError("the passes would make a curve of more than " + std::to_string(max_points) +
-                      " points, the limit; " + std::string(quantity::passes) + " will do");
+                      " points, the limit; give " + std::string(quantity::passes) + " instead");
     }
   }
   return points;

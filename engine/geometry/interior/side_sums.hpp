@@ -1,4 +1,4 @@
-// Shoelace sums of one curve, apart for what lies outside, on and inside of the other (private to interior/).
+// Shoelace sums of one curve, apart for the parts outside, on and inside the other (private to interior/).
 #pragma once
 
 #include <span>

@@ -77,7 +77,7 @@ Buffer<Side> label_vertices(const Crossings& nodes, int curve) {
   }
   for (const SideChange& change : changes) {
     if (!change.at_vertex) continue;
-    // Of vertices at one point only the last begins a segment; the copies before it are on the other curve as
+    // Among vertices at one point only the last begins a segment; the copies before it are on the other curve as
     // well.
     std::uint32_t vertex = change.at.segment;
     do {

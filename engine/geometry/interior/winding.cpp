@@ -1,4 +1,4 @@
-// Winding numbers, and what follows from them.
+// Winding numbers, and labels that follow from them.
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/require.hpp"

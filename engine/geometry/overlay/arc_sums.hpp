@@ -1,4 +1,4 @@
-// What the areas of faces are made of (private to overlay/).
+// The sums that the areas of faces are made of (private to overlay/).
 //
 // Twice the area of a loop is the sum of cross(v_i - o, v_{i+1} - o) along it, about one common origin o. Let S1 and S2
 // be the running sums along C1 and C2 from their first vertices. On its way round a face a walk that changes between

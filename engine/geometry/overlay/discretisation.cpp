@@ -1,4 +1,4 @@
-// What polygons lose against smooth curves, arc by arc, for every area.
+// The error of polygons against smooth curves, arc by arc, for every area.
 
 #include <algorithm>
 #include <array>

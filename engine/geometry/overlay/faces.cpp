@@ -13,7 +13,7 @@ using enum HalfEdge;
 
 constexpr std::size_t nodes_a_block = std::size_t{1} << 14;
 
-// What happens to a walk that arrives along an half-edge, its face on the left: the half-edge it leaves by and the side
+// The turn of a walk that arrives along a half-edge, its face on the left: the half-edge it leaves by and the side
 // of each curve (as the input runs) that the face lies on.
 struct Turn {
   HalfEdge leave;
@@ -51,7 +51,7 @@ std::array<std::uint8_t, 6> arrivals(Orientations orientations, Membership wante
   return bits;
 }
 
-// At which end of a shared arc an half-edge is.
+// The end of a shared arc at which a half-edge is.
 bool at_last(HalfEdge half_edge, int direction) {
   switch (half_edge) {
     case backward1:
@@ -70,8 +70,8 @@ constexpr bool on_second(HalfEdge half_edge) {
   return half_edge == forward2 || half_edge == backward2;
 }
 
-// What a walk collects at a node: S1 - S2 where it comes along C1 and goes on along C2, S2 - S1 the other way round
-// (ends of a shared arc apart, its first vertex included).
+// The sum that a walk collects at a node: S1 - S2 where it comes along C1 and goes on along C2, S2 - S1 the other way
+// round (ends of a shared arc apart, its first vertex included).
 DD at_node(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, HalfEdge arrive, HalfEdge leave) {
   const bool came2 = on_second(arrive), goes2 = on_second(leave);
   const NodeSpan& span = graph.spans[node];
@@ -104,7 +104,7 @@ int sectors_at(std::uint8_t rotation, Orientations orientations, Membership want
 namespace {
 
 // Walks all faces that have an arrival in `open`; those that begin with an arrival in `second` are the second kind.
-// Where all nodes are points, which is nearly always, what is collected at a node is its gap or nothing.
+// Where all nodes are points, which is nearly always, the sum collected at a node is its gap or nothing.
 template <bool points_only>
 void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
               const std::array<std::uint8_t, 6>& second, std::array<Faces, 2>& faces) {
@@ -247,7 +247,7 @@ std::array<DD, 2> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
   });
 }
 
-using ArrivalsWanted = std::array<std::array<std::uint8_t, 6>, 3>;  ///< of three memberships, by rotation
+using ArrivalsWanted = std::array<std::array<std::uint8_t, 6>, 3>;  ///< arrivals of three memberships, by rotation
 
 // The same with shared arcs, node by node, for each membership.
 std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const ArrivalsWanted& wanted) {

@@ -15,7 +15,7 @@
 
 namespace lober::detail {
 
-/// Where a point lies: inside A1, inside A2.
+/// The position of a point: inside A1, inside A2.
 struct Membership {
   bool inside1, inside2;
   friend bool operator==(const Membership&, const Membership&) = default;
@@ -41,7 +41,7 @@ inline constexpr Step unpack(std::uint32_t packed) {
   return {packed >> 1, packed & 1U};
 }
 
-/// Which curves run clockwise in the input.
+/// The curves that run clockwise in the input.
 struct Orientations {
   bool clockwise1, clockwise2;
 };
@@ -63,7 +63,7 @@ struct FaceTotals {
 /// Throws the DataError that says so.
 [[noreturn]] void fail_not_simple();
 
-/// How many of the four sectors at a node have this membership (0, 1 or 2).
+/// The number of the four sectors at a node that have this membership (0, 1 or 2).
 [[nodiscard]] int sectors_at(std::uint8_t rotation, Orientations orientations, Membership wanted);
 
 }  // namespace lober::detail

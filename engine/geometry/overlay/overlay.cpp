@@ -170,7 +170,7 @@ class OverlayBuilder {
     target.areas = std::move(faces.area);
     target.begin = std::move(faces.begin);
     target.steps = std::move(faces.steps);
-    // One curve inside the other with a single touch: the walk runs round both, but what it encloses has a hole.
+    // One curve inside the other with a single touch: the walk runs round both, but the enclosed region has a hole.
     const NodeGraph& graph = graph_of(result_.nodes);
     if (graph.size() == 1 && graph.span(0).direction == 0 && target.steps.size() == 2) {
       const std::uint32_t hole = pairing == Pairing::c1_minus_c2 ? 1 : 0;

@@ -15,7 +15,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::size_t few_points = 256;  // what is worth to be written out and summed up one by one
+constexpr std::size_t few_points = 256;  // pieces worth writing out and summing one by one
 constexpr std::size_t steps_at_once = 512, points_at_once = std::size_t{1} << 13;
 
 // Coordinates are multiplied by `factor`, a power of two, then `origin` is taken away.
@@ -126,7 +126,7 @@ class PieceBoundary {
     return sum;
   }
 
-  // Of the outer boundary.
+  // Box of the outer boundary.
   [[nodiscard]] Box box() const {
     if (!polygons_.empty()) return box_of(polygons_[0]);
     Box box;

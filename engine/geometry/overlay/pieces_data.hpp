@@ -1,4 +1,4 @@
-// What is inside of Pieces (private to geometry/).
+// The contents of Pieces (private to geometry/).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace lober::detail {
 struct PiecesData {
   Buffer<double> areas;
   Buffer<std::uint32_t> begin{0};  // in `steps`, of each piece
-  Buffer<std::uint32_t> steps;     // of outer boundaries
+  Buffer<std::uint32_t> steps;     // steps of outer boundaries
   std::vector<PieceHole> holes;    // in order of their pieces
 
   [[nodiscard]] std::size_t size() const { return areas.size(); }

@@ -79,7 +79,7 @@ std::vector<SigmaStep> sigma_steps(const Overlay& result, Pairing pairing) {
   }
   const Crossings& nodes = result.nodes;
   std::vector<Stop> stops1, stops2;
-  std::vector<std::uint32_t> number(nodes.size());  // of the crossings, by node
+  std::vector<std::uint32_t> number(nodes.size());  // numbers of the crossings, by node
   std::vector<SigmaStep> steps;
   for (std::uint32_t node = 0; node < nodes.size(); ++node) {
     const Node here = nodes[node];

@@ -18,21 +18,21 @@ struct Arrangement {
   [[nodiscard]] Point node_point(std::uint32_t node) const {
     return point_of(edge_chains, events.list[first_event[node]]);
   }
-  Buffer<std::uint32_t> first_event;  ///< of each node
+  Buffer<std::uint32_t> first_event;  ///< first event of each node
 
   std::vector<WindingArea> table;
-  Buffer<DD> twice_areas;  ///< of the table
+  Buffer<DD> twice_areas;  ///< areas of the table
   std::array<double, 2> signed_areas{};
   RegionCounts counts;
   RegionTiming timing;
-  std::array<std::shared_ptr<const void>, 2> owners;  ///< of the curves' points
+  std::array<std::shared_ptr<const void>, 2> owners;  ///< owners of the curves' points
 };
 
 struct RegionPiecesData {
   std::shared_ptr<const Arrangement> arrangement;
   Buffer<double> areas;
-  Buffer<std::uint32_t> first_loop;  ///< of each piece
-  Buffer<std::uint32_t> first_half;  ///< of each loop
+  Buffer<std::uint32_t> first_loop;  ///< first loop of each piece
+  Buffer<std::uint32_t> first_half;  ///< first half-edge of each loop
   Buffer<std::uint32_t> halves;      ///< half-edges with the piece on the left
 };
 

@@ -23,7 +23,7 @@ struct Event {
   };
   DD t;
   std::uint32_t segment;
-  std::uint32_t other;  ///< of all segments that would do, the same one whatever the order of incidences
+  std::uint32_t other;  ///< one of the suitable segments, the same for any order of incidences
   std::uint32_t node;
   Kind kind;
 };
@@ -32,12 +32,12 @@ struct Events {
   Buffer<Event> list;                      ///< in order along C1, then along C2
   std::array<std::uint32_t, 3> begin{};    ///< events of curve c (0, 1): begin[c] .. begin[c + 1]; at least one each
   std::uint32_t nodes = 0;                 ///< numbered in the order of their first events
-  std::uint32_t degree2 = 0;               ///< of these, points where nothing meets and no spike ends
+  std::uint32_t degree2 = 0;               ///< nodes where nothing meets and no spike ends
   std::array<std::uint32_t, 2> extreme{};  ///< the event at the vertex of each curve that is greatest by x, then y
   std::uint64_t exact_orders = 0;          ///< pairs of events compared in exact arithmetic
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(list.size()); }
-  /// The events before and after a event along its curve, cyclically.
+  /// The events before and after an event along its curve, cyclically.
   [[nodiscard]] std::uint32_t next(std::uint32_t event) const {
     const std::size_t curve = event < begin[1] ? 0 : 1;
     return event + 1 == begin[curve + 1] ? begin[curve] : event + 1;

@@ -20,8 +20,8 @@ struct RegionFaces {
   static constexpr std::uint32_t unbounded = 0;
 
   Buffer<std::uint32_t> of;     ///< the face to the left of each half-edge that stands for itself
-  Buffer<DD> twice_area;        ///< of each face, meaningless for the unbounded one
-  Buffer<Windings> windings;    ///< of each face
+  Buffer<DD> twice_area;        ///< twice the area of each face, meaningless for the unbounded one
+  Buffer<Windings> windings;    ///< winding numbers of each face
   Buffer<std::uint32_t> entry;  ///< a half-edge on its boundary; to the right of it lies a face of lower rank
   Buffer<std::uint32_t> rank;   ///< breadth-first order from the unbounded face
 
@@ -34,8 +34,8 @@ struct RegionFaces {
                                      const Buffer<DD>& sums, bool curves_meet, const IndexedCurve& c1,
                                      const IndexedCurve* c2, PredicateCounts& counts);
 
-/// What a ray from `point`, which does not lie on the curve, to greater x meets first, on the side of greater y when it
-/// runs through a vertex: the half-edge of curve `number` (0 or 1) that has the point on its left; or none.
+/// The first half-edge met by a ray from `point`, which does not lie on the curve, to greater x, on the side of greater
+/// y when it runs through a vertex: the half-edge of curve `number` (0 or 1) that has the point on its left; or none.
 inline constexpr std::uint32_t no_half_edge = 0xffffffff;
 [[nodiscard]] std::uint32_t half_edge_right_of(Point point, const EdgeChains& edge_chains, const Events& events,
                                                const HalfEdges& graph, const IndexedCurve& curve, int number,

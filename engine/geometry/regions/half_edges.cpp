@@ -29,7 +29,7 @@ DirectedEdge directed_edge(const EdgeChains& edge_chains, const Events& events, 
   return {b, a, half};
 }
 
-// By angle from 0 (the direction of x) to 2 pi. Exact.
+// Compares by the angle from 0 (the direction of x) to 2 pi. Exact.
 int compare_angles(const DirectedEdge& x, const DirectedEdge& y, PredicateCounts& counts) {
   const auto lower_half = [](const DirectedEdge& edge) {
     return edge.to.y < edge.from.y || (edge.to.y == edge.from.y && edge.to.x < edge.from.x);
@@ -58,7 +58,7 @@ EventsByNode group(const Events& events) {
   return result;
 }
 
-// Of edges in one direction the one of the lowest edge stays. Returns how many were merged away.
+// Among coincident edges in one direction that of the lowest edge stays. Returns the number of edges merged away.
 std::uint32_t merge_coincident(const Events& events, std::vector<DirectedEdge>& edges, HalfEdges& graph,
                                PredicateCounts& counts) {
   std::size_t kept = 0;

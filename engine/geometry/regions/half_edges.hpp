@@ -18,8 +18,8 @@ struct Multiplicity {
 
 struct HalfEdges {
   Buffer<std::uint32_t> clockwise;    ///< the next half-edge clockwise that leaves the same node; see stands_for
-  Buffer<std::uint32_t> stands_for;   ///< of each edge, the half-edge that represents its half-edge 2 k
-  Buffer<Multiplicity> multiplicity;  ///< of each edge that represents itself
+  Buffer<std::uint32_t> stands_for;   ///< for each edge, the half-edge that represents its half-edge 2 k
+  Buffer<Multiplicity> multiplicity;  ///< multiplicity of each edge that represents itself
   std::array<std::uint32_t, 2>
       outer{};               ///< by curve: the half-edge at its extreme vertex with the direction of x on its left
   std::uint32_t merged = 0;  ///< edges that another one stands for

@@ -47,7 +47,7 @@ class IncidenceFinder final : public PairConsumer {
     compute_parameters(*blocks_[number]);
   }
 
-  // Appends what was found; returns how many incidences.
+  // Appends the findings; returns the number of incidences.
   std::uint64_t append_to(Incidences& all) {
     const std::size_t before = all.list.size();
     std::vector<std::size_t> begin(blocks_.size() + 1, before);

@@ -3,8 +3,8 @@
 // Segments are half-open, with their first end and without their second, as in crossings/: so a point that two segments
 // have in common belongs to exactly one pair for each two edge chains that pass through it, and consecutive segments
 // have nothing in common unless the curve folds back. Where segments overlap, the ends of the overlap and all vertices
-// in it are first ends of some segment, hence incidences too; in between there are none. What half-open segments do not
-// show is the end of a spike that runs back on itself; spikes are listed apart.
+// in it are first ends of some segment, hence incidences too; in between there are none. Half-open segments do not show
+// the end of a spike that runs back on itself; spikes are listed apart.
 #pragma once
 
 #include <cstdint>

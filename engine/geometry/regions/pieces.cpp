@@ -74,7 +74,7 @@ class PieceFinder {
     return graph_.stands(half) && piece_of_[faces_.of[half]] != none && piece_of_[faces_.of[half ^ 1U]] == none;
   }
 
-  // What lies beyond a boundary, a component of the complement of the piece, is simply connected on the sphere. So a
+  // The region beyond a boundary, a component of the complement of the piece, is simply connected on the sphere. So a
   // walk that turns as that component does goes round all of it: there is one for the outside and one for each hole.
   void walk_boundaries() {
     std::vector<std::uint32_t> loops(pieces_, 0), halves(pieces_, 0);

@@ -1,7 +1,7 @@
-// From arcs to regions (private to smooth/).
+// Areas of regions from those of arcs (private to smooth/).
 //
-// Every arc between two nodes bounds two regions, on its left and on its right. Which ones the order of the half-edges
-// at the node before it says: a walk of faces is not needed for totals.
+// Every arc between two nodes bounds two regions, on its left and on its right. The order of the half-edges at the node
+// before it says which ones: a walk of faces is not needed for totals.
 #pragma once
 
 #include "engine/geometry/crossings/node_graph.hpp"
@@ -21,7 +21,7 @@ struct ArcEnds {
   double uncertainty = 0;
 };
 
-/// By how much smooth regions exceed those of the polygons, twice.
+/// Twice the areas by which smooth regions exceed those of the polygons.
 struct RegionChordAreas {
   ChordArea c1, c2, only1, only2, both, union_;
 };

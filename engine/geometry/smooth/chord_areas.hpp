@@ -25,7 +25,7 @@ class ChordAreaTable {
   [[nodiscard]] const ChordArea& total() const { return total_; }
   /// Segments of positive length that stay straight.
   [[nodiscard]] std::uint64_t fallbacks() const { return fallbacks_; }
-  /// Of all segments before segments[k]; they ascend. O(segments asked for), parallel.
+  /// The areas of all segments before segments[k]; these ascend. O(segments asked for), parallel.
   [[nodiscard]] Buffer<ChordArea> before(const SmoothCurve& curve, std::span<const std::uint32_t> segments) const;
 
  private:

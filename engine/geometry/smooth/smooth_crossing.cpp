@@ -95,7 +95,7 @@ std::optional<SmoothCrossing> find_smooth_crossing(const SmoothCurve& c1, const 
     if (!on1.move(step1) || !on2.move(step2)) return std::nullopt;
     if (std::fabs(step1) < arrived && std::fabs(step2) < arrived) return SmoothCrossing{on1.position(), on2.position()};
   }
-  // What is left of a shallow crossing may be rounding, which the distance of the curves tells.
+  // The rest of a shallow crossing may be rounding, which the distance of the curves shows.
   const double left = length(on2.at() - on1.at());
   if (left > arrived * std::max(length(on1.shape().chord), length(on2.shape().chord))) return std::nullopt;
   return SmoothCrossing{on1.position(), on2.position()};

@@ -44,8 +44,8 @@ class SmoothCurve {
     return fit_smooth_segment(window);
   }
 
-  /// Of the segments from `begin` on, as many as there is room for, the chord_area(1), the error, and whether they are
-  /// smooth: of segment() for each, to the bit.
+  /// The chord_area(1) and the error of the segments from `begin` on, at most `most`, and whether they are smooth:
+  /// those of segment() for each, to the bit.
   struct Few {
     static constexpr std::size_t most = 256;
     std::array<double, most> areas, errors;

@@ -12,7 +12,7 @@
 
 namespace lober::detail {
 
-/// What the smooth curves through the points have more than the polygons at one crossing.
+/// The difference between the smooth curves through the points and the polygons at one crossing.
 struct SmoothGap {
   DD twice;                ///< to be added to S_1 - S_2 up to the crossing (engine/lober/tangle.hpp)
   double error1 = 0;       ///< twice the error of that, summed along C1 and C2 from their beginnings: an arc between
@@ -24,13 +24,13 @@ struct SmoothGap {
 
 struct SmoothGaps {
   std::vector<SmoothGap> at;
-  std::uint64_t fallback_segments = 0;   ///< of both curves, that stay straight
+  std::uint64_t fallback_segments = 0;   ///< segments of both curves that stay straight
   std::uint64_t fallback_crossings = 0;  ///< that were not moved
 };
 
-/// At the given nodes, which ascend, in the method of smooth_areas (engine/lober/smooth.hpp), with the sums of both
-/// curves, or of translates of them. Coordinates must be scaled (curve/scaled.hpp). O(nodes log nodes), parallel; the
-/// same bits for any number of threads.
+/// The gaps at the given nodes, which ascend, by the method of smooth_areas (engine/lober/smooth.hpp), with the sums of
+/// both curves, or of translates of them. Coordinates must be scaled (curve/scaled.hpp). O(nodes log nodes), parallel;
+/// the same bits for any number of threads.
 [[nodiscard]] SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const ChordAreaTable& sums1,
                                      const ChordAreaTable& sums2, const NodeGraph& graph,
                                      std::span<const std::uint32_t> nodes);

@@ -36,7 +36,7 @@ class AlongAnother {
     find_windings();
   }
 
-  // What the arcs enclose more than the segments do, each weighted with the winding number of the other curve there.
+  // The area that the arcs enclose beyond the segments, each weighted with the winding number of the other curve there.
   [[nodiscard]] CommonArea chord_areas() const {
     constexpr std::size_t segments_a_block = 2048;
     const std::size_t size = along_.size();
@@ -70,9 +70,9 @@ class AlongAnother {
  private:
   using Points = std::vector<CommonPoint>::const_iterator;
 
-  // Of the other curve about each vertex of this one: on it, the mean of both sides. Asked for once between two points
-  // that both have in common. Where the curves share an arc, what follows a vertex on the other curve is likely to lie
-  // on it too, and is seen from there at once.
+  // Finds the winding numbers of the other curve about each vertex of this one: on it, the mean of both sides. One
+  // query is made between two points that both have in common. Where the curves share an arc, the vertex after one on
+  // the other curve is likely to lie on it too, which is seen from there at once.
   void find_windings() {
     std::vector<bool> ask(along_.size());
     for (const CommonPoint& point : common_) {
@@ -110,7 +110,7 @@ class AlongAnother {
     const double to = numbers_[k + 1 == along_.size() ? 0 : k + 1];
     double number = numbers_[k], begin = 0;
     CommonArea parts;
-    // Of the error of a whole arc a part has no more than a parabola over the segment has there.
+    // A part has no more of the error of a whole arc than a parabola over the segment has there.
     const auto add_part = [&](double end) {
       parts.area += number * between(segment, begin, end);
       parts.error += std::fabs(number) * std::min(1.5 * (end - begin), 1.0) * segment.error;
@@ -162,7 +162,7 @@ class AlongAnother {
   std::span<const Point> along_;
   CurveView other_;
   SmoothCurve smooth_, smooth_other_;
-  const IndexedCurve& index_;        // of the other curve
+  const IndexedCurve& index_;        // index of the other curve
   std::vector<CommonPoint> common_;  // in order along this one
   double scale_;
   std::vector<double> numbers_;  // by vertex
@@ -171,7 +171,7 @@ class AlongAnother {
 // Vertices on either side of a segment that its arc is fitted to, kernels/smooth_segment.hpp.
 constexpr std::size_t fitted_beside = 3;
 
-// Cut outside of the box that both share: what lies elsewhere brings nothing, however coarse or far away it is.
+// Cuts outside of the box that both share: parts elsewhere contribute nothing, however coarse or far away it is.
 // With a margin, so that no curve touches the sides of the box that the other one runs along.
 CommonArea of_regions(const ClosedCurve& whole1, const ClosedCurve& whole2) {
   const Box box1 = box_of(whole1.points()), box2 = box_of(whole2.points());

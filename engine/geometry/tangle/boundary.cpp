@@ -29,7 +29,7 @@ std::vector<Position> closure_meetings(const IndexedCurve& closure, const Indexe
   return meetings;
 }
 
-// What the closure cuts.
+// Whether the closure cuts the boundary, and which lobes it cuts.
 struct ClosureCuts {
   bool boundary = false;
   std::vector<bool> lobes;
@@ -40,7 +40,7 @@ ClosureCuts cuts_of_closure(const Tangle& tangle) {
   const std::vector<Point> path = closing_path(tangle);
   if (path.size() == 2 && path[0] == path[1]) return cuts;
   const IndexedCurve closure({path, false});
-  // Parameters are rounded: what lies that near to a pip counts for both sides.
+  // Parameters are rounded: crossings that near to a pip count for both sides.
   constexpr double uncertainty = 1e-12;
   const auto not_after = [](Position x, Position y) {
     return x.segment != y.segment ? x.segment < y.segment : x.t <= y.t + uncertainty;
@@ -103,7 +103,8 @@ BoundaryCrossings crossings_with_lobes(const Tangle& tangle) {
 }  // namespace
 
 std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& options) {
-  if (options.bip && options.bip_near) throw UsageError("the bip is given twice, by number and by place");
+  if (options.bip && options.bip_near)
+    throw UsageError("the bip is given twice, by number and by position; give one of them");
   if (options.bip) {
     if (*options.bip >= pips.size()) {
       throw UsageError("there is no pip " + std::to_string(*options.bip) + ": they are numbered 0 to " +

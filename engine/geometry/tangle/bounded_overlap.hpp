@@ -1,4 +1,4 @@
-// What sums over crossings may say that two lobes have in common (private to tangle/).
+// Bounds for the common area of two lobes by sums over crossings (private to tangle/).
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace lober::detail {
 
 /// `found` with an area by sums over crossings, which have no bounds of their own where polygons of one manifold cross
-/// each other although the manifold does not. Two lobes have nothing less than nothing in common, and no more than the
-/// smaller one of them: by twice what the sums are beyond they may be wrong, and by all of it where crossings do not
+/// each other although the manifold does not. The common area of two lobes is not negative, and not larger than the
+/// smaller one: the error is twice the excess of the sums over these bounds, and the whole lobe where crossings do not
 /// leave the lobes as often as they enter them.
 [[nodiscard]] inline LobeOverlap bounded(const Tangle& tangle, LobeOverlap found, double area, bool paired) {
   const double least = std::min(std::fabs(tangle.lobes[found.i].area), std::fabs(tangle.lobes[found.j].area));

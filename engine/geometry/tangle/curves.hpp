@@ -1,4 +1,4 @@
-// What a tangle keeps of its curves (private to tangle/).
+// The scaled and indexed curves that a tangle keeps (private to tangle/).
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ namespace lober::detail {
 struct TangleCurves {
   int exponent = 0;  // coordinates were multiplied by 2^exponent
   std::vector<Point> scaled_u, scaled_s;
-  std::optional<IndexedCurve> index_u, index_s;  // of the caller's own, or of what was made here
+  std::optional<IndexedCurve> index_u, index_s;  // indexes of the caller's curves, or of the scaled ones
   bool smooth = false;
   std::shared_ptr<const ChordAreaTable> chords_u, chords_s;  // if smooth
 

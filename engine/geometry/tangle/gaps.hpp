@@ -16,7 +16,7 @@ namespace lober::detail {
 [[nodiscard]] Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph,
                                          std::span<const std::uint32_t> nodes);
 
-/// The same, of the smooth curves if that is what the tangle is made of; then O(N + M).
+/// The gaps of the smooth curves if the tangle is made of them; then O(N + M).
 [[nodiscard]] Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph,
                                  std::span<const std::uint32_t> nodes);
 

@@ -1,4 +1,4 @@
-// Which lobe is the image of which (private to tangle/).
+// The images of lobes under the map (private to tangle/).
 #pragma once
 
 #include "lober/tangle.hpp"

@@ -1,4 +1,4 @@
-// Where the fixed points are, as seen from a lobe, and whether its arcs meet (private to tangle/).
+// The positions of the fixed points as seen from a lobe, and whether its arcs meet (private to tangle/).
 //
 // U[p-, q_k] meets neither arc of lobe k, nor does S[p+, q_k+1]; so p- lies in lobe k if and only if U comes to pip k
 // from inside the lobe, which makes that corner reflex, and rho tells. Likewise p+ at pip k + 1.

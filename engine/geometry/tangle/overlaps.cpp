@@ -1,4 +1,4 @@
-// What lobes have in common, from the crossings alone.
+// The common areas of lobes, from the crossings alone.
 //
 // Let lobes i < j have orientations o_i, o_j, +1 if the lobe is on the left of its arcs. The boundary of their common
 // part consists of parts of U_i, S_i inside lobe j and of U_j, S_j inside lobe i. They begin and end at crossings x of

@@ -1,4 +1,4 @@
-// Which crossings are primary, and between which of them the others lie (private to tangle/).
+// The primary crossings, and between which of them the others lie (private to tangle/).
 #pragma once
 
 #include <cstdint>

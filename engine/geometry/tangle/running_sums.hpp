@@ -1,4 +1,4 @@
-// What runs up along both manifolds to a crossing (private to tangle/).
+// Sums along both manifolds up to a crossing (private to tangle/).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct SumsToNode {
   double length_u = 0, length_s = 0;  ///< in the caller's units
 };
 
-/// At nodes of U and S, which ascend. As gaps_at, and O(N + M).
+/// The sums at nodes of U and S, which ascend. Like gaps_at, and O(N + M).
 [[nodiscard]] std::vector<SumsToNode> sums_to_nodes(const TangleCurves& curves, const Crossings& crossings,
                                                     std::span<const std::uint32_t> nodes);
 

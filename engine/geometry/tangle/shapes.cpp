@@ -11,7 +11,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// Of the part of segment k that lies between two positions.
+// The chord area of the part of segment k between two positions.
 double chord_area_of(const CurveView& curve, std::size_t k, Position from, Position to) {
   const std::span<const Point> p = curve.points;
   const Point before = k > 0 ? p[k - 1] : p[k], after = k + 2 < p.size() ? p[k + 2] : p[k + 1];

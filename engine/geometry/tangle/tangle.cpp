@@ -24,7 +24,7 @@ void sum_chords(TangleCurves& curves) {
   curves.chords_s = std::make_shared<const ChordAreaTable>(SmoothCurve(curves.s().view()));
 }
 
-// At a scale where products stay in range; at that of the given indexes whenever possible.
+// The curves at a scale where products stay in range; at that of the given indexes whenever possible.
 std::shared_ptr<const TangleCurves> scaled_curves(const IndexedCurve& u, const IndexedCurve& s, bool smooth) {
   if (!u.tree().sums_finite()) validate(u.view(), "U");
   if (!s.tree().sums_finite()) validate(s.view(), "S");

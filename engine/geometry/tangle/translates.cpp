@@ -1,4 +1,4 @@
-// What lobes have in common with those of a copy of the tangle that was moved: overlaps.cpp for two tangles that are
+// The common areas of lobes with those of a moved copy of the tangle: overlaps.cpp for two tangles that are
 // the same but for a translation.
 //
 // Let lobe j' be lobe j, moved. U and U' do not meet, nor do S and S', so that the boundary of what i and j' have in
@@ -22,7 +22,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// What one crossing brings to what lobe i and the moved lobe j have in common.
+// The contribution of one crossing to the common area of lobe i and the moved lobe j.
 struct CopyTerm {
   std::uint32_t i, j;
   DD twice{};
@@ -30,7 +30,7 @@ struct CopyTerm {
   int rho = 0;
 };
 
-// Which pips crossings lie before, on both curves.
+// The pips that crossings lie before, on both curves.
 class HiddenPips {
  public:
   explicit HiddenPips(std::size_t pips) : changes_(pips + 1) {}
@@ -104,7 +104,7 @@ class CrossingsOfCopy {
   Crossings nodes_;
 };
 
-// Of U with moved S, or of moved U with S, which are those of U with S moved back.
+// The terms of U with moved S, or of moved U with S, which are those of U with S moved back.
 void add_terms(const Tangle& tangle, Point translation, bool copy_is_of_s, std::vector<CopyTerm>& terms,
                HiddenPips& hidden) {
   const CrossingsOfCopy crossings(tangle, copy_is_of_s ? translation : Point{-translation.x, -translation.y});
@@ -172,10 +172,11 @@ void add_whole_lobes(const Tangle& tangle, Point translation, std::vector<CopyTe
 }  // namespace
 
 CopyOverlaps overlaps_with_copy(const Tangle& tangle, Point translation) {
-  if (translation == Point{}) throw UsageError("overlaps: a copy of the tangle has to be moved");
+  if (translation == Point{}) throw UsageError("overlaps: the translation of the copy cannot be zero");
   CopyOverlaps result;
   if (tangle.pips.empty()) return result;
-  if (tangle.curves->exponent != 0) throw DataError("overlaps: coordinates of this size have no copies that are moved");
+  if (tangle.curves->exponent != 0)
+    throw DataError("overlaps: coordinates of this size are out of range for products; give them in another unit");
   std::vector<CopyTerm> terms;
   HiddenPips hidden(tangle.pips.size());
   for (const bool copy_is_of_s : {true, false}) add_terms(tangle, translation, copy_is_of_s, terms, hidden);

@@ -176,7 +176,7 @@ TEST_F(DamagedStore, PlansThatNameWhatTheyDoNotHaveAreRefused) {
 
 class StoreInPlace : public ScratchFolder {
  protected:
-  // What `append` says when the second of two results is committed after `between`.
+  // The message of `append` when the second of two results is committed after `between`.
   template <typename Between>
   std::string message_after(const Between& between) const {
     Store store = Store::create(path("s"));

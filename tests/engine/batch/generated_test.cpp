@@ -1,4 +1,4 @@
-// What is computed instead of read keeps to the memory of the queue, and ends soon when it is stopped.
+// Curves that are computed instead of read keep to the memory of the queue, and end soon when they are stopped.
 
 #include <sys/stat.h>
 
@@ -83,7 +83,7 @@ TEST_F(Generated, CriteriaThatAskForTooManyPointsAreRefused) {
         messages("operation = \"densify\"\ncurves = \"*.npy\"\noptions = { "s + options + " }\n", 48 * mebibytes);
     ASSERT_EQ(found.size(), 2U);
     for (const auto& [job, message] : found) {
-      EXPECT_NE(message.find("as many as there is memory for"), std::string::npos) << options << ": " << message;
+      EXPECT_NE(message.find("the number that there is memory for"), std::string::npos) << options << ": " << message;
     }
     EXPECT_LE(report_.cache.peak_bytes, 49 * mebibytes);
   }

@@ -34,7 +34,7 @@ class ManifestTest : public ScratchFolder {
     }
     return names;
   }
-  // What is refused, without the folder.
+  // The refusal, without the folder.
   std::string refusal(const std::string& text) {
     try {
       (void)plan(text);
@@ -115,7 +115,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
             "job.toml:4: options.index: \"gird\" cannot be read as one of auto, tree, grid, kd");
   EXPECT_EQ(refusal("operation = \"interior\"\ncurves = \"separ.*\"\n[grid]\npasses = [1,\n  -1]"),
             "job.toml:5: options.passes: has to be at least 0");
-  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\""), "job.toml:2: curves: no pair comes of this");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\""),
+            "job.toml:2: curves: this gives no pair of curves");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"zones.dat#three\""),
             "job.toml:2: curves: zones.dat has no zone titled \"three\"");
   EXPECT_EQ(refusal("operation = \"overlay\"\nsystem = \"standard\"").substr(0, 18), "job.toml:2: system");

@@ -16,7 +16,7 @@
 namespace lober::detail {
 namespace {
 
-// What of a result is the same in every run.
+// The parts of a result that are the same in every run.
 struct RecordNumbers {
   std::vector<double> values;
   std::vector<std::vector<double>> lists;
@@ -42,7 +42,7 @@ class SystemJobs : public ScratchFolder {
     });
     return found;
   }
-  // Of a second run on the same store: how many results were there.
+  // The number of results that a second run on the same store finds.
   std::size_t found_again(const std::string& first, const std::string& second) {
     BatchOptions options;
     options.store = path("store");
@@ -215,7 +215,7 @@ TEST_F(SystemJobs, RefusalsNameLineAndKey) {
   EXPECT_EQ(curve("system = \"standard\", manifold = \"stable\", iterates = 1"),
             "job.toml:2: curves: tolerance has to be given and positive");
   EXPECT_EQ(curve("system = \"./a.so\", tolerance = 1, manifold = \"stable\", iterates = 1"),
-            "job.toml:2: curves: systems from shared libraries are not for manifests");
+            "job.toml:2: curves: a manifest cannot use systems from shared libraries");
   EXPECT_EQ(curve(good + "image_of = \"nothing\", iterates = 1"), "job.toml:2: curves: there is no file nothing");
   EXPECT_EQ(refusal("operation = \"transport\""), "job.toml:1: options.system: the name of a system is missing");
   EXPECT_EQ(refusal("operation = \"transport\"\ncurves = \"a\"\noptions.system = \"standard\""),

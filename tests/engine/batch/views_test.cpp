@@ -139,8 +139,8 @@ TEST_F(StoreViews, SweptValuesHaveColumns) {
       << densified[0];
   EXPECT_NE(densified[5 * 4 + 1].find(",done,,"), std::string::npos) << densified[21];
   EXPECT_NE(
-      densified[1].find(",failed,densify: points on the chords turn no corner; the angle needs another interpolation "
-                        "than linear,true,linear,2,"),
+      densified[1].find(",failed,densify: points on the chords turn no corner; give the angle with an interpolation "
+                        "other than linear,true,linear,2,"),
       std::string::npos)
       << densified[1];
   export_results(Store::open(path("s")), path("out.npy"), ExportFormat::npy);

@@ -33,7 +33,7 @@ struct Free {
 using Result = std::unique_ptr<lober_result, Free>;
 using Model = std::unique_ptr<lober_model, Free>;
 
-// What the call makes; fails the test with the message if it does not.
+// The result of the call; fails the test with the message if there is none.
 template <typename Call>
 Result made(const Call& call) {
   lober_result* result = nullptr;

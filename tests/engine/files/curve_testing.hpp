@@ -1,4 +1,4 @@
-// What the tests of the readers and writers have in common.
+// Common parts of the tests of the readers and writers.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -208,11 +208,11 @@ TEST_F(Files, ZonesAreChosenByNumberOrTitle) {
   EXPECT_EQ(read_curve(file + "#a", false).curve.points.size(), 4U);
   EXPECT_EQ(read_curve(file + "#b#1", true).curve.points[1].x, 2);
   EXPECT_EQ(read_curve(file + "#2", true).zone, 2U);
-  EXPECT_EQ(read_curve_error(file), file + ": has 4 zones, choose one with " + file + "#0 to " + file + "#3");
+  EXPECT_EQ(read_curve_error(file), file + ": has 4 zones; choose one with " + file + "#0 to " + file + "#3");
   EXPECT_EQ(read_curve_error(file + "#4"), file + ": has no zone 4, only " + file + "#0 to " + file + "#3");
   EXPECT_EQ(read_curve_error(file + "#c"), file + ": has no zone titled \"c\"");
   EXPECT_EQ(read_curve_error(file + "#b"),
-            file + ": has several zones titled \"b\", choose one of " + file + "#0 to " + file + "#3");
+            file + ": has several zones titled \"b\"; choose one of " + file + "#0 to " + file + "#3");
   EXPECT_EQ(read_curve_error(path("missing") + "#1"), path("missing") + ": No such file or directory");
 }
 

@@ -199,7 +199,7 @@ TEST(OperationsTable, JsonHasTheNumbersOfTheResult) {
       const std::vector<double> numbers = numbers_at(operation.result, found.value.get(), path);
       std::vector<double> in_json;
       add_numbers(json, path, in_json);
-      // What is not known is left out in JSON.
+      // Unknown values are left out in JSON.
       if (in_json.empty()) continue;
       expect_same_bits(numbers, in_json, path);
       compared += numbers.size();

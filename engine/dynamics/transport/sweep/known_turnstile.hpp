@@ -16,17 +16,17 @@ namespace lober::detail {
 
 struct KnownTurnstile {
   LocalManifold u, s;
-  std::vector<ConnectingOrbit> orbits;  ///< of the pips of one iterate, from f^-1(q) to q
-  std::size_t points = 0;               ///< of both manifolds as grown; none where it was continued
+  std::vector<ConnectingOrbit> orbits;  ///< orbits of the pips of one iterate, from f^-1(q) to q
+  std::size_t points = 0;               ///< points of both manifolds as grown; 0 where it was continued
 
   /// Pips come and go in pairs; one that was there before is lost, and its orbit without meaning.
   [[nodiscard]] bool is_lost(std::size_t number) const { return std::isinf(orbits[number].residual); }
 
   /// W(q) - W(q') as in SweepRow::difference; nothing without an action, or when a pip is lost.
   [[nodiscard]] std::optional<double> difference() const;
-  /// Of the difference, an estimate.
+  /// Estimate of the error of the difference.
   [[nodiscard]] double error() const;
-  /// Of the images of pip `number` that whose tangle takes the least growing.
+  /// The image of pip `number` whose tangle takes the least growing.
   [[nodiscard]] KnownBip bip(std::size_t number) const;
   /// The number of the pip, 1 for the one after f^-1(q) to the last for q, whose orbit, or an image of it, is pip
   /// `number` of another turnstile of the same map; nothing if none is.
@@ -35,8 +35,8 @@ struct KnownTurnstile {
 
 [[nodiscard]] KnownTurnstile known_turnstile(const ManifoldTangle& found);
 
-/// That of a map near the one of `from`, with the same pips; of q the image in the middle between the saddles. Nothing
-/// where q is not found, or not behind the others. Throws as local_manifold.
+/// The turnstile of a map near the one of `from`, with the same pips; as q the image in the middle between the saddles.
+/// Nothing where q is not found, or not behind the others. Throws as local_manifold.
 [[nodiscard]] std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Connection& connection,
                                                                 const KnownTurnstile& from);
 

@@ -18,7 +18,7 @@ using detail::cross, detail::length;
 namespace elementary = detail::elementary;
 namespace {
 
-constexpr double least_departure = 1e-18;  // of f at the ends of the orbit, relative to the reach of the local manifold
+constexpr double least_departure = 1e-18;  // size of f at the ends of the orbit over the reach of the manifold
 constexpr double max_gap = 1e-8;           // between the two halves of the orbit
 constexpr double sufficient = 1e-13;       // change of M, relative to its largest value, at which a refinement ends
 
@@ -56,7 +56,7 @@ class Perturbation {
 // The half of a connecting orbit on a local manifold: P(s e^(-+ rate t)).
 struct LocalBranch {
   LocalManifold local;
-  double sign = 1;  // of s
+  double sign = 1;  // sign of s
   double rate = 0;  // |log multiplier| per time
 
   LocalBranch(const PlanarMap& map, Point guess, ManifoldSide side, Point direction, double period)
@@ -187,7 +187,7 @@ double slope_at(const Melnikov& m, double t0) {
   return sum;
 }
 
-// Of M, from 0 on.
+// The primitive of M, from 0 on.
 double primitive_at(const Melnikov& m, double t0) {
   double sum = m.cosines[0] * t0;
   for (std::size_t k = 1; k < m.cosines.size(); ++k) {
@@ -197,7 +197,7 @@ double primitive_at(const Melnikov& m, double t0) {
   return sum;
 }
 
-// At the nodes of a grid, and where M has no slope between two of them.
+// The largest |M| at the nodes of a grid, and where M has no slope between two of them.
 double largest_value(const Melnikov& m) {
   const std::size_t pieces = 32 * m.cosines.size();
   double largest = 0;

@@ -45,7 +45,7 @@ void fill(SweepRow& row, const ManifoldTangle& found) {
   }
 }
 
-// By the turnstile of the boundary, where it crosses itself as in the plane or on the cylinder.
+// Fills in the fluxes by the turnstile of the boundary, where it crosses itself as in the plane or on the cylinder.
 void fill_fluxes(SweepRow& row, const FamilyMember& member, const ManifoldTangle& found) {
   try {
     require_areas_preserved(*member.map, found.local_u.saddle);

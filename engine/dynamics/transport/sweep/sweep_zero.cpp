@@ -52,7 +52,7 @@ class Refinement {
     double value, difference;
   };
 
-  // By the method of Alefeld, Potra & Shi (1995), TOMS 748, which never gives up the bracket.
+  // Uses the method of Alefeld, Potra & Shi (1995), TOMS 748, which never gives up the bracket.
   void solve(bool continuing) {
     const auto difference_at = [&](double value) {
       const double difference = continuing ? continued(value) : from_scratch(value);
@@ -84,7 +84,7 @@ class Refinement {
     return found.row.difference;
   }
 
-  // From the nearest value that is known.
+  // The difference, continued from the nearest value that is known.
   double continued(double value) {
     const auto nearest = std::min_element(known_.begin(), known_.end(), [&](const auto& a, const auto& b) {
       return std::fabs(a.first - value) < std::fabs(b.first - value);

@@ -1,4 +1,4 @@
-// Where the two sides of a turnstile change places, between two values of a sweep (private to engine/).
+// The value at which the two sides of a turnstile change places, between two values of a sweep (private to engine/).
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Where points of a plane that repeats itself are: along the lattice and across it (private to transport/).
+// Positions in a plane that repeats itself: along the lattice and across it (private to transport/).
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace lober::detail {
 
-/// Where points are: along a lattice, and above the line along it through the origin.
+/// Positions of points along a lattice, and above the line along it through the origin.
 class AlongLattice {
  public:
   explicit AlongLattice(Point lattice) : lattice_(lattice), period_(length(lattice)) {}
@@ -24,16 +24,16 @@ class AlongLattice {
   Point lattice_;
   double period_;
 };
-/// The same of one point.
+/// The position of one point.
 [[nodiscard]] inline Point along_and_above(Point lattice, Point plane) {
   return AlongLattice(lattice)(plane);
 }
 
-/// How far points reach along the lattice, in units of it.
+/// The reach of points along the lattice, in units of it.
 struct Reach {
   double from = 0, to = 0;
 };
-/// Of one point or more.
+/// The reach of one point or more.
 [[nodiscard]] inline Reach reach_of(std::span<const Point> points, Point lattice) {
   const AlongLattice along(lattice);
   Reach reach{along(points.front()).x / along.period(), 0};

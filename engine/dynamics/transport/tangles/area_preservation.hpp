@@ -5,8 +5,8 @@
 
 namespace lober::detail {
 
-/// By the determinant of the derivative at a saddle, to what its cancellation leaves of it. Throws DataError with the
-/// factor if it does not.
+/// Checks the determinant of the derivative at a saddle, as far as cancellation allows. Throws DataError with the
+/// factor if the map does not preserve area.
 void require_areas_preserved(const PlanarMap& map, Point saddle);
 
 }  // namespace lober::detail

@@ -64,7 +64,7 @@ int turns_of(const Barrier& barrier) {
 }
 
 int sign_of(const Barrier& barrier) {
-  // Inside is what lies below, which is on the right of what leads along the lattice.
+  // The inside is the region below, which is on the right of a curve along the lattice.
   if (const int turns = turns_of(barrier); turns != 0) return -turns;
   return swept_area(*barrier.tangle, barrier.bip).area < 0 ? -1 : 1;
 }

@@ -21,17 +21,17 @@ struct Barrier {
   const Tangle* tangle = nullptr;
   std::size_t bip = 0;     ///< number of the pip q
   std::size_t period = 0;  ///< pips from one to its image
-  /// How far the manifolds may lie from the true ones, beside what their polygons leave open: what the integration and
-  /// rounding err by. An area is wrong by no more than that times the length of its boundary.
+  /// How far the manifolds may lie from the true ones, beside the error of their polygons: by integration and rounding.
+  /// An area is wrong by no more than that times the length of its boundary.
   double curve_error = 0;
   /// The same up to each pip along U and along S, where the manifolds were grown; Lobe::smooth_error contains it then.
   std::span<const double> errors_u{}, errors_s{};
-  Point lattice{};  ///< that the plane repeats itself after, see cylinder.hpp; (0, 0) if it does not
+  Point lattice{};  ///< shift after which the plane repeats itself, see cylinder.hpp; (0, 0): none
   /// Where the manifolds are as fine as asked; beyond, they are followed coarsely. Beyond `true_size` distances are not
   /// true either. Empty boxes: everywhere.
   Box fine{}, true_size{};
 
-  /// How far the boundary up to a pip may lie from the true one, and a lobe.
+  /// The distance by which the boundary up to a pip may lie from the true one, and that of a lobe.
   [[nodiscard]] double error_up_to(std::size_t q) const {
     return errors_u.empty() ? curve_error : std::max(errors_u[q], errors_s[q]);
   }
@@ -39,7 +39,7 @@ struct Barrier {
     return errors_u.empty() ? curve_error : std::max(errors_u[lobe + 1], errors_s[lobe]);
   }
 
-  /// How many images of q, forward and back, there are among the pips.
+  /// The number of images of q, forward and back, among the pips.
   [[nodiscard]] int images_after() const { return static_cast<int>((tangle->pips.size() - 1 - bip) / period); }
   [[nodiscard]] int images_before() const { return static_cast<int>(bip / period); }
   /// The number of the pip f^k(q); also of the first lobe after it.
@@ -51,17 +51,16 @@ struct Barrier {
 /// The boundary of a tangle whose plane repeats itself after `lattice`. Valid as long as the tangle is.
 [[nodiscard]] Barrier barrier_of(const ManifoldTangle& manifolds, Point lattice);
 
-/// How often a boundary runs round its cylinder: +1 or -1, along the lattice or against it; 0 where it closes, in the
-/// plane always. Throws DataError where it runs round more than once.
+/// The number of turns of a boundary round its cylinder: +1 or -1, along the lattice or against it; 0 where it closes,
+/// in the plane always. Throws DataError where it runs round more than once.
 [[nodiscard]] int turns_of(const Barrier& barrier);
-/// +1 where what is inside lies on the left of U and S as B(q) follows them, from p- to p+.
+/// +1 where the inside lies on the left of U and S as B(q) follows them, from p- to p+.
 [[nodiscard]] int sign_of(const Barrier& barrier);
 /// f^k(B(q)) as a closed polygon; as an open one where it runs round a cylinder, from p- to p+. O(its vertices).
 [[nodiscard]] std::vector<Point> outline_of(const Barrier& barrier, int k);
 
-/// What an area that this outline bounds may be wrong by because arcs through its points are fitted across the pip
-/// where it passes from U to S, as if it did not turn there: nothing where it turns so much that the fit shows it as a
-/// corner.
+/// Possible error of an area that this outline bounds because arcs through its points are fitted across the pip where
+/// it passes from U to S, as if it did not turn there: 0 where it turns so much that the fit shows it as a corner.
 [[nodiscard]] double error_at_corner(const Barrier& barrier, int k);
 
 /// Whether the path that closes f^k(B(q)) meets the rest of it elsewhere than at the saddles. Then it bounds nothing.
@@ -74,7 +73,7 @@ struct Barrier {
 /// int w v, w and v the winding numbers of two closed polygons through points of smooth curves.
 struct WindingProduct {
   double area = 0, error = 0;
-  double length = 0;  ///< of both polygons where they can matter
+  double length = 0;  ///< length of both polygons where they can matter
   /// Where both may lie so far from the true curves, see Barrier.
   [[nodiscard]] Measured with(double curve_error) const { return {area, error + curve_error * length}; }
 };

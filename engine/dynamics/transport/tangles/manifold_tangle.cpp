@@ -12,7 +12,8 @@ using namespace detail;
 
 std::unique_ptr<ManifoldTangle> grow_tangle(const PlanarMap& map, const Connection& connection,
                                             const ManifoldTangleOptions& options) {
-  if (options.before < 1 || options.after < 0) throw UsageError("at least one image of the bip before it is needed");
+  if (options.before < 1 || options.after < 0)
+    throw UsageError("the number of images of the bip has to be at least 1 before it and at least 0 after it");
   TangleGrowth growth(map, connection, options);
   if (!growth.grow_to(options.before, options.after)) throw DataError(growth.limit());
   return growth.take();

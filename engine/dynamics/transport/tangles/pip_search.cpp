@@ -25,7 +25,7 @@ void TangleGrowth::find_pips() {
   found_ = tangle(OpenCurve::borrow(u_.growth->grown().points), OpenCurve::borrow(s_.growth->grown().points), options);
 }
 
-// The pips of what there is, and the bip among them.
+// The pips of the present curves, and the bip among them.
 void TangleGrowth::look() {
   constexpr int max_rounds = 12;
   find_pips();

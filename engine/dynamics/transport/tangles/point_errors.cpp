@@ -198,7 +198,7 @@ void add_errors_far_outside(ManifoldTangle& manifolds) {
   };
   // On which side of U a lobe lies follows from how the pip before it crosses; the sign of an area that is pure error
   // does not tell.
-  double sides = 0;  // of the turnstile
+  double sides = 0;  // signed sum of the turnstile's lobes
   for (std::size_t k = manifolds.image_of_bip(-1); k < manifolds.bip; ++k) {
     sides += tangle.lobes[k].area * tangle.pips[k].rho;
   }

@@ -1,4 +1,4 @@
-// What rounding and integration leave of the points of grown manifolds (private to engine/).
+// Errors of the points of grown manifolds by rounding and integration (private to engine/).
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ class PointErrors {
   /// Samples the vertices up to `middle` and those from there to `last`.
   PointErrors(const PlanarMap& map, const LocalManifold& local, const GrownManifold& grown, std::size_t middle,
               std::size_t last, const Box& box);
-  /// Of the vertices up to this one: what lies farther out, where orbits are longer and folds sharper, is another
-  /// matter.
+  /// The error of the vertices up to this one: those farther out, where orbits are longer and folds sharper, do not
+  /// count.
   [[nodiscard]] double up_to(std::size_t vertex) const;
 
  private:

@@ -53,7 +53,7 @@ std::optional<Opposite> opposite(const PlanarMap& map, const LocalManifold& unst
   return Opposite{u, s, tangent.x * apart.y - tangent.y * apart.x};
 }
 
-// The size of what is not smooth in equidistant values: of sixth differences, which white noise enlarges by the square
+// The size of the rough part of equidistant values: of sixth differences, which white noise enlarges by the square
 // root of 924.
 double roughness(const std::array<Opposite, samples_an_image + 1>& at) {
   double sum = 0;
@@ -86,7 +86,7 @@ std::optional<Splitting> splitting(const PlanarMap& map, const LocalManifold& un
   constexpr std::size_t half = samples_an_image / 2;
   std::array<Opposite, samples_an_image + 1> at;
   const auto walk = [&](std::size_t first, int direction) {
-    double time_u = middle_u, time_s = middle_s, rate = -1;  // of time on S by time on U
+    double time_u = middle_u, time_s = middle_s, rate = -1;  // rate of time on S by time on U
     for (std::size_t k = first; k <= samples_an_image;
          k += static_cast<std::size_t>(direction)) {  // below 0 it is large
       const double next = middle_u + (static_cast<double>(k) + 0.5 - half) / samples_an_image;

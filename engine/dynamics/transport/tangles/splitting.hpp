@@ -1,4 +1,4 @@
-// How far apart two manifolds lie along one fundamental segment of a tangle (private to engine/).
+// The distance of two manifolds along one fundamental segment of a tangle (private to engine/).
 //
 // Where U and S run side by side, S is the graph of a function over U: at the time t along U its distance d(t) from U,
 // along the normal of U. The tangle is thin where d is small; its zeros are the pips, as many in one iterate as the
@@ -18,13 +18,13 @@ struct Splitting {
   /// The smallest over the lobes of one iterate of the largest |d| on that lobe; without a zero the largest |d| of all.
   double amplitude = 0;
   double largest = 0;     ///< |d| anywhere
-  double noise = 0;       ///< of d by rounding and integration, estimated from the roughness of its values
-  double defect = 0;      ///< of the local manifolds: what d may be off by everywhere
+  double noise = 0;       ///< noise of d by rounding and integration, from the roughness of its values
+  double defect = 0;      ///< defect of the local manifolds: the error that d may have everywhere
   std::size_t zeros = 0;  ///< sign changes of d within one iterate
   /// Near the zeros, on U and on S, outward along U.
   std::vector<std::pair<ManifoldPosition, ManifoldPosition>> near_zeros;
 
-  /// Whether what there is of d is noise or the defect: the manifolds coincide as far as can be seen.
+  /// Whether d is no more than noise or the defect: the manifolds coincide as far as can be seen.
   [[nodiscard]] bool coincide() const {
     return !(largest > 12 * noise && largest > (zeros == 0 ? 4 * defect : defect));
   }

@@ -7,7 +7,7 @@
 namespace lober::detail {
 namespace {
 
-// Of its size: where distances are no longer true.
+// Multiple of its size beyond which distances are no longer true.
 constexpr double times_box = 64;
 
 }  // namespace

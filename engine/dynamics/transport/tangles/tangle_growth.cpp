@@ -22,8 +22,8 @@ namespace {
 constexpr int max_refinements_if_coarse = 4, max_refinements = 4;
 // Evaluations of the vector field in a step of the map: trajectories that return take some hundreds or thousands.
 constexpr double hardly_returns = 2e4;
-// By which one iterate stretches at a saddle where polygons find no turnstile any more: of the Duffing oscillator at
-// omega = 0.5 (2.7e5), but not at 0.6 (3.5e4).
+// The factor of one iterate at a saddle from which on polygons find no turnstile: for the Duffing oscillator at omega =
+// 0.5 (2.7e5), but not at 0.6 (3.5e4).
 constexpr double far_stretched = 1e5;
 // Tolerances end at this number of roundings of the largest coordinate.
 constexpr double finest_roundings = 32;
@@ -35,7 +35,7 @@ std::pair<LocalManifold, LocalManifold> local_manifolds(const PlanarMap& map, co
                                                         const LocalManifold* neighbour_s) {
   LocalManifold u = local_manifold(map, connection.from, ManifoldSide::unstable, {.neighbour = neighbour_u});
   LocalManifold s = local_manifold(map, connection.to, ManifoldSide::stable, {.neighbour = neighbour_s});
-  // Of a homoclinic tangle both begin in one point, to the bit: else they might cross there.
+  // Both manifolds of a homoclinic tangle begin in one point, to the bit: else they might cross there.
   if (distance(u.saddle, s.saddle) <= 1e-8 * (1 + length(u.saddle))) s.saddle = u.saddle;
   return {std::move(u), std::move(s)};
 }
@@ -179,7 +179,7 @@ double TangleGrowth::stretching() const {
 std::string TangleGrowth::of_stretching() const {
   return "; one iterate stretches by " + format_rounded(stretching()) +
          " at the saddle, and lobes so long and thin are not resolved in double precision, however long one waits: "
-         "other parameters may do";
+         "try other parameters";
 }
 
 // Steps of the map taken so far, by both and by those that were given up for a finer tolerance.
@@ -191,7 +191,7 @@ std::uint64_t TangleGrowth::images() const {
   return sum;
 }
 
-// What of the work that may be done is left, as a number of images; by the clock if there is a budget.
+// The rest of the allowed work, as a number of images; by the clock if there is a budget.
 double TangleGrowth::images_left() const {
   const auto done = static_cast<double>(images());
   if (options_.budget > 0) {
@@ -238,7 +238,7 @@ bool TangleGrowth::grow(Side& side, double end) {
       limit_ += "; " + caution_;
     } else if (!result_ && found_.pips.empty()) {
       limit_ +=
-          "; U and S have not crossed by then, and do not cross at all where no orbit leads from the one saddle to "
+          "; U and S have not crossed by then, and do not cross at all where no orbit leads from one saddle to "
           "the other";
     }
     // On a cylinder and after other tangles the map has done more than growing.
@@ -247,8 +247,8 @@ bool TangleGrowth::grow(Side& side, double end) {
     if (!result_ && an_image > hardly_returns) {
       limit_ += "; one step of the map takes " + format_rounded(an_image) +
                 " evaluations of the vector field: orbits next to this saddle hardly return, or pass a singularity; "
-                "other parameters or " +
-                std::string(quantity::saddle) + " may do";
+                "try other parameters or " +
+                std::string(quantity::saddle) + " instead";
     }
     return false;
   }
@@ -268,8 +268,8 @@ void TangleGrowth::report() {
 bool TangleGrowth::grow_to(int before, int after) {
   if ((before > before_ || after > after_) && compared_before_ > 0 && compares_too_much(segments_expected()))
     return false;
-  // What was done with the map since the last call, such as laying curves on a cylinder or growing another tangle, is
-  // not growing: the next piece costs none of it.
+  // Work done with the map since the last call, such as laying curves on a cylinder or growing another tangle, is not
+  // growing: the next piece costs none of it.
   work_before_ += map_.work() - work_after_;
   begun_ += watch_.seconds() - ended_;
   before = std::max(before, before_);

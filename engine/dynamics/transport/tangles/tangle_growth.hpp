@@ -22,7 +22,7 @@
 
 namespace lober::detail {
 
-/// Those of U and S near their saddles; of a homoclinic tangle with one saddle, to the bit. Neighbours: as in
+/// The local manifolds of U and S; those of a homoclinic tangle have one saddle, to the bit. Neighbours: as in
 /// LocalManifoldOptions. Throws as local_manifold.
 [[nodiscard]] std::pair<LocalManifold, LocalManifold> local_manifolds(const PlanarMap& map,
                                                                       const Connection& connection,
@@ -41,13 +41,13 @@ class TangleGrowth {
   TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options,
                const KnownBip* known = nullptr);
 
-  /// Grows on until the pips f^-before(q) to f^after(q) are there. False when that is not to be had: limit() says why,
-  /// and what was there before still is. Throws Cancelled.
+  /// Grows on until the pips f^-before(q) to f^after(q) are there. False when they cannot be reached: limit() says why,
+  /// and the earlier tangle is still there. Throws Cancelled.
   bool grow_to(int before, int after);
   /// Why the last call could not go on; empty if it could.
   [[nodiscard]] const std::string& limit() const { return limit_; }
 
-  /// The tangle of what there is. Valid until the next call of grow_to.
+  /// The tangle grown so far. Valid until the next call of grow_to.
   [[nodiscard]] const ManifoldTangle& current() const { return *result_; }
   [[nodiscard]] std::unique_ptr<ManifoldTangle> take() { return std::move(result_); }
 
@@ -98,7 +98,7 @@ class TangleGrowth {
   [[nodiscard]] std::string of_saddles() const;
   [[nodiscard]] double stretching() const;
   [[nodiscard]] std::string of_stretching() const;
-  // Of the polygons that are looked at, and the one asked for.
+  // The tolerance of the present polygons, and the one asked for.
   [[nodiscard]] std::string tolerance_text() const;
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
@@ -117,7 +117,7 @@ class TangleGrowth {
   [[nodiscard]] bool compares_too_much(double segments);
   [[nodiscard]] double segments_expected() const;
   void lend();
-  // Not checked where a limit ended the work: what was grown last belongs to no row.
+  // Not checked where a limit ended the work: the part grown last belongs to no row.
   void finish(bool check_simple = true);
   void rest();
   void report();
@@ -126,10 +126,10 @@ class TangleGrowth {
   ManifoldTangleOptions options_;
   std::optional<Point> bip_near_, near_;
   std::optional<Time> known_bip_;
-  std::vector<Point> closure_;  // of the connection
+  std::vector<Point> closure_;  // closure of the connection
   std::string caution_;         // likewise
   Side u_, s_;
-  Box box_;  // of the scene
+  Box box_;  // box of the scene
   int enlargements_ = 0;
   double tolerance_ = 0, finest_ = 0;
   std::uint64_t work_before_ = 0;

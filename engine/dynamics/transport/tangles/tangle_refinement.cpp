@@ -39,7 +39,7 @@ bool TangleGrowth::refine(Side& side, std::vector<std::uint32_t> segments, const
     return with_diagnostic || !meet(ends, box) || !within(ends, true_size(followed()));
   });
   const std::size_t added = side.growth->refine(segments, parts).size();
-  side.compressed += added;  // what is compressed lies outside the box, none of it is new
+  side.compressed += added;  // compressed points lie outside the box, none is new
   return added > 0;
 }
 
@@ -136,7 +136,7 @@ bool TangleGrowth::compares_too_much(double segments) {
   return true;
 }
 
-// Of one more growth, where two have been compared; cautiously, so that no row is refused which may be done.
+// Segments expected in one more growth, where two have been compared; cautiously, so that no affordable row is refused.
 double TangleGrowth::segments_expected() const {
   constexpr double caution = 2;
   return compared_ * compared_ / compared_before_ / caution;

@@ -26,7 +26,7 @@ std::vector<Point> moved(const std::vector<Point>& points, Point lattice, int ti
   return result;
 }
 
-// What lies below a boundary that runs round, wherever `over` says, along the lattice: with copies so far on either
+// The region below a boundary that runs round, over the reach `over` along the lattice: with copies so far on either
 // side that no other one, and no end, reaches there. `arcs` is its outline.
 std::vector<Point> region_below(const Barrier& barrier, const std::vector<Point>& arcs, Reach over, double bottom) {
   const Reach copy = reach_of(arcs, barrier.lattice);
@@ -49,7 +49,7 @@ std::vector<Point> region_below(const Barrier& barrier, int first, int last, dou
   std::vector<Point> copy = outline_of(barrier, 0);
   if (turns_of(barrier) > 0) std::reverse(copy.begin(), copy.end());
   copy.pop_back();  // the next copy begins there
-  // From the right to the left, as the inside of a region that is below demands.
+  // Runs from the right to the left, as the inside of a region that is below demands.
   std::vector<Point> polygon;
   polygon.reserve(copy.size() * static_cast<std::size_t>(last - first + 1) + 3);
   for (int k = last; k >= first; --k) {

@@ -1,7 +1,7 @@
 // Boundaries on a cylinder: of a plane in which points a period apart are one and the same.
 //
 // A boundary B(q) either closes in the plane, and stands for all its translates, or leads from a saddle to its copy a
-// period on and runs round the cylinder; inside it is then what lies below it, seen along the period. Nothing is
+// period on and runs round the cylinder; its inside is then the region below it, seen along the period. Nothing is
 // cut or bent: integrals over the cylinder are sums over translates of integrals over the plane. Let c and c_n be the
 // functions that are 1 inside B(q) and f^n(B(q)), and w the winding number of the loop that U and S make from q to
 // f^n(q) and back. Then c_n = c + s w summed over translates, with a sign s of the boundary, and
@@ -22,7 +22,7 @@ namespace lober::detail {
 /// The least height of points above the line along a lattice through the origin.
 [[nodiscard]] double lowest(const std::vector<Point>& points, Point lattice);
 
-/// What lies below copies `first` to `last` of a boundary that runs round, as a closed polygon that runs
+/// The region below copies `first` to `last` of a boundary that runs round, as a closed polygon that runs
 /// counter-clockwise, with its bottom at the height `bottom`. O(its vertices).
 [[nodiscard]] std::vector<Point> region_below(const Barrier& barrier, int first, int last, double bottom);
 
@@ -41,22 +41,22 @@ struct ProductOnCylinder {
 [[nodiscard]] ProductOnCylinder product_on_cylinder(const std::vector<Point>& first, const std::vector<Point>& second,
                                                     Point lattice);
 
-/// w the winding number of a closed polygon and v the function of what lies inside B(q).
+/// w the winding number of a closed polygon and v the function that is 1 inside B(q).
 [[nodiscard]] ProductOnCylinder product_with_inside(const std::vector<Point>& polygon, const Barrier& barrier);
 
-/// What two closed polygons have in common on the cylinder (`area_in_common` of one and all translates of the other);
+/// The common area of two closed polygons on the cylinder (`area_in_common` of one and all translates of the other);
 /// in the plane if `lattice` is (0, 0).
 [[nodiscard]] Measured area_in_common(const std::vector<Point>& first, const std::vector<Point>& second,
                                       double curve_error, Point lattice);
 
-/// What of a closed polygon lies inside B(q), each part as often as the polygon winds round it.
+/// The area of a closed polygon inside B(q), each part as often as the polygon winds round it.
 [[nodiscard]] Measured area_inside(const std::vector<Point>& polygon, const Barrier& barrier, double curve_error);
 
-/// How much of the cylinder lies below both c and d, which run round, and above `bottom`, which is below both: by
+/// The area of the cylinder below both c and d, which run round, and above `bottom`, which is below both: by
 /// overlay.
 [[nodiscard]] double area_below_both(const Barrier& c, const Barrier& d, double bottom);
 
-/// Where points are with respect to B(q), on the cylinder if there is one.
+/// The side of points with respect to B(q), on the cylinder if there is one.
 class InsideOfBarrier {
  public:
   explicit InsideOfBarrier(const Barrier& barrier);

@@ -36,7 +36,7 @@ InsidesInCommon::Change InsidesInCommon::change_after(std::span<const Barrier* c
                                                           : loop_between(*barrier.tangle, there, here))};
 }
 
-// Those that the pairs ask for, each once.
+// The changes that the pairs ask for, each once.
 std::vector<InsidesInCommon::Change> InsidesInCommon::changes_of(std::span<const Barrier* const> barriers,
                                                                  std::span<const Pair> pairs) const {
   std::vector<std::pair<std::size_t, int>> wanted;

@@ -1,4 +1,4 @@
-// What the insides of boundaries and of their images have in common, row after row (private to transport/).
+// Common areas of the insides of boundaries and of their images, row after row (private to transport/).
 //
 // Rows share work: on a cylinder row n takes the loops from q to f^m(q) and from q to f^-k(q), m + k = n, and row n + 1
 // one of them again, each with the insides of all boundaries (cylinder.hpp).
@@ -16,21 +16,21 @@ namespace lober::detail {
 
 class InsidesInCommon {
  public:
-  /// f^m(c) and f^n(d), by the numbers of boundaries. `at_rest` is what they have in common for m = n = 0, and not
-  /// asked for in the plane.
+  /// f^m(c) and f^n(d), by the numbers of boundaries. `at_rest` is their common area for m = n = 0, and not used in the
+  /// plane.
   struct Pair {
     std::size_t c, d;
     int m, n;
     Measured at_rest;
   };
-  /// What the insides of each pair have in common; of those that run round only differences mean something. The
+  /// The common area of the insides of each pair; of those that run round only differences mean something. The
   /// boundaries are those of the call before, or grown farther. The same bits as without a call before.
   [[nodiscard]] std::vector<Measured> of(std::span<const Barrier* const> barriers, std::span<const Pair> pairs);
-  /// How many loops were taken with the inside of a boundary so far.
+  /// The number of loops taken with the inside of a boundary so far.
   [[nodiscard]] std::size_t loops_taken() const { return loops_taken_; }
 
  private:
-  // What the inside of f^n(B(q)) has more than that of B(q): winding numbers of a loop, with a sign.
+  // The inside of f^n(B(q)) less that of B(q): winding numbers of a loop, with a sign.
   struct Change {
     std::size_t barrier = 0;
     int images = 0;
@@ -48,8 +48,8 @@ class InsidesInCommon {
                                                std::span<const Pair> pairs) const;
   void forget_what_changed(std::span<const Barrier* const> barriers);
 
-  std::vector<std::vector<Point>> outlines_;  // of the boundaries, as insides
-  std::vector<Change> changes_;               // of the last row
+  std::vector<std::vector<Point>> outlines_;  // outlines of the boundaries, as insides
+  std::vector<Change> changes_;               // changes of the last row
   std::vector<Taken> taken_;                  // likewise
   std::size_t loops_taken_ = 0;
 };

@@ -18,10 +18,10 @@ struct ParticleOptions {
   Progress progress{};
 };
 
-/// T_ij(n) for n = 1 ... iterates, with one standard deviation as error. Of species from regions without an area by
-/// particles of the others carried backward; between two such regions NaN. Particle k of a region depends on the seed,
-/// the region and k alone, so the counts are the same for any number of threads. A particle that is lost counts as
-/// outside of every boundary. Throws Cancelled. Time: twice count * regions * iterates steps of the map, and as many
+/// T_ij(n) for n = 1 ... iterates, with one standard deviation as error. For species from regions without an area,
+/// particles of the others are carried backward; between two such regions NaN. Particle k of a region depends on the
+/// seed, the region and k alone, so the counts are the same for any number of threads. A particle that is lost counts
+/// as outside of every boundary. Throws Cancelled. Time: twice count * regions * iterates steps of the map, and as many
 /// point locations for each boundary.
 [[nodiscard]] std::vector<RegionMatrix> count_particles(const PlanarMap& map, std::span<const Barrier> barriers,
                                                         const Partition& partition, int iterates,

@@ -40,7 +40,7 @@ class Nesting {
   }
 
  private:
-  // What lies inside c, what inside d and what inside both; of what runs round a cylinder, above some height.
+  // The areas inside c, inside d and inside both; for boundaries that run round a cylinder, above some height.
   struct Insides {
     double c, d, both;
   };
@@ -78,7 +78,7 @@ class Nesting {
   std::vector<Measured> areas_;
   std::vector<std::optional<std::size_t>> parents_;
   std::vector<bool> contains_;                                    // row by row
-  std::map<std::pair<std::size_t, std::size_t>, Insides> below_;  // of two that run round
+  std::map<std::pair<std::size_t, std::size_t>, Insides> below_;  // insides of two boundaries that run round
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ class Partition {
 
   [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
   [[nodiscard]] std::size_t size() const { return regions_.size(); }
-  /// What the insides of boundaries c and d have in common.
+  /// The common area of the insides of boundaries c and d.
   [[nodiscard]] Measured at_rest(std::size_t c, std::size_t d) const { return at_rest_[c * areas_.size() + d]; }
 
   /// The sum over c, d of the coefficients of i and j times quantity(c, d), where 0 stands for the constant 1 and

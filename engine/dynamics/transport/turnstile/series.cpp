@@ -94,7 +94,7 @@ RegionMatrix TransportSeries::by_boundaries(int n) {
         if (c == 0 && d == 0) return unknown_area;
         return c == 0 ? enclosed_[d - 1] : d == 0 ? enclosed_[c - 1] : common[(c - 1) * count + d - 1];
       });
-      // The area of the lower end of a cylinder is that of what was cut off.
+      // The area of the lower end of a cylinder is that of the part that was cut off.
       if (i == j && !partition_.regions()[i].bounded) areas(i, j) = unknown_area;
     }
   }

@@ -10,7 +10,7 @@
 
 namespace lober::detail {
 
-/// Rows of the table, n = 1, 2, ..., from what there is of the tangles: as far as their pips reach.
+/// Rows of the table, n = 1, 2, ..., from the tangles grown so far: as far as their pips reach.
 class TransportSeries {
  public:
   /// The tangles must outlive it, or the next call of `extend`. Throws as Turnstile, Partition.

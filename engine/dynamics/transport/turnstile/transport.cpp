@@ -25,7 +25,7 @@ namespace {
 
 constexpr double no_area = std::numeric_limits<double>::quiet_NaN();
 
-// What boundary c encloses, by the names of regions: one of them, unless others are nested in it.
+// The inside of boundary c by the names of regions: one of them, unless others are nested in it.
 std::string inside_of(std::size_t c, const std::vector<Region>& regions) {
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const std::vector<int>& coefficients = regions[i].coefficients;
@@ -129,7 +129,7 @@ class TransportBuilder {
 
   // Without a budget: of the plane, since growth looks at translates on a cylinder.
   bool overlaps_are_affordable(int n) {
-    // What a segment takes in a row, in evaluations of a map: its lobes overlap those of all rows before.
+    // The work for a segment in a row, in evaluations of a map: its lobes overlap those of all rows before.
     constexpr double evaluations_a_segment = 10;
     if (n == 1 || options_.budget > 0 || !(options_.lattice == Point{})) return true;
     double segments = 0;
@@ -150,7 +150,7 @@ class TransportBuilder {
                               why);
   }
 
-  // What closes the boundary has to stay where it is: else fluid crosses there, and neither route counts it.
+  // The closure of the boundary has to stay where it is: else fluid crosses there, and neither route counts it.
   void require_closure_kept(const Connection& connection, const ManifoldTangle& manifolds) const {
     constexpr int samples = 7;
     constexpr double kept = 1e-6;
@@ -200,7 +200,7 @@ class TransportBuilder {
     }
   }
 
-  // Of what there is.
+  // The barriers of the tangles grown so far.
   [[nodiscard]] std::vector<Barrier> barriers() const {
     std::vector<Barrier> list;
     for (const std::unique_ptr<TangleGrowth>& growth : growths_)
@@ -208,7 +208,7 @@ class TransportBuilder {
     return list;
   }
 
-  // What is known of the boundaries with the last row: the tangles may be grown on without another one.
+  // Records the boundaries as they are with the last row: the tangles may be grown on without another one.
   void record(const TransportSeries& series) {
     for (std::size_t c = 0; c < growths_.size(); ++c) {
       TransportBoundary& boundary = result_.boundaries[c];

@@ -39,7 +39,7 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
   if (iterates < 1) throw UsageError("transport takes at least one iterate");
   if (!tangle.boundary) throw DataError("transport: the manifolds do not cross");
   if (tangle.lobes.empty()) {
-    throw DataError("transport: the manifolds cross in one pip only, and enclose no lobe; longer curves may show more");
+    throw DataError("transport: the manifolds cross in one pip only, and enclose no lobe; try longer curves");
   }
   if (!tangle.images.misfit.empty()) throw DataError("transport: " + tangle.images.misfit);
   if (tangle.images.period == 0) {

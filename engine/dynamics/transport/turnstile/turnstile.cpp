@@ -56,8 +56,8 @@ Measured Turnstile::common(std::size_t i, std::size_t j) const {
   return found + within_reason({at->area, at->error + curve_error * at->perimeter}, i, j);
 }
 
-// What two lobes have in common far outside, where manifolds are followed coarsely, is not known: at most what the map,
-// which preserves areas, leaves of either of them out there.
+// The common area of two lobes far outside, where manifolds are followed coarsely, is not known: at most the part of
+// either of them that the map, which preserves area, leaves out there.
 Measured Turnstile::within_reason(Measured common, std::size_t i, std::size_t j) const {
   if (far_.empty() || !far_[i] || !far_[j]) return common;
   const std::vector<Point> first = lobe_outline(*barrier_.tangle, i), second = lobe_outline(*barrier_.tangle, j);

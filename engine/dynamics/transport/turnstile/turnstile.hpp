@@ -1,7 +1,7 @@
-// The turnstile of a boundary: the lobes through which all that crosses it goes.
+// The turnstile of a boundary: the lobes through which all fluid crosses it.
 //
-// With c the function that is 1 inside B(q) and 0 outside, g = c - c o f is 1 on L12(1), what leaves in the next step,
-// -1 on L21(1), what comes in, and 0 elsewhere. It is also the sum of the functions of the lobes from f^-1(q) to q,
+// With c the function that is 1 inside B(q) and 0 outside, g = c - c o f is 1 on L12(1), which leaves in the next step,
+// -1 on L21(1), which comes in, and 0 elsewhere. It is also the sum of the functions of the lobes from f^-1(q) to q,
 // with a sign each, however these overlap one another or loop: B(f^-1(q)) becomes B(q) lobe by lobe. So
 //   mu(L12(1)) = (int g^2 + int g) / 2,   mu(L21(1)) = (int g^2 - int g) / 2,
 // and with two boundaries c, d the common area C(n) = int c o f^-n d obeys (Rom-Kedar & Wiggins 1990, in other words)

@@ -147,14 +147,15 @@ TEST(Escape, GoesOnWhereImagesAreCut) {
     EXPECT_EQ(row.cut, row.iterates > 8);
     if (!row.cut) continue;
     ++cut;
-    // What the program gives at ten times the resolution; splits and the mirror image agree with it to the error bars.
+    // The results of the program at ten times the resolution; splits and the mirror image agree with it to the error
+    // bars.
     EXPECT_NEAR(row.fraction, row.iterates == 9 ? 0.0124649 : 0.0081919, row.error);
     EXPECT_LT(row.error, 1e-4);
     if (!(row.other == row.other)) continue;
     EXPECT_NEAR(row.fraction, row.other, 2 * row.error);
   }
   EXPECT_EQ(cut, 3);
-  // What is cut holds all that has not left.
+  // A cut image holds all that has not left.
   for (const Bottleneck& bottleneck : result.bottlenecks) {
     for (const auto* curves : {&bottleneck.entry, &bottleneck.exit}) {
       ASSERT_EQ(curves->size(), 6U);

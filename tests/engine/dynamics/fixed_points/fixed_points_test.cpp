@@ -118,7 +118,7 @@ TEST(FixedPoints, OfTheShipAreNotOnTheEdgeOfTheChart) {
   }
 }
 
-// Of the Henon map the periodic points are known in number: 2^n of f^n for large k, where it is a horseshoe.
+// The number of periodic points of the Henon map is known: 2^n of f^n for large k, where it is a horseshoe.
 TEST(FixedPointSearch, FindsAllOfAHorseshoe) {
   const System system = make_system("henon", {{"k", 6}});
   for (const int period : {1, 2, 3, 4, 5}) {

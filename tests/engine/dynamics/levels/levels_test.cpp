@@ -33,7 +33,7 @@ TEST(LevelGrid, FollowsACircle) {
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_TRUE(curves[0].closed);
   for (const Point& p : curves[0].points) EXPECT_NEAR(std::hypot(p.x, p.y), 1, 1e-15);
-  // What is larger lies outside, on the left: clockwise.
+  // Larger values lie outside, on the left: clockwise.
   EXPECT_NEAR(area_inside(curves[0]), -std::numbers::pi, 1e-3);
   EXPECT_TRUE(grid.curves(-1).empty());
   EXPECT_TRUE(grid.curves(9).empty());

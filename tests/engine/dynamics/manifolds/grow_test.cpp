@@ -201,7 +201,7 @@ TEST(Grow, Stops) {
   const GrownManifold by_memory =
       grow(map, local, Branch::plus, {.tolerance = 1e-6, .length = 1e9, .max_memory = 600'000});
   EXPECT_EQ(by_memory.points, by_points.points);
-  // What there is agrees with a longer run.
+  // The points that there are agree with a longer run.
   const GrownManifold longer = grow(map, local, Branch::plus, {.tolerance = 1e-5, .length = 60});
   ASSERT_GT(longer.points.size(), by_length.generation_begin[2]);
   EXPECT_TRUE(std::equal(by_length.points.begin(),

@@ -1,4 +1,4 @@
-// What holds for the planar map of every system: inverse, derivative, area, action, batches, symmetries.
+// Properties of the planar map of every system: inverse, derivative, area, action, batches, symmetries.
 #include <gtest/gtest.h>
 
 #include <array>

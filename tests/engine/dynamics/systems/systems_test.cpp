@@ -14,7 +14,7 @@
 namespace lober::detail {
 namespace {
 
-/// What make_system says about a request that it refuses.
+/// The message of make_system for a request that it refuses.
 template <typename Refusal>
 std::string system_refusal(const std::string& name, const ParameterValues& values = {}) {
   return test::refusal<Refusal>([&] { static_cast<void>(make_system(name, values)); });
@@ -231,7 +231,8 @@ TEST(Systems, LibrariesDeclareAnglesAndRanges) {
   EXPECT_TRUE(mentions(system_refusal<DataError>(path + "1.so"), "the range of parameter B is empty"));
   EXPECT_TRUE(
       mentions(system_refusal<DataError>(path + "2.so"), "the default of parameter C, 1, is outside of its range"));
-  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "3.so"), "the perturbation is called D, and no parameter is"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "3.so"),
+                       "the perturbation is called D, but no parameter has this name"));
 }
 
 TEST(Systems, RangesInWords) {

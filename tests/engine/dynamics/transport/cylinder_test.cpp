@@ -79,8 +79,8 @@ TEST(OverlapsWithCopy, TheOtherWayRoundForTheOtherTranslation) {
   }
 }
 
-// Of manifolds that hardly stand apart from their translates every sixth point: polygons cross where manifolds do not,
-// which sums over crossings do not allow for. Two lobes have nothing less than nothing in common, and not more than one
+// Takes every sixth point of manifolds that hardly stand apart from their translates: polygons cross where manifolds do
+// not, which sums over crossings do not allow for. The common area of two lobes is not negative, and not more than one
 // of them; bars say what is unknown, but for slivers between arcs as fine as the polygons.
 TEST(OverlapsWithCopy, BarsCoverWherePolygonsCrossTranslates) {
   const System system = make_system("pendulum", {{"eps", 0.6}});
@@ -177,7 +177,7 @@ TEST(CylinderInsides, RowsShareTheirLoops) {
       EXPECT_EQ(found[k].value, alone[k].value) << n << ": " << k;
       EXPECT_EQ(found[k].error, alone[k].error) << n << ": " << k;
     }
-    // Of either boundary the loops to f(q), ..., f^(n - back)(q) and to f^-1(q), ..., f^-back(q), with both insides.
+    // For either boundary the loops to f(q), ..., f^(n - back)(q) and to f^-1(q), ..., f^-back(q), with both insides.
     EXPECT_EQ(rows.loops_taken(), 4 * static_cast<std::size_t>(n)) << n;
   }
 }

@@ -122,8 +122,8 @@ TEST(TangleOfMap, FourPipsAPeriod) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(multilobe->areas_by_action[k], four[k], 1e-11);
 }
 
-// Of the forced oscillators, whose saddles move with the force, against Melnikov's method: the area between two zeros
-// of its integral over the unperturbed separatrix, for small eps.
+// Lobes of the forced oscillators, whose saddles move with the force, against Melnikov's method: the area between two
+// zeros of its integral over the unperturbed separatrix, for small eps.
 TEST(TangleOfMap, LobesOfForcedOscillators) {
   using std::numbers::pi;
   for (const double omega : {1.0, 2.0, 3.0}) {

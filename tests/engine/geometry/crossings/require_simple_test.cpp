@@ -64,7 +64,7 @@ TEST(RequireSimple, FindsOneBadPlaceAmongManySegments) {
   }
 }
 
-// Of many, the first pair counts, whichever thread finds what.
+// The first of many pairs counts, whichever thread finds what.
 TEST(RequireSimple, NamesTheFirstOfManyBadPlaces) {
   Points points(200'000);
   for (std::size_t k = 0; k < points.size(); ++k) {

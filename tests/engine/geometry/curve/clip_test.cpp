@@ -30,7 +30,7 @@ std::vector<Point> wanderer(std::uint32_t seed, std::size_t points) {
   return curve;
 }
 
-// Of a polygon, which may be what is left of one that lies elsewhere: nothing.
+// Winding numbers of a polygon, which may be the rest of one that lies elsewhere: nothing.
 class Windings {
  public:
   explicit Windings(const std::vector<Point>& polygon) {

@@ -30,7 +30,7 @@ struct ExpectedNode {
   unsigned flags = 15;
 };
 
-// Of segments [begin, end), which may reach beyond the curve.
+// The node of segments [begin, end), which may reach beyond the curve.
 ExpectedNode brute_force(const CurveView& curve, std::size_t begin, std::size_t end) {
   ExpectedNode expected;
   if (end > curve.segments()) expected.flags = 0;  // filled up with segments of no length

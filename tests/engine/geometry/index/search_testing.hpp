@@ -1,4 +1,4 @@
-// What a search hands over, recorded and checked, and the brute-force twin of all searches.
+// The pairs that a search hands over, recorded and checked, and the brute-force twin of all searches.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -119,7 +119,7 @@ class Recorder : public PairConsumer {
   }
 
  protected:
-  /// What to answer after the pairs of a leaf.
+  /// The answer after the pairs of a leaf.
   virtual std::uint32_t skip_before(std::uint32_t) { return 0; }
 
  private:

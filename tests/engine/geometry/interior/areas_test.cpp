@@ -57,7 +57,7 @@ Rational box_area(const oracle::CurvePair& pair) {
   return (Rational(high.x) - Rational(low.x)) * (Rational(high.y) - Rational(low.y));
 }
 
-// What is wrong with the areas of a pair; empty if nothing is.
+// The faults in the areas of a pair; empty if there are none.
 std::string complaints(const oracle::CurvePair& pair) {
   std::ostringstream text;
   try {

@@ -44,11 +44,11 @@ TEST(PaperFormulas, DependOnTheOrigin) {
   const std::vector<Point> c1 = loop(1500), c2 = test::circle(1500, {0.9, 0.3}, 0.7);
   EXPECT_NEAR(printed_q3(c1, c2, {0, 0}), 2.154, 2e-3);
   EXPECT_NEAR(printed_q3(c1, c2, {10, 10}), -5.468, 2e-2);
-  // What the two have in common is less than the circle, and does not move.
+  // The common area of the two is less than the circle, and does not move.
   const double common = regions(ClosedCurve::borrow(c1), ClosedCurve::borrow(c2)).areas(FillRule::nonzero).intersection;
   EXPECT_GT(common, 0);
   EXPECT_LT(common, 0.49 * std::numbers::pi);
-  // Of two simple curves the formula is right about any origin.
+  // For two simple curves the formula is right about any origin.
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   std::vector<Point> fine;
   for (std::size_t side = 0; side < 4; ++side) {

@@ -1,4 +1,4 @@
-// What happens at the ends of the range of double.
+// Curves at the ends of the range of double.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -82,7 +82,7 @@ TEST(Rounding, BoundsWhatIsTooThinForItsComputedArea) {
   const Overlay thin = overlay(CurveView{first}, CurveView{second});
   EXPECT_EQ(thin.pieces(Pairing::intersection).size(), 1U);
   EXPECT_GE(thin.rounding.intersection, std::fabs(thin.areas.intersection - 1.8642843967860107e-35));
-  // What is empty is exact: squares side by side, inside each other, the same.
+  // Empty regions are exact: squares side by side, inside each other, the same.
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, beside{{1, 0}, {2, 0}, {2, 1}, {1, 1}},
       within{{0.25, 0.25}, {0.5, 0.25}, {0.5, 0.5}};
   EXPECT_EQ(overlay(CurveView{square}, CurveView{beside}).rounding.intersection, 0);

@@ -59,8 +59,8 @@ TEST(WindingProduct, OfCurvesThatCross) {
   }
 }
 
-// What leads out of the box that both share is cut there, whatever its direction: arcs must not be fitted across the
-// cut.
+// An arc that leads out of the box that both share is cut there, whatever its direction: arcs must not be fitted across
+// the cut.
 TEST(WindingProduct, BarsCoverWhereACurveLeavesTheBoxOfTheOther) {
   int cases = 0;
   double largest = 0;

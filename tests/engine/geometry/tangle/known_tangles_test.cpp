@@ -116,7 +116,7 @@ TEST(KnownTangle, LabelsFollowTheBip) {
   EXPECT_EQ(text(label(3)), text({label(3).from, label(3).to, 1}));
   EXPECT_NE(label(3).from, label(4).from);
   EXPECT_EQ(label(3).from, label(5).from);
-  // What leaves has been inside so far: the turnstile lobe that lies inside the boundary.
+  // Fluid that leaves has been inside so far: the turnstile lobe that lies inside the boundary.
   for (const std::size_t k : {std::size_t{3}, std::size_t{4}}) {
     EXPECT_EQ(found.lobes[k].inside > 0, label(k).from == 1);
   }
