@@ -28,8 +28,8 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/batch.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/files.hpp"
-#include "lober/overlay.hpp"
+#include "lober/curve/files.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::bench {
 using namespace lober::detail;

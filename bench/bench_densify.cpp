@@ -9,7 +9,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/densify.hpp"
+#include "lober/curve/densify.hpp"
 
 namespace lober::detail {
 namespace {

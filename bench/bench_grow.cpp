@@ -8,8 +8,8 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/manifolds.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/manifolds.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::detail {
 namespace {

@@ -14,7 +14,7 @@
 #include "engine/geometry/index/box_tree.hpp"
 #include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober::detail {
 namespace {

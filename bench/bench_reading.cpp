@@ -10,8 +10,8 @@
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/crossings/contacts.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::detail {
 namespace {

@@ -36,10 +36,10 @@
 #include "engine/base/input_guard.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "kernels/cpu.hpp"
-#include "lober/agreement.hpp"
-#include "lober/cancellation.hpp"
-#include "lober/error.hpp"
-#include "lober/version.hpp"
+#include "lober/base/agreement.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/version.hpp"
 
 namespace lober::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernels/inline.hpp"
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
 
 namespace lober::detail {
 

@@ -8,7 +8,7 @@
 
 #include "kernels/double_double.hpp"
 #include "kernels/point.hpp"
-#include "lober/counts.hpp"
+#include "lober/overlay/counts.hpp"
 
 namespace lober::detail {
 

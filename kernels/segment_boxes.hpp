@@ -6,7 +6,7 @@
 
 #include "kernels/box.hpp"
 #include "kernels/leaf.hpp"
-#include "lober/segment_pair.hpp"
+#include "lober/overlay/segment_pair.hpp"
 
 namespace lober::detail {
 

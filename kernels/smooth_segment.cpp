@@ -159,7 +159,8 @@ SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p) {
     const double next = std::max(3 * std::fabs(demands.change_of_area()), change * change / std::fabs(area));
     if (next < change) unknown = next;
   }
-  segment.error = square * (unknown + 0x1p-50);
+  segment.error = square * (unknown + 0x1p-50) +
+                  chord.length * (SmoothLimits::rounding * std::max(std::fabs(p[3].x), std::fabs(p[3].y)));
   const double at_one = g[0] + g[1] + g[2] + g[3];
   const bool wavers = shape.changes_of_sign(first, last) > 1 || shape.changes_of_sign(0, 7) > 2;
   if (wavers || !(std::fabs(g[0]) < 1 && std::fabs(at_one) < 1)) {

@@ -43,14 +43,18 @@ struct SmoothSegment {
 /// `error` is what the third vertices on either side would change, three times, which is the error of this formula to
 /// leading order, and no less than the changes of orders before let expect; at most, and where these vertices are of no
 /// use, the change when g loses its farther vertices, the error of a formula of order h^5, three times it where some of
-/// those are of no use either; and rounding. Where the segment stays straight it is the size of the chord-to-arc area
-/// that was rejected, or that its turns let expect, none at corners. Plain double; 200 operations.
+/// those are of no use either; and rounding, that of the vertices given too. Where the segment stays straight it is the
+/// size of the chord-to-arc area that was rejected, or that its turns let expect, none at corners. Plain double; 200
+/// operations.
 [[nodiscard]] SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p);
 
 /// The limits that it names.
 struct SmoothLimits {
   static constexpr double cosine_of_corner = 0.70710678118654757, cosine_of_stray = 0.34202014332566873;
   static constexpr double outstanding = 8, uneven = 8;
+  // Rounding of vertices: half an ulp or a quarter for each segment, added up, is four standard deviations of the sum
+  // from a few dozen segments on.
+  static constexpr double rounding = 0x1p-54;
 };
 
 /// The chord_area(1), the error, and whether the kind is smooth, for `count` segments in a row: the same bits as

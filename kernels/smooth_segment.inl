@@ -126,7 +126,8 @@ inline unsigned fit_four(const Stretch& stretch, std::size_t at, Lanes& area, La
   const Lanes whole = area_of(g), change = absolute(whole - area_of(less));
   const Lanes next = greater(splat(3) * absolute(change_of_area), change * change / absolute(whole));
   const LaneMask better = farther & (next < change);
-  error = square * ((better ? next : change) + splat(0x1p-50));
+  error = square * ((better ? next : change) + splat(0x1p-50)) +
+          own * (splat(SmoothLimits::rounding) * greater(absolute(from_x), absolute(from_y)));
   of_use &= (absolute(g[0]) < splat(1)) & (absolute(g[0] + g[1] + g[2] + g[3]) < splat(1));
   const Lanes f2 = g[0] - g[1], f3 = g[1] - g[2], f4 = g[2] - g[3], f5 = g[3];
   area = (x * x + y * y) * (f2 / splat(3) + (f3 / splat(2) + (f4 * splat(0.6) + f5 * splat(2.0 / 3))));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
 
 namespace lober {
 

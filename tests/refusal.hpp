@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::test {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
 
 namespace lober::test {
 

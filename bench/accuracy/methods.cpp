@@ -7,9 +7,9 @@
 #include "engine/geometry/index/box_tree.hpp"
 #include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
-#include "lober/smooth.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/smooth.hpp"
 
 namespace lober::bench {
 using namespace lober::detail;

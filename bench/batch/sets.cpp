@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::bench {
 namespace {

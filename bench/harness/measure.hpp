@@ -7,7 +7,7 @@
 
 #include "bench/scenes/scenes.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::bench {
 using namespace lober::detail;

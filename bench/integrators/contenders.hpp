@@ -15,7 +15,7 @@
 #include "bench/integrators/period_run.hpp"
 #include "bench/integrators/problem.hpp"
 #include "bench/integrators/span_run.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::bench {
 

@@ -11,7 +11,7 @@
 #include "engine/dynamics/systems/fields/duffing.hpp"
 #include "engine/dynamics/systems/fields/three_body.hpp"
 #include "engine/dynamics/systems/fields/vortex_pair.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::bench {
 

@@ -17,8 +17,8 @@
 #include "engine/batch/export/export.hpp"
 #include "engine/batch/forecast.hpp"
 #include "engine/batch/plan_outputs.hpp"
-#include "lober/cancellation.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

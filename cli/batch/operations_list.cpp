@@ -8,8 +8,8 @@
 #include "cli/program/option_parser.hpp"
 #include "cli/report/json_file.hpp"
 #include "cli/report/report.hpp"
+#include "lober/base/error.hpp"
 #include "lober/batch.hpp"
-#include "lober/error.hpp"
 
 namespace lober::cli {
 namespace {

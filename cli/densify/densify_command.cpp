@@ -12,7 +12,7 @@
 #include "cli/report/outcome_json.hpp"
 #include "cli/report/point_file.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

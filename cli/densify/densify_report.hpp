@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/report/json.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::cli {

@@ -14,10 +14,10 @@
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/cancellation.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "cli/escape/escape_report.hpp"
 #include "cli/report/text.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

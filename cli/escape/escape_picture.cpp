@@ -7,9 +7,9 @@
 
 #include "cli/escape/escape_report.hpp"
 #include "cli/report/svg.hpp"
-#include "lober/error.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
 
 namespace lober::cli {
 namespace {

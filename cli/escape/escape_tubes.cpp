@@ -8,9 +8,9 @@
 #include "cli/escape/escape_report.hpp"
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
-#include "lober/tube_surface.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
+#include "lober/dynamics/tube_surface.hpp"
 
 namespace lober::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

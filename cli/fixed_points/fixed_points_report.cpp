@@ -8,7 +8,7 @@
 #include "cli/program/system_options.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/text.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

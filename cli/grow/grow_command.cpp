@@ -14,8 +14,8 @@
 #include "cli/report/outcome_json.hpp"
 #include "cli/report/point_file.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/cancellation.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

@@ -39,6 +39,8 @@ std::string end_of_growth(const GrownManifold& manifold) {
       return "at the length asked for";
     case GrowthStop::points:
       return "at a limit, of --max-points or --memory, before what was asked for";
+    case GrowthStop::work:
+      return "at the limit of work, before what was asked for; --max-work allows more";
     case GrowthStop::ended:
       return "in another fixed point: two iterates added less than the tolerance";
     case GrowthStop::failed:

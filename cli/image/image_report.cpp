@@ -42,6 +42,8 @@ std::string remarks(const ImageReport& report) {
     }
     if (one.image.stop == GrowthStop::points) {
       text += fmt::format("{:<6} ends early: --max-points is reached\n", one.name());
+    } else if (one.image.stop == GrowthStop::work) {
+      text += fmt::format("{:<6} is left out: --max-work is reached\n", one.name());
     }
   }
   return text;

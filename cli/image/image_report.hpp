@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/report/report.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::cli {

@@ -7,7 +7,7 @@
 #include "cli/interior/interior_report.hpp"
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/error.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

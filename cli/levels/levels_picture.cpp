@@ -8,7 +8,7 @@
 #include "cli/report/cells.hpp"
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 std::string levels_table(const LevelsReport& report) {

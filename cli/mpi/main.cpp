@@ -21,7 +21,7 @@
 #include "cli/program/log.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/plan_outputs.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

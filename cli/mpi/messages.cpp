@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program/log.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "engine/batch/operations/result.hpp"
 #include "engine/batch/plan_outputs.hpp"
 #include "engine/batch/work_queue.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/regions_report.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "cli/program/output_names.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/files/curve_spec.hpp"
-#include "lober/error.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cli/program/option_parser.hpp"
-#include "lober/point.hpp"
-#include "lober/tangle.hpp"
+#include "lober/curve/point.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::cli {
 

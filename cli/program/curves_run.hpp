@@ -11,7 +11,7 @@
 #include "cli/program/option_parser.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/report/json.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::cli {

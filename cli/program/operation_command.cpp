@@ -16,9 +16,9 @@
 #include "cli/report/outcome_table.hpp"
 #include "cli/report/point_file.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/edit_distance.hpp"
 #include "cli/report/text.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "lober/error.hpp"
-#include "lober/files.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "cli/program/option_parser.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "cli/program/interrupt.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::cli {
 

@@ -6,8 +6,8 @@
 
 #include "cli/program/option_parser.hpp"
 #include "cli/report/json.hpp"
+#include "lober/dynamics/systems.hpp"
 #include "lober/operations.hpp"
-#include "lober/systems.hpp"
 
 namespace lober::cli {
 

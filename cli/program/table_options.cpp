@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::cli {
 namespace {

@@ -13,9 +13,9 @@
 #include "cli/program/progress.hpp"
 #include "cli/report/text.hpp"
 #include "engine/files/number.hpp"
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
 
 namespace lober::cli {
 namespace {

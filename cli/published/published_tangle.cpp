@@ -13,7 +13,7 @@
 #include "cli/report/text.hpp"
 #include "cli/tangle/tangle_report.hpp"
 #include "engine/files/tecplot.hpp"
-#include "lober/drawing.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
 namespace {

@@ -1,11 +1,11 @@
-// Texts of every command where two independent routes lead to one quantity (engine/lober/agreement.hpp).
+// Texts of every command where two independent routes lead to one quantity (engine/lober/base/agreement.hpp).
 #pragma once
 
 #include <string>
 
 #include "cli/report/json.hpp"
 #include "cli/report/json_file.hpp"
-#include "lober/agreement.hpp"
+#include "lober/base/agreement.hpp"
 
 namespace lober::cli {
 

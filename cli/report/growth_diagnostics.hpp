@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "lober/manifolds.hpp"
+#include "lober/dynamics/manifolds.hpp"
 
 namespace lober::cli {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lober/version.hpp"
+#include "lober/base/version.hpp"
 
 namespace lober::cli {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "cli/report/svg.hpp"
-#include "lober/drawing.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
 

@@ -5,8 +5,8 @@
 
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
 
 namespace lober::cli {
 

@@ -1,7 +1,7 @@
 #include "cli/report/point_file.hpp"
 
 #include "cli/program/output_names.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 

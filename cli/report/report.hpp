@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "lober/areas.hpp"
-#include "lober/crossings.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
+#include "lober/overlay/areas.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::cli {
 

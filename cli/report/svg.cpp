@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cli/report/text.hpp"
-#include "lober/drawing.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
 namespace {

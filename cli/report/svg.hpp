@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/operations/picture_size.hpp"
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
 
 namespace lober::cli {
 

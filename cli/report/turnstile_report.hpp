@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::cli {
 

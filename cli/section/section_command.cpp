@@ -16,7 +16,7 @@
 #include "cli/report/svg.hpp"
 #include "cli/section/section_output.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

@@ -10,8 +10,8 @@
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
 #include "engine/files/binary_file.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 namespace {

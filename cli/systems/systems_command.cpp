@@ -9,8 +9,8 @@
 #include "cli/program/option_parser.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/json_file.hpp"
-#include "lober/fixed_points.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/fixed_points.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "cli/report/agreement_report.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

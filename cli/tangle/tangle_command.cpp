@@ -20,7 +20,7 @@
 #include "cli/tangle/tangle_outputs.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/files/curve_spec.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

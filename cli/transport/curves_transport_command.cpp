@@ -13,8 +13,8 @@
 #include "cli/tangle/tangle_report.hpp"
 #include "cli/transport/transport_report.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/error.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

@@ -19,8 +19,8 @@
 #include "cli/transport/sweep_report.hpp"
 #include "cli/transport/transport_report.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/error.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include "cli/report/report.hpp"
 #include "cli/report/svg.hpp"
 #include "cli/transport/transport_report.hpp"
-#include "lober/error.hpp"
-#include "lober/overlay.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::cli {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "cli/program/system_options.hpp"
 #include "cli/report/report.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::cli {

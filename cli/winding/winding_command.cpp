@@ -13,8 +13,8 @@
 #include "cli/report/svg.hpp"
 #include "cli/winding/winding_report.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/drawing.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "lober/buffer.hpp"
-#include "lober/files.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::cli {

@@ -1,4 +1,4 @@
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 #include <string>
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

@@ -1,4 +1,4 @@
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 #include <tbb/scalable_allocator.h>
 

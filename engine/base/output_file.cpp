@@ -15,7 +15,7 @@
 
 #include "engine/base/input_guard.hpp"
 #include "engine/base/path_text.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

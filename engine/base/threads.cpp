@@ -1,10 +1,10 @@
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/thread_limit.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "engine/base/stopwatch.hpp"
-#include "lober/cancellation.hpp"
-#include "lober/error.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

@@ -1,4 +1,4 @@
-#include "lober/version.hpp"
+#include "lober/base/version.hpp"
 
 #define LOBER_TEXT_OF(number) #number
 #define LOBER_TEXT(number) LOBER_TEXT_OF(number)

@@ -8,7 +8,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/export/export.hpp"
-#include "lober/cancellation.hpp"
+#include "lober/base/cancellation.hpp"
 
 namespace lober {
 using namespace detail;

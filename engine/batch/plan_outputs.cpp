@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

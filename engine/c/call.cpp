@@ -4,9 +4,9 @@
 #include <new>
 #include <utility>
 
-#include "lober/error.hpp"
-#include "lober/threads.hpp"
-#include "lober/version.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
+#include "lober/base/version.hpp"
 
 namespace lober::detail::c {
 namespace {

@@ -9,7 +9,7 @@
 #include "engine/c/options.hpp"
 #include "engine/c/progress.hpp"
 #include "engine/c/result.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail::c {
 

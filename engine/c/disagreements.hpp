@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lober/agreement.hpp"
+#include "lober/base/agreement.hpp"
 #include "lober/lober.h"
 
 namespace lober::detail::c {

@@ -1,8 +1,8 @@
 // Curves of files, for C.
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 #include "engine/c/call.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 int lober_read(const char* spec, const char* options, lober_result** result) {
   using namespace lober::detail::c;

@@ -9,8 +9,8 @@
 #include "engine/c/call.hpp"
 #include "engine/c/disagreements.hpp"
 #include "engine/c/model.hpp"
-#include "lober/error.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::detail::c {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lober/threads.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::detail::c {
 

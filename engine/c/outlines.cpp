@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "engine/c/call.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::c {
 namespace {

@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <thread>
 
-#include "lober/cancellation.hpp"
-#include "lober/error.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
 #include "lober/lober.h"
 
 namespace lober::detail::c {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/c/call.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 using lober::Point;
 

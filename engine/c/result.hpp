@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "lober/lober.h"
-#include "lober/overlay.hpp"
-#include "lober/tangle.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/tangle/tangle.hpp"
 
 struct lober_result {
  public:

@@ -7,8 +7,8 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/c/call.hpp"
 #include "engine/c/model.hpp"
-#include "lober/cancellation.hpp"
-#include "lober/error.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::c {
 namespace {

@@ -7,7 +7,7 @@
 //   lober_system.h     the C interface by which users add systems
 #pragma once
 
-#include "lober/fixed_points.hpp"
-#include "lober/flow.hpp"
-#include "lober/planar_map.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/fixed_points.hpp"
+#include "lober/dynamics/flow.hpp"
+#include "lober/dynamics/planar_map.hpp"
+#include "lober/dynamics/systems.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "engine/files/sniff.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober {
 using namespace detail;

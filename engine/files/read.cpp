@@ -14,7 +14,7 @@
 #include "engine/files/read_memory.hpp"
 #include "engine/files/sniff.hpp"
 #include "engine/files/text_file.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober {
 using namespace detail;

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "engine/base/input_guard.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober {
 using namespace detail;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

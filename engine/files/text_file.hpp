@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 

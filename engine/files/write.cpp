@@ -10,7 +10,7 @@
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/files/binary_file.hpp"
 #include "engine/files/tecplot.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober {
 using namespace detail;

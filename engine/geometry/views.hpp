@@ -5,11 +5,11 @@
 
 #include <optional>
 
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
-#include "lober/smooth.hpp"
-#include "lober/tangle.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/overlay/smooth.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::detail {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lober/export.hpp"
+#include "lober/base/export.hpp"
 
 namespace lober {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/base/quantities.hpp"
-#include "lober/error.hpp"
-#include "lober/orbits.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/orbits.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/operations/describe.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

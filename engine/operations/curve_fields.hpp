@@ -2,9 +2,9 @@
 #pragma once
 
 #include "engine/operations/describe.hpp"
-#include "lober/areas.hpp"
-#include "lober/counts.hpp"
-#include "lober/crossings.hpp"
+#include "lober/overlay/areas.hpp"
+#include "lober/overlay/counts.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::detail::table {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

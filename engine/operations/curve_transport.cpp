@@ -5,7 +5,7 @@
 #include "engine/operations/curves_tangle.hpp"
 #include "engine/operations/table.hpp"
 #include "engine/operations/transport_fields.hpp"
-#include "lober/transport.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober::detail::table {
 using namespace operations;
@@ -72,7 +72,8 @@ Outcome run_curve_transport(std::span<const Input> inputs, const Options& option
         (found.steps.empty() ? "no n" : "n = 1 to " + std::to_string(found.steps.size())) + of + ": " + found.limit;
   }
   Outcome outcome = outcome_of(std::move(found), options);
-  outcome.remarks.insert(outcome.remarks.begin(), tangle.remarks.begin(), tangle.remarks.end());
+  const std::vector<std::string>& remarks = outcome.as<CurveTransport>().remarks;
+  outcome.remarks.insert(outcome.remarks.begin(), remarks.begin(), remarks.end());
   return outcome;
 }
 

@@ -1,7 +1,7 @@
 #include "engine/operations/curves_tangle.hpp"
 
 #include "engine/operations/curve_of.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/operations/describe.hpp"
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

@@ -1,5 +1,5 @@
 // `escape`: the fraction that leaves a potential well through its bottlenecks, and when. Its value is a SystemEscape.
-#include "lober/escape.hpp"
+#include "lober/transport/escape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "engine/operations/escape_choice.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 namespace {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 namespace {

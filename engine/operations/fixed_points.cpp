@@ -1,5 +1,5 @@
 // `fixed_points`: fixed and periodic points of a system's map in a box. Its value is a SystemFixedPoints.
-#include "lober/fixed_points.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 #include "engine/operations/describe.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 namespace {

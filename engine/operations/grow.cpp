@@ -6,10 +6,11 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/operations/describe.hpp"
 #include "engine/operations/growth_fields.hpp"
+#include "engine/operations/growth_options.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/error.hpp"
-#include "lober/fixed_points.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 namespace lober::detail::table {
 using namespace operations;
@@ -17,6 +18,7 @@ namespace {
 
 // An optional one takes the place of what GrowthOptions has for it.
 struct GrowHow : GrowthOptions {
+  GrowHow() { max_work = unasked_work; }
   ManifoldSide side = ManifoldSide::unstable;
   std::optional<Point> from{};
   std::optional<std::string> branch{};
@@ -58,7 +60,7 @@ const OptionList<GrowHow>& grow_options() {
                 {.min = 2, .value = "N"})
         .option("max_memory", &GrowHow::max_memory, "memory in bytes at which growing ends",
                 {.min = 1, .otherwise = "no limit", .value = "BYTES"});
-    return list;
+    return add_work_option(list);
   }();
   return options;
 }
@@ -89,7 +91,7 @@ Schema<GrownManifold> growth_schema() {
       .field("length", "length", "length of the polygon, without parts outside the box", &GrownManifold::length)
       .field("iterates", "", "images of the local manifold",
              [](const GrownManifold& m) { return m.generation_begin.size() - 2; })
-      .field("stop", "", "why growing ended: iterates, length, points, ended or failed",
+      .field("stop", "", "why growing ended: iterates, length, points, work, ended or failed",
              [](const GrownManifold& m) { return std::string(name(m.stop)); })
       .field("generations", "", "first point of each image of the local manifold",
              [](const GrownManifold& m) {
@@ -207,6 +209,7 @@ GrowthOptions growth_of(const GrowHow& how, const Context& context) {
 std::string incomplete(const GrownManifold& grown) {
   const std::string begin = "the manifold ends early, with " + std::to_string(grown.points.size()) + " points, since ";
   if (grown.stop == GrowthStop::points) return begin + "max_points allows no more; give a larger max_points";
+  if (grown.stop == GrowthStop::work) return begin + "max_work allows no more; give a larger max_work";
   if (grown.stop == GrowthStop::failed) return begin + "no point has an image near by";
   return {};
 }

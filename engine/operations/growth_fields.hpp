@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/operations/describe.hpp"
-#include "lober/manifolds.hpp"
+#include "lober/dynamics/manifolds.hpp"
 
 namespace lober::detail::table {
 

@@ -8,13 +8,14 @@
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/describe.hpp"
 #include "engine/operations/growth_fields.hpp"
+#include "engine/operations/growth_options.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
 #include "kernels/elementary.hpp"
-#include "lober/drawing.hpp"
-#include "lober/error.hpp"
-#include "lober/manifold_tangle.hpp"
-#include "lober/manifolds.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/drawing.hpp"
+#include "lober/dynamics/manifolds.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::operations {
 
@@ -32,6 +33,7 @@ using FollowedImage = CurveImages::One;
 
 // Some take the place of what ImageOptions has for them.
 struct ImageHow : ImageOptions {
+  ImageHow() { max_work = unasked_work; }
   bool closed = true, boundary = false;
   std::optional<std::vector<double>> circle{};
   std::optional<Rectangle> rectangle{}, box_given{};
@@ -70,7 +72,7 @@ const OptionList<ImageHow>& image_options() {
                 {.otherwise = "the box of the curve and of the system's window, three times as wide and high"})
         .option("max_points", &How::max_points, "maximum number of points of an image, at which it ends",
                 {.min = 2, .max = 2'147'483'646, .value = "N"});
-    return list;
+    return add_work_option(list);
   }();
   return options;
 }
@@ -122,8 +124,9 @@ std::vector<Field> image_fields() {
       .field("area", "area", "signed area of an image that is whole and meets the tolerance everywhere",
              &FollowedImage::area)
       .or_null()
-      .field("complete", "", "whether max_points sufficed for all of it",
-             [](const FollowedImage& o) { return o.image.stop != GrowthStop::points; })
+      .field(
+          "complete", "", "whether max_points and max_work sufficed for all of it",
+          [](const FollowedImage& o) { return o.image.stop != GrowthStop::points && o.image.stop != GrowthStop::work; })
       .list("parts", "curves between gaps", part, &FollowedImage::parts)
       .list("diagnostics", "segments that do not meet the tolerance, by cause", diagnostic, diagnostics_by_cause)
       .field("polygon", "length", "the points",
@@ -342,6 +345,8 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
     if (one.image.stop == GrowthStop::points) {
       outcome.incomplete = one.name() + " ends early, with " + std::to_string(one.image.points.size()) +
                            " points, since max_points allows no more; give a larger max_points";
+    } else if (one.image.stop == GrowthStop::work) {
+      outcome.incomplete = one.name() + " is left out, since max_work allows no more; give a larger max_work";
     } else if (one.image.stop == GrowthStop::failed) {
       outcome.incomplete = one.name() + " ends early: no point has an image near by";
     }

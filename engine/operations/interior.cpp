@@ -1,11 +1,11 @@
 // The areas of two curves by way of the interior function.
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/operations/curve_fields.hpp"
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

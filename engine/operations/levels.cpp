@@ -1,5 +1,5 @@
 // `levels`: level curves of the energy of a flow. Its value is a SystemLevels.
-#include "lober/levels.hpp"
+#include "lober/dynamics/levels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "engine/operations/picture_size.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::operations {
 

@@ -1,5 +1,5 @@
 // The tangle of a system's manifolds, which are grown from its equations.
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/operations/describe.hpp"
-#include "lober/melnikov.hpp"
+#include "lober/transport/melnikov.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "engine/base/text.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::operations {

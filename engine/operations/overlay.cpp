@@ -1,5 +1,5 @@
 // The overlay of two closed curves.
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/overlay_fields.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

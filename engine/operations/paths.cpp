@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::operations {

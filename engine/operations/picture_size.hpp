@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
 
 namespace lober::detail {
 

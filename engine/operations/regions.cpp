@@ -1,5 +1,5 @@
 // Regions of curves that may cross themselves.
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 
 #include "engine/operations/curve_fields.hpp"
 #include "engine/operations/curve_of.hpp"

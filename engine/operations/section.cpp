@@ -6,8 +6,8 @@
 #include "engine/operations/picture_size.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/error.hpp"
-#include "lober/orbits.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/orbits.hpp"
 
 namespace lober::operations {
 

@@ -1,5 +1,5 @@
 // `sweep`: the turnstile of a system, value by value of a parameter. Its value is a SystemSweep.
-#include "lober/sweep.hpp"
+#include "lober/transport/sweep.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include "engine/operations/melnikov.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 namespace {

@@ -1,6 +1,6 @@
 #include "engine/operations/system_of.hpp"
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/operations/curve_of.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::operations {
 namespace {

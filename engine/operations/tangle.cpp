@@ -1,5 +1,5 @@
 // The tangle of two manifolds that are given as curves.
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/curves_tangle.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/operations/describe.hpp"
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

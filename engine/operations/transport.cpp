@@ -1,6 +1,6 @@
 // `transport`: what leaves a region of a system, iterate by iterate, from its equations alone. Its value is a
 // Transport.
-#include "lober/transport.hpp"
+#include "lober/transport/transport.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/operations/describe.hpp"
-#include "lober/transport.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

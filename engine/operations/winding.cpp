@@ -7,7 +7,7 @@
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/describe.hpp"
 #include "engine/operations/table.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "lober/agreement.hpp"
+#include "lober/base/agreement.hpp"
 
 namespace lober::python {
 

@@ -1,7 +1,7 @@
 #include "python/bindings/areas.hpp"
 
-#include "lober/areas.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/areas.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "lober/index.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/index.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::python {
 

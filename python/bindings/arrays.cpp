@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace py = pybind11;
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "lober/buffer.hpp"
-#include "lober/curve.hpp"
-#include "lober/point.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/point.hpp"
 
 namespace lober::python {
 

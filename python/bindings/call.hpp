@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "lober/cancellation.hpp"
-#include "lober/error.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::python {
 

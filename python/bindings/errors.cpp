@@ -2,8 +2,8 @@
 
 #include <exception>
 
-#include "lober/agreement.hpp"
-#include "lober/error.hpp"
+#include "lober/base/agreement.hpp"
+#include "lober/base/error.hpp"
 
 namespace py = pybind11;
 

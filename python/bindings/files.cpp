@@ -1,4 +1,4 @@
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 #include <pybind11/stl.h>
 

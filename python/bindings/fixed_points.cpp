@@ -1,4 +1,4 @@
-#include "lober/fixed_points.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>

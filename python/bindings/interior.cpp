@@ -1,4 +1,4 @@
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "lober/manifolds.hpp"
+#include "lober/dynamics/manifolds.hpp"
 
 #include <pybind11/stl.h>
 

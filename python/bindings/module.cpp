@@ -2,7 +2,7 @@
 // lober gives them names, defaults and documentation.
 #include "python/bindings/module.hpp"
 
-#include "lober/version.hpp"
+#include "lober/base/version.hpp"
 #include "python/bindings/areas.hpp"
 #include "python/bindings/errors.hpp"
 #include "python/bindings/nodes.hpp"

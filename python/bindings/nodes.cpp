@@ -1,6 +1,6 @@
 #include "python/bindings/nodes.hpp"
 
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 #include "python/bindings/arrays.hpp"
 
 namespace py = pybind11;

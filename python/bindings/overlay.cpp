@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 
-#include "lober/overlay.hpp"
-#include "lober/smooth.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/smooth.hpp"
 #include "python/bindings/areas.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <limits>
 
-#include "lober/cancellation.hpp"
-#include "lober/error.hpp"
-#include "lober/planar_map.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/planar_map.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/module.hpp"
 #include "python/bindings/system.hpp"

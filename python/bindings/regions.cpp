@@ -1,4 +1,4 @@
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 
 #include <pybind11/stl.h>
 

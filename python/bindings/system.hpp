@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::python {
 

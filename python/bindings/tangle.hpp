@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::python {
 

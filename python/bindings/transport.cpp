@@ -1,5 +1,5 @@
 // Tangles grown from a map.
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 #include <pybind11/stl.h>
 

@@ -37,9 +37,9 @@ class CurveTransportRegions:
 class CurveTransportTurnstile:
     """Lobes and fluxes."""
 
-    #: Of what leaves the region inside in one step (unit: area).
+    #: Area that leaves the region inside in one step (unit: area).
     flux12: Measured
-    #: Of what enters it in one step (unit: area).
+    #: Area that enters the region inside in one step (unit: area).
     flux21: Measured
     #: Sum of the lobes that leave, each counted fully (unit: area).
     lobe_area12: Measured
@@ -58,15 +58,15 @@ class CurveTransportTurnstile:
 
 @dataclass(frozen=True)
 class CurveTransportStepsOverlaps:
-    """Of the lobes of the first turnstile with images of its lobes. A column each."""
+    """Common areas of the lobes of the first turnstile with images of its lobes. A column each."""
 
-    #: Of L12(1) and f^(n-1) L12(1) (unit: area).
+    #: Common area of L12(1) and f^(n-1) L12(1) (unit: area).
     L12_L12: NDArray[np.float64]
-    #: Of L12(1) and f^(n-1) L21(1) (unit: area).
+    #: Common area of L12(1) and f^(n-1) L21(1) (unit: area).
     L12_L21: NDArray[np.float64]
-    #: Of L21(1) and f^(n-1) L12(1) (unit: area).
+    #: Common area of L21(1) and f^(n-1) L12(1) (unit: area).
     L21_L12: NDArray[np.float64]
-    #: Of L21(1) and f^(n-1) L21(1) (unit: area).
+    #: Common area of L21(1) and f^(n-1) L21(1) (unit: area).
     L21_L21: NDArray[np.float64]
 
     @classmethod
@@ -89,7 +89,7 @@ class CurveTransportSteps:
     a: Measured
     #: T21(n) by lobes (unit: area).
     T: Measured
-    #: Of L12(1) and f^(n-1) L21(1) (unit: area).
+    #: Common area of L12(1) and f^(n-1) L21(1) (unit: area).
     overlap: NDArray[np.float64]
     #: T21(n) by boundaries (unit: area).
     T_by_boundaries: Measured
@@ -99,11 +99,11 @@ class CurveTransportSteps:
     a12: Measured
     #: A21(n) = T21(n) - T21(n - 1) (unit: area).
     a21: Measured
-    #: Area of what was in R1 and is in R2 after n iterates, by lobes (unit: area).
+    #: Area of the fluid from R1 that is in R2 after n iterates, by lobes (unit: area).
     T12: Measured
-    #: Area of what was in R2 and is in R1 after n iterates, by lobes (unit: area).
+    #: Area of the fluid from R2 that is in R1 after n iterates, by lobes (unit: area).
     T21: Measured
-    #: Of the lobes of the first turnstile with images of its lobes.
+    #: Common areas of the lobes of the first turnstile with images of its lobes.
     overlaps: CurveTransportStepsOverlaps
     #: T21(n) counted, with one standard deviation (unit: area).
     T_by_particles: Measured
@@ -144,7 +144,7 @@ class CurveTransportStop:
 
     #: Curves: they reach no farther.
     reason: str | None
-    #: In words.
+    #: The reason in words.
     why: str | None
 
     @classmethod
@@ -157,7 +157,7 @@ class CurveTransportStop:
 
 @dataclass(frozen=True)
 class CurveTransportError:
-    """Error bars of T21(n) and what speaks for them."""
+    """Error bars of T21(n) and the checks that support them."""
 
     #: Estimate of |T - true T| by lobes, integration and rounding included; worst step (unit: area).
     discretisation: float
@@ -180,13 +180,13 @@ class CurveTransportError:
 
 @dataclass(frozen=True)
 class CurveTransport:
-    """What `curve_transport` returns."""
+    """The result of `curve_transport`."""
 
     #: Number of pips from one to its image.
     period: int
     #: R1, R2.
     regions: CurveTransportRegions
-    #: Of what the boundary encloses (unit: area).
+    #: Area that the boundary encloses (unit: area).
     enclosed: Measured
     #: Lobes and fluxes.
     turnstile: CurveTransportTurnstile | None
@@ -194,9 +194,9 @@ class CurveTransport:
     steps: CurveTransportSteps
     #: Why there are fewer rows than were asked for.
     stop: CurveTransportStop | None
-    #: What to know of the result.
+    #: Remarks on the result.
     remarks: list[str]
-    #: Error bars of T21(n) and what speaks for them.
+    #: Error bars of T21(n) and the checks that support them.
     error: CurveTransportError | None
     #: By independent routes.
     agreement: Agreement
@@ -233,14 +233,14 @@ def curve_transport(
     """Computes the transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n)
     by lobes and by boundaries, for as many n as there are images of the bip on the curves. No map is needed.
 
-    `u`: the unstable manifold, outward from its fixed point; `s`: the stable manifold, likewise; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
+    `u`: the unstable manifold, outward from its fixed point; `s`: the stable manifold, outward from its fixed point; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
 
     iterates: number of iterates n up to which the table goes, or as far as the curves reach; n takes n images
         of the bip on them; default: as far as the curves reach
     bip: number of the boundary intersection point, the pip at which the boundary passes from U to S, from 0;
-        default: that nearest to bip_near, or the middle one
-    period: number of pips from one to its image, at most that of lobes, even where lobes alternate; default:
-        inferred from the areas
+        default: the pip nearest to bip_near, or the middle one
+    period: number of pips from one to its image, at most the number of lobes, and even where lobes alternate;
+        default: inferred from the areas
     bip_near: point near it; default: none
     closure: corners of the path that closes the boundary, from the fixed point of S to that of U; default: the
         straight line
@@ -261,13 +261,13 @@ def curve_transport(
 
 @dataclass(frozen=True)
 class DensifySteps:
-    """What was done, in order. A column each."""
+    """The steps in order. A column each."""
 
     #: Simplify, criteria, passes or crossings.
     step: list[str | None]
-    #: Number of points after it.
+    #: Number of points after the step.
     points: NDArray[Any]
-    #: In which points were inserted or removed.
+    #: Number of rounds in which points were inserted or removed.
     rounds: NDArray[Any]
 
     @classmethod
@@ -281,11 +281,11 @@ class DensifySteps:
 
 @dataclass(frozen=True)
 class DensifyResult:
-    """The curve that comes out."""
+    """The resulting curve."""
 
     #: Number of points.
     points: int
-    #: Whether the last one is joined to the first.
+    #: Whether the last point is joined to the first one.
     closed: bool
 
     @classmethod
@@ -302,7 +302,7 @@ class DensifyAgainst:
 
     #: Number of points.
     points: int
-    #: Whether the last one is joined to the first.
+    #: Whether the last point is joined to the first one.
     closed: bool
 
     @classmethod
@@ -315,7 +315,7 @@ class DensifyAgainst:
 
 @dataclass(frozen=True)
 class DensifyDiagnosticsCounts:
-    """Places by cause, of those that there are."""
+    """Number of places by cause, for each cause that occurs."""
 
     #: Number of places.
     min_length: int
@@ -338,11 +338,11 @@ class DensifyDiagnosticsCounts:
 
 @dataclass(frozen=True)
 class DensifyDiagnosticsList:
-    """In order along the result; empty where a later step has changed the numbers of segments. A column each."""
+    """Places in order along the result; empty where a later step has changed the numbers of segments. A column each."""
 
-    #: The first one, from 0.
+    #: Number of the first segment, from 0.
     segment: NDArray[Any]
-    #: Number of segments, of which one at least breaks a criterion.
+    #: Number of segments, at least one of which breaks a criterion.
     count: NDArray[Any]
     #: Min_length, corner, max_points or max_rounds.
     cause: list[str | None]
@@ -360,11 +360,11 @@ class DensifyDiagnosticsList:
 class DensifyDiagnostics:
     """Segments that do not meet the criteria."""
 
-    #: Places by cause, of those that there are.
+    #: Number of places by cause, for each cause that occurs.
     counts: DensifyDiagnosticsCounts | None
     #: Number of segments in all places.
     segments: int
-    #: In order along the result; empty where a later step has changed the numbers of segments.
+    #: Places in order along the result; empty where a later step has changed the numbers of segments.
     list: DensifyDiagnosticsList
 
     @classmethod
@@ -378,24 +378,24 @@ class DensifyDiagnostics:
 
 @dataclass(frozen=True)
 class Densify:
-    """What `densify` returns."""
+    """The result of `densify`."""
 
-    #: What was done, in order.
+    #: The steps in order.
     steps: DensifySteps
-    #: Of all steps.
+    #: Number of rounds of all steps.
     rounds: int
     #: Number of points of the curve given.
     given: int
-    #: The curve that comes out.
+    #: The resulting curve.
     result: DensifyResult | None
-    #: Of the result, positive for a counter-clockwise curve; of an open one that of the polygon that its ends close
+    #: Signed area, positive for a counter-clockwise curve; for an open one that of the polygon that its ends close
     #: (unit: area).
     signed_area: float
-    #: Of the result (unit: length).
+    #: Points of the result (unit: length).
     points: NDArray[np.float64]
     #: The other curve with the crossings inserted.
     against: DensifyAgainst | None
-    #: Of that curve; none where no crossings were inserted (unit: length).
+    #: Points of the other curve; none where no crossings were inserted (unit: length).
     against_points: NDArray[np.float64]
     #: Segments that do not meet the criteria.
     diagnostics: DensifyDiagnostics | None
@@ -438,7 +438,7 @@ def densify(
     """Inserts points into a curve, or removes them: first simplify, then the criteria (max_length, hobson, angle,
     distance_angle), then passes, then crossings.
 
-    `curve`: a curve; `against`: another one, for passes and crossings; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
+    `curve`: a curve; `against`: another curve, for passes and crossings; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
 
     closed: whether to join the last vertex of the curve to the first
     closed_against: whether to join the last vertex of the other curve to the first
@@ -479,9 +479,9 @@ def densify(
 
 @dataclass(frozen=True)
 class LevelsSaddles:
-    """Of the flow at that time, near the ends of its connections or in the bottlenecks of its well. A column each."""
+    """Saddles of the flow at that time, near the ends of its connections or in its bottlenecks. A column each."""
 
-    #: Where it is (unit: length).
+    #: Position of the saddle (unit: length).
     at: NDArray[np.float64]
     #: Its energy (unit: energy).
     energy: NDArray[np.float64]
@@ -496,7 +496,7 @@ class LevelsSaddles:
 
 @dataclass(frozen=True)
 class LevelsLevels:
-    """By value, ascending. A column each."""
+    """Levels by value, ascending. A column each."""
 
     #: Value of the level (unit: energy).
     energy: NDArray[np.float64]
@@ -504,9 +504,9 @@ class LevelsLevels:
     saddle: NDArray[np.float64]
     #: Number of curves.
     curves: NDArray[Any]
-    #: Number of those that are closed.
+    #: Number of closed curves.
     closed: NDArray[Any]
-    #: Number of points of all.
+    #: Number of points of all curves.
     points: NDArray[Any]
     #: The curves, closed ones with their first point again, each with a NaN behind it (unit: length).
     outline: list[NDArray[np.float64]]
@@ -525,11 +525,11 @@ class LevelsLevels:
 
 @dataclass(frozen=True)
 class Levels:
-    """What `levels` returns."""
+    """The result of `levels`."""
 
-    #: Of the flow at that time, near the ends of its connections or in the bottlenecks of its well.
+    #: Saddles of the flow at that time, near the ends of its connections or in its bottlenecks.
     saddles: LevelsSaddles
-    #: By value, ascending.
+    #: Levels by value, ascending.
     levels: LevelsLevels
 
     @classmethod
@@ -557,14 +557,14 @@ def levels(
 
     `system` is a system or its name. Raises UsageError, DataError, Cancelled.
 
-    at: values of the levels, with commas between; default: as many as the number of levels says
+    at: values of the levels, with commas between; default: the given number of levels
     number: number of levels, at values that divide the cells of the grid evenly; those through saddles come on
         top
     energy: energy of Hill's region: where the potential exceeds it no motion is possible (flows of two degrees
         of freedom); default: the other levels
-    time: time at which a forced flow is looked at
-    box: corners of the box that is looked at, x0 < x1 and y0 < y1; default: the system's window and saddles for
-        a planar flow, a square about the origin with the saddles else
+    time: time of a forced flow
+    box: corners of the box of the grid, x0 < x1 and y0 < y1; default: the system's window and saddles for a
+        planar flow, a square about the origin with the saddles else
     grid: pair of numbers of cells, across and up; details smaller than a cell are missed; default: 480, and as
         many up as make them square
     """
@@ -581,11 +581,11 @@ def levels(
 
 @dataclass(frozen=True)
 class SimplifyResult:
-    """The curve that comes out."""
+    """The resulting curve."""
 
     #: Number of points.
     points: int
-    #: Whether the last one is joined to the first.
+    #: Whether the last point is joined to the first one.
     closed: bool
 
     @classmethod
@@ -598,16 +598,16 @@ class SimplifyResult:
 
 @dataclass(frozen=True)
 class Simplify:
-    """What `simplify` returns."""
+    """The result of `simplify`."""
 
     #: Number of points of the curve given.
     given: int
-    #: The curve that comes out.
+    #: The resulting curve.
     result: SimplifyResult | None
-    #: Of the result, positive for a counter-clockwise curve; of an open one that of the polygon that its ends close
+    #: Signed area, positive for a counter-clockwise curve; for an open one that of the polygon that its ends close
     #: (unit: area).
     signed_area: float
-    #: Of the result (unit: length).
+    #: Points of the result (unit: length).
     points: NDArray[np.float64]
 
     @classmethod
@@ -629,13 +629,12 @@ def simplify(
     threads: int = 0,
     progress: Progress = None,
 ) -> Simplify:
-    """Removes the vertices of a curve without which it stays within a tolerance of what it was.
+    """Removes vertices of a curve, so that it stays within a tolerance of the given one.
 
     `curve`: a curve; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
 
     tolerance: maximum distance of a removed vertex from the curve that remains, in units of the coordinates
-    max_length: maximum length of the segments that come into being, in units of the coordinates; default: no
-        maximum
+    max_length: maximum length of new segments, in units of the coordinates; default: no maximum
     closed: whether to join the last vertex of the curve to the first
     """
     settings = {
@@ -650,7 +649,7 @@ def simplify(
 class SweepRows:
     """A value each. A column each."""
 
-    #: Of the parameter.
+    #: Value of the parameter.
     value: NDArray[np.float64]
     #: Why there is no result.
     failure: list[str | None]
@@ -664,15 +663,15 @@ class SweepRows:
     period: NDArray[Any]
     #: Boundary intersection point (q) (unit: length).
     bip: NDArray[np.float64]
-    #: Of the lobes of the turnstile by geometry, signed (unit: area).
+    #: Signed areas of the lobes of the turnstile by geometry (unit: area).
     areas: list[NDArray[np.float64]]
     #: Their error bars (unit: area).
     errors: list[NDArray[np.float64]]
-    #: Of the lobes of the turnstile by action, signed; empty where the map has none (unit: area).
+    #: Signed areas of the lobes of the turnstile by action; empty where the map has none (unit: area).
     areas_by_action: list[NDArray[np.float64]]
-    #: Of what leaves in one iterate (unit: area).
+    #: Area that leaves in one iterate (unit: area).
     flux12: Measured
-    #: Of what enters in one iterate (unit: area).
+    #: Area that enters in one iterate (unit: area).
     flux21: Measured
     #: Sum of the lobes that leave, each counted fully (unit: area).
     lobe_area12: Measured
@@ -688,7 +687,7 @@ class SweepRows:
     difference: NDArray[np.float64]
     #: Whether the pips are those of the row before, followed from there.
     follows: NDArray[Any]
-    #: Of the lobes of one side to first order (unit: area).
+    #: Area of the lobes of one side to first order (unit: area).
     first_order: NDArray[np.float64]
 
     @classmethod
@@ -719,17 +718,17 @@ class SweepRows:
 
 @dataclass(frozen=True)
 class SweepZeros:
-    """Of the difference. A column each."""
+    """Zeros of the difference. A column each."""
 
-    #: The values that it lies between.
+    #: The values between which the zero lies.
     between: list[NDArray[np.float64]]
-    #: Of the parameter.
+    #: Value of the parameter.
     value: NDArray[np.float64]
-    #: Within which it is known.
+    #: Width of the interval in which the zero is known to lie.
     width: NDArray[np.float64]
-    #: What is left there (unit: area).
+    #: Difference that is left there (unit: area).
     difference: NDArray[np.float64]
-    #: Further values that it took.
+    #: Number of further values that it took.
     evaluations: NDArray[Any]
     #: Why it could not be refined.
     failure: list[str | None]
@@ -748,19 +747,19 @@ class SweepZeros:
 
 @dataclass(frozen=True)
 class Sweep:
-    """What `sweep` returns."""
+    """The result of `sweep`."""
 
     #: Name of the parameter.
     parameter: str | None
     #: A value each.
     rows: SweepRows
-    #: Of the difference.
+    #: Zeros of the difference.
     zeros: SweepZeros
-    #: Why none was found, where they were looked for.
+    #: Why no zero was found, where zeros were looked for.
     no_zero: str | None
     #: Number of values without a result.
     failures: int
-    #: What to know of the result.
+    #: Remarks on the result.
     remarks: list[str]
     #: By independent routes.
     agreement: Agreement

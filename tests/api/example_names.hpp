@@ -3,11 +3,11 @@
 
 #include <atomic>
 
-#include "lober/curve.hpp"
-#include "lober/flow.hpp"
-#include "lober/overlay.hpp"
-#include "lober/planar_map.hpp"
-#include "lober/systems.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/dynamics/flow.hpp"
+#include "lober/dynamics/planar_map.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/overlay/overlay.hpp"
 
 #define EXAMPLE_NAMES                                                                                              \
   const lober::ClosedCurve &c1, const lober::ClosedCurve &c2, const lober::ClosedCurve &curve, lober::Point point, \

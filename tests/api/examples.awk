@@ -5,7 +5,7 @@ function finish() {
     printf "#include \"lober/%s\"\nvoid example%d(EXAMPLE_NAMES) {{\n%s}}\n", header, ++count, example
   example = ""
 }
-FNR == 1 { finish(); header = FILENAME; sub(/.*\//, "", header) }
+FNR == 1 { finish(); header = FILENAME; sub(/.*engine\/lober\//, "", header) }
 /^ *\/\/\/?   [^ ]/ || (example != "" && /^ *\/\/\/?    /) {
   line = $0
   sub(/^ *\/+/, "", line)

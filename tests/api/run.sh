@@ -7,6 +7,7 @@ set -uo pipefail
 root=$1
 shift
 headers=$root/engine/lober
+public=("$headers"/*.hpp "$headers"/*/*.hpp)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failures=0
@@ -20,9 +21,9 @@ compiles() { "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wcon
 checked=0
 for compiler in "$@"; do
   command -v "$compiler" >/dev/null || { echo "no $compiler here"; continue; }
-  for header in "$headers"/*.hpp; do
-    echo "#include \"lober/$(basename "$header")\"" >"$work/one.cpp"
-    compiles "$work/one.cpp" || { fail "$compiler, $(basename "$header") alone:"; head -n 5 "$work/log"; }
+  for header in "${public[@]}"; do
+    echo "#include \"lober/${header#"$headers/"}\"" >"$work/one.cpp"
+    compiles "$work/one.cpp" || { fail "$compiler, ${header#"$headers/"} alone:"; head -n 5 "$work/log"; }
     checked=$((checked + 1))
   done
   for header in lober.h lober_system.h; do
@@ -32,7 +33,7 @@ for compiler in "$@"; do
       { fail "$compiler, $header alone, as C:"; head -n 5 "$work/log"; }
     checked=$((checked + 1))
   done
-  awk -f "$root/tests/api/examples.awk" "$headers"/*.hpp >"$work/examples.cpp"
+  awk -f "$root/tests/api/examples.awk" "${public[@]}" >"$work/examples.cpp"
   compiles -Wno-unused-variable -Wno-unused-parameter -Wno-shadow -include "$root/tests/api/example_names.hpp" "$work/examples.cpp" ||
     { fail "$compiler, examples of the headers:"; head -n 15 "$work/log"; }
   examples=$(grep -c '^void example' "$work/examples.cpp")
@@ -88,12 +89,12 @@ $bad"
 bad=$(grep -rnE '^namespace lober( |$|::[a-ce-z])' "$root/kernels" "$root/engine" --include=*.hpp --include=*.inl | grep -v "^$headers/")
 [ -z "$bad" ] || fail "private headers that are not in lober::detail:
 $bad"
-bad=$(awk '/^namespace detail/ {inside = 1; next} /^}  \/\/ namespace detail/ {inside = 0} FILENAME !~ /curve\.hpp$/ && inside && !/^(class|struct) [A-Za-z]+;/ {print FILENAME ": " $0}' "$headers"/*.hpp)
+bad=$(awk '/^namespace detail/ {inside = 1; next} /^}  \/\/ namespace detail/ {inside = 0} FILENAME !~ /curve\.hpp$/ && inside && !/^(class|struct) [A-Za-z]+;/ {print FILENAME ": " $0}' "${public[@]}")
 [ -z "$bad" ] || fail "public headers with more of lober::detail than names:
 $bad"
 
 # Who may include what. Public headers stand on themselves.
-bad=$(grep -nE '#include "' "$headers"/*.hpp | grep -v '#include "lober/')
+bad=$(grep -nE '#include "' "${public[@]}" | grep -v '#include "lober/')
 [ -z "$bad" ] || fail "public headers that include private ones:
 $bad"
 # A library of engine/ takes from another one only what is public; base and kernels are there for all of them.
@@ -111,14 +112,14 @@ bad=$(grep -rnE --include='*.cpp' --include='*.hpp' --include='*.inl' '^[^/]*"[^
 [ -z "$bad" ] || fail "messages of the engine that name options of the program:
 $bad"
 
-bad=$(awk -f "$root/tests/api/exported.awk" "$headers"/*.hpp)
+bad=$(awk -f "$root/tests/api/exported.awk" "${public[@]}")
 [ -z "$bad" ] || fail "functions of public headers without LOBER_API:
 $bad"
 
 # Users compile our inline functions with flags of their own. A product and a sum in one of them could be fused there
 # (docs/conventions.md, section 12): made to, GCC shows where.
 if [ "$(uname -m)" = x86_64 ] && command -v g++ >/dev/null; then
-  for header in "$headers"/*.hpp; do echo "#include \"lober/$(basename "$header")\""; done >"$work/all.cpp"
+  for header in "${public[@]}"; do echo "#include \"lober/${header#"$headers/"}\""; done >"$work/all.cpp"
   g++ -std=c++20 -O2 -fno-tree-vectorize -mfma -ffp-contract=fast -fkeep-inline-functions -I"$root/engine" -S -o "$work/all.s" "$work/all.cpp" ||
     fail "all headers together"
   bad=$(awk '/^_Z.*:/ {ours = /^_ZN?K?5lober/; name = $1} /vfn?m/ && ours {print name, $0}' "$work/all.s" | c++filt)

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {
@@ -110,6 +110,19 @@ TEST_F(BatchOutput, ReplacesEarlierResultsAndNothingElse) {
         "\"fine_{name}\" }\n");
   EXPECT_EQ(run({"batch", "run", "in/job.toml", "--output-root", "out"}).status, 0);
   EXPECT_GT(read("out/fine_c1.npy").size(), fine.size());
+}
+
+// The name of an input says nothing of the format of results; nor has an input without content a size.
+TEST_F(BatchOutput, EndsInNpyWhateverItsInputIs) {
+  write("in/sq.csv", "0,0\n1,0\n1,1\n0,1\n");
+  write("in/empty.csv", "");
+  write("in/job.toml",
+        "operation = \"densify\"\ncurves = \"*.csv\"\noptions = { max_length = 0.3, output = \"fine_{name}\" }\n");
+  const Outcome check = run({"batch", "check", "in/job.toml"});
+  EXPECT_NE(check.out.find("about 4 points"), std::string::npos) << check.out;
+  EXPECT_EQ(run({"batch", "run", "in/job.toml"}).status, 1);
+  EXPECT_FALSE(exists("in/fine_sq.csv"));
+  EXPECT_EQ(read("in/fine_sq.npy").substr(1, 5), "NUMPY");
 }
 
 TEST_F(BatchOutput, IsOfOneJobOnly) {

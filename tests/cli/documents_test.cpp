@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
 #include "tests/paths.hpp"
 
 namespace lober {

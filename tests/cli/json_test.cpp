@@ -3,8 +3,8 @@
 #include <set>
 
 #include "engine/geometry/views.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/geometry/views.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
 

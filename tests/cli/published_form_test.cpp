@@ -5,8 +5,8 @@
 #include <map>
 #include <sstream>
 
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

@@ -1,8 +1,8 @@
 // The list of systems, and what it says of one.
 #include <cmath>
 
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {

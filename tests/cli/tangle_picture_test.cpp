@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/cli/tangle_program.hpp"
 
 namespace lober::cli {

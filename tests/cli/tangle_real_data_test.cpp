@@ -5,8 +5,8 @@
 #include <map>
 
 #include "engine/geometry/views.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/shared_data.hpp"
 

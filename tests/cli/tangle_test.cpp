@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "engine/geometry/views.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/cli/tangle_program.hpp"
 #include "tests/paths.hpp"
 

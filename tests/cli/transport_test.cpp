@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
 

@@ -3,13 +3,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <lober/batch.hpp>
-#include <lober/cancellation.hpp>
-#include <lober/files.hpp>
-#include <lober/fixed_points.hpp>
+#include <lober/curve.hpp>
+#include <lober/dynamics.hpp>
+#include <lober/lober.hpp>
 #include <lober/overlay.hpp>
-#include <lober/systems.hpp>
-#include <lober/threads.hpp>
-#include <lober/version.hpp>
 #include <stdexcept>
 
 namespace {

@@ -75,6 +75,6 @@ compile() {
 compile "$here/main.cpp" lober-geometry
 compile "$here/all.cpp" lober
 [ "$(pkg-config --modversion lober)" = "$version" ] || fail "another version in lober.pc"
-for header in "$prefix"/include/lober/*.hpp; do echo "#include <lober/$(basename "$header")>"; done >"$work/headers.cpp"
+(cd "$prefix/include" && for header in lober/*.hpp lober/*/*.hpp; do echo "#include <$header>"; done) >"$work/headers.cpp"
 quietly "$compiler" -std=c++20 "${warnings[@]}" -fsyntax-only "-I$prefix/include" "$work/headers.cpp"
 echo "$form, $compiler: find_package and pkg-config"

@@ -1,8 +1,8 @@
 // Tangles and grown manifolds: the same bits whatever the threads, the index, the instruction set.
 #include <gtest/gtest.h>
 
-#include "lober/manifolds.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/manifolds.hpp"
+#include "lober/dynamics/systems.hpp"
 #include "tests/determinism/hash.hpp"
 #include "tests/determinism/results.hpp"
 #include "tests/determinism/variations.hpp"

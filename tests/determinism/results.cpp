@@ -4,11 +4,11 @@
 
 #include "engine/geometry/overlay/pieces_data.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/densify.hpp"
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
-#include "lober/tangle.hpp"
+#include "lober/curve/densify.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/tangle/tangle.hpp"
 #include "tests/determinism/hash.hpp"
 
 namespace lober::detail {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/geometry/index/index.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

@@ -7,14 +7,14 @@
 #include <numbers>
 #include <vector>
 
-#include "lober/escape.hpp"
-#include "lober/interior.hpp"
-#include "lober/levels.hpp"
-#include "lober/manifolds.hpp"
-#include "lober/melnikov.hpp"
-#include "lober/orbits.hpp"
-#include "lober/overlay.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/levels.hpp"
+#include "lober/dynamics/manifolds.hpp"
+#include "lober/dynamics/orbits.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/transport/escape.hpp"
+#include "lober/transport/melnikov.hpp"
 #include "tests/determinism/hash.hpp"
 #include "tests/determinism/variations.hpp"
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "fuzz_reader.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 using namespace lober;
 using namespace lober::detail;

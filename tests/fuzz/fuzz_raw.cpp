@@ -1,6 +1,6 @@
 // Raw float64, and the choice between it and the other formats.
 #include "fuzz_reader.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 using namespace lober;
 using namespace lober::detail;

@@ -1,6 +1,6 @@
 // Text and Tecplot. The first byte chooses where the text is cut into chunks, which must make no difference.
 #include "fuzz_reader.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 using namespace lober;
 using namespace lober::detail;

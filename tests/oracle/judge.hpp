@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/oracle/exact_overlay.hpp"
 #include "tests/oracle/families.hpp"
 

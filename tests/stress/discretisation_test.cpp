@@ -16,7 +16,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/stress/coverage.hpp"

@@ -18,9 +18,9 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/error.hpp"
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/exact_overlay.hpp"

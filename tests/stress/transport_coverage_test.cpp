@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
-#include "lober/transport.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/transport/transport.hpp"
 #include "tests/environment.hpp"
 #include "tests/stress/coverage.hpp"
 

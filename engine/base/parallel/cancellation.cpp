@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

@@ -1,7 +1,7 @@
 // The cancellation of pieces of parallel work by the flags of the thread that began it (private to the engine).
 #pragma once
 
-#include "lober/cancellation.hpp"
+#include "lober/base/cancellation.hpp"
 
 namespace lober::detail {
 

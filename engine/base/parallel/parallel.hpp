@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "engine/base/parallel/function_ref.hpp"
-#include "lober/cancellation.hpp"
+#include "lober/base/cancellation.hpp"
 
 namespace lober::detail {
 

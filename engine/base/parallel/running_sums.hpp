@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

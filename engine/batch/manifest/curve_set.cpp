@@ -9,8 +9,8 @@
 #include <set>
 
 #include "engine/batch/manifest/file_unit.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {

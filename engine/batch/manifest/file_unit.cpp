@@ -5,8 +5,8 @@
 #include <new>
 #include <span>
 
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {
@@ -53,9 +53,10 @@ std::vector<LoadedCurve> unreadable(const std::string& path, std::span<const Cur
 CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
   CurveUnit unit;
   unit.curves = zones.size();
-  unit.points = estimate_points(path);
   std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
+  // A file of no size is not read.
+  unit.points = !ignored && size == 0 ? 0 : estimate_points(path);
   if (!ignored) unit.reading_memory = size + unit.points * sizeof(Point);  // the bytes, and chunks being joined
   unit.load = [path = std::move(path), zones = std::move(zones)](const Loading& loading) {
     CurveFile file;

@@ -1,8 +1,8 @@
 #include "engine/batch/manifest/job_key.hpp"
 
 #include "engine/batch/operations/provenance.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {

@@ -8,8 +8,8 @@
 #include "engine/base/json_text.hpp"
 #include "engine/batch/operations/named_system.hpp"
 #include "engine/batch/operations/provenance.hpp"
-#include "lober/files.hpp"
-#include "lober/manifolds.hpp"
+#include "lober/curve/files.hpp"
+#include "lober/dynamics/manifolds.hpp"
 
 namespace lober::detail {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "engine/batch/queue/curve_cache.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::detail {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

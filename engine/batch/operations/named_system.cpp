@@ -1,6 +1,6 @@
 #include "engine/batch/operations/named_system.hpp"
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

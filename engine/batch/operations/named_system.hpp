@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::detail {
 

@@ -1,16 +1,20 @@
 #include "engine/batch/operations/of_table.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/base/text.hpp"
 #include "engine/batch/operations/named_system.hpp"
 #include "engine/batch/operations/output_folder.hpp"
 #include "engine/batch/operations/output_name.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {
+
+// Endings of files that are not curves in NPY, the format that jobs write.
+constexpr std::array<std::string_view, 6> other_endings{".csv", ".txt", ".dat", ".raw", ".json", ".svg"};
 
 operations::SystemInput system_input_of(const Options& options, double integration_tolerance) {
   IntegrationOptions integration;
@@ -68,7 +72,12 @@ std::vector<operations::Input> inputs_of(const operations::Operation& entry, con
 }
 
 std::string output_of(const Options& options, std::string_view first, std::string_view second) {
-  return output_name(options.text("output"), options, first, second);
+  std::string name = output_name(options.text("output"), options, first, second);
+  // The file of the curve has given it.
+  for (const std::string_view ending : other_endings) {
+    if (name.ends_with(ending)) return name.replace(name.size() - ending.size(), ending.size(), ".npy");
+  }
+  return name;
 }
 
 void write_output(const JobCurves& curves, const Options& options, std::span<const Point> points) {
@@ -113,9 +122,10 @@ struct Runner {
 
 // A name that ends as another format does would be that of a file which nobody can read.
 void require_npy(std::string_view output) {
-  for (const char* const ending : {".csv", ".txt", ".dat", ".raw", ".json", ".svg"}) {
+  for (const std::string_view ending : other_endings) {
     if (!output.ends_with(ending)) continue;
-    throw UsageError("output: " + std::string(output) + " ends in " + ending + ", but the curve is written in NPY");
+    throw UsageError("output: " + std::string(output) + " ends in " + std::string(ending) +
+                     ", but the curve is written in NPY");
   }
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "kernels/point.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {
@@ -62,7 +62,10 @@ std::string OutputFolder::accept(const std::string& name) const {
     refuse("lies outside of " + folder.string() +
            "; name a file below that folder, or make another one the root of outputs");
   }
-  if (is_protected(target)) refuse("would replace an input of the manifest, or its store; name another file");
+  if (is_protected(target))
+    refuse(
+        "would replace an input of the manifest, or its store; name another file, in a folder of its own where a "
+        "pattern of the inputs finds results of earlier runs");
   if (!fs::is_directory(target.parent_path(), ignored)) {
     refuse("needs the folder " + target.parent_path().string() + ", which does not exist; make it first");
   }

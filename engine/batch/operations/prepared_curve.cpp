@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lober/crossings.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
 PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements)

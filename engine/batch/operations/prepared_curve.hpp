@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "lober/curve.hpp"
-#include "lober/index.hpp"
-#include "lober/overlay.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/overlay/index.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::detail {
 

@@ -4,7 +4,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

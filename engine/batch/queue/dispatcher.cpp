@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/batch/queue/workers.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

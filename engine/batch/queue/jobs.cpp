@@ -10,8 +10,8 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/queue/dispatcher.hpp"
 #include "engine/batch/queue/schedule.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {

@@ -29,7 +29,7 @@
 #include "engine/batch/operations/operation.hpp"
 #include "engine/batch/queue/curve_cache.hpp"
 #include "lober/batch.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

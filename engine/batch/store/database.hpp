@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

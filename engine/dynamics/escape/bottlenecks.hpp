@@ -16,9 +16,9 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/escape/cut_images.hpp"
-#include "lober/error.hpp"
-#include "lober/escape.hpp"
-#include "lober/smooth.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/smooth.hpp"
+#include "lober/transport/escape.hpp"
 
 namespace lober::detail {
 
@@ -123,7 +123,7 @@ class Bottlenecks {
     Branch branch;
     std::unique_ptr<CutImages> cutting;                              // once one is cut
     bool ended = false, out_of_points = false, out_of_work = false;  // the next one cannot be found
-    double work = 0;                                                 // of whole curves
+    double work = 0;                                                 // work of whole curves
   };
 
   // E and X of every bottleneck, and what cut images need.

@@ -14,8 +14,8 @@
 #include "engine/dynamics/escape/work_meter.hpp"
 #include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
-#include "lober/error.hpp"
-#include "lober/index.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/index.hpp"
 
 namespace lober::detail {
 

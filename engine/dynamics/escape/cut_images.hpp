@@ -16,7 +16,7 @@
 #include <span>
 
 #include "engine/dynamics/escape/regularising_curve.hpp"
-#include "lober/tubes.hpp"
+#include "lober/dynamics/tubes.hpp"
 
 namespace lober::detail {
 

@@ -1,4 +1,4 @@
-#include "lober/escape.hpp"
+#include "lober/transport/escape.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -17,7 +17,7 @@
 #include "engine/dynamics/escape/bottlenecks.hpp"
 #include "engine/dynamics/escape/symmetries.hpp"
 #include "engine/dynamics/escape/winding_product.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;
@@ -29,7 +29,7 @@ constexpr double beyond_budget = 1.05;
 // Orbits and first curves may take these seconds whatever the budget, as there is nothing to say before; and no more
 // without one, where trajectories next to a collision take a thousand times as long as others.
 constexpr double first_seconds = 5, first_seconds_without_budget = 60;
-// What dealing with a point where cut curves cross themselves or each other takes, in evaluations of the vector field:
+// The work for a point where cut curves cross themselves or each other, in evaluations of the vector field:
 // 20 to 60 were measured (capsize at energies from 0.26 to 0.5).
 constexpr double work_a_node = 50;
 

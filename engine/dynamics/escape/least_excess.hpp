@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lober/periodic_orbit.hpp"
+#include "lober/dynamics/periodic_orbit.hpp"
 
 namespace lober::detail {
 

@@ -1,4 +1,4 @@
-#include "lober/monte_carlo.hpp"
+#include "lober/transport/monte_carlo.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/box.hpp"
 #include "kernels/splitmix.hpp"
-#include "lober/error.hpp"
-#include "lober/index.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/index.hpp"
 
 namespace lober {
 using namespace detail;

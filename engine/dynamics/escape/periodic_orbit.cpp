@@ -1,4 +1,4 @@
-#include "lober/periodic_orbit.hpp"
+#include "lober/dynamics/periodic_orbit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include "engine/base/text.hpp"
 #include "engine/dynamics/escape/least_excess.hpp"
 #include "engine/dynamics/escape/state_index.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 namespace {

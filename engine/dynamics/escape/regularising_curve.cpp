@@ -4,7 +4,7 @@
 
 #include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

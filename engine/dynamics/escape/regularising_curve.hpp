@@ -2,7 +2,7 @@
 // escape/, see cut_images.hpp).
 #pragma once
 
-#include "lober/tubes.hpp"
+#include "lober/dynamics/tubes.hpp"
 
 namespace lober::detail {
 

@@ -7,8 +7,8 @@
 
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/linear_algebra.hpp"
-#include "lober/error.hpp"
-#include "lober/periodic_orbit.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/periodic_orbit.hpp"
 
 namespace lober {
 using namespace detail;

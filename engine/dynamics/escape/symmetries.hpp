@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lober/escape.hpp"
+#include "lober/transport/escape.hpp"
 
 namespace lober::detail {
 

@@ -1,5 +1,5 @@
 #include "kernels/elementary.hpp"
-#include "lober/tubes.hpp"
+#include "lober/dynamics/tubes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include "engine/dynamics/escape/work_meter.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/point.hpp"
-#include "lober/error.hpp"
-#include "lober/smooth.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/smooth.hpp"
 
 namespace lober {
 using namespace detail;

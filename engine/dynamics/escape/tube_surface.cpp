@@ -1,9 +1,9 @@
-#include "lober/tube_surface.hpp"
+#include "lober/dynamics/tube_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 
 namespace lober::detail {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "lober/smooth.hpp"
+#include "lober/overlay/smooth.hpp"
 
 namespace lober::detail {
 

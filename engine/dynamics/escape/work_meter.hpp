@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

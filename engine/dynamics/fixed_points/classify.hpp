@@ -1,7 +1,7 @@
 // The kind of a fixed point by its derivative.
 #pragma once
 
-#include "lober/fixed_points.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 namespace lober::detail {
 

@@ -11,7 +11,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "lober/fixed_points.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 namespace lober::detail {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/maps/plane.hpp"
-#include "lober/fixed_points.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 namespace lober::detail {
 

@@ -7,7 +7,7 @@
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/dynamics/fixed_points/displacement_grid.hpp"
-#include "lober/fixed_points.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 namespace lober::detail {
 

@@ -8,7 +8,7 @@
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/fixed_points/scan.hpp"
 #include "kernels/elementary.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

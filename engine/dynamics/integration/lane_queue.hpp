@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/dynamics/integration/lane_steps.hpp"
-#include "lober/cancellation.hpp"
+#include "lober/base/cancellation.hpp"
 
 namespace lober::detail {
 

@@ -14,7 +14,7 @@ namespace lober::detail {
 template <typename Rhs>
 using StepFunction = void (*)(const Rhs& rhs, StepBlock<Rhs::size>& block, std::size_t count);
 
-/// Of work (PlanarMap::work), for an evaluation of a field: those of several trajectories at a time count a tenth.
+/// Tenths of work (PlanarMap::work) for an evaluation of a field: those of several trajectories at a time count one.
 template <typename Field>
 inline constexpr std::uint64_t tenths_of_work = Field::in_lanes ? 1 : 10;
 

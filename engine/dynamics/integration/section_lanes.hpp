@@ -8,7 +8,7 @@
 
 #include "engine/dynamics/integration/lane_queue.hpp"
 #include "engine/dynamics/integration/step_control.hpp"
-#include "lober/flow.hpp"
+#include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
 

@@ -8,7 +8,7 @@
 
 #include "engine/dynamics/integration/step_block.hpp"
 #include "kernels/elementary.hpp"
-#include "lober/flow.hpp"
+#include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
 

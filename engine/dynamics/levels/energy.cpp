@@ -5,8 +5,8 @@
 #include <string>
 
 #include "engine/dynamics/maps/linear_algebra.hpp"
-#include "lober/error.hpp"
-#include "lober/levels.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/levels.hpp"
 
 namespace lober {
 using namespace detail;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/error.hpp"
-#include "lober/levels.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/levels.hpp"
 
 namespace lober {
 namespace {

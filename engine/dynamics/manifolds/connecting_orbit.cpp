@@ -1,4 +1,4 @@
-#include "lober/connecting_orbit.hpp"
+#include "lober/dynamics/connecting_orbit.hpp"
 #include "kernels/elementary.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/base/text.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

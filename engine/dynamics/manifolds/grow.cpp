@@ -1,11 +1,11 @@
-#include "lober/manifolds.hpp"
+#include "lober/dynamics/manifolds.hpp"
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;
@@ -51,6 +51,8 @@ std::string_view name(GrowthStop stop) {
       return "length";
     case GrowthStop::points:
       return "points";
+    case GrowthStop::work:
+      return "work";
     case GrowthStop::ended:
       return "ended";
     case GrowthStop::failed:

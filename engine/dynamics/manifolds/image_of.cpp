@@ -9,7 +9,8 @@
 #include "engine/dynamics/manifolds/outcome.hpp"
 #include "engine/dynamics/manifolds/trace.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "lober/error.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;
@@ -49,9 +50,10 @@ void close(CurveImage& image, bool ends_have_images) {
 template <typename Steps, typename Finished>
 void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::vector<std::uint32_t> kept,
                    const CurveSequence& at, const CurveSequence& onward, const Steps& steps, const Finished& finished,
-                   std::size_t together = batch) {
+                   std::size_t together = batch, std::function<bool()> spent = {}) {
   TraceOptions options = options_for_tracing(given, guide);
   options.batch = together;
+  options.spent = std::move(spent);
   std::uint64_t images = 0;
   for (int done = 0;; ++done) {
     const CurveFunction curve = [&](std::span<const double> parameters, std::span<Point> points) {
@@ -91,9 +93,30 @@ void trace_images(const PlanarMap& map, int direction, const ImageOptions& given
   const CurveSequence onward = [&](int, std::span<const double>, std::span<Point> points) {
     map.iterate(points, direction);
   };
-  trace_in_turn(
-      given, closed, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, finished,
-      std::max(batch, map.batch()));
+  const std::uint64_t before = map.work();
+  std::uint64_t images = 0;
+  const auto spent = [&] { return static_cast<double>(std::max(map.work() - before, images)) > given.max_work; };
+  ImageOptions limited = given;
+  limited.progress = [&](const GrowthProgress& so_far) {
+    images = so_far.images;
+    return !spent() && (!given.progress || given.progress(so_far));
+  };
+  int next = 0;
+  const auto count_finished = [&](int done, CurveImage&& image) {
+    next = done + 1;
+    return finished(done, std::move(image));
+  };
+  try {
+    trace_in_turn(
+        limited, closed, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, count_finished,
+        std::max(batch, map.batch()), spent);
+  } catch (const Cancelled&) {
+    if (!spent() || is_cancelled()) throw;
+    CurveImage missing;
+    missing.closed = closed;
+    missing.stop = GrowthStop::work;
+    finished(next, std::move(missing));
+  }
 }
 
 // A curve by its function, and what the first trace of it starts from.

@@ -1,4 +1,4 @@
-#include "lober/local_manifold.hpp"
+#include "lober/dynamics/local_manifold.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include "engine/dynamics/maps/linear_algebra.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/chebyshev.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

@@ -9,7 +9,8 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
-#include "lober/error.hpp"
+#include "lober/base/cancellation.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {
@@ -33,7 +34,7 @@ constexpr std::size_t fewest_in_piece = 17;
 
 ManifoldGrowth::ManifoldGrowth(const PlanarMap& map, const LocalManifold& local, Branch branch,
                                const GrowthOptions& options)
-    : map_(map), local_(local), options_(options), side_(static_cast<double>(branch)) {
+    : map_(map), local_(local), options_(options), side_(static_cast<double>(branch)), work_before_(map.work()) {
   steps_ = local.image().steps;
   ratio_ = local.image().factor;
   pieces_ = std::max(1, static_cast<int>(std::ceil(elementary::log(ratio_) / elementary::log(stretching))));
@@ -59,13 +60,12 @@ void ManifoldGrowth::set_up_tracing() {
   trace_options_.batch = std::max(trace_options_.batch, map_.batch());
   trace_options_.max_length = options_.max_length > 0 ? options_.max_length : extent / 50;
   trace_options_.min_spacing = ulps_apart * std::max(rounding, local_.reach * 1e-16);
-  trace_options_.box = box_of(options_.box);
   trace_options_.cut = !options_.whole_pieces;
-  if (options_.box.empty()) {
-    const double reach = 100 * extent;
-    trace_options_.box =
-        Box::of({local_.saddle.x - reach, local_.saddle.y - reach}, {local_.saddle.x + reach, local_.saddle.y + reach});
-  }
+  const Point reach{100 * extent, 100 * extent};
+  const Box around = Box::of(local_.saddle - reach, local_.saddle + reach);
+  trace_options_.box = options_.box.empty() ? around : box_of(options_.box);
+  range_ = trace_options_.box;
+  if (!meet(Box::of(local_.saddle, local_.saddle), range_)) range_ = union_of(range_, around);
   max_points_ = std::min(options_.max_points, options_.max_memory / bytes_per_point);
   max_points_ = std::min<std::size_t>(max_points_, (std::size_t{1} << 31) - 1);
   if (max_points_ < 2) throw UsageError("grow: the maximum number of points has to be at least 2");
@@ -75,7 +75,7 @@ GrowthStop ManifoldGrowth::grow_to(double end) {
   try {
     while (stop_ == GrowthStop::iterates && !(time() >= std::min(end, limit_))) grow_piece();
   } catch (const Cancelled&) {
-    stop_ = GrowthStop::cancelled;
+    stop_ = is_cancelled() || !out_of_work() ? GrowthStop::cancelled : GrowthStop::work;
   }
   // One entry more than generations: the number of points.
   result_.generation_begin.resize(generations_);
@@ -98,7 +98,6 @@ void ManifoldGrowth::grow_piece() {
   const double end = !local && (part + 1.0) / pieces_ > fraction
                          ? local_.reach * elementary::power(ratio_, fraction - 1)
                          : part_begin(local ? pieces_ : part + 1);
-  if (part == 0) length_before_ = result_.length;
   std::vector<Samples> guides;
   if (local) {
     guides.push_back(first_guide(end));
@@ -171,7 +170,11 @@ void ManifoldGrowth::cut_back_to(const Size& before) {
 }
 
 void ManifoldGrowth::end_generation() {
-  short_generations_ = result_.length - length_before_ < options_.tolerance ? short_generations_ + 1 : 0;
+  double length = 0;
+  for (const std::vector<Samples>& sections : current_) {
+    for (const Samples& samples : sections) length += length_in_range(samples);
+  }
+  short_generations_ = length < options_.tolerance ? short_generations_ + 1 : 0;
   const auto goes_on = [&](const std::vector<Samples>& sections) {
     return std::any_of(sections.begin(), sections.end(), [&](const Samples& samples) { return alive(samples); });
   };
@@ -254,9 +257,14 @@ CurveFunction ManifoldGrowth::image(int generation) const {
 void ManifoldGrowth::count(std::size_t evaluations, int images) {
   result_.images += static_cast<std::uint64_t>(evaluations) * static_cast<std::uint64_t>(images) *
                     static_cast<std::uint64_t>(std::abs(steps_));
+  if (out_of_work()) throw Cancelled();
   if (!options_.progress) return;
   const auto iterates = static_cast<int>(std::max(time(), 0.0) * std::abs(steps_ / local_.steps));
   if (!options_.progress({iterates, result_.points.size(), result_.length, result_.images})) throw Cancelled();
+}
+
+bool ManifoldGrowth::out_of_work() const {
+  return static_cast<double>(std::max(map_.work() - work_before_, result_.images)) > options_.max_work;
 }
 
 Samples ManifoldGrowth::first_guide(double end) const {
@@ -283,6 +291,7 @@ std::optional<Trace> ManifoldGrowth::traced_piece(Samples guide, int generation)
     return std::nullopt;
   }
   options.max_total_length = options_.length - result_.length;
+  options.spent = [&] { return out_of_work(); };
   options.evaluated = [&](std::size_t evaluations) { count(evaluations, generation); };
   const auto last = static_cast<std::uint32_t>(guide.points.size() - 1);
   Trace trace = traced(std::move(guide), {0, last}, image(generation), options);
@@ -381,9 +390,17 @@ void ManifoldGrowth::add_length(std::size_t begin) {
 
 // Whether any of the curve is left to grow.
 bool ManifoldGrowth::alive(const Samples& samples) const {
-  return std::any_of(samples.points.begin(), samples.points.end(), [&](Point point) {
-    return std::isfinite(point.x) && std::isfinite(point.y) && meet(Box::of(point, point), trace_options_.box);
-  });
+  return std::any_of(samples.points.begin(), samples.points.end(),
+                     [&](Point point) { return is_finite(point) && meet(Box::of(point, point), range_); });
+}
+
+double ManifoldGrowth::length_in_range(const Samples& samples) const {
+  double length = 0;
+  for (std::size_t k = 0; k + 1 < samples.points.size(); ++k) {
+    const Point a = samples.points[k], b = samples.points[k + 1];
+    if (is_finite(a) && is_finite(b) && meet(Box::of(a, b), range_)) length += distance(a, b);
+  }
+  return length;
 }
 
 }  // namespace lober::detail

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/dynamics/manifolds/trace.hpp"
-#include "lober/manifolds.hpp"
+#include "lober/dynamics/manifolds.hpp"
 
 namespace lober::detail {
 
@@ -57,6 +57,7 @@ class ManifoldGrowth {
   void end_generation();
   [[nodiscard]] CurveFunction image(int generation) const;
   void count(std::size_t evaluations, int images);
+  [[nodiscard]] bool out_of_work() const;
   [[nodiscard]] Samples first_guide(double end) const;
   [[nodiscard]] std::optional<Trace> traced_piece(Samples guide, int generation);
   [[nodiscard]] Samples part_of_local(const Samples& samples, int part) const;
@@ -65,15 +66,18 @@ class ManifoldGrowth {
   [[nodiscard]] double length_behind(std::size_t k) const;
   void add_length(std::size_t begin);
   [[nodiscard]] bool alive(const Samples& samples) const;
+  [[nodiscard]] double length_in_range(const Samples& samples) const;
 
   const PlanarMap& map_;
   const LocalManifold& local_;
   const GrowthOptions& options_;
   double side_;
+  std::uint64_t work_before_;
   int steps_ = 1;
   double ratio_ = 1;  // ratio of the parameters at the ends of a fundamental segment
   int pieces_ = 1;    // pieces of a generation
   TraceOptions trace_options_;
+  Box range_;  // where the manifold is followed on: the box, with what is about the saddle if that lies outside
   std::size_t max_points_ = 0;
 
   double limit_ = std::numeric_limits<double>::infinity();  // limit of time, from options.iterates
@@ -82,7 +86,6 @@ class ManifoldGrowth {
   std::size_t generations_ = 0;  // begun
   // The sections in which each piece of the generation before and of this one was traced; parameters > 0.
   std::vector<std::vector<Samples>> previous_, current_;
-  double length_before_ = 0;  // length of the polygon before this generation
   int short_generations_ = 0;
   GrowthStop stop_ = GrowthStop::iterates;
   double points_needed_ = 0;

@@ -11,7 +11,7 @@
 #include "engine/dynamics/fixed_points/classify.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

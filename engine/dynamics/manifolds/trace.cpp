@@ -10,6 +10,7 @@
 #include "engine/dynamics/manifolds/segment_requirements.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/point.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {
@@ -64,15 +65,27 @@ class Tracer {
   [[nodiscard]] double gap(std::size_t k) const { return samples_.parameters[k + 1] - samples_.parameters[k]; }
 
   // Only segments with two images that meet the box have to be fine; one at whose one end the map fails is pursued
-  // until the edge is found or has left the box.
-  enum class Kind : std::uint8_t { ordinary, edge, failed, outside };
+  // until the edge is found or has left the box. Outside, a curve between two points may come back into the box: there
+  // segments are no longer than they are far from it.
+  enum class Kind : std::uint8_t { ordinary, edge, failed, beside, outside };
   [[nodiscard]] Kind kind(std::size_t k) const {
     const Point a = samples_.points[k], b = samples_.points[k + 1];
     const bool a_finite = is_finite(a), b_finite = is_finite(b);
-    if (a_finite && b_finite) return inside(a, b) ? Kind::ordinary : Kind::outside;
+    if (a_finite && b_finite) {
+      if (inside(a, b)) return Kind::ordinary;
+      return times_too_long(a, b) > 1 && gap(k) > 2 * options_.min_spacing ? Kind::beside : Kind::outside;
+    }
     if (!a_finite && !b_finite) return Kind::failed;
     const Point last = a_finite ? a : b;
     return inside(last, last) && gap(k) > edge_ ? Kind::edge : Kind::failed;
+  }
+
+  // The length of a segment outside of the box as a multiple of its distance from it, both along the axes.
+  [[nodiscard]] double times_too_long(Point a, Point b) const {
+    const Box box = Box::of(a, b);
+    const double x = std::max(options_.box.min_x() - box.max_x(), box.min_x() - options_.box.max_x());
+    const double y = std::max(options_.box.min_y() - box.max_y(), box.min_y() - options_.box.max_y());
+    return std::max(box.width(), box.height()) / std::max(x, y);
   }
 
   // Points that stay, without those at the ends.
@@ -97,9 +110,15 @@ class Tracer {
     return static_cast<std::uint32_t>(std::max(1.0, std::min({std::ceil(parts), max_parts, most})));
   }
 
+  [[nodiscard]] std::uint32_t parts_beside(const TracedSegment& segment) const {
+    const Point a = samples_.points[segment.number], b = samples_.points[segment.number + 1];
+    return std::max(2U, allowed(segment, std::min(times_too_long(a, b), 8.0)));
+  }
+
   [[nodiscard]] std::uint32_t parts_for_guide(const TracedSegment& segment) const {
     const Kind what = kind(segment.number);
     if (what == Kind::edge) return 2;
+    if (what == Kind::beside) return parts_beside(segment);
     if (what != Kind::ordinary) return 1;
     if (segment.unknown) return allowed(segment, 4);
     const bool sharp = segment.curvature * segment.length > sharpest_guide;
@@ -109,6 +128,7 @@ class Tracer {
 
   [[nodiscard]] std::uint32_t parts_for_tolerance(const TracedSegment& segment, Kind what) const {
     if (what == Kind::edge) return 2;
+    if (what == Kind::beside) return parts_beside(segment);
     if (what != Kind::ordinary) return 1;
     return segment.required_parts > caution ? allowed(segment, segment.required_parts * reserve)
            : segment.uneven                 ? allowed(segment, 2)
@@ -125,7 +145,8 @@ class Tracer {
       if (!(segment.required_parts > 1)) return fine;
       if (gap(segment.number) < 2 * options_.min_spacing) cause = GrowthDiagnosticCause::spacing;
     } else {
-      cause = what == Kind::outside ? GrowthDiagnosticCause::left_box : GrowthDiagnosticCause::failed;
+      cause = what == Kind::beside || what == Kind::outside ? GrowthDiagnosticCause::left_box
+                                                            : GrowthDiagnosticCause::failed;
     }
     return static_cast<Verdict>(fine + 1 + static_cast<int>(cause));
   }
@@ -153,6 +174,7 @@ class Tracer {
         std::vector<Point> points(last - first);
         for (std::size_t k = first; k < last; ++k) parameters[k - first] = parameter(begin + k);
         function_(parameters, points);
+        if (options_.spent && options_.spent()) throw Cancelled();
         for (std::size_t k = first; k < last; ++k) result(begin + k, points[k - first]);
       });
       if (options_.evaluated) options_.evaluated(count);
@@ -253,7 +275,9 @@ class Tracer {
       for_segments(first, last, [&](const TracedSegment& segment) {
         const Kind what = kind(segment.number);
         // Outside the box nothing is asked for: the guide itself, simplified.
-        double parts = what == Kind::ordinary ? segment.required_parts * reserve : what == Kind::edge ? 1 : 0.5;
+        double parts = what == Kind::ordinary                       ? segment.required_parts * reserve
+                       : what == Kind::edge || what == Kind::beside ? 1
+                                                                    : 0.5;
         parts = std::min(parts, gap(segment.number) / std::max(options_.min_spacing, 1e-300));
         required[segment.number] = parts;
       });

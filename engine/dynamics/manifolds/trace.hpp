@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "kernels/box.hpp"
-#include "lober/buffer.hpp"
-#include "lober/manifolds.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/dynamics/manifolds.hpp"
 
 namespace lober::detail {
 
@@ -36,6 +36,7 @@ struct TraceOptions {
   double max_total_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
   std::uint32_t max_rounds = 40;
   std::size_t batch = 64;
+  std::function<bool()> spent;                 ///< whether to give up, with Cancelled; asked by any thread
   std::function<void(std::size_t)> evaluated;  ///< called with the number of further evaluations; may throw to cancel
 };
 

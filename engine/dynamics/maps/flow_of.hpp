@@ -14,8 +14,8 @@
 #include "engine/dynamics/integration/span_lanes.hpp"
 #include "engine/dynamics/maps/section_map.hpp"
 #include "engine/dynamics/maps/stroboscopic_map.hpp"
-#include "lober/error.hpp"
-#include "lober/flow.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/dynamics/maps/plane.hpp"
-#include "lober/planar_map.hpp"
+#include "lober/dynamics/planar_map.hpp"
 
 namespace lober::detail {
 

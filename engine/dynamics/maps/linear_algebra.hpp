@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lober/flow.hpp"
+#include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
 

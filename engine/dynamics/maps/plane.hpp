@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "kernels/point.hpp"
-#include "lober/planar_map.hpp"
+#include "lober/dynamics/planar_map.hpp"
 
 namespace lober::detail {
 

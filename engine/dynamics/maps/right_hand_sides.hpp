@@ -16,7 +16,7 @@
 
 #include "engine/dynamics/maps/jet.hpp"
 #include "kernels/inline.hpp"
-#include "lober/flow.hpp"
+#include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
 

@@ -14,7 +14,7 @@
 #include "engine/dynamics/integration/section_lanes.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/maps/right_hand_sides.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

@@ -1,11 +1,11 @@
-#include "lober/orbits.hpp"
+#include "lober/dynamics/orbits.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

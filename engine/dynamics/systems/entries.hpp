@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::detail {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "lober/error.hpp"
-#include "lober/fixed_points.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 namespace lober::detail {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "kernels/elementary.hpp"
-#include "lober/flow.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/flow.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::detail {
 

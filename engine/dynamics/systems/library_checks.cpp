@@ -9,7 +9,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

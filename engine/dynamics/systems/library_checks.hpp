@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "lober/dynamics/systems.hpp"
 #include "lober/lober_system.h"
-#include "lober/systems.hpp"
 
 namespace lober::detail {
 

@@ -6,8 +6,8 @@
 #include "engine/base/text.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/shared_library.hpp"
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober {
 using namespace detail;

@@ -16,7 +16,7 @@
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/maps/formula_map.hpp"
 #include "engine/dynamics/systems/library_checks.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 #include "lober/lober_system.h"
 
 namespace lober::detail {

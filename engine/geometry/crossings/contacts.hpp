@@ -14,8 +14,8 @@
 #include "engine/geometry/index/index.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/predicates.hpp"
-#include "lober/buffer.hpp"
-#include "lober/counts.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/overlay/counts.hpp"
 
 namespace lober::detail {
 

@@ -1,4 +1,4 @@
-#include "lober/crossings.hpp"
+#include "lober/overlay/crossings.hpp"
 
 #include "engine/geometry/crossings/crossings_data.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/geometry/crossings/node_graph.hpp"
-#include "lober/crossings.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
 

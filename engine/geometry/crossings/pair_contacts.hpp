@@ -7,7 +7,7 @@
 
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/predicates.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

@@ -11,7 +11,7 @@
 #include "engine/geometry/curve/point_along.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 #include "kernels/pair_filter.hpp"
-#include "lober/crossings.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober {
 using namespace detail;

@@ -1,7 +1,7 @@
 // The check for simple curves at another scale than the caller's, with its counts (private to engine/).
 #pragma once
 
-#include "lober/crossings.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
 

@@ -6,7 +6,7 @@
 #include "engine/geometry/curve/scaled.hpp"
 #include "kernels/box.hpp"
 #include "kernels/shoelace.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober {
 using namespace detail;

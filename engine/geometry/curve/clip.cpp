@@ -5,7 +5,7 @@
 
 #include "engine/geometry/curve/cut_outside.hpp"
 #include "kernels/box.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober {
 using namespace detail;

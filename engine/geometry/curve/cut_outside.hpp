@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

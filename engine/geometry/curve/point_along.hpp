@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/double_double.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

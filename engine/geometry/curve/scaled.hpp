@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "kernels/box.hpp"
-#include "lober/areas.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/overlay/areas.hpp"
 
 namespace lober::detail {
 

@@ -4,7 +4,7 @@
 #include "engine/base/finite.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/require.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober {
 using namespace detail;

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "engine/geometry/densify/interpolant.hpp"
-#include "lober/densify.hpp"
+#include "lober/curve/densify.hpp"
 
 namespace lober::detail {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lober/buffer.hpp"
-#include "lober/curve.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "kernels/interpolation.hpp"
-#include "lober/buffer.hpp"
-#include "lober/curve.hpp"
-#include "lober/densify.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/densify.hpp"
 
 namespace lober::detail {
 

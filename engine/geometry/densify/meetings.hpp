@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 
-#include "lober/buffer.hpp"
-#include "lober/crossings.hpp"
-#include "lober/curve.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
 

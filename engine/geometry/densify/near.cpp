@@ -8,7 +8,7 @@
 #include "engine/geometry/densify/distinct_curve.hpp"
 #include "engine/geometry/densify/interpolant.hpp"
 #include "engine/geometry/densify/meetings.hpp"
-#include "lober/densify.hpp"
+#include "lober/curve/densify.hpp"
 
 namespace lober {
 using namespace detail;

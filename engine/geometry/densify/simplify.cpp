@@ -6,7 +6,7 @@
 #include "engine/base/parallel/running_sums.hpp"
 #include "engine/geometry/densify/distinct_curve.hpp"
 #include "kernels/point.hpp"
-#include "lober/densify.hpp"
+#include "lober/curve/densify.hpp"
 
 namespace lober {
 using namespace detail;

@@ -1,8 +1,8 @@
 // The cubic spline through the vertices of a curve (private to densify/).
 #pragma once
 
-#include "lober/buffer.hpp"
-#include "lober/curve.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

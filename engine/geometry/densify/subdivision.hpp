@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/geometry/densify/interpolant.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

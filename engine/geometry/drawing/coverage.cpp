@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lober/drawing.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober {
 using namespace detail;

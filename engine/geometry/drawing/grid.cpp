@@ -1,5 +1,5 @@
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/drawing.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober {
 using namespace detail;

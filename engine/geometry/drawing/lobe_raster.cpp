@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/drawing.hpp"
-#include "lober/interior.hpp"
+#include "lober/curve/drawing.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober {
 using namespace detail;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "kernels/elementary.hpp"
-#include "lober/drawing.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober {
 using namespace detail;

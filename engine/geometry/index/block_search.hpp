@@ -8,7 +8,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/index/index.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

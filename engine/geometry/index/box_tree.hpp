@@ -11,8 +11,8 @@
 
 #include "kernels/box_pyramid.hpp"
 #include "kernels/leaf.hpp"
-#include "lober/buffer.hpp"
-#include "lober/curve.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

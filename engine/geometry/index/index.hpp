@@ -14,8 +14,8 @@
 
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/segment_boxes.hpp"
-#include "lober/counts.hpp"
-#include "lober/index.hpp"
+#include "lober/overlay/counts.hpp"
+#include "lober/overlay/index.hpp"
 
 namespace lober::detail {
 

@@ -6,7 +6,7 @@
 
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/frame_filter.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

@@ -5,7 +5,7 @@
 
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/strip.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

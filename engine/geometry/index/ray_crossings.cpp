@@ -4,7 +4,7 @@
 
 #include "engine/geometry/curve/require.hpp"
 #include "kernels/predicates.hpp"
-#include "lober/index.hpp"
+#include "lober/overlay/index.hpp"
 
 namespace lober {
 using namespace detail;

@@ -12,7 +12,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/shoelace.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

@@ -19,7 +19,7 @@
 #include "engine/geometry/index/search.hpp"
 #include "engine/geometry/index/window_search.hpp"
 #include "kernels/box_pyramid.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 namespace {

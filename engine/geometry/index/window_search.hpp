@@ -7,7 +7,7 @@
 
 #include "engine/geometry/index/box_tree.hpp"
 #include "engine/geometry/index/index.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/geometry/interior/contacts_along.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober::detail {
 

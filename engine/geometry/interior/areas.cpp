@@ -12,7 +12,7 @@
 #include "engine/geometry/interior/arc_labels.hpp"
 #include "engine/geometry/interior/insert_points.hpp"
 #include "engine/geometry/interior/side_sums.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober {
 using namespace detail;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "engine/geometry/crossings/crossings_data.hpp"
-#include "lober/crossings.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
 

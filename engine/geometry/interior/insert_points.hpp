@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober::detail {
 

@@ -8,7 +8,7 @@
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/elementary.hpp"
 #include "kernels/predicates.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober {
 using namespace detail;

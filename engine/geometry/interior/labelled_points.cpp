@@ -3,9 +3,9 @@
 #include <string>
 
 #include "engine/base/quantities.hpp"
-#include "lober/densify.hpp"
-#include "lober/error.hpp"
-#include "lober/interior.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/densify.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober {
 using namespace detail;

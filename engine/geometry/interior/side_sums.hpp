@@ -4,7 +4,7 @@
 #include <span>
 
 #include "engine/geometry/interior/contacts_along.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober::detail {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "engine/geometry/crossings/crossings_data.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober {
 using namespace detail;

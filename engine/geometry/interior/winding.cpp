@@ -3,7 +3,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/index/ray_crossings.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober {
 using namespace detail;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::detail {
 

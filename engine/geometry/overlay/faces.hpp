@@ -11,7 +11,7 @@
 
 #include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/overlay/arc_sums.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::detail {
 

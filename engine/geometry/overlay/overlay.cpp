@@ -1,4 +1,4 @@
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 
 #include <algorithm>
 #include <cmath>

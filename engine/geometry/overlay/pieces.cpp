@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "engine/geometry/overlay/pieces_data.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober {
 using namespace detail;

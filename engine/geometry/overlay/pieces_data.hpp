@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "lober/buffer.hpp"
-#include "lober/overlay.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::detail {
 

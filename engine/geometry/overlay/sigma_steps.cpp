@@ -5,8 +5,8 @@
 
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/shoelace.hpp"
-#include "lober/error.hpp"
-#include "lober/overlay.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober {
 using namespace detail;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/geometry/regions/faces.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 
 namespace lober::detail {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

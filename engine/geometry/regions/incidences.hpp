@@ -14,7 +14,7 @@
 #include "engine/geometry/regions/edge_chains.hpp"
 #include "kernels/double_double.hpp"
 #include "kernels/predicates.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

@@ -6,7 +6,7 @@
 
 #include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/smooth/chord_areas.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::detail {
 

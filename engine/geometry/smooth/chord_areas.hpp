@@ -6,7 +6,7 @@
 
 #include "engine/geometry/smooth/smooth_curve.hpp"
 #include "kernels/double_double.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

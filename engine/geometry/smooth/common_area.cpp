@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "lober/error.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
-#include "lober/smooth.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/overlay/smooth.hpp"
 
 namespace lober {
 using namespace detail;

@@ -1,4 +1,4 @@
-#include "lober/smooth.hpp"
+#include "lober/overlay/smooth.hpp"
 
 #include <algorithm>
 #include <cmath>

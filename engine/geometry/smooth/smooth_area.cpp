@@ -5,7 +5,7 @@
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/smooth/chord_areas.hpp"
 #include "kernels/box.hpp"
-#include "lober/smooth.hpp"
+#include "lober/overlay/smooth.hpp"
 
 namespace lober {
 using namespace detail;

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "kernels/smooth_segment.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

@@ -12,11 +12,11 @@
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/smooth/smooth_curve.hpp"
 #include "kernels/box.hpp"
-#include "lober/error.hpp"
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
-#include "lober/smooth.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/overlay/smooth.hpp"
 
 namespace lober {
 using namespace detail;

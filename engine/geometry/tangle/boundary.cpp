@@ -9,7 +9,7 @@
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
 #include "kernels/shoelace.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 
 namespace lober::detail {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::detail {
 

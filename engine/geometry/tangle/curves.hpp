@@ -10,7 +10,7 @@
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/index/index.hpp"
 #include "engine/geometry/smooth/smooth_gaps.hpp"
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::detail {
 

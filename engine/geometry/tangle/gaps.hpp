@@ -7,7 +7,7 @@
 
 #include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/tangle/curves.hpp"
-#include "lober/buffer.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 

@@ -1,7 +1,7 @@
 // The images of lobes under the map (private to tangle/).
 #pragma once
 
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::detail {
 

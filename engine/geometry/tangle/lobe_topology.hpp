@@ -4,7 +4,7 @@
 // from inside the lobe, which makes that corner reflex, and rho tells. Likewise p+ at pip k + 1.
 #pragma once
 
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::detail {
 

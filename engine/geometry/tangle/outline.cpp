@@ -1,7 +1,7 @@
 // Lobes and boundary as polygons.
 
 #include "engine/geometry/tangle/boundary.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 
 namespace lober {
 using namespace detail;

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "lober/buffer.hpp"
-#include "lober/crossings.hpp"
+#include "lober/base/buffer.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
 

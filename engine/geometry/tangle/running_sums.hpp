@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/tangle/curves.hpp"
-#include "lober/crossings.hpp"
+#include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
 

@@ -1,4 +1,4 @@
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -15,8 +15,8 @@
 #include "engine/geometry/tangle/bounded_overlap.hpp"
 #include "engine/geometry/tangle/running_sums.hpp"
 #include "kernels/box.hpp"
-#include "lober/error.hpp"
-#include "lober/interior.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober {
 using namespace detail;

@@ -5,14 +5,14 @@
 #include <type_traits>
 #include <vector>
 
-#include "lober/densify.hpp"
-#include "lober/interior.hpp"
-#include "lober/manifolds.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
-#include "lober/smooth.hpp"
-#include "lober/tangle.hpp"
-#include "lober/tubes.hpp"
+#include "lober/curve/densify.hpp"
+#include "lober/dynamics/manifolds.hpp"
+#include "lober/dynamics/tubes.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/overlay/smooth.hpp"
+#include "lober/tangle/tangle.hpp"
 
 using namespace lober;
 

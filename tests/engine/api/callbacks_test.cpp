@@ -16,12 +16,12 @@
 #include <vector>
 
 #include "engine/geometry/views.hpp"
-#include "lober/densify.hpp"
-#include "lober/interior.hpp"
-#include "lober/manifolds.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
-#include "lober/tangle.hpp"
+#include "lober/curve/densify.hpp"
+#include "lober/dynamics/manifolds.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/tangle/tangle.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/shapes.hpp"
 

@@ -10,12 +10,12 @@
 
 #include "engine/geometry/index/orientation.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/densify.hpp"
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
-#include "lober/smooth.hpp"
-#include "lober/tangle.hpp"
+#include "lober/curve/densify.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/overlay/smooth.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

@@ -1,4 +1,4 @@
-#include "lober/agreement.hpp"
+#include "lober/base/agreement.hpp"
 
 #include <gtest/gtest.h>
 

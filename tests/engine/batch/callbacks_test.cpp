@@ -13,7 +13,7 @@
 #include "engine/batch/batch.hpp"
 #include "engine/batch/export/export.hpp"
 #include "engine/batch/queue/jobs.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
 namespace lober::detail {

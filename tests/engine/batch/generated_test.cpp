@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "engine/batch/plan_runner.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
 namespace lober::detail {

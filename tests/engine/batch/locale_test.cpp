@@ -8,7 +8,7 @@
 
 #include "engine/batch/batch.hpp"
 #include "engine/batch/export/export.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
 namespace lober::detail {

@@ -6,7 +6,7 @@
 #include "engine/batch/manifest/curve_set.hpp"
 #include "engine/batch/manifest/plan.hpp"
 #include "engine/batch/work_queue.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/refusal.hpp"
 

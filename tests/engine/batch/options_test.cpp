@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/batch/operations/operation.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

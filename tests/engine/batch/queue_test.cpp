@@ -9,7 +9,7 @@
 #include "engine/batch/manifest/file_unit.hpp"
 #include "engine/batch/queue/jobs.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 
 namespace lober::detail {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober {
 

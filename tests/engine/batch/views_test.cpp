@@ -3,7 +3,7 @@
 #include "engine/base/text.hpp"
 #include "engine/batch/batch.hpp"
 #include "engine/batch/export/export.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/batch/stored_plan.hpp"
 

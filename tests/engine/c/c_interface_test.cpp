@@ -15,13 +15,13 @@
 #include <thread>
 #include <vector>
 
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
+#include "lober/dynamics/orbits.hpp"
+#include "lober/dynamics/systems.hpp"
 #include "lober/lober.h"
-#include "lober/orbits.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
-#include "lober/systems.hpp"
-#include "lober/transport.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober {
 namespace {

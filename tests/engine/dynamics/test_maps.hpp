@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lober/planar_map.hpp"
+#include "lober/dynamics/planar_map.hpp"
 
 namespace lober::test {
 

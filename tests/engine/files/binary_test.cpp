@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "curve_testing.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober {
 namespace {

@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "engine/files/read_memory.hpp"
-#include "lober/curve.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

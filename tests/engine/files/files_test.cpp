@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "curve_testing.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 #include "tests/shared_data.hpp"
 
 namespace lober {

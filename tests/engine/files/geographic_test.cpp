@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "curve_testing.hpp"
-#include "lober/error.hpp"
-#include "lober/files.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober {
 namespace {

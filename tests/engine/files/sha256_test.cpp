@@ -1,5 +1,5 @@
 // The examples of FIPS 180-4 and its test vectors, and messages about as long as one block and two.
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 #include <unistd.h>
 

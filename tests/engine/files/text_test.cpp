@@ -4,7 +4,7 @@
 
 #include "curve_testing.hpp"
 #include "engine/files/tecplot.hpp"
-#include "lober/files.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "engine/batch/operations/operation.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 #include "lober/lober.h"
-#include "lober/transport.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober::operations {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "kernels/trigonometric.hpp"
-#include "lober/flow.hpp"
+#include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
 

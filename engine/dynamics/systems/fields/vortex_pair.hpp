@@ -9,7 +9,7 @@
 
 #include "kernels/elementary.hpp"
 #include "kernels/inline.hpp"
-#include "lober/flow.hpp"
+#include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
 

@@ -7,7 +7,7 @@
 
 #include "engine/dynamics/transport/tangles/splitting.hpp"
 #include "kernels/elementary.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

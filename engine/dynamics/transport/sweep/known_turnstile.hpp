@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/dynamics/transport/tangles/tangle_growth.hpp"
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::detail {
 

@@ -1,4 +1,4 @@
-#include "lober/melnikov.hpp"
+#include "lober/transport/melnikov.hpp"
 #include "kernels/elementary.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <string>
 
 #include "kernels/point.hpp"
-#include "lober/error.hpp"
-#include "lober/levels.hpp"
-#include "lober/local_manifold.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/levels.hpp"
+#include "lober/dynamics/local_manifold.hpp"
 
 namespace lober {
 using detail::cross, detail::length;

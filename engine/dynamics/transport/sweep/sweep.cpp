@@ -1,4 +1,4 @@
-#include "lober/sweep.hpp"
+#include "lober/transport/sweep.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "engine/dynamics/transport/tangles/area_preservation.hpp"
 #include "engine/dynamics/transport/tangles/barrier.hpp"
 #include "engine/dynamics/transport/turnstile/turnstile.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/dynamics/transport/sweep/known_turnstile.hpp"
-#include "lober/sweep.hpp"
+#include "lober/transport/sweep.hpp"
 
 namespace lober::detail {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/base/text.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 

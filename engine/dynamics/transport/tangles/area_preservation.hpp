@@ -1,7 +1,7 @@
 // Whether a map preserves area, without which the formulas of transport say nothing (private to transport/).
 #pragma once
 
-#include "lober/planar_map.hpp"
+#include "lober/dynamics/planar_map.hpp"
 
 namespace lober::detail {
 

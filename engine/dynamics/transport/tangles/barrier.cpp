@@ -8,9 +8,9 @@
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/box.hpp"
-#include "lober/curve.hpp"
-#include "lober/error.hpp"
-#include "lober/smooth.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/overlay/smooth.hpp"
 
 namespace lober::detail {
 namespace {

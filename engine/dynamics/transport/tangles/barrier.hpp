@@ -9,8 +9,8 @@
 #include "engine/dynamics/transport/tangles/along_lattice.hpp"
 #include "kernels/box.hpp"
 #include "kernels/point.hpp"
-#include "lober/tangle.hpp"
-#include "lober/transport.hpp"
+#include "lober/tangle/tangle.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober::detail {
 

@@ -1,11 +1,11 @@
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 #include <cmath>
 #include <string>
 
 #include "engine/dynamics/transport/tangles/barrier.hpp"
 #include "engine/dynamics/transport/tangles/tangle_growth.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/box.hpp"
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::detail {
 

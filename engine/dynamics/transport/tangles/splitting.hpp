@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "lober/connecting_orbit.hpp"
+#include "lober/dynamics/connecting_orbit.hpp"
 
 namespace lober::detail {
 

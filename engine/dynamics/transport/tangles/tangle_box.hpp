@@ -5,8 +5,8 @@
 #include <span>
 
 #include "kernels/box.hpp"
-#include "lober/local_manifold.hpp"
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
+#include "lober/dynamics/local_manifold.hpp"
 
 namespace lober::detail {
 

@@ -13,7 +13,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangles/point_errors.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

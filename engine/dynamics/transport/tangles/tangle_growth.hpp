@@ -18,7 +18,7 @@
 #include "engine/dynamics/transport/tangles/splitting.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
 #include "kernels/box.hpp"
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::detail {
 

@@ -14,7 +14,7 @@
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
 #include "kernels/elementary.hpp"
 #include "kernels/smooth_segment.hpp"
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 namespace lober::detail {
 // Puts points into segments and their neighbours that lie where distances are true. Whether there are more points now.

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/dynamics/transport/turnstile/partition.hpp"
-#include "lober/agreement.hpp"
-#include "lober/transport.hpp"
+#include "lober/base/agreement.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober::detail {
 

@@ -7,8 +7,8 @@
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/box.hpp"
-#include "lober/error.hpp"
-#include "lober/interior.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober::detail {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "engine/dynamics/transport/tangles/barrier.hpp"
 #include "kernels/box.hpp"
-#include "lober/index.hpp"
+#include "lober/overlay/index.hpp"
 
 namespace lober::detail {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/dynamics/transport/turnstile/partition.hpp"
-#include "lober/planar_map.hpp"
-#include "lober/progress.hpp"
+#include "lober/base/progress.hpp"
+#include "lober/dynamics/planar_map.hpp"
 
 namespace lober::detail {
 

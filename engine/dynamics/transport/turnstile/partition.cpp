@@ -8,7 +8,7 @@
 
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/turnstile/cylinder.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/transport/turnstile/series.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

@@ -6,7 +6,7 @@
 #include "engine/dynamics/transport/turnstile/insides.hpp"
 #include "engine/dynamics/transport/turnstile/partition.hpp"
 #include "engine/dynamics/transport/turnstile/turnstile.hpp"
-#include "lober/transport.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober::detail {
 

@@ -1,4 +1,4 @@
-#include "lober/transport.hpp"
+#include "lober/transport/transport.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@
 #include "engine/dynamics/transport/turnstile/particles.hpp"
 #include "engine/dynamics/transport/turnstile/series.hpp"
 #include "kernels/box.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;

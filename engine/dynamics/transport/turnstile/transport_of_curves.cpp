@@ -6,8 +6,9 @@
 #include "engine/dynamics/transport/tangles/barrier.hpp"
 #include "engine/dynamics/transport/turnstile/comparisons.hpp"
 #include "engine/dynamics/transport/turnstile/series.hpp"
-#include "lober/error.hpp"
-#include "lober/transport.hpp"
+#include "kernels/point.hpp"
+#include "lober/base/error.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober {
 using namespace detail;
@@ -75,6 +76,14 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
                    "; longer curves, U and S both, show more";
   }
   result.remarks = tangle.remarks;
+  const Point u = tangle.u().points.front(), s = tangle.s().points.front();
+  if (distance(u, s) > 1e-6 * distance(u, tangle.pips[barrier.bip].at)) {
+    result.remarks.push_back("U begins at " + format_point(u) + ", S at " + format_point(s) +
+                             "; the boundary goes from the one to the other " +
+                             (tangle.closure.empty() ? "straight" : "along the path given") +
+                             ", which the map is taken to keep, and of a plane that repeats itself one period is seen; "
+                             "with the equations of the map, as a system, neither is assumed");
+  }
   return result;
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/dynamics/transport/turnstile/cylinder.hpp"
-#include "lober/curve.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/curve.hpp"
 
 namespace lober::detail {
 

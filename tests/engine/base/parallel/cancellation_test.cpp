@@ -1,4 +1,4 @@
-#include "lober/cancellation.hpp"
+#include "lober/base/cancellation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::detail {
 namespace {

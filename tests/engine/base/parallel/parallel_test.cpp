@@ -8,8 +8,8 @@
 #include <set>
 #include <thread>
 
-#include "lober/error.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
 
 namespace lober::detail {
 namespace {

@@ -1,6 +1,6 @@
 // The table of escape against reference values: fractions from curves
 // of another program and 1.2e8 trajectories.
-#include "lober/escape.hpp"
+#include "lober/transport/escape.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/error.hpp"
-#include "lober/monte_carlo.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/transport/monte_carlo.hpp"
 
 namespace lober::detail {
 namespace {

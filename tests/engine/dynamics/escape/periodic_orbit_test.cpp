@@ -1,5 +1,5 @@
 // Periodic orbits about saddles against quadruple precision, and against identities that hold for any system.
-#include "lober/periodic_orbit.hpp"
+#include "lober/dynamics/periodic_orbit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober {
 namespace {

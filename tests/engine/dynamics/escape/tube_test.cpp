@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "kernels/box.hpp"
-#include "lober/escape.hpp"
-#include "lober/systems.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/transport/escape.hpp"
 
 namespace lober::detail {
 namespace {

@@ -1,5 +1,5 @@
 // Fixed points against reference values, and scans that find all of them.
-#include "lober/fixed_points.hpp"
+#include "lober/dynamics/fixed_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "engine/dynamics/dynamics.hpp"
 #include "kernels/box.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

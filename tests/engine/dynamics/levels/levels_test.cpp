@@ -1,5 +1,5 @@
 // Level curves of functions and of the energy of flows.
-#include "lober/levels.hpp"
+#include "lober/dynamics/levels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <limits>
 #include <numbers>
 
-#include "lober/areas.hpp"
-#include "lober/curve.hpp"
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
-#include "lober/threads.hpp"
+#include "lober/base/error.hpp"
+#include "lober/base/threads.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/overlay/areas.hpp"
 
 namespace lober {
 namespace {

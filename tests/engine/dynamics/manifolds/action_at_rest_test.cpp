@@ -8,7 +8,7 @@
 #include <span>
 
 #include "engine/dynamics/maps/flow_of.hpp"
-#include "lober/manifold_tangle.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::detail {
 namespace {

@@ -1,18 +1,20 @@
 #include "engine/geometry/views.hpp"
-#include "lober/manifolds.hpp"
+#include "lober/dynamics/manifolds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/box.hpp"
-#include "lober/error.hpp"
-#include "lober/overlay.hpp"
-#include "lober/smooth.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/smooth.hpp"
 #include "tests/distance.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
@@ -227,6 +229,85 @@ TEST(Grow, ABranchMayEnd) {
   EXPECT_EQ(grown.stop, GrowthStop::ended);
   EXPECT_NEAR(grown.length, 2 * 1.451260038107551142, 1e-3);
   EXPECT_NEAR(grown.points.back().x, -1.451260038107551142, 1e-3);
+}
+
+// The distance of points from polygons that are fine in a box only; of points in the box.
+double farthest_in_box(std::span<const Point> points, const Box& box, std::span<const Point> polygon) {
+  double farthest = 0;
+  for (const Point p : points) {
+    if (!meet(Box::of(p, p), box)) continue;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
+      if (!meet(Box::of(polygon[k], polygon[k + 1]), box)) continue;
+      nearest = std::min(nearest, distance_to_segment(p, polygon[k], polygon[k + 1]));
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+// A manifold that leaves the box, is followed coarsely there and comes back between two points.
+TEST(Grow, NothingOfABoxIsLost) {
+  const System duffing = make_system("duffing");
+  const LocalManifold local = local_manifold(*duffing.map, duffing.connection->from, ManifoldSide::unstable);
+  const Box box = Box::of({-0.3, -0.3}, {0.3, 0.3});
+  for (const Branch branch : {Branch::plus, Branch::minus}) {
+    const GrownManifold fine = grow(*duffing.map, local, branch, {.tolerance = 1e-5, .iterates = 3});
+    const GrownManifold boxed = grow(*duffing.map, local, branch, {.tolerance = 1e-4, .iterates = 3, .box = box});
+    EXPECT_LT(boxed.points.size(), fine.points.size());
+    EXPECT_LT(farthest_in_box(fine.points, box, boxed.points), 1.2e-4);
+  }
+}
+
+TEST(ImageOf, NothingOfABoxIsLost) {
+  const System duffing = make_system("duffing");
+  const Box box = Box::of({-0.3, -0.3}, {0.3, 0.3});
+  const CurveFunction circle = [](std::span<const double> t, std::span<Point> points) {
+    for (std::size_t k = 0; k < t.size(); ++k) points[k] = {0.6 * std::cos(t[k]) - 1, 0.6 * std::sin(t[k])};
+  };
+  const std::array<double, 2> ends{0, 2 * std::numbers::pi};
+  const CurveImage fine = image_of(*duffing.map, 4, circle, ends, {.tolerance = 1e-5});
+  const CurveImage boxed = image_of(*duffing.map, 4, circle, ends, {.tolerance = 1e-4, .box = box});
+  EXPECT_LT(boxed.points.size(), fine.points.size());
+  EXPECT_LT(farthest_in_box(fine.points, box, boxed.points), 1.2e-4);
+}
+
+// The saddle lies outside of the box.
+TEST(Grow, ReachesABoxFarFromTheSaddle) {
+  const HenonMap map(0.5);
+  const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::unstable);
+  const Box box = Box::of({0, 0}, {1, 1});
+  const GrownManifold fine = grow(map, local, Branch::minus, {.tolerance = 1e-5, .iterates = 6});
+  const GrownManifold boxed = grow(map, local, Branch::minus, {.tolerance = 1e-4, .iterates = 6, .box = box});
+  EXPECT_EQ(boxed.stop, GrowthStop::iterates);
+  EXPECT_GT(boxed.length, 1);
+  EXPECT_LT(farthest_in_box(fine.points, box, boxed.points), 1.2e-4);
+  const GrownManifold gone = grow(map, local, Branch::plus, {.tolerance = 1e-4, .length = 1e9, .box = box});
+  EXPECT_EQ(gone.stop, GrowthStop::failed);
+}
+
+// A separatrix ends in the other saddle; what rounding makes of it from there on is followed as far as work allows.
+TEST(Grow, EndsWithItsWork) {
+  const System pendulum = make_system("pendulum", {{"eps", 0}});
+  const LocalManifold local = local_manifold(*pendulum.map, pendulum.connection->from, ManifoldSide::unstable);
+  const GrowthOptions options{.tolerance = 1e-5, .length = 20, .max_work = 3e6};
+  const GrownManifold grown = grow(*pendulum.map, local, Branch::plus, options);
+  EXPECT_EQ(grown.stop, GrowthStop::work);
+  EXPECT_GT(grown.length, 6);
+  const GrownManifold same = with_threads(3, [&] { return grow(*pendulum.map, local, Branch::plus, options); });
+  EXPECT_EQ(grown.points, same.points);
+}
+
+TEST(ImageOf, EndsWithItsWork) {
+  const System duffing = make_system("duffing");
+  const std::vector<Point> square{{1, -1}, {1.5, -1}, {1.5, 1}, {1, 1}};
+  const std::vector<CurveImage> images =
+      images_of(*duffing.map, 0, 9, CurveView{square}, {.tolerance = 1e-6, .max_work = 1e6});
+  ASSERT_GT(images.size(), 1U);
+  ASSERT_LT(images.size(), 9U);
+  EXPECT_EQ(images.back().stop, GrowthStop::work);
+  EXPECT_TRUE(images.back().points.empty());
+  EXPECT_EQ(images[images.size() - 2].stop, GrowthStop::iterates);
 }
 
 TEST(Grow, RefusesOptionsWithoutSense) {

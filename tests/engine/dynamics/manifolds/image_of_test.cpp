@@ -7,8 +7,8 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/error.hpp"
-#include "lober/manifolds.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/manifolds.hpp"
 #include "tests/distance.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 

@@ -1,4 +1,4 @@
-#include "lober/local_manifold.hpp"
+#include "lober/dynamics/local_manifold.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 
 namespace lober {

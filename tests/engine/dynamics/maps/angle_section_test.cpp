@@ -9,7 +9,7 @@
 
 #include "engine/dynamics/dynamics.hpp"
 #include "kernels/point.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/dynamics/dynamics.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 #include "tests/paths.hpp"
 
 namespace lober::detail {

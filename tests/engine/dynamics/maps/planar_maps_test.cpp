@@ -11,7 +11,7 @@
 #include "engine/dynamics/dynamics.hpp"
 #include "kernels/box.hpp"
 #include "kernels/cpu.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 #include "tests/paths.hpp"
 
 namespace lober::detail {

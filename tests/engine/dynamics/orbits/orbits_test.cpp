@@ -1,5 +1,5 @@
 // Orbits against the map itself, folding, and starting points.
-#include "lober/orbits.hpp"
+#include "lober/dynamics/orbits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober::detail {
 namespace {

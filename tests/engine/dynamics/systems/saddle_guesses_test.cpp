@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/dynamics/manifolds/saddle.hpp"
-#include "lober/error.hpp"
-#include "lober/fixed_points.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/fixed_points.hpp"
+#include "lober/dynamics/systems.hpp"
 
 namespace lober {
 namespace {

@@ -7,7 +7,7 @@
 #include "engine/base/utf8.hpp"
 #include "engine/dynamics/dynamics.hpp"
 #include "kernels/point.hpp"
-#include "lober/error.hpp"
+#include "lober/base/error.hpp"
 #include "tests/paths.hpp"
 #include "tests/refusal.hpp"
 

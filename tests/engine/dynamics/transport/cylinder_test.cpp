@@ -1,5 +1,5 @@
 // Overlaps with translates, against overlays of outlines.
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 
 #include "engine/dynamics/transport/turnstile/insides.hpp"
 #include "kernels/box.hpp"
-#include "lober/error.hpp"
-#include "lober/manifold_tangle.hpp"
-#include "lober/regions.hpp"
-#include "lober/transport.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober::detail {
 namespace {

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <string>
 
-#include "lober/error.hpp"
-#include "lober/manifold_tangle.hpp"
-#include "lober/systems.hpp"
-#include "lober/transport.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
+#include "lober/transport/transport.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
 

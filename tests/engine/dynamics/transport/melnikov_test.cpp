@@ -1,13 +1,13 @@
 // Melnikov's function against closed forms, and its areas against exact ones.
-#include "lober/melnikov.hpp"
+#include "lober/transport/melnikov.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "lober/error.hpp"
-#include "lober/manifold_tangle.hpp"
+#include "lober/base/error.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober {
 namespace {

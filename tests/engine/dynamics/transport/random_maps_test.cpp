@@ -11,8 +11,8 @@
 #include <string>
 
 #include "engine/dynamics/maps/formula_map.hpp"
-#include "lober/error.hpp"
-#include "lober/transport.hpp"
+#include "lober/base/error.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober::detail {
 namespace {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string>
 
-#include "lober/error.hpp"
-#include "lober/transport.hpp"
+#include "lober/base/error.hpp"
+#include "lober/transport/transport.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
 #include "tests/refusal.hpp"

@@ -1,4 +1,4 @@
-#include "lober/sweep.hpp"
+#include "lober/transport/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "lober/error.hpp"
-#include "lober/systems.hpp"
-#include "lober/transport.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/transport/transport.hpp"
 
 namespace lober {
 namespace {

@@ -6,9 +6,9 @@
 #include <ostream>
 #include <string>
 
-#include "lober/error.hpp"
-#include "lober/manifold_tangle.hpp"
-#include "lober/systems.hpp"
+#include "lober/base/error.hpp"
+#include "lober/dynamics/systems.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 #include "tests/refusal.hpp"
 
 namespace lober {

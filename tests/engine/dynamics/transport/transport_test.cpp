@@ -12,8 +12,8 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/error.hpp"
-#include "lober/transport.hpp"
+#include "lober/base/error.hpp"
+#include "lober/transport/transport.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
 
@@ -308,6 +308,20 @@ TEST(Transport, OfCurvesAlone) {
     EXPECT_NEAR(curves.steps[k].by_boundaries(0, 1).value, found.steps[k].by_boundaries(0, 1).value, 1e-4);
   }
   EXPECT_LT(curves.steps.size(), 100U);
+  EXPECT_EQ(curves.remarks, alone.remarks);
+}
+
+// Curves alone do not show whether the map keeps the straight line between two saddles, nor that the plane repeats
+// itself.
+TEST(Transport, OfCurvesFromTwoSaddlesSaysWhatIsAssumed) {
+  const Transport found = transport_of(make_system("standard", {{"K", 1.2}}), 1, 1e-5);
+  const ManifoldTangle& manifolds = found.manifolds();
+  TangleOptions options;
+  options.smooth = true;
+  options.bip_near = manifolds.orbits.back().at;
+  const TransportOfCurves curves = transport(tangle(manifolds.u, manifolds.s, options), 1);
+  ASSERT_FALSE(curves.remarks.empty());
+  EXPECT_NE(curves.remarks.back().find("which the map is taken to keep"), std::string::npos) << curves.remarks.back();
 }
 
 TEST(Transport, SameBitsForAnyNumberOfThreads) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/geometry/views.hpp"
-#include "lober/overlay.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/overlay.hpp"
+#include "lober/overlay/regions.hpp"
 #include "tests/shapes.hpp"
 
 namespace lober::test {

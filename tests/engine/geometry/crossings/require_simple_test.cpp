@@ -8,7 +8,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "lober/crossings.hpp"
+#include "lober/overlay/crossings.hpp"
 #include "tests/shapes.hpp"
 
 namespace lober::test {

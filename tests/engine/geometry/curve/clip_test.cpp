@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/geometry/curve/cut_outside.hpp"
-#include "lober/curve.hpp"
-#include "lober/interior.hpp"
+#include "lober/curve/curve.hpp"
+#include "lober/overlay/interior.hpp"
 
 namespace lober {
 namespace {

@@ -1,4 +1,4 @@
-#include "lober/densify.hpp"
+#include "lober/curve/densify.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/box.hpp"
 #include "kernels/predicates.hpp"
-#include "lober/densify.hpp"
+#include "lober/curve/densify.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 #include "tests/shapes.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernels/box.hpp"
-#include "lober/densify.hpp"
+#include "lober/curve/densify.hpp"
 
 namespace lober::densify_test {
 using namespace lober::detail;

@@ -4,7 +4,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/box.hpp"
-#include "lober/densify.hpp"
+#include "lober/curve/densify.hpp"
 #include "tests/distance.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lober/drawing.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober {
 namespace {

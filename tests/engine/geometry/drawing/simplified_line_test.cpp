@@ -1,6 +1,6 @@
 // Lines of a picture with fewer points.
 
-#include "lober/drawing.hpp"
+#include "lober/curve/drawing.hpp"
 
 #include <gtest/gtest.h>
 

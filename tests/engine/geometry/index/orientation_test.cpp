@@ -7,8 +7,8 @@
 
 #include "engine/geometry/index/orientation.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/families.hpp"

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <vector>
 
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 #include "tests/kernels/random_doubles.hpp"
 
 namespace lober::test {

@@ -14,8 +14,8 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/interior.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/oracle/exact_curve.hpp"
 #include "tests/oracle/exact_overlay.hpp"
 #include "tests/oracle/families.hpp"

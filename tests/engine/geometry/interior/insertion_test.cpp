@@ -9,7 +9,7 @@
 
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/shapes.hpp"
 

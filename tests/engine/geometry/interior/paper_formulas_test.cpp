@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/geometry/views.hpp"
-#include "lober/interior.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/interior.hpp"
+#include "lober/overlay/regions.hpp"
 #include "tests/shapes.hpp"
 
 namespace lober::detail {

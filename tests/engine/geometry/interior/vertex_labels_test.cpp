@@ -1,6 +1,6 @@
 // Labels carried along the curve against a test of every vertex, on every family of pairs.
 #include "engine/geometry/views.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernels/predicates.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/oracle/families.hpp"
 
 namespace lober::detail {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "lober/interior.hpp"
+#include "lober/overlay/interior.hpp"
 #include "tests/oracle/exact_number.hpp"
 #include "tests/oracle/random.hpp"
 

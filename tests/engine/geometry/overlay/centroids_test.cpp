@@ -8,7 +8,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
 #include "kernels/moments.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/shapes.hpp"
 
 namespace lober::test {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/geometry/views.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/engine/geometry/overlay/six_crossings.hpp"
 
 namespace lober::test {

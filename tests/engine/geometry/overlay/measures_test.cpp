@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/views.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/geometry/views.hpp"
-#include "lober/overlay.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/oracle/exact_overlay.hpp"
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"

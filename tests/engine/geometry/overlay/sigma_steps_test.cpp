@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/geometry/views.hpp"
-#include "lober/error.hpp"
-#include "lober/overlay.hpp"
+#include "lober/base/error.hpp"
+#include "lober/overlay/overlay.hpp"
 #include "tests/engine/geometry/overlay/six_crossings.hpp"
 #include "tests/oracle/families.hpp"
 

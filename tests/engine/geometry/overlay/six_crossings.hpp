@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
 
 namespace lober::test {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/geometry/views.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 #include "tests/shapes.hpp"
 
 namespace lober::detail {

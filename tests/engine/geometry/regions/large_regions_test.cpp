@@ -10,7 +10,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/families.hpp"
 

@@ -13,7 +13,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
-#include "lober/regions.hpp"
+#include "lober/overlay/regions.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/slab_arrangement.hpp"

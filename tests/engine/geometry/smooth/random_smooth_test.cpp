@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/geometry/views.hpp"
-#include "lober/smooth.hpp"
+#include "lober/overlay/smooth.hpp"
 #include "tests/oracle/families.hpp"
 
 namespace lober::detail {

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "lober/areas.hpp"
-#include "lober/point.hpp"
+#include "lober/curve/point.hpp"
+#include "lober/overlay/areas.hpp"
 
 namespace lober::smooth_test {
 

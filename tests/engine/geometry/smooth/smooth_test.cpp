@@ -1,4 +1,4 @@
-#include "lober/smooth.hpp"
+#include "lober/overlay/smooth.hpp"
 #include "engine/geometry/views.hpp"
 
 #include <gtest/gtest.h>
@@ -303,6 +303,25 @@ TEST(Smooth, AreaOfOneCurve) {
       EXPECT_EQ(found.fallback_segments, 0U);
     }
     std::reverse(wave.begin(), wave.end());
+  }
+}
+
+// Coordinates far from the origin are rounded: circles of radius 1 whose centres are 1e8 away.
+TEST(Smooth, BarsHoldTheRoundingOfVertices) {
+  for (const std::size_t size : {50U, 200U, 1000U, 10000U}) {
+    for (int turn = 0; turn < 20; ++turn) {
+      for (const double offset : {1e3, 1e6, 1e8}) {
+        const double x = offset + 0.37 * turn, y = offset - 0.61 * turn;
+        Points circle(size);
+        for (std::size_t k = 0; k < size; ++k) {
+          const double angle = 2 * pi * (static_cast<double>(k) + 0.05 * turn) / static_cast<double>(size);
+          circle[k] = {x + std::cos(angle), y + std::sin(angle)};
+        }
+        const SmoothArea found = smooth_area(CurveView{circle});
+        EXPECT_LE(std::fabs(found.area - pi), found.error) << size << ' ' << offset << ' ' << turn;
+        EXPECT_LT(found.error, 1e-3);
+      }
+    }
   }
 }
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "lober/smooth.hpp"
+#include "lober/overlay/smooth.hpp"
 
 namespace lober {
 namespace {

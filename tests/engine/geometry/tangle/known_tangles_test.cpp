@@ -6,8 +6,8 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/views.hpp"
-#include "lober/error.hpp"
-#include "lober/tangle.hpp"
+#include "lober/base/error.hpp"
+#include "lober/tangle/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 #include "tests/shapes.hpp"
 

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "engine/geometry/views.hpp"
-#include "lober/regions.hpp"
-#include "lober/tangle.hpp"
+#include "lober/overlay/regions.hpp"
+#include "lober/tangle/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 #include "tests/environment.hpp"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "engine/geometry/views.hpp"
-#include "lober/files.hpp"
-#include "lober/tangle.hpp"
+#include "lober/curve/files.hpp"
+#include "lober/tangle/tangle.hpp"
 #include "tests/shared_data.hpp"
 
 namespace lober::detail {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/geometry/views.hpp"
-#include "lober/tangle.hpp"
+#include "lober/tangle/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 
 namespace lober::detail {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/point.hpp"
-#include "lober/curve.hpp"
+#include "lober/curve/curve.hpp"
 #include "tests/oracle/random.hpp"
 
 namespace lober::detail {

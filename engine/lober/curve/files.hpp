@@ -1,0 +1,107 @@
+// Reading and writing of curve files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lober/base/export.hpp"
+#include "lober/curve/curve.hpp"
+
+namespace lober {
+
+enum class Format : std::uint8_t {
+  tecplot,  ///< Tecplot ASCII: VARIABLES, TITLE, ZONE lines, then one point a line
+  text,     ///< two columns separated by commas, semicolons, blanks or tabs; a header line is allowed
+  npy,      ///< NumPy: N x 2 or 2 x N, float64 or float32 of either byte order, C or Fortran order
+  raw,      ///< native float64 pairs, nothing else
+};
+[[nodiscard]] LOBER_API std::string_view name(Format format);
+
+/// One zone of a file. Formats without zones have exactly one.
+struct Zone {
+  std::string title;
+  std::vector<Point> points;
+  std::size_t line = 1;  ///< where it starts in a text file, counted from 1
+};
+
+struct CurveFile {
+  std::string path;
+  Format format = Format::text;
+  std::string sha256;  ///< hash of the whole file, lower-case hexadecimal
+  std::vector<Zone> zones;
+  std::string header;  ///< names of columns, as the first line of a text file or the variables of a Tecplot file
+};
+
+struct ReadOptions {
+  bool hash = true;  ///< compute `sha256`; reading is faster without
+};
+
+/// Reads every zone of a file. The format is chosen by the content, never by the name. The file is
+/// read into memory and text is parsed in parallel. Throws DataError "path:line: what is wrong" for a file that
+/// is missing, unreadable, empty, has a zone without points, a line that is not two finite numbers, a column
+/// count other than two, a declared count (I=, N=) that contradicts the points, or a truncated binary file.
+/// Where a file has no lines (it is missing or binary), the message is "path: what is wrong". A pipe is read to its
+/// end;
+/// "-" is standard input.
+[[nodiscard]] LOBER_API CurveFile read_curve_file(const std::string& path, const ReadOptions& options = {});
+
+/// A curve named on a command line: `FILE`, or `FILE#K` for zone K counted from 0, or `FILE#TITLE`. (A file
+/// whose name really contains '#' is found first.) Closed curves lose a last vertex that repeats the first.
+struct NamedCurve {
+  Curve curve;
+  std::string file;    ///< the path without the zone
+  std::string sha256;  ///< hash of the whole file
+  std::size_t zone = 0;
+  std::size_t zones = 1;  ///< number of zones of the file
+  /// Says how a curve was closed, or that it consists of longitudes and latitudes; nearly always empty.
+  std::string remark;
+};
+
+/// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the
+/// file has several zones and none is chosen, or the chosen one is not there.
+[[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
+
+/// Whether a file names its columns as latitude and longitude, in that order; nothing where it names neither.
+[[nodiscard]] LOBER_API std::optional<bool> latitude_first(const CurveFile& file);
+/// Throws DataError when one curve has columns of latitude and longitude and the other of longitude and latitude.
+LOBER_API void require_same_columns(const Curve& first, const Curve& second);
+
+/// The number of points of a file: exact for NPY and raw float64; for text an estimate from the length of its first
+/// lines. 0 if the file cannot be read. At most 64 KiB are read.
+[[nodiscard]] LOBER_API std::size_t estimate_points(const std::string& path);
+
+/// Writers. Numbers are written in the shortest form that reads back to the same bits. The file appears under
+/// its name only when it is complete (written beside it, then renamed); on failure an existing file is left
+/// as it was. A path that is not a regular file (a pipe, /dev/stdout, "-" for standard output) is written directly.
+/// They throw DataError when the file cannot be written or a coordinate is not finite.
+///
+/// Raw float64 has no signature: coordinates whose bytes all happen to be printable characters would be read as
+/// text. Numbers of few digits never are, because their low bytes are zero.
+///
+/// A single zone without a title needs no ZONE line in a Tecplot file.
+enum class ZoneLines : std::uint8_t { where_needed, always };
+LOBER_API void write_tecplot(const std::string& path, std::span<const Zone> zones,
+                             ZoneLines lines = ZoneLines::where_needed);
+LOBER_API void write_text(const std::string& path, std::span<const Point> points, char separator = ' ');
+LOBER_API void write_npy(const std::string& path, std::span<const Point> points);
+LOBER_API void write_raw(const std::string& path, std::span<const Point> points);
+
+/// Writes `content` in the same way: complete under its name, or not at all.
+LOBER_API void write_file(const std::string& path, std::string_view content);
+
+/// SHA-256 (FIPS 180-4) of bytes in memory, lower-case hexadecimal.
+[[nodiscard]] LOBER_API std::string sha256(std::span<const std::byte> bytes);
+/// SHA-256 of a regular file, one mebibyte of which is in memory at a time. Throws DataError "path: reason", also for a
+/// file that changes meanwhile.
+[[nodiscard]] LOBER_API std::string sha256_of_file(const std::string& path);
+
+/// Whether a file has the form that `write_npy` gives a curve, byte for byte, not a table or an array of another shape.
+/// O(1).
+[[nodiscard]] LOBER_API bool is_curve_in_npy(const std::string& path);
+
+}  // namespace lober

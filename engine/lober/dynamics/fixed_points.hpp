@@ -1,0 +1,99 @@
+// Fixed and periodic points of planar maps.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "lober/base/export.hpp"
+#include "lober/curve/point.hpp"
+#include "lober/dynamics/planar_map.hpp"
+
+namespace lober {
+
+/// The kind by the multipliers, the eigenvalues of the derivative, |first| >= |second|. Moduli within 1e-7 of 1 count
+/// as 1.
+enum class FixedPointKind {
+  saddle,            ///< real, 0 < second < 1 < first: each branch of a manifold is mapped to itself
+  inverse_saddle,    ///< real, first < -1 < second < 0: the two branches are exchanged
+  reversing_saddle,  ///< real, of opposite signs: the map reverses orientation
+  centre,            ///< complex, of modulus 1
+  parabolic,         ///< real, at least one of modulus 1
+  attracting,        ///< both moduli < 1
+  repelling          ///< both moduli > 1
+};
+[[nodiscard]] LOBER_API std::string_view name(FixedPointKind kind);
+
+struct FixedPoint {
+  Point at;
+  /// The least n with f^n(at) = at + (the shift asked for).
+  int period = 1;
+  /// Derivative of f^period.
+  Matrix2 derivative;
+  /// Eigenvalues of the derivative, the one of larger modulus first; of a conjugate pair the one with positive
+  /// imaginary part first.
+  std::array<std::complex<double>, 2> multipliers;
+  /// Unit vectors to x > 0 (to y > 0 when upright), in the order of the multipliers; (0, 0) when those are complex.
+  std::array<Point, 2> directions;
+  FixedPointKind kind = FixedPointKind::parabolic;
+  /// |f^period(at) - at - shift|.
+  double residual = 0;
+};
+
+struct FixedPointOptions {
+  /// The points searched for satisfy f^period(z) = z + shift.
+  int period = 1;
+  Point shift{};
+  /// A scan evaluates f^period on grid x grid points.
+  int grid = 48;
+  /// The work that `search_fixed_points` may take, as PlanarMap::work counts it. Not used with `budget`.
+  double max_work = 5e7;
+  double budget = 0;  ///< seconds by the clock instead: results then depend on the machine; 0: max_work
+};
+
+/// Newton's method from `guess`, damped, until rounding (or the tolerance of the integration) stops it. Throws
+/// DataError with the point where it ended when it does not converge, UsageError for a period or a grid that is not
+/// positive.
+[[nodiscard]] LOBER_API FixedPoint find_fixed_point(const PlanarMap& map, Point guess,
+                                                    const FixedPointOptions& options = {});
+
+/// The points in a box, each once, sorted by period, x, y. Newton's method starts in each cell of a grid on whose
+/// corners both components of f^period(z) - z - shift change sign, and at each grid point where its length is least
+/// among its neighbours: it finds every point that the grid resolves. Points whose least period divides `period` are
+/// among them. Throws DataError, with the point of the smallest displacement, when there is none.
+[[nodiscard]] LOBER_API std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
+                                                                  const FixedPointOptions& options = {});
+
+/// Greene's residue (2 - trace of the derivative) / 4 (J. Math. Phys. 20, 1979): for a map that preserves area it is
+/// negative at a saddle, between 0 and 1 at a centre, above 1 at an inverse saddle.
+[[nodiscard]] LOBER_API double residue(const FixedPoint& point);
+
+/// The index of the point as a zero of f^period(z) - z - shift: the sign of det(1 - D f^period), +1 or -1; 0 where that
+/// is 0 to rounding. `period` has to be a multiple of the point's.
+[[nodiscard]] LOBER_API int index_of(const FixedPoint& point, int period);
+
+struct FixedPointSearch {
+  std::vector<FixedPoint> points;  ///< as find_fixed_points gives them; may be empty
+  int grid = 0;                    ///< grid of the last scan
+  bool settled = false;            ///< the last scan found what the one before had found, and no index contradicts it
+  bool out_of_work = false;        ///< the allowed work ended the search: the points are those found by then
+  int index_sum = 0;               ///< sum of the indices of the points inside the box
+  /// How often f^period(z) - z - shift turns round while z runs round the box: the sum of the indices of all points
+  /// inside, where the map is continuous there. None where a point lies next to the edge of the box or is degenerate,
+  /// or some point of the box has no image.
+  std::optional<int> index_of_box;
+};
+
+/// The points in a box, by scans on grids of options.grid, twice as many, ... points a side, until two in a row find
+/// the same points and the sum of their indices is that of the box; the last scan has at most max_grid points a side.
+/// The first grid is coarser where its points alone would take more than a quarter of the work that is allowed.
+/// `progress` takes the grid of the scan that begins; false cancels. Throws UsageError, Cancelled. Parallel; the same
+/// bits for any number of threads.
+[[nodiscard]] LOBER_API FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
+                                                             const FixedPointOptions& options = {}, int max_grid = 384,
+                                                             const std::function<bool(int)>& progress = {});
+
+}  // namespace lober
