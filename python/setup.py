@@ -24,7 +24,7 @@ OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DLOBER_BUILD_BATCH=OFF", "-DLOBER_INS
 
 
 def version() -> str:
-    header = (source / "engine" / "lober" / "version.hpp").read_text()
+    header = (source / "engine" / "lober" / "base" / "version.hpp").read_text()
     return ".".join(re.findall(r"#define LOBER_VERSION_[A-Z]+ ([0-9]+)", header))
 
 

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -32,6 +33,11 @@ class TimeLimit {
   std::condition_variable ends_;
   std::thread thread_;
 };
+
+/// A budget of seconds as a limit: 0 stands for none.
+[[nodiscard]] inline double seconds_of(double budget) {
+  return budget > 0 ? budget : std::numeric_limits<double>::infinity();
+}
 
 /// Does work until the watch shows more than `seconds`: false when that ended it. Throws what `work` throws, and
 /// Cancelled when something else than the limit cancelled it.

@@ -22,7 +22,7 @@ int lober_write(const char* path, const double* points, size_t n) {
     const std::string_view name(path);
     const std::span<const lober::Point> given = points_of(points, n, "curve");
     if (name.ends_with(".npy")) return lober::write_npy(path, given);
-    if (name.ends_with(".f64")) return lober::write_raw(path, given);
+    if (name.ends_with(".raw") || name.ends_with(".f64")) return lober::write_raw(path, given);
     lober::write_text(path, given, name.ends_with(".csv") ? ',' : ' ');
   });
 }

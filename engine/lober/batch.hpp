@@ -96,7 +96,7 @@ struct BatchReport {
   QueueReport queue;
   std::size_t jobs = 0;              ///< jobs of the shard
   std::size_t finished_before = 0;   ///< jobs of the shard whose results were in the store
-  std::vector<std::string> damaged;  ///< see StoreSession
+  std::vector<std::string> damaged;  ///< a line for each stored result that cannot be read; its job is done again
   double store_seconds = 0;          ///< processor time of the thread that writes
   double wall_seconds = 0;           ///< wall time of the whole run
 };

@@ -98,8 +98,8 @@ LOBER_C_API double lober_number(const lober_result* result, const char* name);
 LOBER_C_API void lober_result_free(lober_result* result);
 
 /* Polygons of one piece of a result of lober_overlay ("intersection", "union", "c1_minus_c2", "c2_minus_c1"), or of a
-   lobe of a tangle ("lobes"; "boundary" has the piece 0), with the option outlines=1. Arrays: points (n x 2), begin: the
-   row where each polygon begins; the outer one first, counter-clockwise, then its holes, clockwise. */
+   lobe of a tangle ("lobes"; "boundary" has the piece 0), with the option outlines=1. Arrays: points (n x 2), begin:
+   the row where each polygon begins; the outer one first, counter-clockwise, then its holes, clockwise. */
 LOBER_C_API int lober_outline(const lober_result* of, const char* kind, size_t piece, lober_result** result);
 
 /* ------------------------------------------------------------------------------------------------------------- curves
@@ -129,11 +129,11 @@ LOBER_C_API int lober_winding(const double* curve, size_t n, const double* point
                               lober_result** result);
 /* Signed area of a closed curve, positive counter-clockwise. */
 LOBER_C_API int lober_signed_area(const double* curve, size_t n, double* area);
-/* More points: lober_call of "densify" (lober/densify.hpp). Options: closed=true|false (true), max_length=D, angle=RADIANS,
-   distance_angle=D, min_length=D, interpolation=linear|dritschel|spline, max_points=N and more; with a second input for
-   passes=N, points=N and crossings=true use lober_call. Among its arrays: points; diagnostics.list.segment, .count and
-   .cause: segments that break a criterion, and why: min_length, corner, max_points, max_rounds. Returns
-   LOBER_INCOMPLETE with a result where one of the last two ended the work. */
+/* More points: lober_call of "densify" (lober/densify.hpp). Options: closed=true|false (true), max_length=D,
+   angle=RADIANS, distance_angle=D, min_length=D, interpolation=linear|dritschel|spline, max_points=N and more; with a
+   second input for passes=N, points=N and crossings=true use lober_call. Among its arrays: points;
+   diagnostics.list.segment, .count and .cause: segments that break a criterion, and why: min_length, corner,
+   max_points, max_rounds. Returns LOBER_INCOMPLETE with a result where one of the last two ended the work. */
 LOBER_C_API int lober_densify(const double* curve, size_t n, const char* options, lober_result** result);
 /* Fewer points: lober_call of "simplify". Options: closed=true|false (true), tolerance=D, max_length=D. Among its
    arrays: points. */
@@ -151,7 +151,7 @@ LOBER_C_API int lober_tangle(const double* u, size_t nu, const double* s, size_t
 /* One curve of a file as the program reads it: FILE, or FILE#K for zone K from 0, FILE#TITLE for that of a
    title. Options: closed=0|1 (1). Arrays: points. */
 LOBER_C_API int lober_read(const char* spec, const char* options, lober_result** result);
-/* Writes points in the format of the ending: .npy, .csv, .f64 (raw), else text. */
+/* Writes points in the format of the ending: .npy, .csv, .raw or .f64 (raw), else text. */
 LOBER_C_API int lober_write(const char* path, const double* points, size_t n);
 
 /* ------------------------------------------------------------------------------------------------------------ dynamics
@@ -168,8 +168,8 @@ LOBER_C_API int lober_systems(lober_result** result);
    fails or is cancelled, points stay as they were. */
 LOBER_C_API int lober_iterate(const lober_model* model, double* points, size_t n, int iterates);
 /* Fixed and periodic points in a box: lober_call of "fixed_points". Options: box=XMIN,YMIN,XMAX,YMAX, period=N,
-   turns=N, grid=N, max_grid=N, budget=SECONDS. Among its arrays: points.x, points.y, points.residue, points.type: a line
-   each; points.derivative and points.multipliers (n x 4, row by row); search.settled. */
+   turns=N, grid=N, max_grid=N, budget=SECONDS. Among its arrays: points.x, points.y, points.residue, points.type: a
+   line each; points.derivative and points.multipliers (n x 4, row by row); search.settled. */
 LOBER_C_API int lober_fixed_points(const lober_model* model, const char* options, lober_result** result);
 /* A branch of the manifold of a saddle: lober_call of "grow". Options: from=X,Y near the saddle (that of the system),
    side=unstable|stable, branch=+|-|X,Y: a vector roughly along it (that of the system, else the one of larger x),
@@ -178,8 +178,8 @@ LOBER_C_API int lober_fixed_points(const lober_model* model, const char* options
    LOBER_INCOMPLETE with a result where max_points ends the work, or no point has an image. */
 LOBER_C_API int lober_grow(const lober_model* model, const char* options, lober_result** result);
 /* Images of a curve under the map, with as many points as they need: lober_call of "image". Options: closed=0|1 (1),
-   first=N (1), last=N (first), tolerance=D, max_length=D, max_points=N and more. Among its arrays: images.0.polygon: the
-   points, and images.0.parameters of the first; images.0.area (1 x 2): area and error. LOBER_INCOMPLETE as
+   first=N (1), last=N (first), tolerance=D, max_length=D, max_points=N and more. Among its arrays: images.0.polygon:
+   the points, and images.0.parameters of the first; images.0.area (1 x 2): area and error. LOBER_INCOMPLETE as
    lober_grow. */
 LOBER_C_API int lober_image(const lober_model* model, const double* curve, size_t n, const char* options,
                             lober_result** result);

@@ -15,7 +15,7 @@
 
 namespace lober::python {
 
-/// A C-contiguous array of float64; lober/arrays.py converts what is none. Nothing is converted here.
+/// A C-contiguous array of float64; lober/_arrays.py converts other arrays. Nothing is converted here.
 using Array = pybind11::array_t<double, pybind11::array::c_style>;
 
 /// The points of an N x 2 array, which has to stay alive. Throws UsageError for another shape.

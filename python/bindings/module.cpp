@@ -1,4 +1,4 @@
-// The private extension module lober._lober. Its functions take arrays that lober/arrays.py has made fit; the package
+// The private extension module lober._lober. Its functions take arrays that lober/_arrays.py has made fit; the package
 // lober gives them names, defaults and documentation.
 #include "python/bindings/module.hpp"
 

@@ -35,7 +35,7 @@ constexpr double work_a_node = 50;
 
 // The seconds after which work is broken off.
 double last_second(const EscapeOptions& options) {
-  return options.budget > 0 ? beyond_budget * options.budget : std::numeric_limits<double>::infinity();
+  return beyond_budget * seconds_of(options.budget);
 }
 
 // Does the work before the first row. Throws DataError when it takes too long.

@@ -34,9 +34,10 @@ struct RegionFaces {
                                      const Buffer<DD>& sums, bool curves_meet, const IndexedCurve& c1,
                                      const IndexedCurve* c2, PredicateCounts& counts);
 
+/// The answer where there is no half-edge.
+inline constexpr std::uint32_t no_half_edge = 0xffffffff;
 /// The first half-edge met by a ray from `point`, which does not lie on the curve, to greater x, on the side of greater
 /// y when it runs through a vertex: the half-edge of curve `number` (0 or 1) that has the point on its left; or none.
-inline constexpr std::uint32_t no_half_edge = 0xffffffff;
 [[nodiscard]] std::uint32_t half_edge_right_of(Point point, const EdgeChains& edge_chains, const Events& events,
                                                const HalfEdges& graph, const IndexedCurve& curve, int number,
                                                PredicateCounts& counts);

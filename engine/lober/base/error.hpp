@@ -5,7 +5,8 @@
 //     DataError            a file or a curve that cannot be used            (program: exit status 1)
 //       NotSimpleError     a curve that crosses or touches itself, with the point
 //     DisagreementError    two routes to a number differ by more than their error bars (program: exit status 3)
-//     Cancelled            the caller's progress callback returned false    (program: exit status 130)
+//     Cancelled            the caller's progress callback returned false, or a flag of a CancellationScope is set
+//                          (program: exit status 130)
 //
 // An exception that a callback of the caller throws is passed on as it is. Functions that destroy, swap or return sizes
 // are noexcept; any other one may throw std::bad_alloc too. DisagreementError is in agreement.hpp.

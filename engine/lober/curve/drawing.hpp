@@ -54,13 +54,14 @@ class LabelLayout {
   /// No label covers any of this rectangle.
   LOBER_API void block(const Rectangle& rectangle);
 
-  /// Inside a closed polygon (even-odd rule): the centre of the cell farthest from lines, labels, frame and the
-  /// polygon's outside, distances across counted `flat` times, and that distance; none where no centre of a cell lies
-  /// inside. O(cells).
+  /// The result of roomiest.
   struct FreePlace {
     Point at;
     double distance = 0;
   };
+  /// Inside a closed polygon (even-odd rule): the centre of the cell farthest from lines, labels, frame and the
+  /// polygon's outside, distances across counted `flat` times, and that distance; none where no centre of a cell lies
+  /// inside. O(cells).
   [[nodiscard]] LOBER_API std::optional<FreePlace> roomiest(std::span<const Point> polygon, double flat = 1) const;
 
   /// The box of a label of this size about `at`, or, where that covers lines, as near as possible; the box is blocked

@@ -76,13 +76,14 @@ class Crossings {
   std::shared_ptr<const detail::CrossingsData> data_;
 };
 
-/// Throws NotSimpleError unless the closed curve is simple: no two segments meet except neighbours in their common
-/// vertex. `number` is what the error calls the curve (1 or 2). Decided exactly; monotone runs are skipped, so a smooth
-/// curve costs next to nothing. Parallel; names the first pair of segments in curve order.
+/// The cost of require_simple.
 struct SimpleCheck {
   SearchCounts search;
   std::uint64_t pairs = 0;  ///< pairs of segments decided
 };
+/// Throws NotSimpleError unless the closed curve is simple: no two segments meet except neighbours in their common
+/// vertex. `number` is what the error calls the curve (1 or 2). Decided exactly; monotone runs are skipped, so a smooth
+/// curve costs next to nothing. Parallel; names the first pair of segments in curve order.
 LOBER_API SimpleCheck require_simple(const IndexedCurve& curve, int number);
 
 /// A point that two curves have in common: a proper crossing of two segments, or a vertex of one on the other.
@@ -96,12 +97,13 @@ struct CommonPoint {
 /// search of overlay.
 [[nodiscard]] LOBER_API std::vector<CommonPoint> common_points(const IndexedCurve& first, const IndexedCurve& second);
 
-/// Pairs of segments that meet where those of a simple curve do not, in curve order: the first `most` of each block of
-/// the search, and at most `most` in all. Costs what require_simple costs; without such pairs `check` is its result.
+/// The result of self_meetings.
 struct SelfMeetings {
   std::vector<SegmentPair> pairs;
   SimpleCheck check;
 };
+/// Pairs of segments that meet where those of a simple curve do not, in curve order: the first `most` of each block of
+/// the search, and at most `most` in all. Costs what require_simple costs; without such pairs `check` is its result.
 [[nodiscard]] LOBER_API SelfMeetings self_meetings(const IndexedCurve& curve, std::size_t most);
 
 }  // namespace lober

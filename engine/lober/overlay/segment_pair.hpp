@@ -6,7 +6,7 @@
 
 namespace lober {
 
-/// A segment of the first curve and one of the second.
+/// The number of a segment of the first curve and that of one of the second, or of two of one curve.
 struct SegmentPair {
   std::uint32_t first;
   std::uint32_t second;

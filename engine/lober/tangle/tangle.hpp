@@ -179,17 +179,17 @@ struct LobeOverlap {
 /// The area that two lobes have in common, for every pair that has any; ordered by i, then j. O(crossings + N + M).
 [[nodiscard]] LOBER_API std::vector<LobeOverlap> overlaps(const Tangle& tangle);
 
-/// The area that lobe i of a tangle and lobe j of a copy of it, moved by a vector, have in common, for every such pair
-/// (also j <= i); ordered by i, then j.
+/// The result of overlaps_with_copy.
 struct CopyOverlaps {
-  std::vector<LobeOverlap> overlaps;
+  std::vector<LobeOverlap> overlaps;  ///< ordered by i, then j
   /// Pips of one tangle or the other that are not pips of both together, because the U of one crosses the S of the
   /// other before them. Overlaps of lobes between such pips are not reliable.
   std::vector<std::uint32_t> hidden_pips;
 };
-/// For planes that repeat themselves, where manifolds do not cross their own copies. Two searches of one curve against
-/// the other, and O(N + M). Throws UsageError for a zero translation, DataError where coordinates leave the range in
-/// which squares are numbers.
+/// The area that lobe i of a tangle and lobe j of a copy of it, moved by a vector, have in common, for every such pair
+/// (also j <= i): for planes that repeat themselves, where manifolds do not cross their own copies. Two searches of one
+/// curve against the other, and O(N + M). Throws UsageError for a zero translation, DataError where coordinates leave
+/// the range in which squares are numbers.
 [[nodiscard]] LOBER_API CopyOverlaps overlaps_with_copy(const Tangle& tangle, Point translation);
 
 /// The boundary of a lobe as a closed polygon: pip k, along U to pip k + 1, back along S. Where S_k and U_k touch it
@@ -202,12 +202,13 @@ struct CopyOverlaps {
 /// The boundary as a closed polygon: from p- along U to the bip, along S to p+ and along the closure back to p-.
 /// O(its vertices).
 [[nodiscard]] LOBER_API std::vector<Point> boundary_outline(const Tangle& tangle);
-/// Signed area enclosed by U[p-, q], S[q, p+] and the closure from p+ to p-, q a pip, each part counted with its
-/// winding number; that of the smooth curves if the tangle is made of them. The error is as Lobe::smooth_error.
-/// O(corners of the closure).
+/// The result of swept_area.
 struct SweptArea {
   double area = 0, error = 0;
 };
+/// Signed area enclosed by U[p-, q], S[q, p+] and the closure from p+ to p-, q a pip, each part counted with its
+/// winding number; that of the smooth curves if the tangle is made of them. The error is as Lobe::smooth_error.
+/// O(corners of the closure).
 [[nodiscard]] LOBER_API SweptArea swept_area(const Tangle& tangle, std::size_t pip);
 /// The simple polygons of which a lobe consists, as areas; one unless the lobe is not simple.
 [[nodiscard]] LOBER_API std::vector<double> lobe_pieces(const Tangle& tangle, std::size_t lobe);

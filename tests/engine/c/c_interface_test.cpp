@@ -134,7 +134,7 @@ TEST(CInterface, DensifySimplifyAndFiles) {
   EXPECT_EQ(array_of(fewer, "points").rows, 40U);
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "lober_c_interface";
   std::filesystem::create_directories(folder);
-  for (const char* const name : {"curve.npy", "curve.csv", "curve.f64", "curve.txt"}) {
+  for (const char* const name : {"curve.npy", "curve.csv", "curve.raw", "curve.f64", "curve.txt"}) {
     const std::string path = folder / name;
     ASSERT_EQ(lober_write(path.c_str(), data, points.rows), LOBER_OK) << lober_message();
     const Result back = made([&](lober_result** to) { return lober_read(path.c_str(), "closed=1", to); });

@@ -277,8 +277,7 @@ bool TangleGrowth::grow_to(int before, int after) {
   limit_.clear();
   lend();
   bool grown = false;
-  const double seconds = options_.budget > 0 ? options_.budget : std::numeric_limits<double>::infinity();
-  const bool in_time = done_within(watch_, seconds, [&] { grown = grow_between(before, after); });
+  const bool in_time = done_within(watch_, seconds_of(options_.budget), [&] { grown = grow_between(before, after); });
   if (!in_time) {
     limit_ = "the manifolds of the next row take longer than the " + std::string(quantity::seconds);
     grown = false;

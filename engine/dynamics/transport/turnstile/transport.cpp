@@ -61,7 +61,7 @@ class TransportBuilder {
         if (n > 1) series->extend(barriers());
         step = series->next();
       };
-      if (!done_within(watch_, last_second(), take)) {
+      if (!done_within(watch_, seconds_of(options_.budget), take)) {
         if (n == 1) throw DataError("transport: the first row takes longer than the " + std::string(quantity::seconds));
         note_limit(n, "the overlaps of the next row take longer than the " + std::string(quantity::seconds));
         break;
@@ -95,7 +95,7 @@ class TransportBuilder {
     growth.bip_near = options_.bip_near;
     for (const Connection& one : connections) {
       if (options_.budget > 0) growth.budget = std::max(options_.budget - watch_.seconds(), 1e-3);
-      if (!done_within(watch_, last_second(),
+      if (!done_within(watch_, seconds_of(options_.budget),
                        [&] { growths_.push_back(std::make_unique<TangleGrowth>(map_, one, growth)); })) {
         throw DataError("transport: no turnstile was found within the " + std::string(quantity::seconds));
       }
@@ -121,10 +121,6 @@ class TransportBuilder {
     if (limit.empty()) return true;
     note_limit(n, limit);
     return false;
-  }
-
-  [[nodiscard]] double last_second() const {
-    return options_.budget > 0 ? options_.budget : std::numeric_limits<double>::infinity();
   }
 
   // Without a budget: of the plane, since growth looks at translates on a cylinder.
