@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
+#include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::detail {
@@ -25,7 +26,7 @@ class WorkMeter {
     try {
       function();
     } catch (const Cancelled&) {
-      if (!spent()) throw;
+      if (!spent() || is_cancelled()) throw;
     }
     return !spent();
   }

@@ -170,11 +170,7 @@ void ManifoldGrowth::cut_back_to(const Size& before) {
 }
 
 void ManifoldGrowth::end_generation() {
-  double length = 0;
-  for (const std::vector<Samples>& sections : current_) {
-    for (const Samples& samples : sections) length += length_in_range(samples);
-  }
-  short_generations_ = length < options_.tolerance ? short_generations_ + 1 : 0;
+  short_generations_ = is_short() ? short_generations_ + 1 : 0;
   const auto goes_on = [&](const std::vector<Samples>& sections) {
     return std::any_of(sections.begin(), sections.end(), [&](const Samples& samples) { return alive(samples); });
   };
@@ -394,13 +390,19 @@ bool ManifoldGrowth::alive(const Samples& samples) const {
                      [&](Point point) { return is_finite(point) && meet(Box::of(point, point), range_); });
 }
 
-double ManifoldGrowth::length_in_range(const Samples& samples) const {
+// Whether this generation is shorter than the tolerance; most show after a few segments that they are not.
+bool ManifoldGrowth::is_short() const {
   double length = 0;
-  for (std::size_t k = 0; k + 1 < samples.points.size(); ++k) {
-    const Point a = samples.points[k], b = samples.points[k + 1];
-    if (is_finite(a) && is_finite(b) && meet(Box::of(a, b), range_)) length += distance(a, b);
+  for (const std::vector<Samples>& sections : current_) {
+    for (const Samples& samples : sections) {
+      for (std::size_t k = 0; k + 1 < samples.points.size(); ++k) {
+        const Point a = samples.points[k], b = samples.points[k + 1];
+        if (is_finite(a) && is_finite(b) && meet(Box::of(a, b), range_)) length += distance(a, b);
+        if (length >= options_.tolerance) return false;
+      }
+    }
   }
-  return length;
+  return true;
 }
 
 }  // namespace lober::detail

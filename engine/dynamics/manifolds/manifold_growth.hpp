@@ -66,7 +66,7 @@ class ManifoldGrowth {
   [[nodiscard]] double length_behind(std::size_t k) const;
   void add_length(std::size_t begin);
   [[nodiscard]] bool alive(const Samples& samples) const;
-  [[nodiscard]] double length_in_range(const Samples& samples) const;
+  [[nodiscard]] bool is_short() const;
 
   const PlanarMap& map_;
   const LocalManifold& local_;
