@@ -42,7 +42,7 @@ std::string end_of_growth(const GrownManifold& manifold) {
     case GrowthStop::work:
       return "at the limit of work, before what was asked for; --max-work allows more";
     case GrowthStop::ended:
-      return "in another fixed point: two iterates added less than the tolerance";
+      return "in a fixed point: two iterates added less than the tolerance";
     case GrowthStop::failed:
       return "early: no point of the last iterate has an image in the box";
     case GrowthStop::cancelled:

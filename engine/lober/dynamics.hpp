@@ -10,6 +10,7 @@
 #include "lober/dynamics/orbits.hpp"
 #include "lober/dynamics/periodic_orbit.hpp"
 #include "lober/dynamics/planar_map.hpp"
+#include "lober/dynamics/shifted_map.hpp"
 #include "lober/dynamics/systems.hpp"
 #include "lober/dynamics/tube_surface.hpp"
 #include "lober/dynamics/tubes.hpp"

@@ -27,11 +27,8 @@ const OptionList<FixedPointsHow>& fixed_points_options() {
                 {.otherwise = "the system's window"})
         .option("period", &FixedPointsHow::period,
                 "period, in iterates of the map; points whose least period divides it are found too",
-                {.min = 1, .max = 1000, .value = "P"})
-        .option("turns", &FixedPointsHow::turns,
-                "number of shifts of the plane, of those after which the system repeats, by which a point moves in a "
-                "period: the turns of a lifted angle",
-                {.min = -1e6, .max = 1e6, .value = "M"})
+                {.min = 1, .max = 1000, .value = "P"});
+    add_turns_option(list)
         .option("grid", &FixedPointsHow::grid,
                 "number of points a side of the grid of the first scan; each further one has twice as many",
                 {.min = 2, .max = 4096, .value = "N"})
@@ -136,13 +133,10 @@ std::vector<Field> fixed_points_fields() {
 Outcome run_fixed_points(std::span<const Input> inputs, const Options& options, const Context& context) {
   const System& system = *system_of(inputs).system;
   FixedPointsHow how = fixed_points_options().how(options);
-  if (how.turns != 0 && system.lattice == Point{}) {
-    throw UsageError("system " + system.info.name + " does not repeat after a shift; leave option \"turns\" out");
-  }
+  how.shift = shift_by(how.turns, system);
   if (how.max_grid < how.grid) {
     throw UsageError("option \"max_grid\" has to be at least option \"grid\", which is " + std::to_string(how.grid));
   }
-  how.shift = {how.turns * system.lattice.x, how.turns * system.lattice.y};
   if (how.seconds) how.budget = *how.seconds;
   const Rectangle box = how.box.value_or(system.window);
   const auto each_grid = [&](int grid) {

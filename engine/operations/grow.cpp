@@ -11,6 +11,7 @@
 #include "engine/operations/table.hpp"
 #include "lober/base/error.hpp"
 #include "lober/dynamics/fixed_points.hpp"
+#include "lober/dynamics/shifted_map.hpp"
 
 namespace lober::detail::table {
 using namespace operations;
@@ -22,7 +23,7 @@ struct GrowHow : GrowthOptions {
   ManifoldSide side = ManifoldSide::unstable;
   std::optional<Point> from{};
   std::optional<std::string> branch{};
-  int period = 1;
+  int period = 1, turns = 0;
   std::optional<std::int64_t> iterates{}, max_memory{};
   std::optional<double> length{}, max_length{};
   std::optional<Rectangle> box{};
@@ -39,7 +40,8 @@ const OptionList<GrowHow>& grow_options() {
                 "tangent is vertical; or a vector X,Y roughly along it",
                 {.otherwise = "the branch of the system's tangle, or else +", .value = "+|-|X,Y"})
         .option("period", &GrowHow::period, "least period of the saddle, in iterates of the map",
-                {.min = 1, .max = 1000, .value = "P"})
+                {.min = 1, .max = 1000, .value = "P"});
+    add_turns_option(list)
         .option("tolerance", &GrowHow::tolerance,
                 "maximum distance between the manifold and its polygon, in units of the coordinates",
                 {.min = 0, .above_min = true, .value = "LENGTH"})
@@ -122,7 +124,7 @@ std::vector<Field> grow_fields() {
 
 // Whether it is the manifold of the tangle that the system is known for.
 bool is_of_tangle(const GrowHow& how, const System& system) {
-  return !how.from && how.period == 1 && system.connection;
+  return !how.from && how.period == 1 && how.turns == 0 && system.connection;
 }
 
 Point saddle_of(const GrowHow& how, const System& system) {
@@ -130,7 +132,8 @@ Point saddle_of(const GrowHow& how, const System& system) {
   if (is_of_tangle(how, system)) return system.connection->saddle(how.side);
   std::vector<Point> saddles;
   std::string positions;
-  for (const FixedPoint& point : find_fixed_points(*system.map, system.window, {.period = how.period})) {
+  for (const FixedPoint& point :
+       find_fixed_points(*system.map, system.window, {.period = how.period, .shift = shift_by(how.turns, system)})) {
     const bool is_saddle = point.kind == FixedPointKind::saddle || point.kind == FixedPointKind::inverse_saddle ||
                            point.kind == FixedPointKind::reversing_saddle;
     if (!is_saddle || point.period != how.period) continue;
@@ -138,8 +141,11 @@ Point saddle_of(const GrowHow& how, const System& system) {
     positions += (positions.empty() ? "" : ", ") + to_string(OptionValue(point.at));
   }
   if (saddles.empty()) {
-    throw DataError("system " + system.info.name + ": no saddle was found in its window; give a point near one by " +
-                    "option \"from\"");
+    const bool repeats = !(system.lattice == Point{});
+    throw DataError("system " + system.info.name + ": no saddle of least period " + std::to_string(how.period) +
+                    (repeats ? " that moves by " + std::to_string(how.turns) + " turns" : "") +
+                    " was found in its window; give a point near one by option \"from\"" +
+                    (repeats ? ", or other turns" : ""));
   }
   if (saddles.size() > 1) {
     throw UsageError("system " + system.info.name +
@@ -221,7 +227,9 @@ Outcome run_grow(std::span<const Input> inputs, const Options& options, const Co
   const Stopwatch watch;
   LocalManifoldOptions near;
   near.period = how.period;
-  LocalManifold local = local_manifold(*system.map, saddle_of(how, system), how.side, near);
+  const ShiftedMap up_to_turns(*system.map, how.period, shift_by(how.turns, system));
+  const PlanarMap& map = how.turns == 0 ? *system.map : up_to_turns;
+  LocalManifold local = local_manifold(map, saddle_of(how, system), how.side, near);
   const Branch branch = branch_of(how, system, local);
   const double local_seconds = watch.seconds();
   GrowthFraction fraction(growth);
@@ -232,7 +240,7 @@ Outcome run_grow(std::span<const Input> inputs, const Options& options, const Co
                               std::to_string(at.iterates) + " iterates, " + std::to_string(at.points) + " points");
     };
   }
-  SystemManifold found{grow(*system.map, local, branch, growth)};
+  SystemManifold found{grow(map, local, branch, growth)};
   found.local = std::move(local);
   found.branch = branch;
   found.local_seconds = local_seconds;

@@ -15,4 +15,11 @@ const SystemInput& system_of(std::span<const Input> inputs) {
   return input;
 }
 
+Point shift_by(int turns, const System& system) {
+  if (turns != 0 && system.lattice == Point{}) {
+    throw UsageError("system " + system.info.name + " does not repeat after a shift; leave option \"turns\" out");
+  }
+  return {turns * system.lattice.x, turns * system.lattice.y};
+}
+
 }  // namespace lober::detail::table

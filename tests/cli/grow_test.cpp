@@ -146,5 +146,14 @@ TEST_F(Grow, Refuses) {
   expect_failure(with({"-o", "x.npy", "--json", "x.npy"}), 2, "both write");
 }
 
+TEST_F(Grow, SaddlesOfAResonance) {
+  const nlohmann::json found = json(
+      {"standard", "--param", "K=0.9", "--period", "3", "--turns", "1", "--from=0,1.8", "--stable", "--length", "5"});
+  EXPECT_NEAR(found["local_manifold"]["saddle"][1].get<double>(), 1.8024056274013, 1e-12);
+  EXPECT_EQ(found["local_manifold"]["steps_of_image"], 3);
+  expect_failure({"standard", "--period", "3", "--stable", "--length", "5"}, 1, "that moves by 0 turns");
+  expect_failure({"henon", "--turns", "1", "--stable", "--length", "5"}, 2, "does not repeat after a shift");
+}
+
 }  // namespace
 }  // namespace lober::cli

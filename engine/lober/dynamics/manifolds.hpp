@@ -56,7 +56,7 @@ enum class GrowthStop : std::uint8_t {
   length,     ///< done
   points,     ///< max_points, max_memory or max_images reached
   work,       ///< max_work reached
-  ended,      ///< two generations added less than the tolerance: the branch ends in another fixed point
+  ended,      ///< two generations added less than the tolerance: the branch ends in a fixed point
   failed,     ///< no point of the last generation has an image in the box
   cancelled,  ///< by `progress`
 };

@@ -66,9 +66,9 @@ class LOBER_API PlanarMap {
   /// Evaluations of a vector field that `iterate` has taken so far, in all threads together; those of several points at
   /// a time count a tenth, about their cost. 0 for a map that is given by formulas. The number is the same for the same
   /// points, however they are shared out, on every processor.
-  [[nodiscard]] std::uint64_t work() const { return tenths_of_work_.load(std::memory_order_relaxed) / 10; }
+  [[nodiscard]] virtual std::uint64_t work() const { return tenths_of_work_.load(std::memory_order_relaxed) / 10; }
   /// The work of `iterate_with_derivatives`, where an evaluation counts three times.
-  [[nodiscard]] std::uint64_t work_of_derivatives() const {
+  [[nodiscard]] virtual std::uint64_t work_of_derivatives() const {
     return tenths_of_derivatives_.load(std::memory_order_relaxed) / 10;
   }
 

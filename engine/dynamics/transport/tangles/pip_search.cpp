@@ -120,7 +120,7 @@ void TangleGrowth::require_bip_as_asked() const {
 bool TangleGrowth::towards_a_crossing() {
   for (const Side* const side : {&u_, &s_}) {
     if (side->growth->stop() != GrowthStop::ended) continue;
-    limit_ = std::string("the manifolds do not cross: ") + (side == &u_ ? "U" : "S") + " ends in another fixed point";
+    limit_ = std::string("the manifolds do not cross: ") + (side == &u_ ? "U" : "S") + " ends in a fixed point";
     return false;
   }
   const bool u_near = newest_meets(u_, s_), s_near = newest_meets(s_, u_);

@@ -253,7 +253,7 @@ bool TangleGrowth::grow(Side& side, double end) {
     return false;
   }
   if (growth.time() >= end) return true;
-  limit_ = name + (stop == GrowthStop::ended ? " ends in another fixed point"
+  limit_ = name + (stop == GrowthStop::ended ? " ends in a fixed point"
                                              : " leaves the neighbourhood of the saddles altogether");
   return false;
 }

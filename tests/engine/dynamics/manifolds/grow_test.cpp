@@ -12,6 +12,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/box.hpp"
 #include "lober/base/error.hpp"
+#include "lober/dynamics/shifted_map.hpp"
 #include "lober/dynamics/systems.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/smooth.hpp"
@@ -387,6 +388,33 @@ TEST(Grow, LobesOfTheStandardMap) {
     EXPECT_LE(fine.points, 100'000U);
     EXPECT_NEAR(fine.smooth, expected.area, 1e-12 * expected.area) << fine.points << ' ' << fine.error;
   }
+}
+
+// The saddles of the resonance 1/3 go round the cylinder once in three iterates: their manifolds are those of the map
+// up to that shift, at both signs of the multiplier of time, and every vertex is the image of its parameter.
+TEST(Grow, ManifoldsOfAResonance) {
+  const StandardMap map(0.9);
+  const Point round{2 * std::numbers::pi, 0};
+  const ShiftedMap up_to_round(map, 3, round);
+  EXPECT_THROW(local_manifold(map, {0, 1.8}, ManifoldSide::unstable, {.period = 3}), DataError);
+  for (const ManifoldSide side : all_manifold_sides) {
+    const LocalManifold local = local_manifold(up_to_round, {0, 1.8}, side, {.period = 3});
+    EXPECT_NEAR(local.saddle.y, 1.8024056274013, 1e-12);  // by a search for fixed points
+    EXPECT_NEAR(local.multiplier, 2.42877906759, 1e-10);
+    const GrownManifold grown = grow(up_to_round, local, Branch::plus, {.tolerance = 1e-6, .length = 8});
+    ASSERT_EQ(grown.stop, GrowthStop::length);
+    EXPECT_LE(measured(up_to_round, local, grown, 1e-6).worst, 1.5);
+    for (std::size_t k = 0; k + 1 < grown.generation_begin.size(); ++k) {
+      const std::size_t i = grown.generation_begin[k];
+      Point point = local.at(grown.parameters[i]);
+      map.iterate({&point, 1}, static_cast<int>(k) * local.steps);
+      const double rounds = static_cast<double>(k) * (side == ManifoldSide::unstable ? 1 : -1);
+      EXPECT_LE(distance(grown.points[i], {point.x - rounds * round.x, point.y}), 1e-11) << k;
+    }
+  }
+  EXPECT_THROW(ShiftedMap(map, 0, round), UsageError);
+  Point point{};
+  EXPECT_THROW(up_to_round.iterate({&point, 1}, 4), UsageError);
 }
 
 }  // namespace
