@@ -14,7 +14,7 @@ PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel pyt
                    python3-pytest python3-hypothesis python3-shapely python3-sympy python3-numba python3-pandas \
                    python3-matplotlib mypy
 
-.PHONY: demo test ci build bench bench-build bench-batch python docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps python-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps python-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
@@ -52,6 +52,12 @@ build: deps
 python: python-deps
 	cmake --preset release -DLOBER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 	@scripts/python.sh build
+
+# The functions of the Python package that follow from the engine's table.
+python-functions: python-deps
+	cmake --preset release -DLOBER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
+	cmake --build --preset release --target lober_python
+	@scripts/python-functions.sh build
 
 # Only whether they compile.
 bench-build: bench-deps

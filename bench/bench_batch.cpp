@@ -27,7 +27,6 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/batch.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/overlay/overlay.hpp"
 

@@ -12,7 +12,6 @@
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/index/box_tree.hpp"
-#include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
 #include "lober/overlay/interior.hpp"
 

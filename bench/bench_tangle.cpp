@@ -11,7 +11,6 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/crossings/contacts.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/tangle/tangle.hpp"
 
 namespace lober::detail {
@@ -57,7 +56,7 @@ void whole_job(benchmark::State& state, std::size_t lobes, double lean) {
       TangleOptions options;
       options.check_simple = false;
       Stopwatch whole;
-      const Tangle found = tangle(u, s, options);
+      const Tangle found = tangle(OpenCurve::borrow(pair.u), OpenCurve::borrow(pair.s), options);
       const double job = whole.seconds();
       Stopwatch more;
       overlap_count = overlaps(found).size();

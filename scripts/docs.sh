@@ -2,7 +2,8 @@
 # The figures and the numbers of the documents, made anew from the program and from bench/RESULTS.md.
 # usage: docs.sh make [cheap|paper]   writes docs/*.svg, docs/paper/*, the blocks of numbers and what ```console blocks show
 #        docs.sh check [cheap|paper]  makes them elsewhere, and fails when a committed one differs
-# cheap: only those that take seconds. paper: only what docs/paper.md shows, cheap or not.
+# cheap: only those that take seconds. paper: only what docs/paper.md shows, cheap or not. In place of these: one document
+# or figure.
 #
 # A block of numbers lies between <!-- begin NAME --> and <!-- end NAME -->; scripts/docs-blocks/NAME.sh prints it.
 set -uo pipefail
@@ -89,7 +90,9 @@ wanted() {
   case $cost in
     all) ;;
     paper) [[ $1 == docs/paper/* || $1 == work/* ]] ;;
-    *) [ "$2" = cheap ] ;;
+    cheap) [ "$2" = cheap ] ;;
+    *.md) false ;;
+    *) [[ $1 == "$cost" || $1 == work/* ]] ;;
   esac
 }
 
@@ -161,7 +164,9 @@ make_consoles() {
 
 case "$mode $cost" in
   "make all" | "make cheap" | "make paper" | "check all" | "check cheap" | "check paper") ;;
-  *) sed -n 3,5p "$0" >&2; exit 2 ;;
+  "make "*.md | "check "*.md) documents=$cost ;;
+  "make docs/"* | "check docs/"*) documents= ;;
+  *) sed -n 3,7p "$0" >&2; exit 2 ;;
 esac
 [ "$cost" != paper ] || documents=docs/paper.md
 make_figures

@@ -5,7 +5,6 @@
 
 #include "bench/accuracy/accuracy.hpp"
 #include "engine/geometry/index/box_tree.hpp"
-#include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/overlay.hpp"
@@ -16,11 +15,12 @@ using namespace lober::detail;
 namespace {
 
 double by_overlay(const Scene& scene) {
-  return overlay(CurveView{scene.first}, CurveView{scene.second}, {.pieces = false, .progress = {}}).areas.c1_minus_c2;
+  return overlay(ClosedCurve::borrow(scene.first), ClosedCurve::borrow(scene.second), {.pieces = false, .progress = {}})
+      .areas.c1_minus_c2;
 }
 
 double by_interior(const Scene& scene, const InteriorOptions& options) {
-  return interior_areas(CurveView{scene.first}, CurveView{scene.second}, options).areas.c1_minus_c2;
+  return interior_areas(ClosedCurve::borrow(scene.first), ClosedCurve::borrow(scene.second), options).areas.c1_minus_c2;
 }
 
 auto densified(int passes, int points) {
@@ -54,7 +54,8 @@ const std::array<AccuracyMethod, 8> methods{{
     {"overlay, smooth", "#9467bd",
      [](const Scene& scene) {
        const OverlayOptions options{.pieces = false, .progress = {}};
-       return smooth_areas(overlay(CurveView{scene.first}, CurveView{scene.second}, options)).areas.c1_minus_c2;
+       return smooth_areas(overlay(ClosedCurve::borrow(scene.first), ClosedCurve::borrow(scene.second), options))
+           .areas.c1_minus_c2;
      }},
 }};
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 
 namespace lober::bench {
 using namespace lober::detail;
@@ -67,7 +66,7 @@ OverlayRun overlay_once(const Scene& scene, int threads, Work work) {
   return with_threads(threads, [&] {
     OverlayRun run;
     const Stopwatch watch;
-    run.result = overlay(CurveView{scene.first}, CurveView{scene.second}, options);
+    run.result = overlay(ClosedCurve::borrow(scene.first), ClosedCurve::borrow(scene.second), options);
     run.seconds = watch.seconds();
     return run;
   });

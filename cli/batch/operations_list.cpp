@@ -64,8 +64,10 @@ std::string curves_text(const OperationInfo& info) {
 
 std::string list_text(const std::vector<OperationInfo>& all) {
   std::string text;
+  std::size_t width = 0;
+  for (const OperationInfo& info : all) width = std::max(width, info.name.size());
   for (const OperationInfo& info : all) {
-    text += fmt::format("{:<10} {:<18} {}\n", info.name, curves_text(info), info.summary);
+    text += fmt::format("{:<{}} {:<18} {}\n", info.name, width, curves_text(info), info.summary);
   }
   return text + "`lober batch operations NAME` lists the options and results of an operation.\n";
 }
@@ -73,8 +75,9 @@ std::string list_text(const std::vector<OperationInfo>& all) {
 std::string values_text(const OperationOption& option) {
   if (!option.choices.empty()) return fmt::format("{}", fmt::join(option.choices, ", "));
   std::string text = option.type;
-  if (option.min && option.max) return text + fmt::format(", {:.15g} to {:.15g}", *option.min, *option.max);
-  if (option.min) text += fmt::format(", at least {:.15g}", *option.min);
+  if (option.min && option.max && !option.above_min)
+    return text + fmt::format(", {:.15g} to {:.15g}", *option.min, *option.max);
+  if (option.min) text += fmt::format(", {} {:.15g}", option.above_min ? "above" : "at least", *option.min);
   if (option.max) text += fmt::format(", at most {:.15g}", *option.max);
   return text;
 }
@@ -95,8 +98,13 @@ std::string details_text(const OperationInfo& info) {
 
 Json option_json(const OperationOption& option) {
   const auto bound = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
-  return {{"key", option.key},         {"type", option.type},      {"default", option.fallback},
-          {"choices", option.choices}, {"min", bound(option.min)}, {"max", bound(option.max)},
+  return {{"key", option.key},
+          {"type", option.type},
+          {"default", option.fallback},
+          {"choices", option.choices},
+          {"min", bound(option.min)},
+          {"max", bound(option.max)},
+          {"above_min", option.above_min},
           {"meaning", option.meaning}};
 }
 

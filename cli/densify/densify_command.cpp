@@ -43,7 +43,8 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
   add_points_option(parser, request.output, true);
   parser.add_flag("--open", request.open, "Read CURVE as an open curve: its last vertex is not joined to the first.");
   parser.add_flag("--open-against", request.open_against, "Read AGAINST as an open curve.");
-  const TableOptions options(parser, operations::named("densify"), {"closed", "closed_against"});
+  const TableOptions options(parser, operations::named("densify"), {"closed", "closed_against"},
+                             {.at_end = " -o fine.npy"});
   options["points"].needs(options["passes"]);
   parser
       .add("--against-output", request.against_output,

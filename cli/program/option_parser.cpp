@@ -190,6 +190,15 @@ Option OptionParser::add_flag(const char* names, bool& variable, const char* hel
   return Option(app_->add_flag(names, variable, help));
 }
 
+void OptionParser::add_example(const std::string& line, const std::string& meaning) {
+  std::string text = app_->get_description();
+  if (text.find("\nExamples:") == std::string::npos) text += "\n\nExamples:";
+  app_->description(text + "\n  " + line + "\n      " + meaning);
+}
+std::string OptionParser::command() const {
+  return app_->get_name();
+}
+
 bool OptionParser::parse(const std::vector<std::string>& arguments) {
   // An empty text would mean that the option was not given: a variable of the shell that was never set.
   const auto refuse_empty = [&](const std::string& name) {

@@ -60,6 +60,10 @@ class OptionParser {
   Option add_call(const char* names, const std::function<void(const std::string&)>& take, const char* help);
   Option add_flag(const char* names, bool& variable, const char* help);
 
+  /// Adds a command line to the help, before its options: "lober grow henon", and what it does.
+  void add_example(const std::string& line, const std::string& meaning);
+  [[nodiscard]] std::string command() const;  ///< "lober grow"
+
   /// Returns false when the arguments asked for help, which is then printed; throws UsageError.
   [[nodiscard]] bool parse(const std::vector<std::string>& arguments);
 

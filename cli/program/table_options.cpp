@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "lober/base/error.hpp"
 
@@ -46,13 +47,46 @@ std::string help_of(const OptionSpec& spec) {
 }
 
 void limit(Option option, const OptionSpec& spec) {
+  // Other limits, of one side only, the operation checks itself.
   if (std::holds_alternative<double>(spec.fallback)) {
-    if (spec.above_min && spec.min == 0) option.positive();
+    if (spec.above_min && spec.min == 0 && std::isinf(spec.max)) option.positive();
     if (!spec.above_min && spec.min == 0 && std::isinf(spec.max)) option.not_negative();
-    if (std::isfinite(spec.min) && std::isfinite(spec.max)) option.range(spec.min, spec.max);
+    if (!spec.above_min && std::isfinite(spec.min) && std::isfinite(spec.max)) option.range(spec.min, spec.max);
   } else if (std::isfinite(spec.min) && std::isfinite(spec.max)) {
     option.range(static_cast<std::int64_t>(spec.min), static_cast<std::int64_t>(spec.max));
   }
+}
+
+// "standard --param K=1.2" of "standard K=1.2".
+std::string argument_of(const std::string& input) {
+  std::string text;
+  for (std::size_t begin = 0, end = 0; begin < input.size(); begin = end + 1) {
+    end = std::min(input.find(' ', begin), input.size());
+    text += (begin == 0 ? "" : " --param ") + input.substr(begin, end - begin);
+  }
+  return text;
+}
+
+// The example as a command line; nothing where it has an option that the command takes in another way.
+std::optional<std::string> line_of(const operations::Example& example, const operations::Operation& operation,
+                                   const std::set<std::string>& besides, const std::string& command) {
+  std::string line = command;
+  for (const std::string& input : example.inputs) line += " " + argument_of(input);
+  for (const operations::OptionSetting& setting : example.options) {
+    const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
+                                   [&](const OptionSpec& one) { return one.is_for(setting.key); });
+    if (spec == operation.options.end()) return std::nullopt;
+    if (besides.contains(setting.key)) {  // choices that are flags: --stable
+      if (spec->choices.empty()) return std::nullopt;
+      line += " " + option_name(std::get<std::string>(setting.value));
+    } else if (const bool* const flag = std::get_if<bool>(&setting.value)) {
+      line += *flag ? " " + option_name(setting.key) : " --no-" + option_name(setting.key).substr(2);
+    } else {
+      const std::string value = operations::to_string(setting.value);
+      line += " " + option_name(setting.key) + (value.starts_with('-') ? "=" : " ") + value;
+    }
+  }
+  return line;
 }
 
 }  // namespace
@@ -64,9 +98,14 @@ std::string option_name(const std::string& key) {
 }
 
 TableOptions::TableOptions(OptionParser& parser, const operations::Operation& operation,
-                           const std::set<std::string>& besides) {
+                           const std::set<std::string>& besides, const ExampleForm& examples) {
   for (const OptionSpec& spec : operation.options) {
     if (!besides.contains(spec.key)) add(parser, spec);
+  }
+  for (const operations::Example& example : operation.examples) {
+    if (const auto line = line_of(example, operation, besides, parser.command() + examples.before_inputs)) {
+      parser.add_example(*line + examples.at_end, example.meaning);
+    }
   }
 }
 

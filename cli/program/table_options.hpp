@@ -14,11 +14,17 @@
 
 namespace lober::cli {
 
+/// Words of a command around the inputs and options of an example.
+struct ExampleForm {
+  std::string before_inputs = {}, at_end = {};
+};
+
 class TableOptions {
  public:
-  /// Adds all of them but those that a command spells in its own way, with help from the table. Has to stay where it is
-  /// until the parser has parsed.
-  TableOptions(OptionParser& parser, const operations::Operation& operation, const std::set<std::string>& besides = {});
+  /// Adds all of them but those that a command spells in its own way, with help and examples from the table. Has to
+  /// stay where it is until the parser has parsed.
+  TableOptions(OptionParser& parser, const operations::Operation& operation, const std::set<std::string>& besides = {},
+               const ExampleForm& examples = {});
   TableOptions(const TableOptions&) = delete;
   TableOptions& operator=(const TableOptions&) = delete;
 

@@ -89,7 +89,8 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
       .required()
       .count(1, 2)
       .value("FILE");
-  const TableOptions options(parser, operations::named("curve_transport"), {"bip", "bip_near"});
+  const TableOptions options(parser, operations::named("curve_transport"), {"bip", "bip_near"},
+                             {.before_inputs = " --manifolds"});
   std::vector<double> bip;
   const Option near = parser
                           .add("--bip", bip,

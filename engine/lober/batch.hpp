@@ -24,6 +24,7 @@ struct OperationOption {
   std::string fallback;              ///< the value when it is not given
   std::vector<std::string> choices;  ///< the allowed values of a text; empty: any
   std::optional<double> min, max;    ///< the bounds of a number
+  bool above_min = false;            ///< min itself is excluded
   std::string meaning;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "lober/base/error.hpp"
 
@@ -33,6 +34,18 @@ std::string takes(const Operation& operation) {
   return text + ", and nothing else";
 }
 
+CurveView view_of(const Operation& operation, std::span<const Input> inputs, std::size_t k, bool closed) {
+  const CurveInput* const given = given_curve(inputs[k]);
+  CurveView curve = given != nullptr ? given->curve : CurveView{std::get<std::span<const Point>>(inputs[k])};
+  if (operation.inputs[k].kind != InputKind::curve || !closed) curve.closed = closed;
+  return curve;
+}
+
+std::string_view name_of(const Operation& operation, std::span<const Input> inputs, std::size_t k) {
+  const CurveInput* const given = given_curve(inputs[k]);
+  return given != nullptr && !given->name.empty() ? given->name : operation.inputs[k].name;
+}
+
 }  // namespace
 
 void require_inputs(const Operation& operation, std::span<const Input> inputs) {
@@ -49,17 +62,20 @@ void require_inputs(const Operation& operation, std::span<const Input> inputs) {
 }
 
 CurveView curve_at(const Operation& operation, std::span<const Input> inputs, std::size_t k, bool closed) {
-  const CurveInput* const given = given_curve(inputs[k]);
-  CurveView curve = given != nullptr ? given->curve : CurveView{std::get<std::span<const Point>>(inputs[k])};
-  if (operation.inputs[k].kind != InputKind::curve || !closed) curve.closed = closed;
-  validate(curve, given != nullptr && !given->name.empty() ? given->name : operation.inputs[k].name);
+  const CurveView curve = view_of(operation, inputs, k, closed);
+  validate(curve, name_of(operation, inputs, k));
   return curve;
 }
 
+// The pass that builds the index sees a coordinate that is not finite; only then is it worth another to say which.
 IndexedCurve indexed_curve(const Operation& operation, std::span<const Input> inputs, std::size_t k) {
   const CurveInput* const given = given_curve(inputs[k]);
   if (given != nullptr && given->index != nullptr) return *given->index;
-  return IndexedCurve(curve_at(operation, inputs, k, operation.inputs[k].kind == InputKind::closed_curve));
+  const CurveView curve = view_of(operation, inputs, k, operation.inputs[k].kind == InputKind::closed_curve);
+  require_enough_vertices(curve, name_of(operation, inputs, k));
+  IndexedCurve indexed(curve);
+  if (!indexed.finite()) validate(curve, name_of(operation, inputs, k));
+  return indexed;
 }
 
 bool known_simple(std::span<const Input> inputs, std::size_t k) {

@@ -370,9 +370,7 @@ Operation image_operation() {
                       {"curve", InputKind::curve, "a curve, in place of a circle, a rectangle or the boundary", true}};
   operation.options = image_options().specs();
   operation.result = image_fields();
-  operation.examples = {{{"standard K=1.2"},
-                         {{"circle", std::vector<double>{3.14159, 0, 1}}, {"last", std::int64_t{3}}},
-                         "three images of a circle"},
+  operation.examples = {{{"standard K=1.2"}, {{"circle", std::vector<double>{3.14159, 0, 1}}}, "the image of a circle"},
                         {{"ovp"}, {{"boundary", true}}, "of the boundary of the vortex pair"}};
   operation.check = check_image;
   operation.run = run_image;

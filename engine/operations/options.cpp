@@ -54,6 +54,7 @@ OptionValue checked(OptionSpec spec, const OptionSetting& setting) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value)) number = *real;
   if (std::holds_alternative<std::int64_t>(value) || std::holds_alternative<double>(value)) {
+    if (!std::isfinite(number)) refuse(spec, "has to be a finite number");
     if (spec.above_min && !(number > spec.min)) refuse(spec, "has to be above " + format_number(spec.min));
     if (!(number >= spec.min)) refuse(spec, "has to be at least " + format_number(spec.min));
     if (!(number <= spec.max)) refuse(spec, "has to be at most " + format_number(spec.max));

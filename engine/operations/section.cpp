@@ -213,7 +213,8 @@ Operation section_operation() {
                       {"starts", InputKind::points, "first points of orbits, in place of those of orbits", true}};
   operation.options = section_options().specs();
   operation.result = section_fields();
-  operation.examples = {{{"standard K=1.2", "starts.dat"}, {{"iterates", std::int64_t{100}}}, "orbits from points"}};
+  operation.examples = {{{"standard K=1.2"}, {}, "orbits from points spread over the window"},
+                        {{"ovp"}, {{"orbits", std::int64_t{100}}}, "a hundred orbits of the vortex pair"}};
   operation.run = run_section;
   return operation;
 }

@@ -47,12 +47,4 @@ Pairing pairing_of(const std::string& name) {
   throw UsageError("\"" + name + "\" is not a pairing; there are " + known);
 }
 
-IndexKind index_of(const std::string& name) {
-  const IndexKind kind = index_kind(name);
-  if (kind == IndexKind::automatic && name != lober::name(IndexKind::automatic)) {
-    throw UsageError("\"" + name + "\" is not an index; there are auto, tree, grid, kd");
-  }
-  return kind;
-}
-
 }  // namespace lober::python

@@ -5,15 +5,13 @@
 
 #include <string>
 
-#include "lober/overlay/index.hpp"
 #include "lober/overlay/overlay.hpp"
 
 namespace lober::python {
 
 void bind_areas(pybind11::module_& module);
 
-/// Throw UsageError, with the names there are.
+/// Throws UsageError, with the names there are.
 [[nodiscard]] Pairing pairing_of(const std::string& name);
-[[nodiscard]] IndexKind index_of(const std::string& name);
 
 }  // namespace lober::python

@@ -28,11 +28,6 @@ ClosedCurve closed_curve(const Array& array) {
   return {keeper(array), points};
 }
 
-OpenCurve open_curve(const Array& array) {
-  const std::span<const Point> points = points_of(array);
-  return {keeper(array), points};
-}
-
 py::array_t<double> view_of(std::span<const Point> points, py::handle base) {
   py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{2}}, {sizeof(Point), sizeof(double)},
                             reinterpret_cast<const double*>(points.data()), base);

@@ -23,7 +23,6 @@ using Array = pybind11::array_t<double, pybind11::array::c_style>;
 
 /// A curve that keeps the array alive. Its last copy may be destroyed by any thread, with or without the GIL.
 [[nodiscard]] ClosedCurve closed_curve(const Array& array);
-[[nodiscard]] OpenCurve open_curve(const Array& array);
 
 /// A read-only array of memory that `base` keeps alive.
 template <typename T>

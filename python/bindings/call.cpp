@@ -97,14 +97,4 @@ bool ProgressCallback::operator()(double fraction, const std::string& text) cons
   return goes_on(callable_(fraction, text));
 }
 
-std::function<bool(double)> fraction_progress(const ProgressCallback& progress) {
-  if (!progress.given()) return {};
-  return [&progress](double fraction) { return progress(fraction); };
-}
-
-std::function<bool(const std::string&)> text_progress(const ProgressCallback& progress) {
-  if (!progress.given()) return {};
-  return [&progress](const std::string& text) { return progress(text); };
-}
-
 }  // namespace lober::python

@@ -5,7 +5,6 @@
 #include <signal.h>
 
 #include <atomic>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -79,10 +78,5 @@ class ProgressCallback {
  private:
   const pybind11::object& callable_;  // outlives the call, in which nobody else touches its count
 };
-
-/// For options whose progress takes a fraction; empty without a callable.
-[[nodiscard]] std::function<bool(double)> fraction_progress(const ProgressCallback& progress);
-/// For those that take a line of text.
-[[nodiscard]] std::function<bool(const std::string&)> text_progress(const ProgressCallback& progress);
 
 }  // namespace lober::python

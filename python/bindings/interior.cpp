@@ -7,31 +7,12 @@
 #include "python/bindings/call.hpp"
 #include "python/bindings/module.hpp"
 #include "python/bindings/nodes.hpp"
+#include "python/bindings/outcome.hpp"
 
 namespace py = pybind11;
 
 namespace lober::python {
 namespace {
-
-InteriorMethod method_of(const std::string& name) {
-  if (name == "split") return InteriorMethod::split;
-  if (name == "ends") return InteriorMethod::ends;
-  throw UsageError("\"" + name + "\" is not a method of the interior function; there are split, ends");
-}
-
-InteriorAreas make(const Array& c1, const Array& c2, const std::string& method, int passes, int points,
-                   bool check_simple, const std::string& index, int threads, const py::object& progress) {
-  const ProgressCallback callback(progress);
-  InteriorOptions options;
-  options.method = method_of(method);
-  options.passes = passes;
-  options.points = points;
-  options.check_simple = check_simple;
-  options.index = index_of(index);
-  options.progress = fraction_progress(callback);
-  const ClosedCurve first = closed_curve(c1), second = closed_curve(c2);
-  return long_call(threads, [&] { return interior_areas(first, second, options); });
-}
 
 // Checks that the binding has to make, as those who index a curve answer for it.
 IndexedCurve indexed(const ClosedCurve& curve, std::span<const Point> points) {
@@ -72,7 +53,7 @@ py::array interior_values(const Array& curve, const Array& points, int threads) 
 }  // namespace
 
 void bind_interior(py::module_& module) {
-  py::class_<InteriorAreas>(module, "Interior")
+  py::class_<InteriorAreas, std::shared_ptr<InteriorAreas>>(module, "Interior")
       .def_readonly("areas", &InteriorAreas::areas)
       .def_readonly("rounding", &InteriorAreas::rounding)
       .def_readonly("q1", &InteriorAreas::q1)
@@ -82,9 +63,13 @@ void bind_interior(py::module_& module) {
       .def_property_readonly("orientation1", [](const InteriorAreas& result) { return name(result.orientation1); })
       .def_property_readonly("orientation2", [](const InteriorAreas& result) { return name(result.orientation2); })
       .def("nodes", [](const InteriorAreas& result) { return nodes_array(result.nodes); });
-  module.def("interior", make, py::arg("c1").noconvert(), py::arg("c2").noconvert(), py::arg("method"),
-             py::arg("passes"), py::arg("points"), py::arg("check_simple"), py::arg("index"), py::arg("threads"),
-             py::arg("progress"));
+  module.def(
+      "interior_of",
+      [](const OperationRun& run) {
+        return std::const_pointer_cast<InteriorAreas>(
+            std::shared_ptr<const InteriorAreas>(run.value<operations::CurveInterior>()));
+      },
+      py::arg("run"), py::keep_alive<0, 1>());
   module.def("windings", windings_of, py::arg("curve").noconvert(), py::arg("points").noconvert(), py::arg("threads"));
   module.def("interior_values", interior_values, py::arg("curve").noconvert(), py::arg("points").noconvert(),
              py::arg("threads"));

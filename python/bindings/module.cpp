@@ -23,7 +23,6 @@ PYBIND11_MODULE(_lober, module) {
   bind_python_map(module);
   bind_fixed_points(module);
   bind_manifolds(module);
-  bind_transport(module);
   bind_operations(module);
   seal_classes(module);
 }

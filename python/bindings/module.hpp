@@ -15,6 +15,5 @@ void bind_python_map(pybind11::module_& module);
 void bind_regions(pybind11::module_& module);
 void bind_systems(pybind11::module_& module);
 void bind_tangle(pybind11::module_& module);
-void bind_transport(pybind11::module_& module);
 
 }  // namespace lober::python

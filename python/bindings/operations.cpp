@@ -12,6 +12,7 @@
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
 #include "python/bindings/module.hpp"
+#include "python/bindings/outcome.hpp"
 #include "python/bindings/system.hpp"
 
 namespace py = pybind11;
@@ -220,8 +221,8 @@ ops::Options options_from(const ops::Operation& operation, const py::dict& given
   return {operation.options, settings};
 }
 
-py::tuple call(const std::string& name, const py::list& given, const py::dict& settings, int threads,
-               const py::object& progress) {
+OperationRun run(const std::string& name, const py::list& given, const py::dict& settings, int threads,
+                 const py::object& progress) {
   const ops::Operation& operation = ops::named(name);
   const ProgressCallback callback(progress);
   std::vector<ops::Input> inputs;
@@ -236,11 +237,32 @@ py::tuple call(const std::string& name, const py::list& given, const py::dict& s
   ops::Context context;
   if (callback.given()) {
     context.progress = [&](double fraction, const std::string& line) {
-      return std::isnan(fraction) ? callback(line) : callback(fraction, line);
+      return std::isnan(fraction) ? callback(line) : line.empty() ? callback(fraction) : callback(fraction, line);
     };
   }
-  const ops::Outcome found = long_call(threads, [&] { return operation.run(inputs, options, context); });
-  return py::make_tuple(dict_of(operation.result, found.value.get()), comparisons_of(found.agreement), found.remarks);
+  ops::Outcome found = long_call(threads, [&] { return operation.run(inputs, options, context); });
+  return {&operation, std::move(found), given};
+}
+
+py::object object_of_option(const ops::OptionValue& value) {
+  return std::visit(
+      [](const auto& any) -> py::object {
+        if constexpr (std::is_same_v<std::decay_t<decltype(any)>, Rectangle>) {
+          return py::make_tuple(any.min_x, any.min_y, any.max_x, any.max_y);
+        } else {
+          return object_of(any);
+        }
+      },
+      value);
+}
+
+// The values in place of options that were not given.
+py::dict chosen_of(const OperationRun& run) {
+  py::dict chosen;
+  for (const ops::OptionSetting& setting : run.outcome.chosen) {
+    chosen[setting.key.c_str()] = object_of_option(setting.value);
+  }
+  return chosen;
 }
 
 // ------------------------------------------------------------------------------------------------------------ table
@@ -267,14 +289,7 @@ py::dict option_of(const ops::OptionSpec& spec) {
   py::dict one;
   one["key"] = spec.key;
   one["type"] = types.at(spec.fallback.index());
-  one["default"] = std::visit(
-      [&](const auto& any) -> py::object {
-        if constexpr (std::is_same_v<std::decay_t<decltype(any)>, Rectangle>)
-          return py::none();
-        else
-          return spec.optional ? py::none() : object_of(any);
-      },
-      spec.fallback);
+  one["default"] = spec.optional ? py::object(py::none()) : object_of_option(spec.fallback);
   one["required"] = spec.required;
   one["otherwise"] = spec.otherwise;
   one["meaning"] = spec.meaning;
@@ -311,7 +326,12 @@ py::list table() {
 }  // namespace
 
 void bind_operations(py::module_& module) {
-  module.def("call", call, py::arg("name"), py::arg("inputs"), py::arg("settings"), py::arg("threads"),
+  py::class_<OperationRun>(module, "OperationRun")
+      .def("value", [](const OperationRun& run) { return dict_of(run.operation->result, run.outcome.value.get()); })
+      .def("comparisons", [](const OperationRun& run) { return comparisons_of(run.outcome.agreement); })
+      .def("chosen", chosen_of)
+      .def_property_readonly("incomplete", [](const OperationRun& run) { return run.outcome.incomplete; });
+  module.def("run", run, py::arg("name"), py::arg("inputs"), py::arg("settings"), py::arg("threads"),
              py::arg("progress"));
   module.def("table", table);
 }

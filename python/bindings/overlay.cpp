@@ -7,25 +7,12 @@
 #include "python/bindings/call.hpp"
 #include "python/bindings/module.hpp"
 #include "python/bindings/nodes.hpp"
+#include "python/bindings/outcome.hpp"
 
 namespace py = pybind11;
 
 namespace lober::python {
 namespace {
-
-using Result = std::shared_ptr<Overlay>;
-
-Result make_overlay(const Array& c1, const Array& c2, bool pieces, bool check_simple, const std::string& index,
-                    int threads, const py::object& progress) {
-  const ProgressCallback callback(progress);
-  OverlayOptions options;
-  options.index = index_of(index);
-  options.pieces = pieces;
-  options.check_simple = check_simple;
-  options.progress = fraction_progress(callback);
-  const ClosedCurve first = closed_curve(c1), second = closed_curve(c2);
-  return long_call(threads, [&] { return std::make_shared<Overlay>(overlay(first, second, options)); });
-}
 
 py::array areas_of(const py::object& self, const std::string& pairing) {
   return view_of(self.cast<const Overlay&>().pieces(pairing_of(pairing)).areas(), self);
@@ -81,7 +68,7 @@ py::dict timing_of(const Overlay& result) {
 void bind_overlay(py::module_& module) {
   PYBIND11_NUMPY_DTYPE_EX(SigmaStep, crossing, "crossing", rho, "rho", along1, "along1", along2, "along2", sigma,
                           "sigma", class_number, "class", s, "s");
-  py::class_<Overlay, Result>(module, "Overlay")
+  py::class_<Overlay, std::shared_ptr<Overlay>>(module, "Overlay")
       .def_readonly("areas", &Overlay::areas)
       .def_readonly("rounding", &Overlay::rounding)
       .def_readonly("class_count", &Overlay::class_count)
@@ -106,8 +93,12 @@ void bind_overlay(py::module_& module) {
       .def("slivers", slivers_of)
       .def("sigma", sigma_of)
       .def("smooth", smooth_of);
-  module.def("overlay", make_overlay, py::arg("c1").noconvert(), py::arg("c2").noconvert(), py::arg("pieces"),
-             py::arg("check_simple"), py::arg("index"), py::arg("threads"), py::arg("progress"));
+  module.def(
+      "overlay_of",
+      [](const OperationRun& run) {
+        return std::const_pointer_cast<Overlay>(std::shared_ptr<const Overlay>(run.value<operations::CurveOverlay>()));
+      },
+      py::arg("run"), py::keep_alive<0, 1>());
 }
 
 }  // namespace lober::python

@@ -6,6 +6,7 @@
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
 #include "python/bindings/module.hpp"
+#include "python/bindings/outcome.hpp"
 
 namespace py = pybind11;
 
@@ -19,18 +20,6 @@ FillRule rule_of(const std::string& name) {
     known += (known.empty() ? "" : ", ") + std::string(lober::name(rule));
   }
   throw UsageError("\"" + name + "\" is not a fill rule; there are " + known);
-}
-
-Regions make_regions(const Array& c1, const std::optional<Array>& c2, const std::string& index, int threads,
-                     const py::object& progress) {
-  const ProgressCallback callback(progress);
-  RegionOptions options;
-  options.index = index_of(index);
-  options.progress = fraction_progress(callback);
-  const ClosedCurve first = closed_curve(c1);
-  if (!c2) return long_call(threads, [&] { return regions(first, options); });
-  const ClosedCurve second = closed_curve(*c2);
-  return long_call(threads, [&] { return regions(first, second, options); });
 }
 
 RegionPieces pieces_of(const Regions& result, const std::string& rule, const std::string& pairing) {
@@ -50,7 +39,7 @@ void bind_regions(py::module_& module) {
       .def("outline", [](const RegionPieces& pieces, py::ssize_t k) {
         return arrays_of(pieces.outline(index_in(k, pieces.size())));
       });
-  py::class_<Regions>(module, "Regions")
+  py::class_<Regions, std::shared_ptr<Regions>>(module, "Regions")
       .def("table", [](const py::object& self) { return view_of(self.cast<const Regions&>().table(), self); })
       .def("signed_areas",
            [](const Regions& result) {
@@ -61,8 +50,13 @@ void bind_regions(py::module_& module) {
       .def("rounding", [](const Regions& result, const std::string& rule) { return result.rounding(rule_of(rule)); })
       .def("rounding_of", [](const Regions& result, double area) { return result.rounding(area); })
       .def("pieces", pieces_of);
-  module.def("regions", make_regions, py::arg("c1").noconvert(), py::arg("c2").noconvert().none(true), py::arg("index"),
-             py::arg("threads"), py::arg("progress"));
+  module.def(
+      "regions_of",
+      [](const OperationRun& run) {
+        const auto found = run.value<operations::CurveRegions>();
+        return std::const_pointer_cast<Regions>(std::shared_ptr<const Regions>(found, &found->regions));
+      },
+      py::arg("run"), py::keep_alive<0, 1>());
 }
 
 }  // namespace lober::python

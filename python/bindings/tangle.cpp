@@ -1,4 +1,5 @@
-#include "python/bindings/tangle.hpp"
+// Tangles of two curves, and of manifolds grown from a map.
+#include "lober/tangle/tangle.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -8,11 +9,14 @@
 #include "python/bindings/call.hpp"
 #include "python/bindings/module.hpp"
 #include "python/bindings/nodes.hpp"
+#include "python/bindings/outcome.hpp"
 
 namespace py = pybind11;
 
 namespace lober::python {
 namespace {
+
+using operations::CurveTangle;
 
 struct PipRow {
   double x = 0, y = 0;
@@ -34,65 +38,41 @@ struct OverlapRow {
   double area = 0, error = 0, perimeter = 0;
 };
 
-TangleHandle make_tangle(const Array& u, const Array& s, bool smooth, std::optional<std::size_t> bip,
-                         std::optional<std::array<double, 2>> bip_near, const std::optional<Array>& closure,
-                         std::uint32_t period, bool check_simple, const std::string& index, int threads,
-                         const py::object& progress) {
-  const ProgressCallback callback(progress);
-  TangleOptions options;
-  options.index = index_of(index);
-  options.bip = bip;
-  if (bip_near) options.bip_near = Point{(*bip_near)[0], (*bip_near)[1]};
-  if (closure) {
-    const std::span<const Point> corners = points_of(*closure);
-    options.closure.assign(corners.begin(), corners.end());
-  }
-  options.period = period;
-  options.check_simple = check_simple;
-  options.smooth = smooth;
-  options.progress = fraction_progress(callback);
-  const OpenCurve first = open_curve(u), second = open_curve(s);
-  return long_call(threads, [&] { return TangleHandle{tangle(first, second, options), smooth}; });
-}
-
-py::array pips_of(const TangleHandle& handle) {
+py::array pips_of(const CurveTangle& tangle) {
   std::vector<PipRow> rows;
-  rows.reserve(handle.tangle.pips.size());
-  for (const Pip& pip : handle.tangle.pips) {
+  rows.reserve(tangle.pips.size());
+  for (const Pip& pip : tangle.pips) {
     rows.push_back({pip.at.x, pip.at.y, pip.rho, pip.node, pip.u.segment, pip.s.segment, pip.u.t, pip.s.t});
   }
   return array_of(std::move(rows));
 }
 
-py::array lobes_of(const TangleHandle& handle) {
+py::array lobes_of(const CurveTangle& tangle) {
   return array_of(long_call(0, [&] {
-    const Tangle& tangle = handle.tangle;
-    const std::vector<LobeShape> shapes = lobe_shapes(tangle);
     std::vector<LobeRow> rows;
-    rows.reserve(shapes.size());
-    for (std::size_t k = 0; k < shapes.size(); ++k) {
+    rows.reserve(tangle.lobes.size());
+    for (std::size_t k = 0; k < tangle.lobes.size(); ++k) {
       const Lobe& lobe = tangle.lobes[k];
-      const LobeShape& shape = shapes[k];
+      const LobeShape& shape = tangle.shapes[k];
       const LobeLabel& label = tangle.images.labels[k];
       rows.push_back({lobe.area, lobe.polygon_area, lobe.inside, lobe.outside, tangle.rounding(lobe.area),
-                      handle.smooth ? lobe.smooth_error : shape.discretisation, shape.perimeter, shape.width,
-                      shape.centroid.x, shape.centroid.y, lobe.simple, lobe.meets_closure, label.from, label.to,
-                      label.n});
+                      tangle.discretisation(k), shape.perimeter, shape.width, shape.centroid.x, shape.centroid.y,
+                      lobe.simple, lobe.meets_closure, label.from, label.to, label.n});
     }
     return rows;
   }));
 }
 
-py::list labels_of(const TangleHandle& handle) {
+py::list labels_of(const CurveTangle& tangle) {
   py::list labels;
-  for (const LobeLabel& label : handle.tangle.images.labels) labels.append(text(label));
+  for (const LobeLabel& label : tangle.images.labels) labels.append(text(label));
   return labels;
 }
 
-py::array overlaps_of(const TangleHandle& handle) {
+py::array overlaps_of(const CurveTangle& tangle) {
   return array_of(long_call(0, [&] {
     std::vector<OverlapRow> rows;
-    for (const LobeOverlap& both : overlaps(handle.tangle)) {
+    for (const LobeOverlap& both : overlaps(tangle)) {
       rows.push_back({both.i, both.j, both.area, both.error, both.perimeter});
     }
     return rows;
@@ -100,21 +80,21 @@ py::array overlaps_of(const TangleHandle& handle) {
 }
 
 // None without a boundary.
-py::object boundary_of(const TangleHandle& handle) {
-  const std::optional<Boundary>& boundary = handle.tangle.boundary;
+py::object boundary_of(const CurveTangle& tangle) {
+  const std::optional<Boundary>& boundary = tangle.boundary;
   if (!boundary) return py::none();
   py::dict result;
   result["bip"] = boundary->bip;
   result["area"] = boundary->area;
-  result["rounding"] = handle.tangle.rounding(boundary->area);
-  result["discretisation"] = handle.smooth ? boundary->smooth_error : boundary_discretisation(handle.tangle);
+  result["rounding"] = tangle.rounding(boundary->area);
+  result["discretisation"] = tangle.smooth ? boundary->smooth_error : tangle.boundary_discretisation;
   result["orientation"] = boundary->orientation > 0 ? "counter_clockwise" : "clockwise";
   result["crosses_itself"] = boundary->crosses_itself;
   return result;
 }
 
-py::dict images_of_lobes(const TangleHandle& handle) {
-  const Images& images = handle.tangle.images;
+py::dict images_of_lobes(const CurveTangle& tangle) {
+  const Images& images = tangle.images;
   py::dict result;
   result["period"] = images.period == 0 ? py::object(py::none()) : py::int_(images.period);
   result["given"] = images.given;
@@ -129,13 +109,27 @@ py::dict images_of_lobes(const TangleHandle& handle) {
   return result;
 }
 
-py::array lobe_outline_of(const TangleHandle& handle, py::ssize_t lobe) {
-  return array_of(lobe_outline(handle.tangle, index_in(lobe, handle.tangle.lobes.size())));
+py::array lobe_outline_of(const CurveTangle& tangle, py::ssize_t lobe) {
+  return array_of(lobe_outline(tangle, index_in(lobe, tangle.lobes.size())));
 }
 
-py::object boundary_outline_of(const TangleHandle& handle) {
-  if (!handle.tangle.boundary) return py::none();
-  return array_of(boundary_outline(handle.tangle));
+py::object boundary_outline_of(const CurveTangle& tangle) {
+  if (!tangle.boundary) return py::none();
+  return array_of(boundary_outline(tangle));
+}
+
+// The numbers that are known of a tangle of a system beside the tangle.
+py::dict manifolds_of(const OperationRun& run) {
+  const ManifoldTangle& grown = *run.value<operations::SystemTangle>()->manifolds;
+  py::dict more;
+  more["bip"] = grown.bip;
+  more["tolerance"] = grown.tolerance;
+  more["areas_by_action"] = array_of(std::vector<double>(grown.areas_by_action));
+  more["action_errors"] = array_of(std::vector<double>(grown.action_errors));
+  more["saddles"] = py::make_tuple(pair_of(grown.local_u.saddle), pair_of(grown.local_s.saddle));
+  more["multipliers"] = py::make_tuple(grown.local_u.multiplier, grown.local_s.multiplier);
+  more["point_errors"] = py::make_tuple(grown.point_errors_u[grown.bip], grown.point_errors_s[grown.bip]);
+  return more;
 }
 
 }  // namespace
@@ -145,8 +139,8 @@ void bind_tangle(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(LobeRow, area, polygon_area, inside, outside, rounding, discretisation, perimeter, width, x, y,
                        simple, meets_closure, label_from, label_to, label_n);
   PYBIND11_NUMPY_DTYPE(OverlapRow, i, j, area, error, perimeter);
-  py::class_<TangleHandle>(module, "Tangle")
-      .def("nodes", [](const TangleHandle& handle) { return nodes_array(handle.tangle.nodes); })
+  py::class_<CurveTangle, std::shared_ptr<CurveTangle>>(module, "Tangle")
+      .def("nodes", [](const CurveTangle& tangle) { return nodes_array(tangle.nodes); })
       .def("pips", pips_of)
       .def("lobes", lobes_of)
       .def("labels", labels_of)
@@ -155,15 +149,15 @@ void bind_tangle(py::module_& module) {
       .def("images", images_of_lobes)
       .def("lobe_outline", lobe_outline_of)
       .def("boundary_outline", boundary_outline_of)
-      .def("u",
-           [](const py::object& self) { return view_of(self.cast<const TangleHandle&>().tangle.u().points, self); })
-      .def("s",
-           [](const py::object& self) { return view_of(self.cast<const TangleHandle&>().tangle.s().points, self); })
-      .def_property_readonly("smooth", [](const TangleHandle& handle) { return handle.smooth; })
-      .def_property_readonly("remarks", [](const TangleHandle& handle) { return handle.tangle.remarks; });
-  module.def("tangle", make_tangle, py::arg("u").noconvert(), py::arg("s").noconvert(), py::arg("smooth"),
-             py::arg("bip"), py::arg("bip_near"), py::arg("closure").noconvert().none(true), py::arg("period"),
-             py::arg("check_simple"), py::arg("index"), py::arg("threads"), py::arg("progress"));
+      .def("u", [](const py::object& self) { return view_of(self.cast<const CurveTangle&>().u().points, self); })
+      .def("s", [](const py::object& self) { return view_of(self.cast<const CurveTangle&>().s().points, self); })
+      .def_property_readonly("smooth", [](const CurveTangle& tangle) { return tangle.smooth; })
+      .def_property_readonly("remarks", [](const CurveTangle& tangle) { return tangle.remarks; });
+  module.def(
+      "tangle_of",
+      [](const OperationRun& run) { return std::const_pointer_cast<CurveTangle>(run.value<CurveTangle>()); },
+      py::arg("run"), py::keep_alive<0, 1>());
+  module.def("manifolds_of", manifolds_of, py::arg("run"));
 }
 
 }  // namespace lober::python

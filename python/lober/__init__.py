@@ -10,7 +10,7 @@
 Results do not depend on the number of threads. Definitions and signs are in docs/conventions.md of the project.
 """
 
-from . import plot
+from . import _generated, plot
 from ._agreement import Agreement, Comparison
 from ._areas import AreaErrors, Areas
 from ._dynamics import (
@@ -20,12 +20,8 @@ from ._dynamics import (
     Image,
     Manifold,
     fixed_point,
-    fixed_points,
-    grow,
-    image,
-    images,
-    section,
 )
+from ._generated import *  # noqa: F403
 from ._files import CurveFile, Zone, read, read_zones, write
 from ._lober import __version__
 from ._own import Family, flow, map
@@ -36,27 +32,14 @@ from ._overlay import (
     Pieces,
     SmoothAreas,
     area,
-    interior,
     interior_function,
-    overlay,
     winding,
 )
-from ._regions import RegionPieces, Regions, regions
+from ._regions import RegionPieces, Regions
 from ._symbolic import equations, hamiltonian
 from ._systems import Connection, Parameter, System, SystemInfo, system, systems
-from ._tangle import Boundary, Lobes, Tangle, TangleErrors, tangle
-from ._generated import (
-    CurveTransport,
-    Densify,
-    Levels,
-    Simplify,
-    Sweep,
-    curve_transport,
-    densify,
-    levels,
-    simplify,
-    sweep,
-)
+from ._tangle import Boundary, Lobes, Tangle, TangleErrors
+from ._images import image
 from ._measured import Measured
 from ._operation import call
 from ._transport import (
@@ -66,9 +49,6 @@ from ._transport import (
     SystemTangle,
     Transport,
     TransportBoundary,
-    escape,
-    manifold_tangle,
-    transport,
 )
 from .errors import Cancelled, DataError, DisagreementError, Error, NotSimpleError, UsageError
 
@@ -83,8 +63,6 @@ __all__ = [
     "Connection",
     "CurveFile",
     "DataError",
-    "CurveTransport",
-    "Densify",
     "DisagreementError",
     "Error",
     "Escape",
@@ -94,7 +72,6 @@ __all__ = [
     "GrowthDiagnostic",
     "Image",
     "Interior",
-    "Levels",
     "Lobes",
     "Manifold",
     "Measured",
@@ -112,8 +89,6 @@ __all__ = [
     "SystemTangle",
     "Tangle",
     "TangleErrors",
-    "Simplify",
-    "Sweep",
     "Transport",
     "TransportBoundary",
     "UsageError",
@@ -121,34 +96,19 @@ __all__ = [
     "__version__",
     "area",
     "call",
-    "curve_transport",
-    "densify",
     "equations",
-    "escape",
     "fixed_point",
-    "fixed_points",
     "flow",
-    "grow",
     "hamiltonian",
     "image",
-    "images",
-    "interior",
     "interior_function",
-    "levels",
-    "manifold_tangle",
     "map",
-    "overlay",
     "plot",
     "read",
     "read_zones",
-    "regions",
-    "section",
-    "simplify",
     "system",
     "systems",
-    "tangle",
-    "sweep",
-    "transport",
     "winding",
     "write",
 ]
+__all__ += _generated.__all__

@@ -1,32 +1,69 @@
-"""Calls of operations of the engine's table by their names."""
+"""Operations of the engine's table, as the functions of the package run them."""
 
 from __future__ import annotations
 
+import keyword
+from functools import cached_property
 from typing import Any, Sequence
 
 import numpy as np
 
 from . import _lober
+from ._agreement import Agreement, agreement_of
+from ._arrays import points_of
 from ._numbers import number_of
 from ._progress import Progress, watching
-from ._systems import Connection, is_own, pair_of, system_of
+from ._systems import Connection, System, is_own, pair_of, system_of
+
+TABLE = {operation["name"]: operation for operation in _lober.table()}
 
 
-def system_input(system: Any, connection: Connection | None = None) -> tuple[Any, ...]:
+def identifier(key: str) -> str:
+    """The name of an argument for an option: "from" is a word of the language."""
+    return key + "_" if keyword.iskeyword(key) else key
+
+
+class Run:
+    """An operation that has run: what it found, and the call of a function of the package that repeats it."""
+
+    def __init__(self, of: _lober.OperationRun, arguments: tuple[Any, ...], options: dict[str, Any]) -> None:
+        self.of = of
+        self.arguments = arguments
+        self.options = options
+
+    @cached_property
+    def value(self) -> dict[str, Any]:
+        """All fields of the result, as `lober schema OPERATION` describes them: lists as dictionaries of columns, numbers
+        with error bars as pairs of both."""
+        return self.of.value()
+
+    @property
+    def comparisons(self) -> list[tuple[Any, ...]]:
+        return self.of.comparisons()
+
+    @property
+    def agreement(self) -> Agreement:
+        return agreement_of(self.comparisons)
+
+
+def system_input(system: System, connection: Connection | None = None) -> tuple[Any, ...]:
     """The system, with a tangle of the caller's own in place of that which it is known for; and how to make its
     relatives, where it was made from a name."""
-    given = system_of(system)
-    if connection is not None and not is_own(given, connection):
-        return (_lober.with_connection(given._of, connection._parts()), None, [], 0.0)
-    name, values, tolerance = given._named()
-    return (given._of, name, list(values.items()), tolerance)
+    if connection is not None and not is_own(system, connection):
+        return (_lober.with_connection(system._of, connection._parts()), None, [], 0.0)
+    name, values, tolerance = system._named()
+    return (system._of, name, list(values.items()), tolerance)
 
 
 def _setting(key: str, value: Any, kind: str) -> Any:
     if value is None or isinstance(value, (bool, str)):
         return value
+    if kind == "str" and not np.isscalar(value):  # a vector where a word can be too: the branch of a manifold
+        return ",".join(repr(number) for number in pair_of(value, key))
     if kind == "point":
         return pair_of(value, key)
+    if kind == "numbers" and (np.ndim(value) == 2 or np.iscomplexobj(value)):  # the corners of a path
+        value = points_of(value, key).ravel()
     if kind in ("box", "numbers"):
         return tuple(number_of(one, key) for one in value)
     if kind == "int" and isinstance(value, (int, np.integer)):
@@ -34,17 +71,37 @@ def _setting(key: str, value: Any, kind: str) -> Any:
     return number_of(value, key)
 
 
-_kinds = {
-    operation["name"]: {option["key"]: option["type"] for option in operation["options"]} for operation in _lober.table()
-}
+def run(
+    name: str,
+    given: Sequence[Any],
+    settings: dict[str, Any],
+    threads: int,
+    progress: Progress,
+    connection: Connection | None = None,
+    lazy: dict[str, bool | None] | None = None,
+) -> Run:
+    """Runs an operation on the inputs `given`, in the order of the table; None for one that is left out.
 
-
-def call(
-    name: str, inputs: Sequence[Any], settings: dict[str, Any], threads: int, progress: Progress
-) -> tuple[dict[str, Any], list[tuple[Any, ...]]]:
-    """The result of an operation, as a dictionary, and its comparisons. Inputs are those of `system_input`, and points."""
-    kinds = _kinds[name]
-    given = {key: _setting(key, value, kinds.get(key, "")) for key, value in settings.items()}
+    `connection` is that of the system, which comes first. Its bip is insisted on where it is the caller's own. `lazy` are
+    further settings, which are not those of the caller.
+    """
+    operation = TABLE[name]
+    kinds = {option["key"]: option["type"] for option in operation["options"]}
+    arguments: list[Any] = []
+    inputs: list[Any] = []
+    for spec, value in zip(operation["inputs"], given):
+        if spec["system"]:
+            made = system_of(value)
+            if connection is not None and not is_own(made, connection) and settings.get("bip") is None:
+                settings = {**settings, "bip": connection.bip}
+            arguments.append(made)
+            inputs.append(system_input(made, connection))
+        elif value is not None or not spec["optional"]:
+            arguments.append(points_of(value, spec["name"]))
+            inputs.append(arguments[-1])
+    if connection is not None:
+        arguments.append(connection)
+    made_fit = {key: _setting(key, value, kinds.get(key, "")) for key, value in settings.items()}
     with watching(progress, name) as callback:
-        value, comparisons, _ = _lober.call(name, list(inputs), given, threads, callback)
-    return value, comparisons
+        found = _lober.run(name, inputs, {**made_fit, **(lazy or {})}, threads, callback)
+    return Run(found, tuple(arguments), {identifier(key): value for key, value in made_fit.items()})

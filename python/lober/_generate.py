@@ -5,27 +5,49 @@
 
 from __future__ import annotations
 
-import keyword
 import textwrap
+from dataclasses import dataclass, field
 from typing import Any
 
 from . import _lober
+from ._call import identifier
 
-#: Those whose functions are written by hand, with conveniences of their own.
-BY_HAND = {
-    "escape",
-    "fixed_points",
-    "grow",
-    "image",
-    "interior",
-    "manifold_tangle",
-    "overlay",
-    "regions",
-    "section",
-    "tangle",
-    "transport",
-    "winding",
+
+@dataclass(frozen=True)
+class Face:
+    """A result that is made by hand, since its parts are computed when asked for, or are views of memory."""
+
+    module: str
+    #: What makes it of a run, and its type.
+    maker: str
+    returns: str
+    #: Options that would only choose what is computed when asked for, with the values that compute nothing.
+    lazy: dict[str, bool | None] = field(default_factory=dict)
+    #: Options that may be given without their names.
+    positional: tuple[str, ...] = ()
+    #: Whether a Connection may stand for the options that choose one.
+    connection: bool = False
+    #: The name of the function, where it is not that of the operation.
+    name: str | None = None
+
+
+FACES = {
+    "escape": Face("_transport", "Escape._of", "Escape"),
+    "fixed_points": Face("_dynamics", "FixedPoints._of", "FixedPoints"),
+    "grow": Face("_dynamics", "Manifold._of", "Manifold", positional=("side",)),
+    "image": Face("_dynamics", "images_of", "list[Image]", positional=("first", "last"), name="images"),
+    "interior": Face("_overlay", "Interior", "Interior"),
+    "manifold_tangle": Face("_transport", "SystemTangle", "SystemTangle", lazy={"overlaps": False}, connection=True),
+    "overlay": Face(
+        "_overlay", "Overlay", "Overlay", lazy={"discretisation": False, "smooth": False, "classes": False}
+    ),
+    "regions": Face("_regions", "Regions", "Regions", lazy={"rule": None, "areas_only": True}),
+    "section": Face("_dynamics", "orbits_of", "NDArray[np.float64]"),
+    "tangle": Face("_tangle", "Tangle", "Tangle", lazy={"overlaps": False}),
+    "transport": Face("_transport", "Transport._of", "Transport", connection=True),
 }
+#: A function by hand: it has no options, and gives arrays for each point.
+BY_HAND = {"winding"}
 
 HEAD = '''"""Functions of operations, written by _generate.py from the engine's table. Not to be edited."""
 
@@ -38,11 +60,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._agreement import Agreement, agreement_of
-from ._arrays import points_of
-from ._call import call, system_input
+from ._call import run
+from ._dynamics import FixedPoints, Image, Manifold, images_of, orbits_of
 from ._measured import Measured
+from ._overlay import Interior, Overlay
 from ._progress import Progress
-from ._systems import Box, Pair
+from ._regions import Regions
+from ._systems import Box, Connection, Pair
+from ._tangle import Tangle
+from ._transport import Escape, SystemTangle, Transport
 '''
 
 IN_OBJECTS = {
@@ -67,6 +93,10 @@ IN_COLUMNS = {
     "points": "list[NDArray[np.float64]]",
     "matrix": "NDArray[np.float64]",
 }
+CURVES = (
+    "Curves and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of a closed "
+    "curve is joined to the first. Arrays of doubles are not copied and must not change while the result is in use."
+)
 ARGUMENTS = {
     "bool": "bool",
     "int": "int",
@@ -76,10 +106,6 @@ ARGUMENTS = {
     "box": "Box",
     "numbers": "Sequence[float]",
 }
-
-
-def identifier(name: str) -> str:
-    return name + "_" if keyword.iskeyword(name) else name
 
 
 def sentence(text: str) -> str:
@@ -141,58 +167,75 @@ class Classes:
         return name
 
 
+def parameter(option: dict[str, Any]) -> str:
+    name, of, default = identifier(option["key"]), ARGUMENTS[option["type"]], option["default"]
+    if option["required"]:
+        return f"    {name}: {of},\n"
+    return f"    {name}: {of} | None = None,\n" if default is None else f"    {name}: {of} = {default!r},\n"
+
+
+def explained(option: dict[str, Any]) -> str:
+    otherwise = f"; default: {option['otherwise']}" if option["otherwise"] else ""
+    return "\n    " + wrapped(f"{identifier(option['key'])}: {option['meaning']}{otherwise}", 8)
+
+
 def function(operation: dict[str, Any]) -> str:
-    name = operation["name"]
-    options = sorted(operation["options"], key=lambda option: not option["required"])
-    parameters, settings, about = "", "", ""
-    for option in options:
-        member, of = identifier(option["key"]), ARGUMENTS[option["type"]]
-        default = option["default"]
-        if option["required"]:
-            parameters += f"    {member}: {of},\n"
-        elif default is None:
-            parameters += f"    {member}: {of} | None = None,\n"
-        else:
-            parameters += f"    {member}: {of} = {default!r},\n"
-        settings += f'        "{option["key"]}": {member},\n'
-        otherwise = f"; default: {option['otherwise']}" if option["otherwise"] else ""
-        about += "\n    " + wrapped(f"{member}: {option['meaning']}{otherwise}", 8)
-    classes = Classes()
-    title = "".join(part.capitalize() for part in name.split("_"))
-    result = classes.add(title, operation["result"], False, f"The result of `{name}`", operation["compares"])
+    name, face = operation["name"], FACES.get(operation["name"])
+    lazy = face.lazy if face else {}
+    options = [one for one in operation["options"] if one["key"] not in lazy]
+    settings = "".join(f'        "{one["key"]}": {identifier(one["key"])},\n' for one in options)
+    by_position = [one for one in options if face and one["key"] in face.positional]
+    by_name = sorted((one for one in options if one not in by_position), key=lambda one: not one["required"])
     given, passed, what = inputs(operation["inputs"])
-    made = f'call("{name}", {passed}, settings, threads, progress)'
-    arguments = f"*{made}" if operation["compares"] else f"{made}[0]"
-    doc = wrapped(operation["summary"], 4)
+    more = ""
+    if face and face.connection:
+        given += "    connection: Connection | None = None,\n"
+        more = ", connection"
+        what += " `connection`: in place of the options that choose one."
+    if lazy:
+        more += f", lazy={lazy}".replace("'", '"')
+    given += "".join(map(parameter, by_position))
+    ran = f'run("{name}", {passed}, settings, threads, progress{more})'
+    if face:
+        classes, returns, made = "", face.returns, f"    return {face.maker}({ran})\n"
+    else:
+        of = Classes()
+        title = "".join(part.capitalize() for part in name.split("_"))
+        returns = of.add(title, operation["result"], False, f"The result of `{name}`", operation["compares"])
+        classes = of.text
+        compared = ", ran.comparisons" if operation["compares"] else ""
+        made = f"    ran = {ran}\n    return {returns}._of(ran.value{compared})\n"
     return (
-        f"{classes.text}\n\ndef {name}(\n{given}    *,\n{parameters}    threads: int = 0,\n"
-        f"    progress: Progress = None,\n) -> {result}:\n"
-        f'    """{doc}\n\n    {what} Raises UsageError, DataError, Cancelled.\n{about}\n    """\n'
-        f"    settings = {{\n{settings}    }}\n"
-        f"    return {result}._of({arguments})\n"
+        f"{classes}\n\ndef {face and face.name or name}(\n{given}    *,\n{''.join(map(parameter, by_name))}"
+        f"    threads: int = 0,\n    progress: Progress = None,\n) -> {returns}:\n"
+        f'    """{wrapped(operation["summary"], 4)}\n\n    {what} Raises UsageError, DataError, Cancelled.\n'
+        f'{"".join(map(explained, options))}\n    """\n'
+        f"    settings = {{\n{settings}    }}\n{made}"
     )
 
 
 def inputs(specs: list[dict[str, Any]]) -> tuple[str, str, str]:
     """The arguments of a function, what it passes on, and what a reader has to know of them."""
-    if specs[0]["system"]:
-        return "    system: Any,\n", "[system_input(system)]", "`system` is a system or its name."
-    given, passed = "", []
+    given, passed, about = "", "", []
     for spec in specs:
         name = spec["name"]
         given += f"    {name}: Any{' = None' if spec['optional'] else ''},\n"
-        points = f'points_of({name}, "{name}")'
-        passed.append(f"*([] if {name} is None else [{points}])" if spec["optional"] else points)
-    what = "; ".join(f"`{spec['name']}`: {spec['meaning']}" for spec in specs)
-    return given, f"[{', '.join(passed)}]", f"{what}; arrays of N x 2 numbers, complex vectors, or polygons of shapely."
+        passed += f"{name}, "
+        about.append("`system` is a system or its name" if spec["system"] else f"`{name}`: {spec['meaning']}")
+    what = wrapped("; ".join(about) + "." + ("" if all(spec["system"] for spec in specs) else f" {CURVES}"), 4)
+    return given, f"({passed.rstrip() if len(specs) == 1 else passed[:-2]})", what
 
 
 def text() -> str:
-    made = HEAD
+    made, names = "", []
     for operation in _lober.table():
-        if operation["name"] not in BY_HAND:
-            made += function(operation)
-    return made
+        name, face = operation["name"], FACES.get(operation["name"])
+        if name in BY_HAND:
+            continue
+        made += function(operation)
+        names += [face.name or name] if face else [name, "".join(part.capitalize() for part in name.split("_"))]
+    listed = "".join(f'    "{name}",\n' for name in sorted(names))
+    return f"{HEAD}\n__all__ = [\n{listed}]\n{made}"
 
 
 if __name__ == "__main__":

@@ -9,11 +9,39 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._agreement import Agreement, agreement_of
-from ._arrays import points_of
-from ._call import call, system_input
+from ._call import run
+from ._dynamics import FixedPoints, Image, Manifold, images_of, orbits_of
 from ._measured import Measured
+from ._overlay import Interior, Overlay
 from ._progress import Progress
-from ._systems import Box, Pair
+from ._regions import Regions
+from ._systems import Box, Connection, Pair
+from ._tangle import Tangle
+from ._transport import Escape, SystemTangle, Transport
+
+__all__ = [
+    "CurveTransport",
+    "Densify",
+    "Levels",
+    "Simplify",
+    "Sweep",
+    "curve_transport",
+    "densify",
+    "escape",
+    "fixed_points",
+    "grow",
+    "images",
+    "interior",
+    "levels",
+    "manifold_tangle",
+    "overlay",
+    "regions",
+    "section",
+    "simplify",
+    "sweep",
+    "tangle",
+    "transport",
+]
 
 
 @dataclass(frozen=True)
@@ -233,7 +261,10 @@ def curve_transport(
     """Computes the transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n)
     by lobes and by boundaries, for as many n as there are images of the bip on the curves. No map is needed.
 
-    `u`: the unstable manifold, outward from its fixed point; `s`: the stable manifold, outward from its fixed point; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
+    `u`: the unstable manifold, outward from its fixed point; `s`: the stable manifold, outward from its fixed
+    point. Curves and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of
+    a closed curve is joined to the first. Arrays of doubles are not copied and must not change while the result is
+    in use. Raises UsageError, DataError, Cancelled.
 
     iterates: number of iterates n up to which the table goes, or as far as the curves reach; n takes n images
         of the bip on them; default: as far as the curves reach
@@ -256,7 +287,8 @@ def curve_transport(
         "index": index,
         "check_simple": check_simple,
     }
-    return CurveTransport._of(*call("curve_transport", [points_of(u, "u"), points_of(s, "s")], settings, threads, progress))
+    ran = run("curve_transport", (u, s), settings, threads, progress)
+    return CurveTransport._of(ran.value, ran.comparisons)
 
 
 @dataclass(frozen=True)
@@ -438,7 +470,9 @@ def densify(
     """Inserts points into a curve, or removes them: first simplify, then the criteria (max_length, hobson, angle,
     distance_angle), then passes, then crossings.
 
-    `curve`: a curve; `against`: another curve, for passes and crossings; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
+    `curve`: a curve; `against`: another curve, for passes and crossings. Curves and points are arrays of N x 2
+    numbers, complex vectors, or polygons of shapely; the last point of a closed curve is joined to the first.
+    Arrays of doubles are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
 
     closed: whether to join the last vertex of the curve to the first
     closed_against: whether to join the last vertex of the other curve to the first
@@ -474,7 +508,267 @@ def densify(
         "interpolation": interpolation,
         "max_points": max_points,
     }
-    return Densify._of(call("densify", [points_of(curve, "curve"), *([] if against is None else [points_of(against, "against")])], settings, threads, progress)[0])
+    ran = run("densify", (curve, against), settings, threads, progress)
+    return Densify._of(ran.value)
+
+
+def escape(
+    system: Any,
+    *,
+    energy: float | None = None,
+    crossings: int = 4,
+    saddle: str | None = None,
+    section: str | None = None,
+    direction: str | None = None,
+    bound: str | None = None,
+    tolerance: float = 1e-06,
+    max_points: int = 2000000,
+    max_work: float = 1000000000.0,
+    budget: float | None = None,
+    monte_carlo: int = 2000,
+    seed: int = 1,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Escape:
+    """Computes the escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, and
+    the fraction of the trajectories entering by one bottleneck that leave by another after n crossings.
+
+    `system` is a system or its name. Raises UsageError, DataError, Cancelled.
+
+    energy: total energy, above that of the saddles; default: the parameter energy of the system
+    crossings: number of crossings of the section up to which the table goes; with 0 only the orbits, the tubes
+        and their first crossings are computed
+    saddle: saddles of the potential, with semicolons between: the number of each among those of the system,
+        from 1, or a position near it, or four coordinates; default: all saddles of the system
+    section: section, x=VALUE or y=VALUE, where x and y are the coordinates of position; default: the section of
+        the system
+    direction: sign of the velocity of the crossings that count: +, - or, with no crossings, both; default: that
+        of the system's section, or + with a section of one's own; with no crossings both, unless the section has a
+        bound
+    bound: part of the section whose crossings count, for example x<-1 or y>0, with no crossings only; default:
+        that of the system, or the whole section with a section of one's own
+    tolerance: maximum distance between a curve and its polygon, relative to the square root of the area of the
+        smallest entrance
+    max_points: maximum number of points of a curve; the table ends before an image that is expected to need
+        more
+    max_work: work that the table may take, in evaluations of the vector field, where no time is given
+    budget: wall-clock time that the table may take, in seconds; it ends before images that are expected to end
+        later, and those that do not end as expected are broken off; default: a limit on the work instead, which
+        gives the same table on every machine
+    monte_carlo: number of trajectories to follow from each entrance, as a check of the table; 0: none
+    seed: seed of the random numbers of these trajectories
+    """
+    settings = {
+        "energy": energy,
+        "crossings": crossings,
+        "saddle": saddle,
+        "section": section,
+        "direction": direction,
+        "bound": bound,
+        "tolerance": tolerance,
+        "max_points": max_points,
+        "max_work": max_work,
+        "budget": budget,
+        "monte_carlo": monte_carlo,
+        "seed": seed,
+    }
+    return Escape._of(run("escape", (system,), settings, threads, progress))
+
+
+def fixed_points(
+    system: Any,
+    *,
+    box: Box | None = None,
+    period: int = 1,
+    turns: int = 0,
+    grid: int = 48,
+    max_grid: int = 384,
+    budget: float | None = None,
+    threads: int = 0,
+    progress: Progress = None,
+) -> FixedPoints:
+    """Finds the fixed and periodic points of a map, or of a flow's Poincare map, in a box, with their multipliers,
+    residues and types.
+
+    `system` is a system or its name. Raises UsageError, DataError, Cancelled.
+
+    box: corners of the box that is searched, x0 < x1 and y0 < y1, in the coordinates of the map; default: the
+        system's window
+    period: period, in iterates of the map; points whose least period divides it are found too
+    turns: number of shifts of the plane, of those after which the system repeats, by which a point moves in a
+        period: the turns of a lifted angle
+    grid: number of points a side of the grid of the first scan; each further one has twice as many
+    max_grid: number of points a side of the grid of the last scan
+    budget: wall-clock time that the search may take, in seconds; points found by then are in the result;
+        default: a limit on the work instead, of some seconds on one core, which gives the same points on every
+        machine
+    """
+    settings = {
+        "box": box,
+        "period": period,
+        "turns": turns,
+        "grid": grid,
+        "max_grid": max_grid,
+        "budget": budget,
+    }
+    return FixedPoints._of(run("fixed_points", (system,), settings, threads, progress))
+
+
+def grow(
+    system: Any,
+    side: str = 'unstable',
+    *,
+    from_: Pair | None = None,
+    branch: str | None = None,
+    period: int = 1,
+    turns: int = 0,
+    tolerance: float = 1e-05,
+    iterates: int | None = None,
+    length: float | None = None,
+    max_length: float | None = None,
+    box: Box | None = None,
+    max_points: int = 100000000,
+    max_memory: int | None = None,
+    max_work: float = 1000000000.0,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Manifold:
+    """Grows a branch of the stable or unstable manifold of a saddle of a map, or of a flow's Poincare map, to a
+    tolerance.
+
+    `system` is a system or its name. Raises UsageError, DataError, Cancelled.
+
+    side: side of the saddle whose manifold is grown
+    from_: point near the saddle, in the coordinates of the map; default: the saddle of the system's tangle, or
+        else the only saddle in the system's window
+    branch: branch of the manifold; + leaves the saddle to the right, - to the left, or up and down if the
+        tangent is vertical; or a vector X,Y roughly along it; default: the branch of the system's tangle, or else +
+    period: least period of the saddle, in iterates of the map
+    turns: number of shifts of the plane, of those after which the system repeats, by which a point moves in a
+        period: the turns of a lifted angle
+    tolerance: maximum distance between the manifold and its polygon, in units of the coordinates
+    iterates: number of images of the local manifold after which growing ends; default: no limit, and there has
+        to be a length
+    length: arc length of the manifold, without parts outside the box, at which growing ends, in units of the
+        coordinates; default: no limit, and there have to be iterates
+    max_length: maximum length of a segment, in units of the coordinates; default: 1/50 of the extent of the
+        local manifold
+    box: corners of the box in which the tolerance holds; outside it the manifold is followed coarsely; default:
+        a square around the saddle, 200 extents of the local manifold wide
+    max_points: maximum number of points, at which growing ends
+    max_memory: memory in bytes at which growing ends; default: no limit
+    max_work: maximum work, in evaluations of the vector field, or in steps of a map that is given by formulas
+    """
+    settings = {
+        "side": side,
+        "from": from_,
+        "branch": branch,
+        "period": period,
+        "turns": turns,
+        "tolerance": tolerance,
+        "iterates": iterates,
+        "length": length,
+        "max_length": max_length,
+        "box": box,
+        "max_points": max_points,
+        "max_memory": max_memory,
+        "max_work": max_work,
+    }
+    return Manifold._of(run("grow", (system,), settings, threads, progress))
+
+
+def images(
+    system: Any,
+    curve: Any = None,
+    first: int = 1,
+    last: int | None = None,
+    *,
+    closed: bool = True,
+    circle: Sequence[float] | None = None,
+    rectangle: Box | None = None,
+    boundary: bool = False,
+    tolerance: float = 1e-05,
+    max_length: float | None = None,
+    box: Box | None = None,
+    max_points: int = 100000000,
+    max_work: float = 1000000000.0,
+    threads: int = 0,
+    progress: Progress = None,
+) -> list[Image]:
+    """Computes images and pre-images of a curve under a map, or a flow's Poincare map, to a tolerance.
+
+    `system` is a system or its name; `curve`: a curve, in place of a circle, a rectangle or the boundary. Curves
+    and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of a closed
+    curve is joined to the first. Arrays of doubles are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+
+    closed: whether to join the last vertex of the curve to the first
+    circle: circle about X,Y of radius R, in the coordinates of the map, counter-clockwise, which is followed as
+        a circle, not as a polygon; default: the curve given
+    rectangle: corners of a rectangle, which is followed counter-clockwise; default: the curve given
+    boundary: whether to follow the boundary that the system's tangle makes, from its manifolds: U up to the
+        boundary intersection point and S from there; on a cylinder the upper and the lower one
+    first: number of iterates of the first image; negative ones are pre-images
+    last: number of iterates of the last image; default: that of the first
+    tolerance: maximum distance between an image and its polygon, in units of the coordinates
+    max_length: maximum length of a segment, in units of the coordinates; default: no maximum
+    box: corners of the box in which the tolerance holds; outside it images are followed coarsely; default: the
+        box of the curve and of the system's window, three times as wide and high
+    max_points: maximum number of points of an image, at which it ends
+    max_work: maximum work, in evaluations of the vector field, or in steps of a map that is given by formulas
+    """
+    settings = {
+        "closed": closed,
+        "circle": circle,
+        "rectangle": rectangle,
+        "boundary": boundary,
+        "first": first,
+        "last": last,
+        "tolerance": tolerance,
+        "max_length": max_length,
+        "box": box,
+        "max_points": max_points,
+        "max_work": max_work,
+    }
+    return images_of(run("image", (system, curve), settings, threads, progress))
+
+
+def interior(
+    c1: Any,
+    c2: Any,
+    *,
+    method: str = 'split',
+    passes: int = 0,
+    points: int = 0,
+    index: str = 'auto',
+    check_simple: bool = True,
+    verify: bool = False,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Interior:
+    """Computes the areas of two simple closed curves by the interior function (Q1, Q2, Q3), independently of the
+    overlay.
+
+    `c1`: a simple closed curve; `c2`: another one. Curves and points are arrays of N x 2 numbers, complex vectors,
+    or polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles are not
+    copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+
+    method: way in which segments are weighted; split: at the points where the curves meet; ends: by their two
+        ends, as Lober 1.8 does
+    passes: number of passes that insert points where the ends of a segment differ; with ends
+    points: number of points that a pass inserts into such a segment; with ends
+    index: index that proposes which segments can meet; the results do not depend on it
+    check_simple: whether to refuse curves that are not simple
+    verify: whether to compute the areas by the overlay too, and report how far the two results differ
+    """
+    settings = {
+        "method": method,
+        "passes": passes,
+        "points": points,
+        "index": index,
+        "check_simple": check_simple,
+        "verify": verify,
+    }
+    return Interior(run("interior", (c1, c2), settings, threads, progress))
 
 
 @dataclass(frozen=True)
@@ -576,7 +870,165 @@ def levels(
         "box": box,
         "grid": grid,
     }
-    return Levels._of(call("levels", [system_input(system)], settings, threads, progress)[0])
+    ran = run("levels", (system,), settings, threads, progress)
+    return Levels._of(ran.value)
+
+
+def manifold_tangle(
+    system: Any,
+    connection: Connection | None = None,
+    *,
+    from_: Pair | None = None,
+    to: Pair | None = None,
+    u_direction: Pair | None = None,
+    s_direction: Pair | None = None,
+    bip: Pair | None = None,
+    tolerance: float = 1e-05,
+    max_points: int = 20000000,
+    before: int = 1,
+    after: int = 0,
+    smooth: bool = True,
+    max_iterates: int = 60,
+    max_work: float = 100000000.0,
+    budget: float | None = None,
+    threads: int = 0,
+    progress: Progress = None,
+) -> SystemTangle:
+    """Grows the unstable and the stable manifold of a system's saddles and finds their tangle: pips, lobes, boundary
+    and turnstile, with areas by geometry and by action.
+
+    `system` is a system or its name. `connection`: in place of the options that choose one. Raises UsageError, DataError, Cancelled.
+
+    from_: point near the saddle of the unstable manifold, in the coordinates of the map; default: the system's
+    to: point near the saddle of the stable manifold, in the coordinates of the map; default: that of from, a
+        period of the plane farther where that is the system's own saddle and its tangle leads there, or the
+        system's
+    u_direction: vector roughly along the unstable manifold, away from its saddle; default: the system's
+    s_direction: vector roughly along the stable manifold, away from its saddle; default: the system's
+    bip: point near the boundary intersection point, the pip at which the boundary passes from U to S; default:
+        the system's, or the middle pip
+    tolerance: maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas
+        are far smaller
+    max_points: maximum number of points of each manifold
+    before: number of pre-images of the bip up to which manifolds are grown
+    after: number of images of the bip up to which manifolds are grown
+    smooth: whether to take the areas of smooth curves through the points
+    max_iterates: maximum number of images of the local manifolds
+    max_work: work that growing the manifolds may take, in evaluations of the vector field, where no time is
+        given
+    budget: wall-clock time that growing the manifolds may take, in seconds; default: a limit on the work
+        instead, which gives the same result on every machine
+    """
+    settings = {
+        "from": from_,
+        "to": to,
+        "u_direction": u_direction,
+        "s_direction": s_direction,
+        "bip": bip,
+        "tolerance": tolerance,
+        "max_points": max_points,
+        "before": before,
+        "after": after,
+        "smooth": smooth,
+        "max_iterates": max_iterates,
+        "max_work": max_work,
+        "budget": budget,
+    }
+    return SystemTangle(run("manifold_tangle", (system,), settings, threads, progress, connection, lazy={"overlaps": False}))
+
+
+def overlay(
+    c1: Any,
+    c2: Any,
+    *,
+    areas_only: bool = False,
+    index: str = 'auto',
+    check_simple: bool = True,
+    verify: bool = False,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Overlay:
+    """Computes where two simple closed curves cross, the pieces of their differences, intersection and union, and all
+    areas with error bars.
+
+    `c1`: a simple closed curve; `c2`: another one. Curves and points are arrays of N x 2 numbers, complex vectors,
+    or polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles are not
+    copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+
+    areas_only: whether to compute the total areas but not the pieces, which is faster
+    index: index that proposes which segments can meet; the results do not depend on it
+    check_simple: whether to refuse curves that are not simple
+    verify: whether to compute the areas by the interior method too, and report how far the two results differ
+    """
+    settings = {
+        "areas_only": areas_only,
+        "index": index,
+        "check_simple": check_simple,
+        "verify": verify,
+    }
+    return Overlay(run("overlay", (c1, c2), settings, threads, progress, lazy={"discretisation": False, "smooth": False, "classes": False}))
+
+
+def regions(
+    c1: Any,
+    c2: Any = None,
+    *,
+    index: str = 'auto',
+    threads: int = 0,
+    progress: Progress = None,
+) -> Regions:
+    """Computes the area of each pair of winding numbers of one or two closed curves, which may cross themselves, and
+    the areas and pieces that a rule makes of them.
+
+    `c1`: a closed curve; `c2`: another one. Curves and points are arrays of N x 2 numbers, complex vectors, or
+    polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles are not copied
+    and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+
+    index: index that proposes which segments can meet; the results do not depend on it
+    """
+    settings = {
+        "index": index,
+    }
+    return Regions(run("regions", (c1, c2), settings, threads, progress, lazy={"rule": None, "areas_only": True}))
+
+
+def section(
+    system: Any,
+    starts: Any = None,
+    *,
+    orbits: int = 1000,
+    iterates: int = 1000,
+    box: Box | None = None,
+    lifted: bool = False,
+    exit_times: bool = False,
+    threads: int = 0,
+    progress: Progress = None,
+) -> NDArray[np.float64]:
+    """Follows orbits of a map, or of a flow's Poincare map, and counts their points.
+
+    `system` is a system or its name; `starts`: first points of orbits, in place of those of orbits. Curves and
+    points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of a closed curve is
+    joined to the first. Arrays of doubles are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+
+    orbits: number of orbits, whose first points are spread evenly over the box
+    iterates: number of iterates of each orbit
+    box: corners of the box in which orbits start and which is drawn, x0 < x1 and y0 < y1; default: the whole
+        region of interest of the system, usually its window
+    lifted: whether to leave lifted angles as they come (default: points of a map that repeats after a shift,
+        such as 2 pi, are shifted into one cell from the left side of the box on, and from its lower side where both
+        coordinates are angles)
+    exit_times: whether to compute after how many crossings of the section orbits leave, the first point being
+        crossing 1: one orbit begins in each cell of a grid on the box, as in a picture, in place of those of
+        orbits; for systems whose orbits escape
+    """
+    settings = {
+        "orbits": orbits,
+        "iterates": iterates,
+        "box": box,
+        "lifted": lifted,
+        "exit_times": exit_times,
+    }
+    return orbits_of(run("section", (system, starts), settings, threads, progress))
 
 
 @dataclass(frozen=True)
@@ -631,7 +1083,9 @@ def simplify(
 ) -> Simplify:
     """Removes vertices of a curve, so that it stays within a tolerance of the given one.
 
-    `curve`: a curve; arrays of N x 2 numbers, complex vectors, or polygons of shapely. Raises UsageError, DataError, Cancelled.
+    `curve`: a curve. Curves and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the
+    last point of a closed curve is joined to the first. Arrays of doubles are not copied and must not change while
+    the result is in use. Raises UsageError, DataError, Cancelled.
 
     tolerance: maximum distance of a removed vertex from the curve that remains, in units of the coordinates
     max_length: maximum length of new segments, in units of the coordinates; default: no maximum
@@ -642,7 +1096,8 @@ def simplify(
         "max_length": max_length,
         "closed": closed,
     }
-    return Simplify._of(call("simplify", [points_of(curve, "curve")], settings, threads, progress)[0])
+    ran = run("simplify", (curve,), settings, threads, progress)
+    return Simplify._of(ran.value)
 
 
 @dataclass(frozen=True)
@@ -827,4 +1282,119 @@ def sweep(
         "s_direction": s_direction,
         "bip": bip,
     }
-    return Sweep._of(*call("sweep", [system_input(system)], settings, threads, progress))
+    ran = run("sweep", (system,), settings, threads, progress)
+    return Sweep._of(ran.value, ran.comparisons)
+
+
+def tangle(
+    u: Any,
+    s: Any,
+    *,
+    bip: int | None = None,
+    period: int | None = None,
+    bip_near: Pair | None = None,
+    closure: Sequence[float] | None = None,
+    smooth: bool = False,
+    index: str = 'auto',
+    check_simple: bool = True,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Tangle:
+    """Finds the tangle of two manifolds, which are given as curves: primary intersection points, lobes, boundary and
+    turnstile, with areas and error bars.
+
+    `u`: the unstable manifold, outward from its fixed point; `s`: the stable manifold, outward from its fixed
+    point. Curves and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of
+    a closed curve is joined to the first. Arrays of doubles are not copied and must not change while the result is
+    in use. Raises UsageError, DataError, Cancelled.
+
+    bip: number of the boundary intersection point, the pip at which the boundary passes from U to S, from 0;
+        default: the pip nearest to bip_near, or the middle one
+    period: number of pips from one to its image, at most the number of lobes, and even where lobes alternate;
+        default: inferred from the areas
+    bip_near: point near it; default: none
+    closure: corners of the path that closes the boundary, from the fixed point of S to that of U; default: the
+        straight line
+    smooth: whether to compute the pips and areas of smooth curves through the points, with error bars, instead
+        of those of the polygons
+    index: index that proposes which segments can meet; the results do not depend on it
+    check_simple: whether to refuse manifolds that cross or touch themselves
+    """
+    settings = {
+        "bip": bip,
+        "period": period,
+        "bip_near": bip_near,
+        "closure": closure,
+        "smooth": smooth,
+        "index": index,
+        "check_simple": check_simple,
+    }
+    return Tangle(run("tangle", (u, s), settings, threads, progress, lazy={"overlaps": False}))
+
+
+def transport(
+    system: Any,
+    connection: Connection | None = None,
+    *,
+    from_: Pair | None = None,
+    to: Pair | None = None,
+    u_direction: Pair | None = None,
+    s_direction: Pair | None = None,
+    bip: Pair | None = None,
+    iterates: int = 7,
+    tolerance: float = 1e-05,
+    max_points: int = 20000000,
+    max_work: float = 100000000.0,
+    budget: float | None = None,
+    all_regions: bool = False,
+    particles: int = 0,
+    melnikov: bool = False,
+    seed: int = 1,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Transport:
+    """Computes the transport across the boundary that a stable and an unstable manifold of a map make: grows them,
+    finds the turnstile, and computes the fluxes a(n) and T(n) by lobes and by boundaries.
+
+    `system` is a system or its name. `connection`: in place of the options that choose one. Raises UsageError, DataError, Cancelled.
+
+    from_: point near the saddle of the unstable manifold, in the coordinates of the map; default: the system's
+    to: point near the saddle of the stable manifold, in the coordinates of the map; default: that of from, a
+        period of the plane farther where that is the system's own saddle and its tangle leads there, or the
+        system's
+    u_direction: vector roughly along the unstable manifold, away from its saddle; default: the system's
+    s_direction: vector roughly along the stable manifold, away from its saddle; default: the system's
+    bip: point near the boundary intersection point, the pip at which the boundary passes from U to S; default:
+        the system's, or the middle pip
+    iterates: number of iterates n up to which the table goes
+    tolerance: maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas
+        are far smaller
+    max_points: maximum number of points of each manifold
+    max_work: work that growing the manifolds of one boundary may take, in evaluations of the vector field,
+        where no time is given
+    budget: wall-clock time that all of it may take, in seconds; default: a limit on the work instead, which
+        gives the same table on every machine
+    all_regions: whether to compute the transport between the regions of all boundaries that the system names
+        (ovp: the lower vortex too), with the matrices T_ij(n)
+    particles: number of particles in each bounded region by which T(n) is counted, as a check
+    melnikov: whether to compute Melnikov's function too, and the areas of lobes to first order in the parameter
+        that is the size of the system's perturbation (eps) beside the exact ones
+    seed: seed of the random numbers of the particles
+    """
+    settings = {
+        "from": from_,
+        "to": to,
+        "u_direction": u_direction,
+        "s_direction": s_direction,
+        "bip": bip,
+        "iterates": iterates,
+        "tolerance": tolerance,
+        "max_points": max_points,
+        "max_work": max_work,
+        "budget": budget,
+        "all_regions": all_regions,
+        "particles": particles,
+        "melnikov": melnikov,
+        "seed": seed,
+    }
+    return Transport._of(run("transport", (system,), settings, threads, progress, connection))

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import _call, _lober
-from ._agreement import agreement_of
-from ._arrays import points_of
+from ._call import TABLE, run
 from ._progress import Progress
 from .errors import UsageError
 
@@ -20,19 +18,14 @@ def call(operation: str, *inputs: Any, threads: int = 0, progress: Progress = No
     complex vectors. `options`: those of the operation; None stands for the default. Raises UsageError, DataError,
     Cancelled.
     """
-    table = {one["name"]: one for one in _lober.table()}
-    if operation not in table:
-        raise UsageError(f"there is no operation {operation!r}; there are {', '.join(sorted(table))}")
-    specs = table[operation]["inputs"]
+    if operation not in TABLE:
+        raise UsageError(f"there is no operation {operation!r}; there are {', '.join(sorted(TABLE))}")
+    specs = TABLE[operation]["inputs"]
     if len(inputs) > len(specs):
         raise UsageError(f"{operation} takes {len(specs)} inputs or fewer, not {len(inputs)}")
-    given = [
-        _call.system_input(value) if spec["system"] else points_of(value, spec["name"])
-        for spec, value in zip(specs, inputs)
-    ]
-    known = {option["key"] for option in table[operation]["options"]}
+    known = {option["key"] for option in TABLE[operation]["options"]}
     for key in options:
         if key not in known:
             raise UsageError(f"{operation} has no option {key!r}; it has {', '.join(sorted(known))}")
-    value, comparisons = _call.call(operation, given, options, threads, progress)
-    return {**value, "agreement": agreement_of(comparisons)}
+    found = run(operation, inputs, options, threads, progress)
+    return {**found.value, "agreement": found.agreement}

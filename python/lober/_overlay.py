@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _lober
+from ._agreement import Agreement
 from ._areas import AreaErrors, Areas, areas_html
 from ._arrays import Points, points_of
-from ._progress import Progress, watching
+from ._call import Run
 from ._recomputed import Recomputed
 
 PAIRINGS = ("c1_minus_c2", "c2_minus_c1", "intersection", "union")
@@ -75,9 +76,16 @@ class Pieces:
 class Overlay(Recomputed):
     """The result of `overlay`. Arrays are views of it where it holds the numbers; the rest is computed when asked for."""
 
-    def __init__(self, of: _lober.Overlay, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
-        self._of = of
-        self._call = call
+    _function = "overlay"
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self._of = _lober.overlay_of(run.of)
+
+    @property
+    def agreement(self) -> Agreement:
+        """The areas by the interior function too, with `verify=True`."""
+        return self._run.agreement
 
     @property
     def area(self) -> Areas:
@@ -174,39 +182,19 @@ class SmoothAreas:
         return f"<SmoothAreas: C1 \\ C2 = {self.area.c1_minus_c2:.15g} +- {self.error.c1_minus_c2:.1e}>"
 
 
-def overlay(
-    c1: Any,
-    c2: Any,
-    *,
-    pieces: bool = True,
-    check_simple: bool = True,
-    index: str = "auto",
-    threads: int = 0,
-    progress: Progress = None,
-) -> Overlay:
-    """Crossings, pieces and areas of two simple closed curves of either orientation.
-
-    Curves are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point is joined to the first.
-    Arrays of doubles are not copied and must not change as long as the result is in use. `pieces=False` computes totals
-    only. `threads` is the largest number of threads, 0 for one for each core; no result depends on it. `progress` is
-    True for a bar, or a callable that takes the fraction done and a text and returns False to cancel.
-
-    Raises DataError for a curve that cannot be used, NotSimpleError for one that crosses or touches itself, UsageError,
-    Cancelled.
-    """
-    first, second = points_of(c1, "c1"), points_of(c2, "c2")
-    with watching(progress, "overlay") as callback:
-        found = _lober.overlay(first, second, pieces, check_simple, index, threads, callback)
-    options = {"pieces": pieces, "check_simple": check_simple, "index": index}
-    return Overlay(found, ("overlay", (first, second), options))
-
-
 class Interior(Recomputed):
     """The result of `interior`."""
 
-    def __init__(self, of: _lober.Interior, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
-        self._of = of
-        self._call = call
+    _function = "interior"
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self._of = _lober.interior_of(run.of)
+
+    @property
+    def agreement(self) -> Agreement:
+        """The areas by the overlay too, with `verify=True`."""
+        return self._run.agreement
 
     @property
     def area(self) -> Areas:
@@ -241,30 +229,6 @@ class Interior(Recomputed):
 
     def _repr_html_(self) -> str:
         return areas_html("interior method", self.area, self.error)
-
-
-def interior(
-    c1: Any,
-    c2: Any,
-    *,
-    method: str = "split",
-    passes: int = 0,
-    points: int = 0,
-    check_simple: bool = True,
-    index: str = "auto",
-    threads: int = 0,
-    progress: Progress = None,
-) -> Interior:
-    """Areas of two simple closed curves by the interior function, independently of `overlay`.
-
-    `method="split"` splits segments exactly where the curves meet; "ends" weights a segment by its two ends, and
-    `passes` and `points` are the numbers of -DENS. Arguments, errors and the rest as `overlay`.
-    """
-    first, second = points_of(c1, "c1"), points_of(c2, "c2")
-    with watching(progress, "interior") as callback:
-        found = _lober.interior(first, second, method, passes, points, check_simple, index, threads, callback)
-    options = {"method": method, "passes": passes, "points": points, "check_simple": check_simple, "index": index}
-    return Interior(found, ("interior", (first, second), options))
 
 
 def winding(curve: Any, points: Any, *, threads: int = 0) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:

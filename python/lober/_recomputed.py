@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from ._call import Run
+
 
 def recompute(function: str, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
     import lober
@@ -12,9 +14,11 @@ def recompute(function: str, arguments: tuple[Any, ...], options: dict[str, Any]
 
 
 class Recomputed:
-    """Keeps the call that made it. Loading a pickle, or copying, repeats the call."""
+    """Keeps the run that made it. Loading a pickle, or copying, repeats the call."""
 
-    _call: tuple[str, tuple[Any, ...], dict[str, Any]]
+    #: The function of the package.
+    _function: str
+    _run: Run
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return recompute, self._call
+        return recompute, (self._function, self._run.arguments, self._run.options)

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from . import _lober
 from ._areas import AreaErrors, Areas, areas_html
-from ._arrays import Points, points_of
-from ._progress import Progress, watching
+from ._arrays import Points
+from ._call import Run
 from ._recomputed import Recomputed
 
 RULES = ("nonzero", "evenodd", "positive", "negative")
@@ -44,9 +44,11 @@ class RegionPieces:
 class Regions(Recomputed):
     """The result of `regions`."""
 
-    def __init__(self, of: _lober.Regions, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
-        self._of = of
-        self._call = call
+    _function = "regions"
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self._of = _lober.regions_of(run.of)
 
     @property
     def table(self) -> NDArray[Any]:
@@ -79,17 +81,3 @@ class Regions(Recomputed):
 
     def _repr_html_(self) -> str:
         return areas_html("fill rule nonzero", self.area(), self.error())
-
-
-def regions(
-    c1: Any, c2: Any = None, *, index: str = "auto", threads: int = 0, progress: Progress = None
-) -> Regions:
-    """The areas of all pairs of winding numbers of one or two closed curves of any shape.
-
-    The orientation of the input counts. Arguments as `overlay`. Raises DataError, UsageError, Cancelled.
-    """
-    first = points_of(c1, "c1")
-    second = None if c2 is None else points_of(c2, "c2")
-    with watching(progress, "regions") as callback:
-        found = _lober.regions(first, second, index, threads, callback)
-    return Regions(found, ("regions", (first, second), {"index": index}))

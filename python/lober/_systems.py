@@ -209,14 +209,3 @@ def is_own(given: System, connection: Connection | None) -> bool:
     own = given.connection
     # Compared as numbers: a caller's may be arrays.
     return connection is None or (own is not None and connection._parts() == own._parts())
-
-
-def connection_of(given: System, connection: Connection | None) -> Connection:
-    if connection is not None:
-        return connection
-    if given.connection is None:
-        reason = given._of.no_connection
-        if reason:
-            raise UsageError(f"system {given.name} has no tangle of its own at these parameters: {reason}")
-        raise UsageError(f"system {given.name} does not name the saddles of a tangle; give connection")
-    return given.connection

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from . import _lober
 from ._areas import html_table
-from ._arrays import Points, points_of
-from ._progress import Progress, watching
+from ._arrays import Points
+from ._call import Run
 from ._recomputed import Recomputed
 
 
@@ -104,9 +104,11 @@ class Lobes:
 class Tangle(Recomputed):
     """The result of `tangle`."""
 
-    def __init__(self, of: _lober.Tangle, call: tuple[str, tuple[Any, ...], dict[str, Any]]) -> None:
-        self._of = of
-        self._call = call
+    _function = "tangle"
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self._of = _lober.tangle_of(run.of)
 
     @property
     def u(self) -> Points:
@@ -190,42 +192,3 @@ class Tangle(Recomputed):
         more = f"<p>and {len(lobes) - 20} more</p>" if len(lobes) > 20 else ""
         title = f"<p>{len(self.nodes)} crossings, {len(self.pips)} pips, {len(lobes)} lobes</p>"
         return title + html_table(["lobe", "label", "area", "rounding", "discretisation"], rows) + more
-
-
-def tangle(
-    u: Any,
-    s: Any,
-    *,
-    smooth: bool = False,
-    bip: int | None = None,
-    bip_near: tuple[float, float] | None = None,
-    closure: Any = None,
-    period: int = 0,
-    check_simple: bool = True,
-    index: str = "auto",
-    threads: int = 0,
-    progress: Progress = None,
-) -> Tangle:
-    """The tangle of two manifolds, open curves that are ordered outward from their fixed points.
-
-    `smooth=True` takes areas between the smooth curves through the points. `bip` is the number of the pip where the
-    boundary passes from one manifold to the other (default: the middle one), `bip_near` a point near it; `closure` are the
-    corners of the path that closes the boundary (default: the chord); `period` is the number of pips from one to its
-    image (default: inferred). The rest as `overlay`. Raises DataError, NotSimpleError, UsageError, Cancelled.
-    """
-    first, second = points_of(u, "u"), points_of(s, "s")
-    corners = None if closure is None else points_of(closure, "closure")
-    with watching(progress, "tangle") as callback:
-        found = _lober.tangle(
-            first, second, smooth, bip, bip_near, corners, period, check_simple, index, threads, callback
-        )
-    options = {
-        "smooth": smooth,
-        "bip": bip,
-        "bip_near": bip_near,
-        "closure": corners,
-        "period": period,
-        "check_simple": check_simple,
-        "index": index,
-    }
-    return Tangle(found, ("tangle", (first, second), options))

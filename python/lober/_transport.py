@@ -9,15 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _lober
-from ._agreement import Agreement, agreement_of
+from ._agreement import Agreement
 from ._areas import html_table
 from ._arrays import Points
-from ._call import call, system_input
+from ._call import Run
 from ._measured import Measured
-from ._progress import Progress, watching
-from ._systems import Connection, Pair, System, connection_of, is_own, system_of
+from ._systems import Connection, Pair, System
 from ._tangle import Tangle
-from .errors import UsageError
 
 
 @dataclass(frozen=True)
@@ -40,20 +38,32 @@ class TurnstileAreas(Measured):
         return ", ".join(f"{n}: {v} +- {e}" for n, v, e in zip(self.labels, self.value, self.error))
 
 
+def _connection_of(run: Run) -> Connection:
+    chosen = run.of.chosen()
+    system, *given = run.arguments
+    known = given[0] if given else system.connection
+    saddles = chosen["from"], chosen["to"]
+    closes = known is not None and (known.from_saddle, known.to_saddle) == saddles
+    return Connection(
+        saddles[0],
+        chosen["u_direction"],
+        saddles[1],
+        chosen["s_direction"],
+        chosen.get("bip"),
+        known.closure if closes else (),
+    )
+
+
 class SystemTangle(Tangle):
     """The tangle of a system's manifolds, which were grown as far as it needs them."""
 
-    def __init__(
-        self,
-        of: _lober.Tangle,
-        more: dict[str, Any],
-        call: tuple[str, tuple[Any, ...], dict[str, Any]],
-        system: System,
-        connection: Connection,
-    ) -> None:
-        super().__init__(of, call)
-        self.system = system
-        self.connection = connection
+    _function = "manifold_tangle"
+
+    def __init__(self, run: Run) -> None:
+        super().__init__(run)
+        more = _lober.manifolds_of(run.of)
+        self.system: System = run.arguments[0]
+        self.connection = _connection_of(run)
         #: Number of the pip q where the boundary passes from one manifold to the other.
         self.bip: int = more["bip"]
         #: That the manifolds were grown to in the end.
@@ -68,58 +78,7 @@ class SystemTangle(Tangle):
         #: How far the points of both manifolds lie beside them, an estimate; errors of areas contain it.
         self.point_errors: tuple[float, float] = more["point_errors"]
         #: Areas by geometry and by action, and more.
-        self.agreement: Agreement = agreement_of(more["comparisons"])
-
-
-def manifold_tangle(
-    system: Any,
-    connection: Connection | None = None,
-    *,
-    tolerance: float = 1e-5,
-    before: int = 1,
-    after: int = 0,
-    smooth: bool = True,
-    max_iterates: int = 60,
-    max_points: int = 20_000_000,
-    max_work: float = 1e8,
-    threads: int = 0,
-    progress: Progress = None,
-) -> SystemTangle:
-    """Grows both manifolds of a connection and finds their tangle: `lober tangle --system`.
-
-    `connection` defaults to that of the system, whose bip is not insisted on; of another one it is: DataError where no pip lies near. `tolerance` is the distance that polygon and manifold may have; errors of
-    areas are far smaller. Images of the bip from f^-before to f^after are wanted; `max_work` bounds the evaluations of the
-    vector field. Raises DataError where there is no tangle within the limits, UsageError, Cancelled.
-    """
-    made = system_of(system)
-    chosen = connection_of(made, connection)
-    # A bip of a connection of the caller's is insisted on; that of the system is a hint, which may be far from any pip.
-    bip_near = None if is_own(made, connection) else chosen.bip
-    with watching(progress, "tangle") as callback:
-        found, more = _lober.grow_tangle(
-            made._of,
-            chosen._parts(),
-            bip_near,
-            tolerance,
-            before,
-            after,
-            smooth,
-            max_iterates,
-            max_points,
-            max_work,
-            threads,
-            callback,
-        )
-    options = {
-        "tolerance": tolerance,
-        "before": before,
-        "after": after,
-        "smooth": smooth,
-        "max_iterates": max_iterates,
-        "max_points": max_points,
-        "max_work": max_work,
-    }
-    return SystemTangle(found, more, ("manifold_tangle", (made, connection), options), made, chosen)
+        self.agreement: Agreement = run.agreement
 
 
 @dataclass(frozen=True)
@@ -163,6 +122,27 @@ class Transport:
     remarks: list[str]
     agreement: Agreement
 
+    @classmethod
+    def _of(cls, run: Run) -> Transport:
+        found = run.value
+        steps = found["steps"]
+        counted = steps["T_ij_by_particles"]
+        return cls(
+            steps["n"],
+            [
+                Region(Measured(*area), bool(bounded))
+                for bounded, *area in zip(found["regions"]["bounded"], *found["regions"]["area"])
+            ],
+            [_boundary(entry) for entry in found["boundaries"]],
+            Measured(*steps["a_ij"]),
+            Measured(*steps["T_ij"]),
+            Measured(*steps["T_ij_by_boundaries"]),
+            Measured(*(counted or (np.full_like(steps["T_ij"][0], np.nan),) * 2)),
+            found["iterates_a_step"],
+            found["remarks"],
+            run.agreement,
+        )
+
     def _repr_html_(self) -> str:
         rows = [
             [
@@ -175,56 +155,6 @@ class Transport:
             for k, n in enumerate(self.n)
         ]
         return html_table(["n", "a12(n)", "error", "T12(n)", "error"], rows)
-
-
-def transport(
-    system: Any,
-    connection: Connection | None = None,
-    *,
-    iterates: int = 7,
-    tolerance: float = 1e-5,
-    particles: int = 0,
-    seed: int = 1,
-    all_regions: bool = False,
-    max_points: int = 20_000_000,
-    max_work: float = 1e8,
-    threads: int = 0,
-    progress: Progress = None,
-) -> Transport:
-    """The area that leaves a region, iterate by iterate: a_ij(n) and T_ij(n) by lobes and by boundaries, counted too where
-    `particles` are asked for.
-
-    `all_regions` takes the further boundaries of the system. There are fewer rows where points or work do not suffice;
-    a remark says so. Raises DataError where there is not even n = 1 or the map does not preserve area, UsageError,
-    Cancelled.
-    """
-    made = system_of(system)
-    settings = {
-        "iterates": iterates,
-        "tolerance": tolerance,
-        "particles": particles,
-        "seed": seed,
-        "all_regions": all_regions,
-        "max_points": max_points,
-        "max_work": max_work,
-        # That of a connection of the caller's is insisted on.
-        "bip": connection.bip if connection is not None and not is_own(made, connection) else None,
-    }
-    found, comparisons = call("transport", [system_input(made, connection)], settings, threads, progress)
-    steps = found["steps"]
-    counted = steps["T_ij_by_particles"]
-    return Transport(
-        steps["n"],
-        [Region(Measured(*area), bool(bounded)) for bounded, *area in zip(found["regions"]["bounded"], *found["regions"]["area"])],
-        [_boundary(entry) for entry in found["boundaries"]],
-        Measured(*steps["a_ij"]),
-        Measured(*steps["T_ij"]),
-        Measured(*steps["T_ij_by_boundaries"]),
-        Measured(*(counted or (np.full_like(steps["T_ij"][0], np.nan),) * 2)),
-        found["iterates_a_step"],
-        found["remarks"],
-        agreement_of(comparisons),
-    )
 
 
 def _boundary(entry: dict[str, Any]) -> TransportBoundary:
@@ -275,51 +205,20 @@ class Escape:
     also_open: list[list[float]]
     agreement: Agreement
 
-
-def escape(
-    system: Any,
-    *,
-    crossings: int = 4,
-    energy: float | None = None,
-    tolerance: float = 1e-6,
-    max_points: int = 2_000_000,
-    budget: float | None = None,
-    monte_carlo: int = 0,
-    threads: int = 0,
-    progress: Progress = None,
-) -> Escape:
-    """Escape from a potential well: the fraction of what enters by one bottleneck that leaves by another, and when.
-
-    `energy` defaults to the system's parameter of that name; `budget` is in seconds by the clock, in
-    place of a limit on work that gives the same table on every machine; `monte_carlo` trajectories from each entrance check
-    the table, as comparisons of `agreement`. Raises UsageError for a system without section
-    or saddles, DataError, Cancelled.
-    """
-    made = system_of(system)
-    if energy is None:
-        if "energy" not in made.parameters:
-            raise UsageError(f"energy is missing, and system {made.name} has no parameter energy")
-        energy = made.parameters["energy"]
-    settings = {
-        "crossings": crossings,
-        "energy": energy,
-        "tolerance": tolerance,
-        "max_points": max_points,
-        "budget": budget,
-        "monte_carlo": monte_carlo,
-    }
-    found, comparisons = call("escape", [system_input(made)], settings, threads, progress)
-    names = [one["name"] for one in found["bottlenecks"]]
-    stop = found["stop"]
-    return Escape(
-        found["energy"],
-        _escape_table(found["table"], names),
-        found["crossings"],
-        "done" if stop is None else stop["reason"],
-        [_bottleneck(found["energy"], one) for one in found["bottlenecks"]],
-        [list(state) for state in found["also_open"]["at"]],
-        agreement_of(comparisons),
-    )
+    @classmethod
+    def _of(cls, run: Run) -> Escape:
+        found = run.value
+        names = [one["name"] for one in found["bottlenecks"]]
+        stop = found["stop"]
+        return cls(
+            found["energy"],
+            _escape_table(found["table"], names),
+            found["crossings"],
+            "done" if stop is None else stop["reason"],
+            [_bottleneck(found["energy"], one) for one in found["bottlenecks"]],
+            [list(state) for state in found["also_open"]["at"]],
+            run.agreement,
+        )
 
 
 def _escape_table(columns: dict[str, Any], names: list[str]) -> NDArray[Any]:

@@ -59,7 +59,7 @@ def overlay(
 ) -> Axes:
     """Both curves, the pieces of some pairings, and the points where the curves meet."""
     ax = _axes(ax, True)
-    _, curves, _ = r._call
+    curves = r._run.arguments
     for pairing, colour in zip(pairings, ("tab:orange", "tab:green", "tab:purple", "0.6")):
         for piece in r.pieces(pairing):
             _fill(ax, piece.outline, color=colour)

@@ -95,14 +95,14 @@ def test_manifolds_meet_the_tolerance_asked_for():
         assert fine.generation_begin[-1] == len(fine.points) == len(fine.parameters)
     by_iterates = lober.grow("duffing", iterates=3, tolerance=1e-4)
     assert by_iterates.stop == "iterates"
-    other = lober.grow("duffing", iterates=2, tolerance=1e-4, at=(0, 0), branch="-")
+    other = lober.grow("duffing", iterates=2, tolerance=1e-4, from_=(0, 0), branch="-")
     assert other.points[-1, 0] != by_iterates.points[-1, 0]
     with pytest.raises(lober.UsageError, match="iterates or length"):
         lober.grow("duffing", tolerance=1e-3)
     with pytest.raises(lober.UsageError, match="unstable, stable"):
-        lober.grow("duffing", "left", at=(0, 0), tolerance=1e-3, length=1)
+        lober.grow("duffing", "left", from_=(0, 0), tolerance=1e-3, length=1)
     with pytest.raises(lober.UsageError, match="vector roughly along"):
-        lober.grow("duffing", at=(0, 0), branch="up", tolerance=1e-3, length=1)
+        lober.grow("duffing", from_=(0, 0), branch="up", tolerance=1e-3, length=1)
 
 
 def test_images_of_curves_keep_their_area():
@@ -210,8 +210,8 @@ def test_escape():
     assert abs(lober.area(entry.entry[0])) == pytest.approx(entry.area.value, rel=1e-3)
     with pytest.raises(lober.UsageError, match="is a map"):
         lober.escape("standard", energy=1)
-    with pytest.raises(lober.UsageError, match="energy is missing"):
-        lober.escape("standard")
+    with pytest.raises(lober.UsageError, match="two degrees of freedom"):
+        lober.escape("ovp")
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,7 @@
 """Operations of the engine's table."""
 
+import inspect
+
 import numpy as np
 import pytest
 
@@ -16,6 +18,34 @@ def test_generated_functions_are_those_of_the_table():
 def test_each_operation_has_a_function():
     for operation in _lober.table():
         assert callable(getattr(lober, operation["name"]))
+
+
+def test_functions_have_all_options():
+    """And no others: a function of the package has the options of its operation, but for those that would only choose
+    what it computes when asked for."""
+    for operation in _lober.table():
+        name = operation["name"]
+        face = _generate.FACES.get(name)
+        parameters = set(inspect.signature(getattr(lober, face.name if face and face.name else name)).parameters)
+        options = {_generate.identifier(option["key"]) for option in operation["options"]}
+        inputs = {one["name"] for one in operation["inputs"]} | ({"connection"} if face and face.connection else set())
+        assert parameters - {"threads", "progress"} == (options - set(face.lazy if face else ())) | inputs, name
+
+
+def test_verify_compares():
+    square = np.array([[0, 0], [2, 0], [2, 2], [0, 2]], dtype=float)
+    for found in (lober.overlay(square, square + 1, verify=True), lober.interior(square, square + 1, verify=True)):
+        assert found.agreement and len(found.agreement.comparisons) == 7
+
+
+def test_connections_by_options_and_by_an_object():
+    """A tangle of one's own is the same, however its saddles are given."""
+    own = lober.system("henon", k=1.2).connection
+    by_object = lober.manifold_tangle(lober.system("henon", k=1.2), own, tolerance=1e-4)
+    by_options = lober.manifold_tangle(lober.system("henon", k=1.2), from_=own.from_saddle, u_direction=own.u_direction,
+                                       s_direction=own.s_direction, bip=own.bip, tolerance=1e-4)  # fmt: skip
+    assert by_object.connection == by_options.connection and len(by_object.lobes)
+    np.testing.assert_array_equal(by_object.lobes.area, by_options.lobes.area)
 
 
 def test_sweep():

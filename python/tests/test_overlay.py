@@ -50,7 +50,7 @@ def test_pieces(squares):
 
 
 def test_totals_only(squares):
-    r = lober.overlay(*squares, pieces=False)
+    r = lober.overlay(*squares, areas_only=True)
     assert r.area.c1_minus_c2 == 3 and len(r.pieces("c1_minus_c2")) == 0
 
 
@@ -103,7 +103,7 @@ def test_winding():
 
 
 def test_pickle_gives_the_same_bits():
-    r = lober.overlay(ring(300), ring(200, 0.4), pieces=False)
+    r = lober.overlay(ring(300), ring(200, 0.4), areas_only=True)
     for again in (pickle.loads(pickle.dumps(r)), copy.deepcopy(r)):
         assert again.area == r.area
         assert again.nodes.tobytes() == r.nodes.tobytes()

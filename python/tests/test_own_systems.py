@@ -199,7 +199,7 @@ def test_complex_coordinates_are_refused():
     for call in (
         lambda: lober.image(standard, circle, tolerance=1e-3, box=np.array([-1, -1, 1, 1 + 1j])),
         lambda: lober.fixed_point(standard, at),
-        lambda: lober.grow(standard, tolerance=1e-3, length=1, at=at),
+        lambda: lober.grow(standard, tolerance=1e-3, length=1, from_=at),
         lambda: lober.system("standard", K=np.complex64(1 + 1j)),
         lambda: lober.flow(lambda x, y, t: (y, x), period=np.complex128(1 + 1j))(),
         lambda: lober.manifold_tangle(standard, lober.Connection(at, (1, 1), (0, 0), (1, 1))),

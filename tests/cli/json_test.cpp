@@ -2,10 +2,10 @@
 
 #include <set>
 
-#include "engine/geometry/views.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/views.hpp"
 
 namespace lober::cli {
 using namespace lober::detail;

@@ -1,5 +1,10 @@
 // Messages of the program for command lines that cannot be understood.
+#include <filesystem>
+#include <iterator>
+#include <sstream>
+
 #include "tests/cli/program.hpp"
+#include "tests/paths.hpp"
 
 namespace lober::cli {
 namespace {
@@ -37,6 +42,45 @@ TEST_F(Options, AreRefusedInOneSentence) {
     EXPECT_EQ(outcome.out, "") << one.message;
     EXPECT_EQ(outcome.err, std::string("lober: ") + one.message + "\n");
   }
+}
+
+TEST_F(Options, ExamplesOfTheHelpRun) {
+  std::filesystem::create_directory_symlink(std::filesystem::path(LOBER_SOURCE_DIR) / "examples",
+                                            folder() / "examples");
+  std::size_t ran = 0;
+  for (const std::vector<std::string>& help : std::vector<std::vector<std::string>>{{"overlay"},
+                                                                                    {"interior"},
+                                                                                    {"regions"},
+                                                                                    {"tangle"},
+                                                                                    {"tangle", "--system", "henon"},
+                                                                                    {"densify"},
+                                                                                    {"simplify"},
+                                                                                    {"transport"},
+                                                                                    {"transport", "--manifolds", "a"},
+                                                                                    {"sweep"},
+                                                                                    {"escape"},
+                                                                                    {"fixed-points"},
+                                                                                    {"levels"},
+                                                                                    {"section"},
+                                                                                    {"grow"},
+                                                                                    {"image"}}) {
+    std::vector<std::string> arguments = help;
+    arguments.emplace_back("--help");
+    std::istringstream text(run(arguments).out);
+    std::size_t examples = 0;
+    for (std::string line; std::getline(text, line) && !line.starts_with("Usage:");) {
+      if (!line.starts_with("  lober ")) continue;
+      std::istringstream words(line.substr(8));
+      const std::vector<std::string> command{std::istream_iterator<std::string>(words), {}};
+      const Outcome outcome = run(command);
+      EXPECT_EQ(outcome.status, 0) << line << "\n" << outcome.err;
+      EXPECT_NE(outcome.out, "") << line;
+      ++examples;
+    }
+    EXPECT_GT(examples, 0U) << help.back();
+    ran += examples;
+  }
+  EXPECT_GE(ran, 20U);
 }
 
 }  // namespace

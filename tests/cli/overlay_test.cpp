@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "engine/geometry/views.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
+#include "tests/views.hpp"
 
 namespace lober::cli {
 using namespace lober::detail;

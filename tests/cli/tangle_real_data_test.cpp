@@ -4,11 +4,11 @@
 #include <cmath>
 #include <map>
 
-#include "engine/geometry/views.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/shared_data.hpp"
+#include "tests/views.hpp"
 
 namespace lober::cli {
 using namespace lober::detail;

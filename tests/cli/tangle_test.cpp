@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/geometry/views.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 #include "tests/cli/tangle_program.hpp"
 #include "tests/paths.hpp"
+#include "tests/views.hpp"
 
 namespace lober::cli {
 using namespace lober::detail;

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "engine/geometry/overlay/pieces_data.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/curve/densify.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/regions.hpp"
 #include "lober/tangle/tangle.hpp"
 #include "tests/determinism/hash.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

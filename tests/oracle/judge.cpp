@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "engine/geometry/views.hpp"
+#include "tests/views.hpp"
 
 namespace lober::oracle {
 using namespace lober::detail;

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/stress/coverage.hpp"
+#include "tests/views.hpp"
 
 namespace lober::stress {
 using namespace lober::detail;

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/base/error.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/overlay.hpp"
@@ -27,6 +26,7 @@
 #include "tests/oracle/pair_file.hpp"
 #include "tests/stress/coverage.hpp"
 #include "tests/stress/transformations.hpp"
+#include "tests/views.hpp"
 
 namespace lober::stress {
 using namespace lober::detail;

@@ -20,10 +20,14 @@ std::optional<double> bound(double value) {
 }
 
 OperationOption described(const OptionSpec& spec) {
-  return {
-      spec.key,     type_of(spec.fallback), spec.family() || spec.optional ? spec.otherwise : to_string(spec.fallback),
-      spec.choices, bound(spec.min),        bound(spec.max),
-      spec.meaning};
+  return {spec.key,
+          type_of(spec.fallback),
+          spec.family() || spec.optional ? spec.otherwise : to_string(spec.fallback),
+          spec.choices,
+          bound(spec.min),
+          bound(spec.max),
+          spec.above_min,
+          spec.meaning};
 }
 
 OperationInfo described(const Operation& operation) {

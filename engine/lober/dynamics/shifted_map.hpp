@@ -1,9 +1,8 @@
 // A map whose orbits are followed up to a shift of the plane: on a cylinder or a torus a periodic point of the lifted
 // map goes round and comes back shifted, f^period(z) = z + shift, as the saddles of a resonance do.
 //
-//   const lober::ShiftedMap map(*system.map, 3, system.lattice);  // round once in three iterates
-//   const lober::LocalManifold local = lober::local_manifold(map, saddle, lober::ManifoldSide::unstable, {.period =
-//   3});
+//   const lober::ShiftedMap turned(map, 3, {6.283185307179586, 0});  // round once in three iterates
+//   const auto local = lober::local_manifold(turned, saddle, lober::ManifoldSide::unstable, {.period = 3});
 #pragma once
 
 #include <cstdint>

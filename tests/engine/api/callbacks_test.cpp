@@ -15,7 +15,6 @@
 #include <thread>
 #include <vector>
 
-#include "engine/geometry/views.hpp"
 #include "lober/curve/densify.hpp"
 #include "lober/dynamics/manifolds.hpp"
 #include "lober/overlay/interior.hpp"
@@ -24,6 +23,7 @@
 #include "lober/tangle/tangle.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

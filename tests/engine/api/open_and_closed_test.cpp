@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "engine/geometry/index/orientation.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/curve/densify.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/regions.hpp"
 #include "lober/overlay/smooth.hpp"
 #include "lober/tangle/tangle.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;
@@ -68,9 +68,9 @@ const std::vector<CurveFunction>& curve_functions() {
       {"regions, second", Wanted::closed, [](CurveView a, CurveView b) { (void)regions(b, a); }},
       {"regions, indexed", Wanted::closed,
        [](CurveView a, CurveView b) { (void)regions(IndexedCurve(a), IndexedCurve(b)); }},
-      {"smooth_area", Wanted::closed, [](CurveView a, CurveView) { (void)smooth_area(a); }},
-      {"common_area", Wanted::closed, [](CurveView a, CurveView b) { (void)common_area(a, b); }},
-      {"common_area, second", Wanted::closed, [](CurveView a, CurveView b) { (void)common_area(b, a); }},
+      {"smooth_area", Wanted::either, [](CurveView a, CurveView) { (void)smooth_area(a); }},
+      {"common_area", Wanted::either, [](CurveView a, CurveView b) { (void)common_area(a, b); }},
+      {"common_area, second", Wanted::either, [](CurveView a, CurveView b) { (void)common_area(b, a); }},
       {"tangle", Wanted::open, [](CurveView a, CurveView b) { (void)tangle(a, b); }},
       {"tangle, second", Wanted::open, [](CurveView a, CurveView b) { (void)tangle(b, a); }},
       {"tangle, indexed", Wanted::open,

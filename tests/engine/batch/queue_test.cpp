@@ -8,9 +8,9 @@
 
 #include "engine/batch/manifest/file_unit.hpp"
 #include "engine/batch/queue/jobs.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/curve/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

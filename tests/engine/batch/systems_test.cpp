@@ -4,7 +4,6 @@
 #include "engine/batch/batch.hpp"
 #include "engine/batch/export/export.hpp"
 #include "engine/batch/plan_runner.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/dynamics/manifolds.hpp"
 #include "lober/overlay/overlay.hpp"
@@ -12,6 +11,7 @@
 #include "lober/transport/transport.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

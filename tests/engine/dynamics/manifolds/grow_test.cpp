@@ -1,5 +1,5 @@
-#include "engine/geometry/views.hpp"
 #include "lober/dynamics/manifolds.hpp"
+#include "tests/views.hpp"
 
 #include <gtest/gtest.h>
 

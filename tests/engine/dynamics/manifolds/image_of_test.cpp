@@ -6,11 +6,11 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/base/error.hpp"
 #include "lober/dynamics/manifolds.hpp"
 #include "tests/distance.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

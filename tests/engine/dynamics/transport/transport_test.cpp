@@ -11,11 +11,11 @@
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/base/error.hpp"
 #include "lober/transport/transport.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/regions.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

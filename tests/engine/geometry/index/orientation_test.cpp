@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/geometry/index/orientation.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
@@ -14,6 +13,7 @@
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "tests/oracle/exact_curve.hpp"
@@ -21,6 +20,7 @@
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "engine/geometry/crossings/crossings_data.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/interior.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

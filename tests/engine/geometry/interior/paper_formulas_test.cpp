@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/regions.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

@@ -1,6 +1,6 @@
 // Labels carried along the curve against a test of every vertex, on every family of pairs.
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/interior.hpp"
+#include "tests/views.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 #include "kernels/moments.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

@@ -7,7 +7,6 @@
 
 #include "engine/geometry/curve/countable.hpp"
 #include "engine/geometry/index/index.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/regions.hpp"
@@ -15,6 +14,7 @@
 #include "lober/tangle/tangle.hpp"
 #include "tests/refusal.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

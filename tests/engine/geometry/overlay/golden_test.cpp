@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "tests/engine/geometry/overlay/six_crossings.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

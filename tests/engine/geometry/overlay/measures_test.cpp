@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/overlay.hpp"
+#include "tests/views.hpp"
 
 namespace lober::test {
 using namespace lober::detail;

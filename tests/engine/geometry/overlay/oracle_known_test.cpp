@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "tests/oracle/exact_overlay.hpp"
 #include "tests/oracle/families.hpp"
 #include "tests/oracle/judge.hpp"
 #include "tests/oracle/trapezoid_area.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::oracle {
 using namespace lober::detail;

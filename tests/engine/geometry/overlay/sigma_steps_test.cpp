@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/geometry/views.hpp"
 #include "lober/base/error.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "tests/engine/geometry/overlay/six_crossings.hpp"
 #include "tests/oracle/families.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/regions.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {
@@ -218,7 +218,7 @@ TEST(KnownRegions, BadCurvesAreRefused) {
   EXPECT_THROW(of(square_of_side_4, {{0, 0}, {1, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}}), DataError);
   RegionOptions cancel;
   cancel.progress = [](double fraction) { return fraction < 0.6; };
-  EXPECT_THROW((void)regions(CurveView{square_of_side_4}, {}, cancel), Cancelled);
+  EXPECT_THROW((void)regions(CurveView{square_of_side_4}, cancel), Cancelled);
 }
 
 TEST(FillRules, SayWhatIsInside) {

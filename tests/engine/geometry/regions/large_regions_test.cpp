@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/regions.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/families.hpp"
+#include "tests/views.hpp"
 
 namespace lober::oracle {
 using namespace lober::detail;

@@ -11,12 +11,12 @@
 #include <sstream>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 #include "kernels/box.hpp"
 #include "lober/overlay/regions.hpp"
 #include "tests/environment.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/slab_arrangement.hpp"
+#include "tests/views.hpp"
 
 namespace lober::oracle {
 using namespace lober::detail;

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/smooth.hpp"
 #include "tests/oracle/families.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

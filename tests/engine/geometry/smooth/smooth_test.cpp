@@ -1,5 +1,5 @@
 #include "lober/overlay/smooth.hpp"
-#include "engine/geometry/views.hpp"
+#include "tests/views.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/views.hpp"
 #include "lober/base/error.hpp"
 #include "lober/tangle/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 #include "tests/shapes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

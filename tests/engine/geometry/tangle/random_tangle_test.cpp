@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/views.hpp"
 #include "lober/overlay/regions.hpp"
 #include "lober/tangle/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
 #include "tests/environment.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

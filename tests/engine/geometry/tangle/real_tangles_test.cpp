@@ -6,10 +6,10 @@
 #include <map>
 #include <utility>
 
-#include "engine/geometry/views.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/tangle/tangle.hpp"
 #include "tests/shared_data.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {

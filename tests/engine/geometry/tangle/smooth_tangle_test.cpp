@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/geometry/views.hpp"
 #include "lober/tangle/tangle.hpp"
 #include "tests/engine/geometry/tangle/tangle_scenes.hpp"
+#include "tests/views.hpp"
 
 namespace lober::detail {
 namespace {
