@@ -374,21 +374,13 @@ SystemEscape escape_of(const SystemInput& input, const EscapeHow& how) {
     const double share = how.trajectories > 0 ? 0.5 : 1;  // share of the table in all work
     const EscapeOptions& of_table = how;
     EscapeOptions options = of_table;
-    if (how.progress) {
-      options.progress = [&](const EscapeProgress& now) {
-        return how.progress({now.what, share * now.fraction, now.images});
-      };
-    }
+    options.progress = [&](double fraction, const std::string& what) { return how.progress(share * fraction, what); };
     SystemEscape found{escape(*system.flow, section, energy, saddles, options)};
     if (how.trajectories == 0 || found.crossings == 0 || found.stop == EscapeStop::cancelled) return found;
     MonteCarloOptions check;
     check.trajectories = how.trajectories;
     check.seed = found.seed = how.seed;
-    if (how.progress) {
-      check.progress = [&](double fraction) {
-        return how.progress({"trajectories", share + (1 - share) * fraction, 0});
-      };
-    }
+    check.progress = [&](double fraction) { return how.progress(share + (1 - share) * fraction, "trajectories"); };
     found.counted = monte_carlo(*system.flow, found, check);
     compare(found, *found.counted, found.agreement);
     return found;
@@ -405,9 +397,7 @@ Outcome run_escape(std::span<const Input> inputs, const Options& options, const 
   const SystemInput& input = system_input_of(inputs);
   EscapeHow how = escape_options().how(options);
   if (how.seconds) how.budget = *how.seconds;
-  if (context.progress) {
-    how.progress = [&](const EscapeProgress& now) { return context.progress(now.fraction, now.what); };
-  }
+  how.progress = context.progress;
   if (context.on_part) {
     how.rows_known = [&](const Escape& so_far, int) { context.on_part(&so_far); };
   }

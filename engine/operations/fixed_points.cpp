@@ -139,10 +139,7 @@ Outcome run_fixed_points(std::span<const Input> inputs, const Options& options, 
   }
   if (how.seconds) how.budget = *how.seconds;
   const Rectangle box = how.box.value_or(system.window);
-  const auto each_grid = [&](int grid) {
-    return context.progress("grid of " + std::to_string(grid) + " x " + std::to_string(grid));
-  };
-  SystemFixedPoints found{search_fixed_points(*system.map, box, how, how.max_grid, each_grid)};
+  SystemFixedPoints found{search_fixed_points(*system.map, box, how, how.max_grid, context.progress)};
   found.box = box;
   found.period = how.period;
   found.turns = how.turns;

@@ -213,7 +213,7 @@ class Sweeper {
     options.tangle.tolerance = how_.tolerance;
     options.tangle.max_points = how_.max_points;
     options.find_zeros = how_.find_zeros;
-    options.progress = [&](std::size_t done) { return tell(0, how_.melnikov ? 0.95 : 1, done, "values"); };
+    options.progress = [&](double done) { return context_.progress(how_.melnikov ? 0.95 * done : done, "values"); };
     SystemSweep found{sweep(
         [&](double value) -> FamilyMember {
           const System system = member(value);
@@ -238,11 +238,6 @@ class Sweeper {
     return system;
   }
 
-  [[nodiscard]] bool tell(double before, double share, std::size_t done, const char* what) const {
-    const double part = static_cast<double>(done) / static_cast<double>(range_.values.size());
-    return context_.progress(before + share * part, what);
-  }
-
   // Adds the estimate of every value that has lobes; one without a connecting orbit there has no estimate.
   void add_first_order(SystemSweep& found) const {
     std::optional<Melnikov> function;
@@ -263,7 +258,8 @@ class Sweeper {
         }
       }
       found.first_order->push_back(area);
-      if (!tell(0.95, 0.05, found.first_order->size(), "Melnikov's function")) throw Cancelled();
+      const double done = static_cast<double>(found.first_order->size()) / static_cast<double>(range_.values.size());
+      if (!context_.progress(0.95 + 0.05 * done, "Melnikov's function")) throw Cancelled();
     }
   }
 

@@ -173,7 +173,7 @@ void Bottlenecks::find_tubes() {
   }
   tracing_.tolerance = options_.tolerance * std::sqrt(least_area_);
   tracing_.max_points = options_.max_points;
-  tracing_.progress = [this] { return report_("tubes"), true; };
+  tracing_.progress = [this](const std::string&) { return report_("tubes"), true; };
 }
 
 }  // namespace lober::detail

@@ -27,10 +27,9 @@ inline constexpr double cut_coarseness = 10;
 // Trajectories that are followed for each point of a curve: those that show where points are needed, and the points.
 inline constexpr double evaluations_a_point = 2;
 
-// The work under way: the number of the images, when all is expected to be done, by a watch, and the work that all
-// curves may take (PlanarMap::work).
+// The work under way: when all is expected to be done, by a watch, and the work that all curves may take
+// (PlanarMap::work).
 struct EscapeWork {
-  int images;
   double end;
   Stopwatch watch;
   double left = std::numeric_limits<double>::infinity();
@@ -57,7 +56,7 @@ class Reporter {
     const std::lock_guard lock(mutex_);
     const double now = work_.watch.seconds();
     const double fraction = work_.end > 0 ? std::min(now / work_.end, 0.99) : 0;
-    if (!options_.progress({what, fraction, work_.images})) {
+    if (!options_.progress(fraction, what)) {
       refused_ = true;
       throw Cancelled();
     }

@@ -33,7 +33,7 @@ class CutImages::Cutting {
     tracing_.tolerance = options.tracing.tolerance;
     tracing_.max_points = options.tracing.max_points;
     tracing_.progress = [this](const GrowthProgress&) {
-      return !work_.spent() && (!options_.tracing.progress || options_.tracing.progress());
+      return !work_.spent() && options_.tracing.progress(std::string());
     };
     arcs_.push_back({false, bottleneck, 0, 0, 1, false});
     for (const BottleneckTubes& tubes : bottlenecks_) {

@@ -170,7 +170,7 @@ class EscapeBuilder {
   // The progress report while images of this number are made.
   [[nodiscard]] EscapeWork work(int images) const {
     const int left = std::max(1, options_.crossings + 1 - images);
-    return {images, watch_.seconds() + cost_.sum(left), watch_, work_left()};
+    return {watch_.seconds() + cost_.sum(left), watch_, work_left()};
   }
 
   [[nodiscard]] double work_left() const {

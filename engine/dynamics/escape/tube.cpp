@@ -156,7 +156,7 @@ TubeCurve Tube::curve(Branch branch, const Section& section, int k, const TubeCu
   ImageOptions tracing;
   tracing.tolerance = options.tolerance;
   tracing.max_points = options.max_points;
-  tracing.progress = [&](const GrowthProgress&) { return !work.spent() && (!options.progress || options.progress()); };
+  tracing.progress = [&](const GrowthProgress&) { return !work.spent() && options.progress(std::string()); };
   std::vector<double> guide;
   if (before != nullptr) {
     guide.assign(before->image.parameters.begin(), before->image.parameters.end());

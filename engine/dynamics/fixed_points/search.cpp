@@ -126,7 +126,7 @@ int index_of(const FixedPoint& point, int period) {
 }
 
 FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
-                                     int max_grid, const std::function<bool(int)>& progress) {
+                                     int max_grid, const Progress& progress) {
   require_scan(box, options);
   if (max_grid < options.grid) throw UsageError("the last grid of a search must not be coarser than the first one");
   FixedPointSearch search;
@@ -139,7 +139,8 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
   while (each.grid > coarsest_grid && work_of_grid() > allowance.part(0.25))
     each.grid = std::max(each.grid / 2, coarsest_grid);
   for (bool first = true;; first = false, each.grid = std::min(2 * each.grid, max_grid)) {
-    if (progress && !progress(each.grid)) throw Cancelled();
+    const std::string side = std::to_string(each.grid);
+    if (!progress("grid of " + side + " x " + side)) throw Cancelled();
     if (!first && !allowance.has(work_of_grid())) {
       search.out_of_work = true;
       return search;

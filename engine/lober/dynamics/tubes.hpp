@@ -9,13 +9,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "lober/base/export.hpp"
+#include "lober/base/progress.hpp"
 #include "lober/dynamics/manifolds.hpp"
 #include "lober/dynamics/periodic_orbit.hpp"
 
@@ -49,7 +49,7 @@ struct TubeCurveOptions {
   double tolerance = 1e-7;  ///< how far the curve may lie from its polygon
   std::size_t max_points = 20'000'000;
   double max_work = std::numeric_limits<double>::infinity();  ///< for the curve (PlanarMap::work)
-  std::function<bool()> progress;                             ///< false cancels; called from the calling thread
+  Progress progress{};                                        ///< called from the calling thread; tells no fraction
 };
 
 /// Immutable, and safe to use from several threads. The flow must outlive it.

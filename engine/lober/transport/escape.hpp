@@ -26,17 +26,12 @@
 
 #include "lober/base/agreement.hpp"
 #include "lober/base/export.hpp"
+#include "lober/base/progress.hpp"
 #include "lober/dynamics/tubes.hpp"
 
 namespace lober {
 
 struct Escape;
-
-struct EscapeProgress {
-  std::string what;     ///< the step that is being done
-  double fraction = 0;  ///< fraction of the whole work, as far as it can be predicted
-  int images = 0;       ///< number of the images that are being made, out of options.crossings + 1
-};
 
 enum class EscapeStop : std::uint8_t {
   done,      ///< all n asked for
@@ -62,8 +57,7 @@ struct EscapeOptions {
   /// are expected to end later; images that were expected to end in time are broken off a twentieth later. Orbits and
   /// first curves have five seconds at least, and a minute without a budget.
   double budget = 0;
-  /// False cancels. Called by one thread at a time.
-  std::function<bool(const EscapeProgress&)> progress;
+  Progress progress{};  ///< called with the fraction done, as far as it can be predicted, and the step being done
   /// Called for each n = 1, 2, ... once its rows are known: those of `table` with that number of crossings. Called from
   /// the calling thread; Escape::table holds the rows up to n.
   std::function<void(const Escape& so_far, int n)> rows_known;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lober/base/export.hpp"
+#include "lober/base/progress.hpp"
 #include "lober/tangle/manifold_tangle.hpp"
 #include "lober/transport/transport.hpp"
 
@@ -65,8 +66,8 @@ struct SweepZero {
 struct SweepOptions {
   ManifoldTangleOptions tangle{};  ///< `progress` in it is not used
   bool find_zeros = false;
-  double zero_tolerance = 1e-10;                ///< relative to the value
-  std::function<bool(std::size_t)> progress{};  ///< number of values done; false cancels
+  double zero_tolerance = 1e-10;  ///< relative to the value
+  Progress progress{};            ///< called with the fraction of the values that are done
 };
 
 struct Sweep {

@@ -251,7 +251,7 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
   inner.tangle.progress = [&](const std::string&) {
     if (!options.progress) return true;
     const std::lock_guard lock(one_at_a_time);
-    cancelled = cancelled || !options.progress(done);
+    cancelled = cancelled || !options.progress(static_cast<double>(done) / static_cast<double>(values.size()));
     return !cancelled;
   };
   const auto value_with = [&](double value, const KnownBip* bip) {

@@ -153,7 +153,8 @@ TEST(FixedPointSearch, ComparesWithTheIndexOfTheBox) {
   EXPECT_GT(fine.grid, 3);
   EXPECT_EQ(fine.points.size(), 32U);
   EXPECT_THROW((void)search_fixed_points(*henon.map, henon.window, {.grid = 10}, 5), UsageError);
-  EXPECT_THROW((void)search_fixed_points(*henon.map, henon.window, {}, 96, [](int) { return false; }), Cancelled);
+  EXPECT_THROW((void)search_fixed_points(*henon.map, henon.window, {}, 96, [](const std::string&) { return false; }),
+               Cancelled);
 }
 
 TEST(FixedPoints, NoneIsSaidClearly) {
