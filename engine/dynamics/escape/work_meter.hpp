@@ -4,8 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "lober/base/cancellation.hpp"
-#include "lober/base/error.hpp"
+#include "engine/base/work_limit.hpp"
 
 namespace lober::detail {
 
@@ -23,12 +22,7 @@ class WorkMeter {
   /// any number of threads, whenever they happened to look. Throws what it throws, Cancelled for other reasons.
   template <typename Function>
   [[nodiscard]] bool within(const Function& function) {
-    try {
-      function();
-    } catch (const Cancelled&) {
-      if (!spent() || is_cancelled()) throw;
-    }
-    return !spent();
+    return completes(function, [this] { return spent(); }) && !spent();
   }
 
  private:

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/work_limit.hpp"
 #include "engine/dynamics/manifolds/outcome.hpp"
 #include "engine/dynamics/manifolds/trace.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -106,12 +106,12 @@ void trace_images(const PlanarMap& map, int direction, const ImageOptions& given
     next = done + 1;
     return finished(done, std::move(image));
   };
-  try {
+  const auto trace_all = [&] {
     trace_in_turn(
         limited, closed, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, count_finished,
         std::max(batch, map.batch()), spent);
-  } catch (const Cancelled&) {
-    if (!spent() || is_cancelled()) throw;
+  };
+  if (!completes(trace_all, spent)) {
     CurveImage missing;
     missing.closed = closed;
     missing.stop = GrowthStop::work;

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "engine/base/parallel/insertion.hpp"
+#include "engine/base/work_limit.hpp"
 #include "engine/dynamics/manifolds/outcome.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
-#include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::detail {
@@ -72,10 +72,13 @@ void ManifoldGrowth::set_up_tracing() {
 }
 
 GrowthStop ManifoldGrowth::grow_to(double end) {
-  try {
+  const auto grow_pieces = [&] {
     while (stop_ == GrowthStop::iterates && !(time() >= std::min(end, limit_))) grow_piece();
+  };
+  try {
+    if (!completes(grow_pieces, [this] { return out_of_work(); })) stop_ = GrowthStop::work;
   } catch (const Cancelled&) {
-    stop_ = is_cancelled() || !out_of_work() ? GrowthStop::cancelled : GrowthStop::work;
+    stop_ = GrowthStop::cancelled;
   }
   // One entry more than generations: the number of points.
   result_.generation_begin.resize(generations_);
