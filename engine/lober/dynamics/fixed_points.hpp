@@ -90,7 +90,7 @@ struct FixedPointSearch {
 /// The points in a box, by scans on grids of options.grid, twice as many, ... points a side, until two in a row find
 /// the same points and the sum of their indices is that of the box; the last scan has at most max_grid points a side.
 /// The first grid is coarser where its points alone would take more than a quarter of the work that is allowed.
-/// `progress` is told of each scan that begins. Throws UsageError, Cancelled. Parallel; the same
+/// `progress` is called when a scan begins. Throws UsageError, Cancelled. Parallel; the same
 /// bits for any number of threads.
 [[nodiscard]] LOBER_API FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
                                                              const FixedPointOptions& options = {}, int max_grid = 384,
