@@ -199,7 +199,9 @@ struct Field {
   };
   std::function<FieldValue(const void* whole)> get{};             ///< empty for objects and lists
   std::function<void(const void* whole, const Use& use)> part{};  ///< for an object; no call where it is not known
-  std::function<Elements(const void* whole)> elements{};          ///< for a list
+  /// Its address, null where it is not known, if the object lies in the whole; empty if it is made when asked for.
+  std::function<const void*(const void* whole)> address{};
+  std::function<Elements(const void* whole)> elements{};  ///< for a list
 
   /// Calls `use` with the object, if it is known, or with each element of the list.
   void each(const void* whole, const Use& use) const {

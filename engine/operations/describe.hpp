@@ -127,6 +127,19 @@ class Schema {
   Schema& object(std::string name, std::string meaning, const Schema<U>& members, Get get) {
     Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.fields()};
     made.null = true;
+    using Found = std::invoke_result_t<const Get&, const T&>;
+    if constexpr (std::is_convertible_v<Found, const U*>) {
+      made.address = [get](const void* whole) -> const void* {
+        const U* const part = std::invoke(get, *static_cast<const T*>(whole));
+        return part;
+      };
+    } else if constexpr (std::is_lvalue_reference_v<Found> &&
+                         std::is_convertible_v<std::add_pointer_t<Found>, const U*>) {
+      made.address = [get](const void* whole) -> const void* {
+        const U& part = std::invoke(get, *static_cast<const T*>(whole));
+        return &part;
+      };
+    }
     made.part = [get = std::move(get)](const void* whole, const Field::Use& use) {
       auto&& part = std::invoke(get, *static_cast<const T*>(whole));
       if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(part)>>) {
@@ -170,6 +183,9 @@ class Schema {
       if (field.get) field.get = [part, inner = field.get](const void* whole) { return inner(part(whole)); };
       if (field.part) {
         field.part = [part, inner = field.part](const void* whole, const Field::Use& use) { inner(part(whole), use); };
+      }
+      if (field.address) {
+        field.address = [part, inner = field.address](const void* whole) { return inner(part(whole)); };
       }
       if (field.elements) {
         field.elements = [part, inner = field.elements](const void* whole) { return inner(part(whole)); };

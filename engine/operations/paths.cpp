@@ -46,6 +46,10 @@ struct Walk {
     const Field& field = *path[depth];
     if (field.get) return use(field.get(whole));
     if (depth + 1 == path.size()) return;
+    if (field.address) {
+      if (const void* const part = field.address(whole)) go(depth + 1, part);
+      return;
+    }
     const struct Step {
       const Walk& walk;
       std::size_t next;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
+#include <string_view>
 #include <utility>
 
 #include "engine/operations/curve_of.hpp"
@@ -11,37 +13,55 @@
 namespace lober::operations {
 namespace {
 
-// Operations run with inputs of their kinds only.
-template <std::size_t size>
-std::array<Operation, size> checked(std::array<Operation, size> table) {
-  for (Operation& one : table) {
-    one.run = [name = one.name, run = std::move(one.run)](std::span<const Input> inputs, const Options& options,
-                                                          const Context& context) {
-      const Operation& operation = named(name);
-      detail::table::require_inputs(operation, inputs);
-      if (operation.check) operation.check(options, inputs.size());
-      return run(inputs, options, context);
-    };
-  }
-  return table;
+#define LOBER_NAME(name) std::string_view(#name),
+constexpr std::array names{LOBER_OPERATIONS(LOBER_NAME)};
+#undef LOBER_NAME
+
+// Each is made when it is asked for first: a program that runs one of them does not wait for the others.
+struct Table {
+  std::array<Operation, names.size()> operations{};
+  std::array<std::once_flag, names.size()> made{};
+};
+
+Table& table() {
+  static Table all;
+  return all;
+}
+
+Operation made(std::size_t k) {
+  using namespace detail::table;
+#define LOBER_MAKER(name) &name##_operation,
+  static constexpr std::array makers{LOBER_OPERATIONS(LOBER_MAKER)};
+#undef LOBER_MAKER
+  Operation one = makers[k]();
+  // Operations run with inputs of their kinds only.
+  one.run = [k, run = std::move(one.run)](std::span<const Input> inputs, const Options& options,
+                                          const Context& context) {
+    const Operation& operation = table().operations[k];
+    require_inputs(operation, inputs);
+    if (operation.check) operation.check(options, inputs.size());
+    return run(inputs, options, context);
+  };
+  return one;
+}
+
+const Operation& at(std::size_t k) {
+  std::call_once(table().made[k], [k] { table().operations[k] = made(k); });
+  return table().operations[k];
 }
 
 }  // namespace
 
 std::span<const Operation> all() {
-  using namespace detail::table;
-#define LOBER_MAKE(name) name##_operation(),
-  static const std::array table = checked(std::array{LOBER_OPERATIONS(LOBER_MAKE)});
-#undef LOBER_MAKE
-  return table;
+  for (std::size_t k = 0; k < names.size(); ++k) (void)at(k);
+  return table().operations;
 }
 
 const Operation& named(std::string_view name) {
-  const std::span<const Operation> table = all();
-  const auto found = std::find_if(table.begin(), table.end(), [&](const Operation& any) { return any.name == name; });
-  if (found != table.end()) return *found;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return at(static_cast<std::size_t>(found - names.begin()));
   std::string known;
-  for (const Operation& any : table) known += (known.empty() ? "" : ", ") + any.name;
+  for (const std::string_view any : names) known += (known.empty() ? "" : ", ") + std::string(any);
   throw UsageError("there is no operation \"" + std::string(name) + "\"; there are " + known);
 }
 
