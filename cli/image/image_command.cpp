@@ -47,7 +47,8 @@ void check(ImageRequest& request) {
   if (request.first > request.last) throw UsageError("--iterates FIRST:LAST: FIRST has to come before LAST, as -4:3");
   if (request.output.empty()) return;
   if (request.output != "-") (void)format_of(request.output);
-  if (!takes_images(request.output)) {
+  const bool may_be_one = request.first == request.last && !request.boundary && request.output != "-";
+  if (!may_be_one && !takes_images(request.output)) {
     throw UsageError("-o " + request.output +
                      ": several curves need a Tecplot file (.dat), or a name with {n}, which becomes the iterate");
   }
@@ -90,8 +91,8 @@ std::optional<ImageRequest> parse_image(const std::vector<std::string>& argument
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
-  check(request);
   request.boundary = options["boundary"].given();
+  check(request);
   request.settings = options.settings();
   request.settings.push_back({"closed", !request.open});
   request.settings.push_back({"first", std::int64_t{request.first}});

@@ -5,6 +5,7 @@
 #include "cli/image/image_report.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/report/point_file.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::cli {
 namespace {
@@ -18,6 +19,15 @@ void add_zones(std::vector<Zone>& zones, const std::string& name, const std::vec
     zones.push_back({parts.size() == 1 ? name : fmt::format("{} part {} of {}", name, k + 1, parts.size()),
                      {points.begin(), points.end()}});
   }
+}
+
+// The one curve of the one image that any format takes.
+const ImagePart& only_curve(const ImageReport& report, const std::string& path) {
+  const auto& images = report.found().images;
+  if (images.size() == 1 && images[0].parts.size() == 1) return images[0].parts[0];
+  throw DataError("-o " + path +
+                  ": the image has gaps and is several curves, which need a Tecplot file (.dat), or a name "
+                  "with {n}");
 }
 
 }  // namespace
@@ -38,6 +48,7 @@ std::string image_path(const std::string& path, int iterate, std::size_t curve, 
 
 void write_images(const std::string& path, const ImageReport& report) {
   if (path.find(iterate_placeholder) == std::string::npos) {
+    if (format_of(path) != PointFormat::tecplot) return write_points(path, only_curve(report, path).points);
     std::vector<Zone> zones;
     for (const auto& one : report.found().images) add_zones(zones, one.name(), one.parts);
     return write_tecplot(path, zones, ZoneLines::always);

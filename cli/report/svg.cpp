@@ -246,8 +246,8 @@ std::string escaped(std::string_view text) {
       case '>':
         result += "&gt;";
         break;
-      default:
-        result += c;
+      default:  // XML has no control characters
+        result += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
     }
   }
   return result;

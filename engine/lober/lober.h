@@ -7,7 +7,7 @@
        }
        double flux = lober_number(lobes, "areas.c1_minus_c2");
        lober_array areas;
-       lober_array_named(lobes, "pieces.c1_minus_c2", &areas);   areas.rows doubles from areas.data
+       lober_array_named(lobes, "pieces.c1_minus_c2.area", &areas);   areas.rows doubles from areas.data
        lober_result_free(lobes);
 
    Link with liblober.so (pkg-config lober; -DBUILD_SHARED_LIBS=ON). Points are pairs of doubles, x and y, one after the

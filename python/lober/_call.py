@@ -14,6 +14,7 @@ from ._arrays import points_of
 from ._numbers import number_of
 from ._progress import Progress, watching
 from ._systems import Connection, System, is_own, pair_of, system_of
+from .errors import UsageError
 
 TABLE = {operation["name"]: operation for operation in _lober.table()}
 
@@ -58,6 +59,8 @@ def system_input(system: System, connection: Connection | None = None) -> tuple[
 def _setting(key: str, value: Any, kind: str) -> Any:
     if value is None or isinstance(value, (bool, str)):
         return value
+    if isinstance(value, np.bool_):
+        return bool(value)
     if kind == "str" and not np.isscalar(value):  # a vector where a word can be too: the branch of a manifold
         return ",".join(repr(number) for number in pair_of(value, key))
     if kind == "point":
@@ -67,6 +70,8 @@ def _setting(key: str, value: Any, kind: str) -> Any:
     if kind in ("box", "numbers"):
         return tuple(number_of(one, key) for one in value)
     if kind == "int" and isinstance(value, (int, np.integer)):
+        if abs(int(value)) >= 2**63:
+            raise UsageError(f"{key}: {value} is too large")
         return int(value)
     return number_of(value, key)
 

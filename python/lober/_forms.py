@@ -40,6 +40,8 @@ def expression(given: Any, what: str) -> Any:
         raise UsageError(f"{what} has to be an expression of SymPy or a number, not {type(given).__name__}")
     for node in found.atoms(AppliedUndef):
         raise UsageError(f"{what} has the function {str(node.func)!r}, which is not defined; write its formula")
+    if found.has(sympy.nan, sympy.oo, -sympy.oo, sympy.zoo):
+        raise UsageError(f"{what} is not finite")
     if found.has(sympy.I):
         raise UsageError(f"{what} has the imaginary unit; give a real expression")
     return found

@@ -12,7 +12,7 @@ from . import _lober
 from ._integrate import over_period
 from ._numbers import number_of
 from ._systems import Connection, Pair, System, pair_of
-from .errors import UsageError
+from .errors import DataError, UsageError
 
 Array = NDArray[np.float64]
 Function = Callable[..., Any]
@@ -146,6 +146,10 @@ class _OwnMap:
         """Images and derivatives, the latter 2 x 2 x N."""
         raise NotImplementedError
 
+    def slips(self, x: Array, shift: Array) -> list[tuple[str, Array, Array]]:
+        """Rules that hold at points: in words what does not, by how much it is off there, and what rounding allows."""
+        return []
+
     def once(self, points: Array, forward: bool) -> tuple[Array, int]:
         images, evaluations = self.step(np.ascontiguousarray(points.T), forward)
         return np.ascontiguousarray(images.T), evaluations
@@ -180,6 +184,23 @@ class _FormulaMap(_OwnMap):
         with np.errstate(all="ignore"):
             return function(*x), 0
 
+    def slips(self, x: Array, shift: Array) -> list[tuple[str, Array, Array]]:
+        images, derivatives = self.step_with_derivatives(x, True)
+        size = 1 + np.abs(derivatives).sum(axis=(0, 1))
+        found = []
+        if self._inverse is not None:
+            determinant = np.abs(derivatives[0, 0] * derivatives[1, 1] - derivatives[0, 1] * derivatives[1, 0])
+            stretch = 1 + size / np.maximum(determinant, 1e-4)
+            back, _ = self.step(images, False)
+            allowed = 1e-6 * stretch * (np.abs(x).max(axis=0) + np.abs(images).max(axis=0) + np.ptp(x))
+            found.append(("inverse is not that of the map", np.abs(back - x).max(axis=0), allowed))
+        if shift.any():
+            there, _ = self.step(x + shift, True)
+            gap = np.abs(there - images - shift).max(axis=0)
+            allowed = 1e-6 * size * (np.abs(shift).max() + np.abs(images).max(axis=0))
+            found.append((f"the map does not repeat after its lattice {tuple(shift.ravel().tolist())}", gap, allowed))
+        return found
+
     def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
         return differences(lambda points: self.step(points, forward)[0], x)
 
@@ -189,7 +210,14 @@ class _FormulaMap(_OwnMap):
 
 class _PeriodMap(_OwnMap):
     def __init__(
-        self, name: str, velocity: Function, hamiltonian: Function | None, begin: float, period: float, tolerance: float
+        self,
+        name: str,
+        velocity: Function,
+        hamiltonian: Function | None,
+        begin: float,
+        period: float,
+        tolerance: float,
+        escape: float,
     ) -> None:
         self._name = name
         self._velocity = velocity
@@ -198,11 +226,12 @@ class _PeriodMap(_OwnMap):
         self._begin = begin
         self._period = period
         self._tolerance = tolerance
+        self._escape = escape
         self.action_accuracy = 10 * max(0.01 * tolerance, 1e-15)
 
     def step(self, x: Array, forward: bool) -> tuple[Array, int]:
         period = self._period if forward else -self._period
-        return over_period(self._field, x, self._begin, period, self._tolerance)
+        return over_period(self._field, x, self._begin, period, self._tolerance, self._escape)
 
     def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
         """By the variational equations, whose errors slow Newton's method and do nothing else.
@@ -212,7 +241,8 @@ class _PeriodMap(_OwnMap):
         period = self._period if forward else -self._period
         one, zero = np.ones(x.shape[1]), np.zeros(x.shape[1])
         states = np.stack([*x, one, zero, zero, one])
-        found, _ = over_period(self._with_tangents, states, self._begin, period, max(self._tolerance, 1e-9), guarded=2)
+        tolerance = max(self._tolerance, 1e-9)
+        found, _ = over_period(self._with_tangents, states, self._begin, period, tolerance, self._escape, guarded=2)
         images, _ = self.step(x, forward)
         return images, np.ascontiguousarray(found[2:].reshape(2, 2, -1))
 
@@ -222,12 +252,28 @@ class _PeriodMap(_OwnMap):
             return None
         state = np.array([[start[0]], [start[1]], [0.0]])
         tolerance = max(0.01 * self._tolerance, 1e-15)
-        (x, _, along), _ = over_period(self._with_action, state, self._begin, self._period, tolerance)
+        (x, _, along), _ = over_period(self._with_action, state, self._begin, self._period, tolerance, self._escape, guarded=2)
         return float(along[0] + end[1] * (end[0] - x[0]))
 
     def finer(self) -> Any:
         tolerance = min(self._tolerance, max(0.01 * self._tolerance, 1e-15))
-        return _PeriodMap(self._name, self._velocity, self._hamiltonian, self._begin, self._period, tolerance)
+        return _PeriodMap(
+            self._name, self._velocity, self._hamiltonian, self._begin, self._period, tolerance, self._escape
+        )
+
+    def slips(self, x: Array, shift: Array) -> list[tuple[str, Array, Array]]:
+        found = []
+        for phase in (0.0, 0.3):
+            t = np.full(x.shape[1], self._begin + phase * self._period)
+            here = self._field(x, t)
+            others = [(f"the velocity does not repeat after its period {self._period:g}", self._field(x, t + self._period))]
+            if shift.any():
+                lattice = tuple(shift.ravel().tolist())
+                others.append((f"the velocity does not repeat after its lattice {lattice}", self._field(x + shift, t)))
+            for what, there in others:
+                allowed = 1e-6 * (np.abs(here).max(axis=0) + np.abs(there).max(axis=0))
+                found.append((what, np.abs(there - here).max(axis=0), allowed))
+        return found
 
     def _field(self, x: Array, t: Array) -> Array:
         return self._columns(*x, t)
@@ -343,7 +389,7 @@ def flow(
 
         def make(values: Mapping[str, float], tolerance: float) -> System:
             length = number_of(_value(period, values), f"system {title}: the period")
-            own = period_map(title, velocities(values), hamiltonians(values), begin, length, tolerance)
+            own = period_map(title, velocities(values), hamiltonians(values), begin, length, tolerance, window)
             return own_system(title, function, values, own, window, lattice, _value(connection, values))
 
         return Family(title, parameters, make)
@@ -352,11 +398,44 @@ def flow(
 
 
 def period_map(
-    name: str, velocity: Function, hamiltonian: Function | None, phase: float, period: float, tolerance: float
+    name: str,
+    velocity: Function,
+    hamiltonian: Function | None,
+    phase: float,
+    period: float,
+    tolerance: float,
+    window: Box,
 ) -> _OwnMap:
     if not (np.isfinite(period) and period > 0):
         raise UsageError(f"system {name}: its period is not positive")
-    return _PeriodMap(name, velocity, hamiltonian, phase * period, period, tolerance)
+    # A trajectory is lost far outside the window, in whatever units that is.
+    farthest = max(abs(number_of(edge, f"system {name}: window")) for edge in window)
+    return _PeriodMap(name, velocity, hamiltonian, phase * period, period, tolerance, max(1e6, 1e3 * farthest))
+
+
+def _window_points(window: Box) -> Array:
+    """Points off the middle and off round fractions, where symmetries hide slips, as an array of 2 x N."""
+    x0, y0, x1, y1 = window
+    across, up = np.meshgrid((np.arange(5) + 0.37) / 5, (np.arange(5) + 0.61) / 5)
+    return np.stack([x0 + (x1 - x0) * across.ravel(), y0 + (y1 - y0) * up.ravel()])
+
+
+def require_consistent(name: str, own: _OwnMap, window: Box, shift: Pair) -> None:
+    """Raises DataError where functions do not belong together, at some points of the window: an inverse that is none, or
+    a map or field that does not repeat after the lattice or the period. Points where they give no number are left out; a
+    function that raises does so again where it is used."""
+    x = _window_points(window)
+    move = np.array(shift).reshape(2, 1)
+    try:
+        with np.errstate(all="ignore"):
+            slips = own.slips(x, move)
+    except Exception:
+        return
+    for what, gap, allowed in slips:
+        wrong = np.flatnonzero(np.isfinite(gap) & np.isfinite(allowed) & ~(gap <= allowed))
+        if len(wrong):
+            at = tuple(float(number) for number in x[:, wrong[0]])
+            raise DataError(f"system {name}: {what}; at {at} it is off by {gap[wrong[0]]:.3g}")
 
 
 def own_system(
@@ -372,5 +451,6 @@ def own_system(
     parts = None if connection is None else connection._parts()
     x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
     shift = pair_of(lattice, f"system {name}: lattice")
+    require_consistent(name, own, (x0, y0, x1, y1), shift)
     made = _lober.own_system(name, summary, list(values.items()), own, (x0, y0, x1, y1), shift, parts)
     return System(made, ())

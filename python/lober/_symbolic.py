@@ -101,6 +101,7 @@ def _family(
                 begin,
                 in_numpy.period(numbers),
                 tolerance,
+                box,
             )
             return own_system(name, None, values, own, box, shift, _numeric(connection, parameters, values))
 

@@ -42,7 +42,7 @@ def test_numbers_that_no_double_holds(compiler):
 
 def test_functions_that_both_forms_have():
     """Functions with other names in C and NumPy: remainders, roots of negative numbers, maxima with constants."""
-    velocity = [p + sympy.Mod(-t, 2) + sympy.sqrt(sympy.Max(1, p)), -q + sympy.cbrt(q) + sympy.Abs(p)]
+    velocity = [p + sympy.Mod(-t, sympy.Rational(1, 10)) + sympy.sqrt(sympy.Max(1, p)), -q + sympy.cbrt(q) + sympy.Abs(p)]
     families = [lober.equations(velocity, (q, p), t, period=sympy.Rational(1, 10), compiler=c) for c in (None, "")]
     points = np.random.default_rng(4).uniform(-2, 2, (200, 2))
     compiled, vectorised = (family().iterate(points) for family in families)

@@ -59,6 +59,17 @@ def test_sweep():
     assert found.rows.from_.shape == (3, 2)
 
 
+@pytest.mark.parametrize("error", [KeyboardInterrupt, SystemExit, ValueError])
+def test_exceptions_of_progress_end_a_sweep(error):
+    """They became the failure of its values, or vanished."""
+
+    def progress(fraction, text):
+        raise error
+
+    with pytest.raises(error):
+        lober.sweep("standard", range="K=1:1.3:0.1", tolerance=1e-3, progress=progress)
+
+
 def test_sweep_keeps_what_works():
     found = lober.sweep("henon", range="k=-2:0.5:1.25", tolerance=1e-4)
     assert found.failures == 1 and "no fixed points" in found.rows.failure[0] and found.rows.failure[1] is None
@@ -98,6 +109,8 @@ def test_what_makes_no_sense_is_refused():
         lober.sweep("henon", range="k=1:2:0.5", tolerance="1e-3")
     with pytest.raises(lober.UsageError, match="has to be a whole number"):
         lober.transport("henon", iterates=1.5)
+    with pytest.raises(lober.UsageError, match="iterates: 1000000000000000000000000000000 is too large"):
+        lober.transport("henon", iterates=10**30)
     with pytest.raises(lober.UsageError, match="whose parameters can be changed"):
         lober.sweep(lober.map(lambda x, y: (x + y, y), name="shear"), range="k=1:2:1")
 

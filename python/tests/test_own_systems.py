@@ -208,6 +208,41 @@ def test_complex_coordinates_are_refused():
             call()
 
 
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (lambda: lober.map(lambda x, y: (x + y, y), inverse=lambda x, y: (x - 2 * y, y), name="shear"), "inverse is not that"),
+        (lambda: lober.map(lambda x, y: (x + y, y + np.sin(x)), lattice=(3, 0), name="turns"), "after its lattice"),
+        (lambda: lober.flow(lambda x, y, t: (y, np.cos(t) - x), period=6, name="forced"), "after its period 6"),
+        (lambda: lober.flow(lambda x, y, t: (y, -np.sin(x)), period=1, lattice=(1, 0), name="turns"), "after its lattice"),
+    ],
+)
+def test_functions_that_do_not_belong_together(make, text):
+    """They gave numbers without a word."""
+    with pytest.raises(lober.DataError, match=text):
+        make()()
+
+
+def test_other_units_of_length():
+    """Coordinates above a million counted as lost, whatever the window."""
+
+    def pendulum(unit):
+        edge = (-4 * unit, -2.5 * unit, 4 * unit, 2.5 * unit)
+        field = lambda x, y, t: (y, unit * (0.1 * np.cos(t) - np.sin(x / unit)))  # noqa: E731
+        return lober.flow(field, period=2 * np.pi, window=edge, name="pendulum")()
+
+    at = np.array([[3.1, 0.2], [-0.4, 1.2]])
+    for unit in (1e6, 1e9):
+        np.testing.assert_allclose(pendulum(unit).iterate(at * unit) / unit, pendulum(1.0).iterate(at), atol=1e-9)
+
+
+def test_expressions_are_finite():
+    q, p, t = sympy.symbols("q p t")
+    for bad in (sympy.nan, sympy.oo, sympy.zoo):
+        with pytest.raises(lober.UsageError, match="is not finite"):
+            lober.hamiltonian(p**2 / 2 + bad * q, q, p, t, period=1.0)
+
+
 def test_exceptions_of_functions_pass_through():
     def fails(x, y):
         raise ZeroDivisionError("mine")

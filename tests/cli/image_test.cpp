@@ -160,5 +160,18 @@ TEST_F(ImageProgram, RefusesWhatMakesNoSense) {
   refused({"henon", "--circle", "0,0,1", "--open", "--tolerance", "1e-3"}, 2, "--open");
 }
 
+// A single image is one curve, which any format takes.
+TEST_F(ImageProgram, WritesASingleImageInAnyFormat) {
+  for (const char* const name : {"im.npy", "im.csv", "im.dat"}) {
+    const Outcome outcome =
+        run({"image", "standard", "--circle", "2,0.5,0.01", "--tolerance", "1e-4", "--iterates", "2", "-o", name});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(exists(name)) << name;
+  }
+  const Outcome two = run({"image", "standard", "--circle", "2,0.5,0.01", "--iterates", "1:2", "-o", "two.npy"});
+  EXPECT_EQ(two.status, 2);
+  EXPECT_NE(two.err.find("several curves need a Tecplot file"), std::string::npos) << two.err;
+}
+
 }  // namespace
 }  // namespace lober::cli

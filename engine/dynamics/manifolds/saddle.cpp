@@ -90,16 +90,21 @@ void require_derivative_fits(const PlanarMap& map, int steps, Point at) {
   Matrix2 a;
   if (!is_finite(map.iterate_with_derivative(at, steps, a))) return;
   const double size = std::max({1.0, std::fabs(a.xx), std::fabs(a.xy), std::fabs(a.yx), std::fabs(a.yy)});
-  if (size > 1e8) return;  // points so near to each other that their images are too are one point in doubles
-  const double h = 1e-5 * (1 + std::hypot(at.x, at.y)) / size;
+  if (size > 1e8) return;        // points so near to each other that their images are too are one point in doubles
   constexpr double fits = 1e-2;  // curvature and the error of integration are far below
   for (const bool along_x : {true, false}) {
-    const double dx = along_x ? h : 0, dy = along_x ? 0 : h;
-    Point ends[2] = {{at.x + dx, at.y + dy}, {at.x - dx, at.y - dy}};
-    map.iterate(ends, steps);
-    const Point difference{(ends[0].x - ends[1].x) / (2 * h), (ends[0].y - ends[1].y) / (2 * h)};
-    if (!is_finite(difference)) return;
     const Point given = along_x ? Point{a.xx, a.yx} : Point{a.xy, a.yy};
+    Point difference;
+    // Where the system is far smaller than 1, the first steps are too long for it.
+    for (const double length : {1e-5, 1e-8, 1e-11}) {
+      const double h = length * (1 + std::hypot(at.x, at.y)) / size;
+      const double dx = along_x ? h : 0, dy = along_x ? 0 : h;
+      Point ends[2] = {{at.x + dx, at.y + dy}, {at.x - dx, at.y - dy}};
+      map.iterate(ends, steps);
+      const Point found{(ends[0].x - ends[1].x) / (2 * h), (ends[0].y - ends[1].y) / (2 * h)};
+      if (!is_finite(found)) return;
+      if (length == 1e-5 || distance(found, given) <= fits * size) difference = found;
+    }
     if (distance(difference, given) <= fits * size) continue;
     throw DataError("the derivative that the system gives at " + format_point(at) + " does not fit its map: along " +
                     (along_x ? "x" : "y") + " it is " + format_point(given) + ", differences of the map say " +

@@ -17,7 +17,8 @@ namespace {
 // Allowed errors of finite differences and of an iterated inverse, as fractions; slips are far larger.
 constexpr double accuracy = 1e-4;
 constexpr double inverse_accuracy = 1e-6;
-constexpr int points_a_side = 5;  // points of the window along each axis
+constexpr double symmetry_accuracy = 1e-6;  // after a shift by the lattice, or by the period in time
+constexpr int points_a_side = 5;            // points of the window along each axis
 
 std::string prefix(const lober_system& system) {
   return std::string("system ") + system.name + ": ";
@@ -53,6 +54,12 @@ bool differs(double given, Slope slope, double size) {
   return std::fabs(given - slope.value) > accuracy * (size + std::fabs(slope.value)) + 10 * slope.error;
 }
 
+// Steps of differences are for coordinates about 1, unless the window says that they are smaller.
+double scale_of(const Rectangle& window, double size) {
+  const double extent = std::max(window.width(), window.height());
+  return extent > 0 ? std::min(1 + size, extent) : 1 + size;
+}
+
 std::vector<Point> window_points(const Rectangle& window) {
   std::vector<Point> points;
   if (!(window.width() > 0 && window.height() > 0)) return points;
@@ -68,17 +75,28 @@ std::vector<Point> window_points(const Rectangle& window) {
 
 class MapChecks {
  public:
-  MapChecks(const lober_system& system, std::span<const double> parameters)
-      : system_(system), map_(*system.map), parameters_(parameters.data()) {}
+  MapChecks(const lober_system& system, const System& made, std::span<const double> parameters)
+      : system_(system), made_(made), map_(*system.map), parameters_(parameters.data()) {}
 
-  void at(Point z) const {
+  void at(Point z) {
     const Point image = apply(map_.forward, z);
+    if (!is_finite(image)) return;
+    ++images_;
     std::array<double, 4> d{};
     const std::array<double, 2> from{z.x, z.y};
-    if (!is_finite(image) || map_.derivative(parameters_, from.data(), d.data()) != 0) return;
+    if (map_.derivative(parameters_, from.data(), d.data()) != 0) return;
+    if (!std::all_of(d.begin(), d.end(), [](double entry) { return std::isfinite(entry); })) return;
+    ++derivatives_;
     check_derivative(z, d);
     check_inverse(z, image, d);
+    for (const Point shift : {made_.lattice, made_.second_lattice}) check_lattice(z, image, shift, d);
     if (map_.action != nullptr) check_action(z, image);
+  }
+  // A function that never gives a number is a slip; one that fails at some points may be right.
+  void require_numbers() const {
+    if (images_ == 0 || derivatives_ > 0) return;
+    throw DataError(prefix(system_) +
+                    "derivative fails, or gives no number, at all points of the window that have images");
   }
 
  private:
@@ -98,7 +116,7 @@ class MapChecks {
             const Point image = apply(map_.forward, by_x ? Point{value, z.y} : Point{z.x, value});
             return k < 2 ? image.x : image.y;
           },
-          by_x ? z.x : z.y, 1 + length(z));
+          by_x ? z.x : z.y, scale_of(made_.window, length(z)));
       if (differs(d[k], slope, size)) {
         report(system_, std::string("the derivative ") + names[k], format_point(z), {"it is", d[k]},
                {"finite differences of forward give", slope.value});
@@ -117,14 +135,26 @@ class MapChecks {
     const double norm = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2]), std::fabs(d[3]), determinant});
     const double stretch = determinant > 0 ? 1 + norm / determinant : 1 / accuracy;
     const double gap = length({back.x - z.x, back.y - z.y});
-    if (gap <= inverse_accuracy * stretch * (1 + length(z) + length(image))) return;
+    if (gap <= inverse_accuracy * stretch * (scale_of(made_.window, length(z)) + length(image))) return;
     throw DataError(prefix(system_) + "backward is not the inverse of forward: it takes the image of " +
                     format_point(z) + " to " + format_point(back));
   }
 
+  void check_lattice(Point z, Point image, Point shift, const std::array<double, 4>& d) const {
+    if (shift == Point{}) return;
+    const Point there = apply(map_.forward, {z.x + shift.x, z.y + shift.y});
+    if (!is_finite(there)) return;
+    const double stretch = 1 + std::fabs(d[0]) + std::fabs(d[1]) + std::fabs(d[2]) + std::fabs(d[3]);
+    const double gap = length({there.x - image.x - shift.x, there.y - image.y - shift.y});
+    if (gap <= symmetry_accuracy * stretch * (length(shift) + length(image))) return;
+    throw DataError(prefix(system_) + "the map does not repeat after the shift " + format_point(shift) +
+                    " of its lattice: it takes " + format_point(z) + " to " + format_point(image) +
+                    ", and the shifted point to " + format_point(there));
+  }
+
   // dL = y' dx' - y dx.
   void check_action(Point z, Point image) const {
-    const double scale = 1 + length(z);
+    const double scale = scale_of(made_.window, length(z));
     const Slope to = slope_of([&](double x) { return map_.action(parameters_, z.x, x); }, image.x, scale);
     const Slope from = slope_of([&](double x) { return map_.action(parameters_, x, image.x); }, z.x, scale);
     if (differs(image.y, to, 1)) {
@@ -136,24 +166,47 @@ class MapChecks {
   }
 
   const lober_system& system_;
+  const System& made_;
   const lober_map& map_;
   const double* parameters_;
+  std::size_t images_ = 0, derivatives_ = 0;  // points that have them
 };
 
 class FlowChecks {
  public:
-  FlowChecks(const lober_system& system, std::span<const double> parameters)
+  FlowChecks(const lober_system& system, const System& made, std::span<const double> parameters)
       : system_(system),
+        made_(made),
         flow_(*system.flow),
         parameters_(parameters.data()),
         dimension_(static_cast<std::size_t>(flow_.dimension)) {}
 
-  void at(const FlowState& x, double t) const {
+  void at(const FlowState& x, double t) {
     const FlowState speed = velocity(x, t);
     if (!finite(x) || !finite(speed)) return;
+    ++velocities_;
     check_jacobian(x, t);
     if (flow_.hamiltonian != nullptr) check_hamiltonian(x, t, speed);
     if (system_.abi >= 3 && flow_.velocity_batch != nullptr) check_batch(x, t, speed);
+    if (made_.flow->period() > 0) {
+      check_same(x, t, speed, x, t + made_.flow->period(), "a period of " + format_number(made_.flow->period()));
+    }
+    if (dimension_ != 2) return;
+    for (const Point shift : {made_.lattice, made_.second_lattice}) {
+      if (shift == Point{}) continue;
+      const FlowState there{x[0] + shift.x, x[1] + shift.y};
+      check_same(x, t, speed, there, t, "the shift " + format_point(shift) + " of its lattice");
+    }
+  }
+  // Functions that never give a number are slips; those that fail at some points may be right.
+  void require_numbers() const {
+    const auto need = [&](std::size_t found, const char* what) {
+      if (velocities_ == 0 || found > 0) return;
+      throw DataError(prefix(system_) + what +
+                      " fails, or gives no number, at all points of the window that have a velocity");
+    };
+    need(jacobians_, "jacobian");
+    if (flow_.hamiltonian != nullptr && flow_.pair_count > 0) need(energies_, "hamiltonian, or a factor of its pairs,");
   }
 
  private:
@@ -176,9 +229,24 @@ class FlowChecks {
     return text + "), t = " + format_number(t);
   }
 
-  void check_jacobian(const FlowState& x, double t) const {
+  // The velocity at another state and time where it has to be the same.
+  void check_same(const FlowState& x, double t, const FlowState& speed, const FlowState& there, double then,
+                  const std::string& shift) const {
+    const FlowState other = velocity(there, then);
+    if (!finite(other)) return;
+    for (std::size_t k = 0; k < dimension_; ++k) {
+      if (std::fabs(other[k] - speed[k]) <= symmetry_accuracy * (size(speed) + size(other))) continue;
+      throw DataError(prefix(system_) + "the velocity does not repeat after " + shift + ": component " +
+                      std::to_string(k) + " is " + format_number(speed[k]) + " at " + position_text(x, t) + ", but " +
+                      format_number(other[k]) + " at " + position_text(there, then));
+    }
+  }
+
+  void check_jacobian(const FlowState& x, double t) {
     std::vector<double> jacobian(dimension_ * dimension_);
     if (flow_.jacobian(parameters_, x.data(), t, jacobian.data()) != 0) return;
+    if (!std::all_of(jacobian.begin(), jacobian.end(), [](double entry) { return std::isfinite(entry); })) return;
+    ++jacobians_;
     double largest = 0;
     for (const double entry : jacobian) largest = std::max(largest, std::fabs(entry));
     for (std::size_t i = 0; i < dimension_; ++i) {
@@ -189,7 +257,7 @@ class FlowChecks {
               moved[j] = value;
               return velocity(moved, t)[i];
             },
-            x[j], 1 + size(x));
+            x[j], scale_of(made_.window, size(x)));
         const double given = jacobian[i * dimension_ + j];
         if (differs(given, slope, largest)) {
           report(system_, "the Jacobian d(velocity " + std::to_string(i) + ")/d(x " + std::to_string(j) + ")",
@@ -200,7 +268,7 @@ class FlowChecks {
   }
 
   // factor dq/dt = dH/dp, factor dp/dt = -dH/dq.
-  void check_hamiltonian(const FlowState& x, double t, const FlowState& speed) const {
+  void check_hamiltonian(const FlowState& x, double t, const FlowState& speed) {
     for (std::size_t k = 0; k < flow_.pair_count; ++k) {
       const lober_conjugate_pair& pair = flow_.pairs[k];
       const double factor = pair.factor != nullptr ? pair.factor(parameters_) : 1;
@@ -212,11 +280,12 @@ class FlowChecks {
               moved[j] = value;
               return flow_.hamiltonian(parameters_, moved.data(), t);
             },
-            x[j], 1 + size(x));
+            x[j], scale_of(made_.window, size(x)));
       };
       const auto check = [&](int moving, double sign, int by) {
         Slope expected = slope(by);
         expected.value *= sign;
+        if (std::isfinite(expected.value) && std::isfinite(factor)) ++energies_;
         const double given = factor * speed[static_cast<std::size_t>(moving)];
         if (differs(given, expected, std::fabs(factor) * size(speed))) {
           report(system_, "the Hamiltonian, or the velocity " + std::to_string(moving) + ",", position_text(x, t),
@@ -245,9 +314,11 @@ class FlowChecks {
   }
 
   const lober_system& system_;
+  const System& made_;
   const lober_flow& flow_;
   const double* parameters_;
   std::size_t dimension_;
+  std::size_t velocities_ = 0, jacobians_ = 0, energies_ = 0;  // points that have them
 };
 
 // Points of a plane flow lie in the window, those of a return map on the section; of others nothing is known.
@@ -269,11 +340,12 @@ std::vector<FlowState> flow_states(const lober_system& system, const System& mad
 
 void check_library(const lober_system& system, const System& made, std::span<const double> parameters) {
   if (system.kind == LOBER_MAP) {
-    const MapChecks checks(system, parameters);
+    MapChecks checks(system, made, parameters);
     for (const Point& z : window_points(made.window)) checks.at(z);
+    checks.require_numbers();
     return;
   }
-  const FlowChecks checks(system, parameters);
+  FlowChecks checks(system, made, parameters);
   const double period = made.flow->period();
   for (const FlowState& x : flow_states(system, made, parameters)) {
     for (const double phase : {0.0, 0.3}) {
@@ -281,6 +353,7 @@ void check_library(const lober_system& system, const System& made, std::span<con
       if (period == 0) break;
     }
   }
+  checks.require_numbers();
 }
 
 }  // namespace lober::detail

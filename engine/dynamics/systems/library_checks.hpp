@@ -10,8 +10,9 @@ namespace lober::detail {
 
 /// Compares, at some points of the window, the inverse of a map with the map, its derivative and its action with finite
 /// differences; the Jacobian of a flow, what its Hamiltonian says of the velocity, and velocity_batch with the
-/// velocity. Points where a function fails are left out. Throws DataError that names the first discrepancy, its place
-/// and both numbers. Takes microseconds.
+/// velocity; and whether map and velocity repeat after the lattice and the period. Points where a function fails are
+/// left out, unless that is all of them. Throws DataError that names the first discrepancy, its place and both numbers.
+/// Takes microseconds.
 void check_library(const lober_system& system, const System& made, std::span<const double> parameters);
 
 }  // namespace lober::detail

@@ -240,6 +240,14 @@ void set_connections(System& made, const lober_system& system, std::span<const d
   made.further_needed = system.all_bound_region_1 != 0;
 }
 
+/// Options whose limit for lost trajectories is far outside the window, in whatever units that is.
+IntegrationOptions reaching_beyond(const Rectangle& window, IntegrationOptions options) {
+  const double farthest =
+      std::max({std::fabs(window.min_x), std::fabs(window.max_x), std::fabs(window.min_y), std::fabs(window.max_y)});
+  if (options.escape == IntegrationOptions{}.escape) options.escape = std::max(options.escape, 1e3 * farthest);
+  return options;
+}
+
 System make(const Library& library, const lober_system& system, std::span<const double> values,
             const IntegrationOptions& options) {
   const Loaded loaded{library, &system, {values.begin(), values.end()}};
@@ -251,7 +259,7 @@ System make(const Library& library, const lober_system& system, std::span<const 
   if (system.kind == LOBER_FLOW) {
     const bool periodic = system.flow->period != nullptr && system.flow->period(values.data()) != 0;
     made.flow = periodic ? make_flow<true>(loaded) : make_flow<false>(loaded);
-    set_map(made, system, values, options);
+    set_map(made, system, values, reaching_beyond(made.window, options));
   } else if (system.map->action != nullptr) {
     made.map = std::make_shared<FormulaMap<LoadedMapWithAction>>(LoadedMapWithAction(loaded));
   } else {

@@ -37,7 +37,8 @@ struct IntegrationOptions {
   /// Error of a step, for each component: tolerance * (1 + |x| + |dt dx/dt|). Errors of a whole trajectory are some ten
   /// times as large on the built-in systems, times the stretching of the flow.
   double tolerance = 1e-12;
-  /// A trajectory is lost, and its point NaN, when a coordinate exceeds this ...
+  /// A trajectory is lost, and its point NaN, when a coordinate exceeds this (systems of one's own: or a thousand times
+  /// the farthest edge of their window, if that is more) ...
   double escape = 1e6;
   /// ... or when one step of a map takes more integration steps than this (near singularities) ...
   int max_steps = 20000;

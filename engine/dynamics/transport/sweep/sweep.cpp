@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -241,7 +242,9 @@ std::size_t Sweep::failures() const {
       std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !row.failure.empty(); }));
 }
 
-Sweep sweep(const Family& family, std::span<const double> values, const SweepOptions& options) {
+namespace {
+
+Sweep swept(const Family& family, std::span<const double> values, const SweepOptions& options) {
   Sweep result;
   std::atomic<std::size_t> done{0};
   std::mutex one_at_a_time;
@@ -249,7 +252,6 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
   SweepOptions inner = options;
   // A manifold may take long: it asks as well.
   inner.tangle.progress = [&](const std::string&) {
-    if (!options.progress) return true;
     const std::lock_guard lock(one_at_a_time);
     cancelled = cancelled || !options.progress(static_cast<double>(done) / static_cast<double>(values.size()));
     return !cancelled;
@@ -286,6 +288,28 @@ Sweep sweep(const Family& family, std::span<const double> values, const SweepOpt
     zero = refined_zero(family, at(zero.low), at(zero.high), options.zero_tolerance, scratch);
   });
   return result;
+}
+
+}  // namespace
+
+// An exception of the caller's progress ends the sweep; it is the failure of none of its values.
+Sweep sweep(const Family& family, std::span<const double> values, const SweepOptions& options) {
+  std::exception_ptr thrown;
+  SweepOptions watched = options;
+  watched.progress = [&](double done) {
+    try {
+      return options.progress(done);
+    } catch (...) {
+      thrown = std::current_exception();
+      return false;
+    }
+  };
+  try {
+    return swept(family, values, watched);
+  } catch (const Cancelled&) {
+    if (thrown) std::rethrow_exception(thrown);
+    throw;
+  }
 }
 
 }  // namespace lober

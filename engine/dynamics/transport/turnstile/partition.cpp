@@ -68,7 +68,7 @@ class Nesting {
     if (area.both < (1 - negligible) * smaller) {
       throw DataError("transport: boundaries " + std::to_string(std::min(inner, outer) + 1) + " and " +
                       std::to_string(std::max(inner, outer) + 1) +
-                      " cross: they do not bound regions, as they do where the perturbation is smaller");
+                      " cross: they do not bound regions; with a smaller tolerance or a smaller perturbation they may");
     }
     return turns_outer != turns_inner && turns_inner == 0 ? true : area.c < area.d;
   }

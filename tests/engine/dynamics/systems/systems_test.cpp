@@ -201,9 +201,47 @@ TEST(Systems, LibrariesAreChecked) {
   expect("map", 1, {"the derivative dx'/dy is wrong at (", "it is 1, but finite differences of forward give -"});
   expect("map", 2, {"backward is not the inverse of forward"});
   expect("map", 3, {"the action L(x, x') is wrong at (", "dL/dx is ", "-y is "});
-  expect("flow", 1, {"the Jacobian d(velocity 1)/d(x 0) is wrong at (", "it is 1, but finite differences of velocity"});
+  expect("map", 4, {"the map does not repeat after the shift (3, 0) of its lattice"});
+  expect("map", 5, {"derivative fails, or gives no number, at all points of the window that have images"});
+  expect("map", 6, {"derivative fails, or gives no number"});
+  expect("flow", 1, {"the Jacobian d(velocity 1)/d(x 0) is wrong at (", "it is 2, but finite differences of velocity"});
   expect("flow", 2, {"the Hamiltonian, or the velocity 1, is wrong at (", "t = "});
   expect("flow", 3, {"velocity_batch, component 1, is wrong at ("});
+  expect("flow", 4, {"the velocity does not repeat after a period of 6: component 1 is "});
+  expect("flow", 5, {"the velocity does not repeat after the shift (1, 0) of its lattice"});
+  expect("flow", 6, {"jacobian fails, or gives no number"});
+  expect("flow", 7, {"hamiltonian, or a factor of its pairs, fails, or gives no number"});
+}
+
+// A unit of length is the user's: the same system in millionths and in millions of it is loaded, and has the same
+// orbits.
+TEST(Systems, LibrariesInOtherUnits) {
+  const auto flow = [](int number) {
+    return make_system(LOBER_TEST_LIBRARIES "/wrong_flow_" + std::to_string(number) + ".so");
+  };
+  const System one = flow(0);
+  for (const auto& [number, unit] : {std::pair{8, 1e-6}, std::pair{9, 1e6}}) {
+    const System other = flow(number);
+    for (const Point z : {Point{0.3, 0.2}, Point{-1.8, 1.5}, Point{3.1, 0.1}}) {
+      Point a = z, b{unit * z.x, unit * z.y};
+      one.map->iterate({&a, 1}, 1);
+      other.map->iterate({&b, 1}, 1);
+      EXPECT_LT(distance(a, {b.x / unit, b.y / unit}), 1e-5) << unit;
+    }
+  }
+  // Searches measure displacements relative to 1 + |x|: for units that are not far smaller.
+  const System large = flow(9);
+  const std::vector<FixedPoint> found = find_fixed_points(*large.map, large.window);
+  EXPECT_EQ(found.size(), find_fixed_points(*one.map, one.window).size());
+  std::size_t saddles = 0;
+  for (const FixedPoint& point : found) {
+    if (point.kind != FixedPointKind::saddle) continue;
+    EXPECT_NO_THROW((void)local_manifold(*large.map, point.at, ManifoldSide::unstable));
+    const Point small{1e-12 * point.at.x, 1e-12 * point.at.y};
+    EXPECT_NO_THROW((void)local_manifold(*flow(8).map, small, ManifoldSide::unstable));
+    ++saddles;
+  }
+  EXPECT_EQ(saddles, 2U);
 }
 
 // Sections of angles, ranges and the role of a parameter come from libraries as from built-in systems.
