@@ -396,7 +396,7 @@ TEST(Grow, ManifoldsOfAResonance) {
   const StandardMap map(0.9);
   const Point round{2 * std::numbers::pi, 0};
   const ShiftedMap up_to_round(map, 3, round);
-  EXPECT_THROW(local_manifold(map, {0, 1.8}, ManifoldSide::unstable, {.period = 3}), DataError);
+  EXPECT_THROW((void)local_manifold(map, {0, 1.8}, ManifoldSide::unstable, {.period = 3}), DataError);
   for (const ManifoldSide side : all_manifold_sides) {
     const LocalManifold local = local_manifold(up_to_round, {0, 1.8}, side, {.period = 3});
     EXPECT_NEAR(local.saddle.y, 1.8024056274013, 1e-12);  // by a search for fixed points
