@@ -17,7 +17,6 @@ from ._call import identifier
 class Face:
     """A result that is made by hand, since its parts are computed when asked for, or are views of memory."""
 
-    module: str
     #: What makes it of a run, and its type.
     maker: str
     returns: str
@@ -32,19 +31,19 @@ class Face:
 
 
 FACES = {
-    "escape": Face("_transport", "Escape._of", "Escape"),
-    "fixed_points": Face("_dynamics", "FixedPoints._of", "FixedPoints"),
-    "grow": Face("_dynamics", "Manifold._of", "Manifold", positional=("side",)),
-    "image": Face("_dynamics", "images_of", "list[Image]", positional=("first", "last"), name="images"),
-    "interior": Face("_overlay", "Interior", "Interior"),
-    "manifold_tangle": Face("_transport", "SystemTangle", "SystemTangle", lazy={"overlaps": False}, connection=True),
+    "escape": Face("Escape._of", "Escape"),
+    "fixed_points": Face("FixedPoints._of", "FixedPoints"),
+    "grow": Face("Manifold._of", "Manifold", positional=("side",)),
+    "image": Face("images_of", "list[Image]", positional=("first", "last"), name="images"),
+    "interior": Face("Interior", "Interior"),
+    "manifold_tangle": Face("SystemTangle", "SystemTangle", lazy={"overlaps": False}, connection=True),
     "overlay": Face(
-        "_overlay", "Overlay", "Overlay", lazy={"discretisation": False, "smooth": False, "classes": False}
+        "Overlay", "Overlay", lazy={"discretisation": False, "smooth": False, "classes": False}
     ),
-    "regions": Face("_regions", "Regions", "Regions", lazy={"rule": None, "areas_only": True}),
-    "section": Face("_dynamics", "orbits_of", "NDArray[np.float64]"),
-    "tangle": Face("_tangle", "Tangle", "Tangle", lazy={"overlaps": False}),
-    "transport": Face("_transport", "Transport._of", "Transport", connection=True),
+    "regions": Face("Regions", "Regions", lazy={"rule": None, "areas_only": True}),
+    "section": Face("orbits_of", "NDArray[np.float64]"),
+    "tangle": Face("Tangle", "Tangle", lazy={"overlaps": False}),
+    "transport": Face("Transport._of", "Transport", connection=True),
 }
 #: A function by hand: it has no options, and gives arrays for each point.
 BY_HAND = {"winding"}
