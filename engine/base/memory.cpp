@@ -3,6 +3,9 @@
 #include <tbb/scalable_allocator.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <mutex>
 
@@ -126,21 +129,72 @@ LargeBlocks& large_blocks() {
   return *blocks;
 }
 
+// Small arrays: an overlay of two short curves makes some forty, and each costs as much as a few of its segment pairs
+// where an allocator has to find out sizes and owners. Each thread keeps those it freed last, by powers of two.
+constexpr std::size_t alignment = 64, smallest = 64, classes = 8, kept_a_class = 16;
+constexpr std::size_t largest_small = smallest << (classes - 1);
+
+std::size_t class_of(std::size_t bytes) {
+  return static_cast<std::size_t>(std::bit_width((std::max(bytes, smallest) - 1) / smallest));
+}
+
+// Without a constructor or destructor, so that an access is a plain one: a thread may free arrays while it starts and
+// while it ends.
+struct SmallBlocks {
+  enum class State : std::uint8_t { untouched, in_use, gone } state;
+  std::array<std::uint8_t, classes> count;
+  std::array<std::array<void*, kept_a_class>, classes> kept;
+};
+constinit thread_local SmallBlocks small_blocks{};
+
+// Frees what the thread keeps when it ends.
+struct SmallBlocksEnd {
+  SmallBlocksEnd() { small_blocks.state = SmallBlocks::State::in_use; }
+  ~SmallBlocksEnd() {
+    small_blocks.state = SmallBlocks::State::gone;
+    for (std::size_t c = 0; c < classes; ++c) {
+      for (std::size_t k = 0; k < small_blocks.count[c]; ++k) scalable_aligned_free(small_blocks.kept[c][k]);
+      small_blocks.count[c] = 0;
+    }
+  }
+  SmallBlocksEnd(const SmallBlocksEnd&) = delete;
+  SmallBlocksEnd& operator=(const SmallBlocksEnd&) = delete;
+};
+
+bool may_keep() {
+  if (small_blocks.state == SmallBlocks::State::untouched) {
+    thread_local const SmallBlocksEnd end;
+    (void)end;
+  }
+  return small_blocks.state == SmallBlocks::State::in_use;
+}
+
 }  // namespace
 
 void* allocate_bulk(std::size_t bytes) {
   if (bytes >= huge_page) return large_blocks().take(bytes);
-  void* memory = scalable_aligned_malloc(bytes, 64);
+  std::size_t whole = bytes;
+  if (bytes <= largest_small) {
+    const std::size_t c = class_of(bytes);
+    if (small_blocks.count[c] > 0) return small_blocks.kept[c][--small_blocks.count[c]];
+    whole = smallest << c;
+  }
+  void* memory = scalable_aligned_malloc(whole, alignment);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
 
 void free_bulk(void* memory, std::size_t bytes) noexcept {
-  if (bytes >= huge_page) {
-    large_blocks().give(memory);
-  } else {
-    scalable_aligned_free(memory);
+  if (bytes >= huge_page) return large_blocks().give(memory);
+  if (bytes <= largest_small && memory != nullptr && may_keep()) {
+    const std::size_t c = class_of(bytes);
+    std::uint8_t& count = small_blocks.count[c];
+    if (count < kept_a_class) {
+      small_blocks.kept[c][count++] = memory;
+      return;
+    }
   }
+  scalable_aligned_free(memory);
 }
 
 void release_bulk_memory() noexcept {

@@ -198,6 +198,8 @@ struct Field {
     std::function<void(std::size_t element, const Use& use)> at{};
   };
   std::function<FieldValue(const void* whole)> get{};             ///< empty for objects and lists
+  /// The same of a number, a whole one or a flag, for those who read millions: NaN where it is not known.
+  std::function<Measured(const void* whole)> number{};
   std::function<void(const void* whole, const Use& use)> part{};  ///< for an object; no call where it is not known
   /// Its address, null where it is not known, if the object lies in the whole; empty if it is made when asked for.
   std::function<const void*(const void* whole)> address{};

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,6 +78,24 @@ FieldValue value_of(const T& value) {
 }
 
 template <typename T>
+constexpr bool is_number() {
+  const FieldKind kind = kind_of<T>();
+  return kind == FieldKind::number || kind == FieldKind::whole || kind == FieldKind::flag;
+}
+
+template <typename T>
+Measured number_of(const T& value) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if constexpr (is_optional<T>::value) {
+    return value ? number_of(*value) : Measured{unknown, unknown};
+  } else if constexpr (std::same_as<T, Measured>) {
+    return value;
+  } else {
+    return {static_cast<double>(value), unknown};
+  }
+}
+
+template <typename T>
 constexpr bool has_bar = false;
 template <>
 inline constexpr bool has_bar<Measured> = true;
@@ -96,6 +115,9 @@ class Schema {
     made.in_json = made.kind != FieldKind::points;
     made.null = made.kind == FieldKind::text;
     if (has_bar<Value>) made.bar = bar.empty() ? made.name + "_error" : std::move(bar);
+    if constexpr (is_number<Value>()) {
+      made.number = [get](const void* whole) { return number_of(std::invoke(get, *static_cast<const T*>(whole))); };
+    }
     made.get = [get = std::move(get)](const void* whole) {
       return value_of(std::invoke(get, *static_cast<const T*>(whole)));
     };
@@ -181,6 +203,7 @@ class Schema {
         return std::invoke(get, *static_cast<const T*>(whole));
       };
       if (field.get) field.get = [part, inner = field.get](const void* whole) { return inner(part(whole)); };
+      if (field.number) field.number = [part, inner = field.number](const void* whole) { return inner(part(whole)); };
       if (field.part) {
         field.part = [part, inner = field.part](const void* whole, const Field::Use& use) { inner(part(whole), use); };
       }

@@ -10,14 +10,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-double number_in(const FieldValue& value, bool bar) {
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  if (const auto* measured = std::get_if<Measured>(&value)) return bar ? measured->error : measured->value;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? 1 : 0;
-  return unknown;
-}
-
 std::size_t first_name(std::string_view path) {
   return std::min(path.find('.'), path.size());
 }
@@ -40,11 +32,16 @@ const Field& first_field(std::span<const Field> fields, std::string_view path) {
 template <typename Use>
 struct Walk {
   std::span<const Field* const> path;
+  bool bar;
   const Use& use;
 
   void go(std::size_t depth, const void* whole) const {
     const Field& field = *path[depth];
-    if (field.get) return use(field.get(whole));
+    if (field.number) {
+      const Measured found = field.number(whole);
+      return use(bar ? found.error : found.value);
+    }
+    if (field.get) return use(unknown);
     if (depth + 1 == path.size()) return;
     if (field.address) {
       if (const void* const part = field.address(whole)) go(depth + 1, part);
@@ -59,8 +56,8 @@ struct Walk {
 };
 
 template <typename Use>
-void each_number(std::span<const Field* const> path, const void* whole, const Use& use) {
-  Walk<Use>{path, use}.go(0, whole);
+void each_number(std::span<const Field* const> path, bool bar, const void* whole, const Use& use) {
+  Walk<Use>{path, bar, use}.go(0, whole);
 }
 
 }  // namespace
@@ -87,15 +84,15 @@ NumberPath::NumberPath(std::span<const Field> fields, std::string_view path) {
 
 std::vector<double> NumberPath::all(const void* whole) const {
   std::vector<double> numbers;
-  each_number(fields_, whole, [&](const FieldValue& value) { numbers.push_back(number_in(value, bar_)); });
+  each_number(fields_, bar_, whole, [&](double number) { numbers.push_back(number); });
   return numbers;
 }
 
 double NumberPath::first(const void* whole) const {
   double found = unknown;
   bool is_found = false;
-  each_number(fields_, whole, [&](const FieldValue& value) {
-    if (!is_found) found = number_in(value, bar_);
+  each_number(fields_, bar_, whole, [&](double number) {
+    if (!is_found) found = number;
     is_found = true;
   });
   return found;

@@ -176,10 +176,16 @@ class ContactFinder final : public PairConsumer {
     });
   }
 
-  // Counting sort: a block has few segments and, when this matters, many hits.
+  // Keeps the order of hits on one segment. A counting sort where there are many: a block has few segments.
   static void sort_by_segment(Buffer<Hit>& hits, std::uint32_t first_segment) {
     const auto less = [](const Hit& x, const Hit& y) { return x.segment1 < y.segment1; };
     if (std::is_sorted(hits.begin(), hits.end(), less)) return;
+    if (hits.size() < block_segments / 16) {
+      for (auto next = hits.begin() + 1; next != hits.end(); ++next) {
+        std::rotate(std::upper_bound(hits.begin(), next, *next, less), next, next + 1);
+      }
+      return;
+    }
     std::array<std::uint32_t, block_segments + 1> begin{};
     for (const Hit& hit : hits) ++begin[hit.segment1 - first_segment + 1];
     for (std::uint32_t k = 0; k < block_segments; ++k) begin[k + 1] += begin[k];

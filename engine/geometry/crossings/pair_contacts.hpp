@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/base/unfilled.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/predicates.hpp"
 #include "lober/curve/curve.hpp"
@@ -79,8 +80,8 @@ class ParameterBatch {
  private:
   static constexpr std::size_t size = 256;
   double scale_;
-  std::array<SegmentCrossing, size> crossings_;
-  std::array<CrossingParameters, size> parameters_;
+  Unfilled<SegmentCrossing, size> crossings_;
+  Unfilled<CrossingParameters, size> parameters_;
   std::array<Target*, size> target_;
   std::size_t waiting_ = 0;
   std::uint64_t exact_ = 0;

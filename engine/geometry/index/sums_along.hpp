@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/unfilled.hpp"
 #include "engine/geometry/index/box_tree.hpp"
 #include "kernels/shoelace.hpp"
 #include "lober/base/buffer.hpp"
@@ -72,7 +73,7 @@ SumAlong sum_along(const BoxTree& tree, Point origin, std::size_t count, const P
   for_each_block(chunks.size(), 4, [&](std::size_t first_chunk, std::size_t last_chunk) {
     LeafPrefixes leaves, prefixes;
     std::array<std::uint32_t, batch> segments;  // segments of positions on one leaf
-    std::array<DD, batch> t, sums;
+    Unfilled<DD, batch> t, sums;
     std::size_t k = first_from(first_chunk);
     for (std::size_t chunk = first_chunk; chunk < last_chunk && k < count; ++chunk) {
       std::uint32_t segment = position(k).segment;

@@ -24,7 +24,7 @@ struct detail::DiscretisationData {
 
 namespace {
 
-constexpr std::size_t chunk = 8;  // a chord-to-arc area costs 40 ns: a contact has to compute half of a chunk again
+constexpr std::size_t chunk = 8;  // whose areas a contact computes again, all at once
 constexpr std::size_t chords_a_block = 4096;
 static_assert(chords_a_block % chunk == 0);
 
@@ -46,6 +46,23 @@ double chord_area(const CurveView& curve, std::size_t number) {
   return std::ldexp(twice_chord_area(small(before), small(from), small(to), small(after)), -2 * down);
 }
 
+// Areas of the chords begin .. end - 1, in vectors where the points of a chord and its neighbours follow each other:
+// not at the first vertex.
+void chord_areas(const CurveView& curve, std::size_t begin, std::size_t end, double* areas) {
+  const std::size_t size = curve.points.size();
+  const std::size_t inner_begin = std::min(std::max<std::size_t>(begin, 1), end);
+  const std::size_t inner_end = std::max(inner_begin, std::min(end, size < 2 ? 0 : size - 2));
+  twice_chord_areas(&curve.points[inner_begin] - 1, inner_end - inner_begin, areas + (inner_begin - begin));
+  for (std::size_t k = begin; k < end; ++k) {
+    const bool inner = k >= inner_begin && k < inner_end;
+    // The neighbours of a segment next to repeated vertices lie farther away.
+    const bool repeated =
+        inner && (curve.points[k - 1] == curve.points[k] || curve.points[k + 1] == curve.points[k + 2]);
+    double& area = areas[k - begin];
+    if (!inner || repeated || !std::isfinite(area)) area = chord_area(curve, k);
+  }
+}
+
 // Calls take(k, sum) with the running sum of the chord-to-arc areas up to contact k, like sum_along for the shoelace
 // sums.
 template <typename ContactAt, typename Take>
@@ -56,8 +73,10 @@ void chord_areas_at_contacts(const DiscretisationSums& sums, std::size_t count, 
     for (std::size_t k = first; k < last;) {
       const std::size_t begin = contact(k).segment / chunk * chunk;
       DD sum = sums.data().before[begin / chunk];
+      std::array<double, chunk> areas;
+      chord_areas(curve, begin, std::min(begin + chunk, curve.segments()), areas.data());
       for (std::size_t number = begin; k < last && contact(k).segment < begin + chunk; ++number) {
-        const double here = chord_area(curve, number);
+        const double here = areas[number - begin];
         for (; k < last && contact(k).segment == number; ++k) {
           take(k, sum + DD{here * sagitta_fraction(contact(k).t), 0});
         }
@@ -83,23 +102,12 @@ DiscretisationSums::DiscretisationSums(CurveView curve) {
   before.resize((segments + chunk - 1) / chunk);
   Buffer<DD> block_sums(blocks);
   for_each_block(segments, chords_a_block, [&](std::size_t begin, std::size_t end) {
-    std::array<double, chords_a_block> chord_areas;
-    const std::size_t size = curve.points.size();
-    // The points of a segment and its neighbours follow each other, but for those at the first vertex.
-    const std::size_t inner_begin = std::min(std::max<std::size_t>(begin, 1), end);
-    const std::size_t inner_end = std::max(inner_begin, std::min(end, size < 2 ? 0 : size - 2));
-    twice_chord_areas(&curve.points[inner_begin] - 1, inner_end - inner_begin, &chord_areas[inner_begin - begin]);
-    for (std::size_t k = begin; k < inner_begin; ++k) chord_areas[k - begin] = chord_area(curve, k);
-    for (std::size_t k = inner_end; k < end; ++k) chord_areas[k - begin] = chord_area(curve, k);
+    std::array<double, chords_a_block> areas;
+    chord_areas(curve, begin, end, areas.data());
     DD sum;
     for (std::size_t k = begin; k < end; ++k) {
       if (k % chunk == 0) before[k / chunk] = sum;
-      const double here = chord_areas[k - begin];
-      // The neighbours of a segment next to repeated vertices lie farther away.
-      const bool inner = k >= inner_begin && k < inner_end;
-      const bool repeated =
-          inner && (curve.points[k - 1] == curve.points[k] || curve.points[k + 1] == curve.points[k + 2]);
-      sum += DD{std::isfinite(here) && !repeated ? here : chord_area(curve, k), 0};
+      sum += DD{areas[k - begin], 0};
     }
     block_sums[begin / chords_a_block] = sum;
   });
