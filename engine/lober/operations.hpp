@@ -197,7 +197,7 @@ struct Field {
     bool known = true;  ///< false where it was not asked for
     std::function<void(std::size_t element, const Use& use)> at{};
   };
-  std::function<FieldValue(const void* whole)> get{};             ///< empty for objects and lists
+  std::function<FieldValue(const void* whole)> get{};  ///< empty for objects and lists
   /// The same of a number, a whole one or a flag, for those who read millions: NaN where it is not known.
   std::function<Measured(const void* whole)> number{};
   std::function<void(const void* whole, const Use& use)> part{};  ///< for an object; no call where it is not known

@@ -50,7 +50,7 @@ from ._transport import (
     Transport,
     TransportBoundary,
 )
-from .errors import Cancelled, DataError, DisagreementError, Error, NotSimpleError, UsageError
+from .errors import Cancelled, DataError, DisagreementError, Error, IncompleteWarning, NotSimpleError, UsageError
 
 __all__ = [
     "Agreement",
@@ -65,6 +65,7 @@ __all__ = [
     "DataError",
     "DisagreementError",
     "Error",
+    "IncompleteWarning",
     "Escape",
     "Family",
     "FixedPoint",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import keyword
+import warnings
 from functools import cached_property
 from typing import Any, Sequence
 
@@ -14,7 +15,7 @@ from ._arrays import points_of
 from ._numbers import number_of
 from ._progress import Progress, watching
 from ._systems import Connection, System, is_own, pair_of, system_of
-from .errors import UsageError
+from .errors import IncompleteWarning, UsageError
 
 TABLE = {operation["name"]: operation for operation in _lober.table()}
 
@@ -87,6 +88,8 @@ def run(
 ) -> Run:
     """Runs an operation on the inputs `given`, in the order of the table; None for one that is left out.
 
+    Warns where a part is missing that was asked for (`IncompleteWarning`).
+
     `connection` is that of the system, which comes first. Its bip is insisted on where it is the caller's own. `lazy` are
     further settings, which are not those of the caller.
     """
@@ -109,4 +112,6 @@ def run(
     made_fit = {key: _setting(key, value, kinds.get(key, "")) for key, value in settings.items()}
     with watching(progress, name) as callback:
         found = _lober.run(name, inputs, {**made_fit, **(lazy or {})}, threads, callback)
+    if found.incomplete:
+        warnings.warn(found.incomplete, IncompleteWarning, stacklevel=3)
     return Run(found, tuple(arguments), {identifier(key): value for key, value in made_fit.items()})

@@ -1,6 +1,7 @@
 """Exceptions of lober, those of the library with the same text.
 
-Each derives from `Error`; those that say that arguments or data cannot be used are `ValueError` too.
+Each derives from `Error`; those that say that arguments or data cannot be used are `ValueError` too. A result without a
+part that was asked for is a warning, `IncompleteWarning`.
 """
 
 from __future__ import annotations
@@ -43,3 +44,7 @@ class DisagreementError(Error):
 
 class Cancelled(Error):
     """A callback for progress returned False."""
+
+
+class IncompleteWarning(UserWarning):
+    """A part of a result is missing that was asked for: a manifold or an image ends early at a limit."""

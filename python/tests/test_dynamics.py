@@ -114,6 +114,9 @@ def test_images_of_curves_keep_their_area():
         assert len(image.parameters) == len(image.points) >= 50
     one = lober.image("standard", circle, 2, tolerance=1e-6)
     assert one.iterate == 2
+    with pytest.warns(lober.IncompleteWarning, match="f.2 ends early, with .* points, since max_points"):
+        short = lober.image("standard", circle, 2, tolerance=1e-6, max_points=60)
+    assert short.stop == "points"
 
 
 def test_section():

@@ -18,7 +18,7 @@ namespace lober {
 ///
 /// Freed blocks of 2 MiB and more are kept for the next large array that needs at least two thirds of one: at most 512
 /// MiB, and never more than brings the total of blocks to the most that was in use at one time. The system may take
-/// their pages back whenever it is short of memory (MADV_FREE). Of blocks up to 8 KiB each thread keeps the last few.
+/// their pages back whenever it is short of memory (MADV_FREE). Each thread keeps the last few blocks of up to 8 KiB.
 /// Under AddressSanitizer and ThreadSanitizer nothing is kept and all memory comes from the instrumented allocator.
 [[nodiscard]] LOBER_API void* allocate_bulk(std::size_t bytes);
 LOBER_API void free_bulk(void* memory, std::size_t bytes) noexcept;
