@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <initializer_list>
+#include <span>
 
 #include "engine/c/call.hpp"
 #include "engine/c/disagreements.hpp"
@@ -112,7 +113,7 @@ struct Rows {
   }
 };
 
-bool has_lists(const std::vector<ops::Field>& fields) {
+bool has_lists(std::span<const ops::Field> fields) {
   return std::any_of(fields.begin(), fields.end(), [](const ops::Field& field) {
     return field.kind == ops::FieldKind::list || has_lists(field.members);
   });
@@ -137,7 +138,7 @@ void add_rows(lober_result& result, const std::string& name, const ops::Field& f
 
 // The fields of the objects that `walk` leads to: an array each, with a row for each object. Lists whose elements hold
 // lists give arrays for each element, with its number in their names.
-void add_columns(lober_result& result, const std::string& prefix, const std::vector<ops::Field>& fields,
+void add_columns(lober_result& result, const std::string& prefix, std::span<const ops::Field> fields,
                  const std::function<void(const ops::Field::Use&)>& walk) {
   std::vector<Rows> rows(fields.size());
   walk([&](const void* object) {

@@ -179,16 +179,33 @@ using FieldValue =
     std::variant<std::monostate, double, Measured, std::int64_t, bool, std::string, std::vector<std::string>,
                  std::vector<double>, std::vector<std::int64_t>, Point, std::vector<Point>, Matrix>;
 
+struct Field;
+
+/// The fields of an object, which copies share: a range of `const Field`.
+class Fields {
+ public:
+  Fields() = default;
+  Fields(std::vector<Field> fields);  // NOLINT(google-explicit-constructor)
+  [[nodiscard]] const Field* begin() const { return data(); }
+  [[nodiscard]] const Field* end() const;
+  [[nodiscard]] const Field* data() const;
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] bool empty() const { return size() == 0; }
+
+ private:
+  std::shared_ptr<const std::vector<Field>> fields_;
+};
+
 /// A part of a result: its name, its meaning, and how it is read from an object of the type it belongs to.
 struct Field {
   std::string name;
   FieldKind kind = FieldKind::number;
   std::string unit = {};  ///< "area": coordinates squared; "length", "time", "action", ""
   std::string meaning = {};
-  std::string bar = {};             ///< name of the error bar of a number or a matrix; empty: there is none
-  std::vector<Field> members = {};  ///< fields of an object, or of each element of a list
-  bool in_json = true;              ///< false for the points of curves and fields as long
-  bool null = false;                ///< null in JSON where it is not known; if false, left out there
+  std::string bar = {};  ///< name of the error bar of a number or a matrix; empty: there is none
+  Fields members = {};   ///< fields of an object, or of each element of a list
+  bool in_json = true;   ///< false for the points of curves and fields as long
+  bool null = false;     ///< null in JSON where it is not known; if false, left out there
 
   using Use = std::function<void(const void* part)>;
   /// The elements of a list. May be read from several threads at the same time.
@@ -212,6 +229,18 @@ struct Field {
     for (std::size_t k = 0; k < all.size; ++k) all.at(k, use);
   }
 };
+
+inline Fields::Fields(std::vector<Field> fields)
+    : fields_(std::make_shared<const std::vector<Field>>(std::move(fields))) {}
+inline const Field* Fields::data() const {
+  return fields_ ? fields_->data() : nullptr;
+}
+inline std::size_t Fields::size() const {
+  return fields_ ? fields_->size() : 0;
+}
+inline const Field* Fields::end() const {
+  return data() + size();
+}
 
 /// The field at "turnstile.flux12", or the one whose bar is at "turnstile.flux12_error". Throws UsageError for a path
 /// that leads nowhere.

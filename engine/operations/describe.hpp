@@ -121,33 +121,33 @@ class Schema {
     made.get = [get = std::move(get)](const void* whole) {
       return value_of(std::invoke(get, *static_cast<const T*>(whole)));
     };
-    fields_.push_back(std::move(made));
+    add(std::move(made));
     return *this;
   }
   /// The field before is null in JSON where nothing of it is known, as texts and objects are.
   Schema& or_null() {
-    fields_.back().null = true;
+    last().null = true;
     return *this;
   }
   /// The field before is left out there.
   Schema& if_asked_for() {
-    fields_.back().null = false;
+    last().null = false;
     return *this;
   }
   /// The field before is in JSON although it is points.
   Schema& in_json() {
-    fields_.back().in_json = true;
+    last().in_json = true;
     return *this;
   }
   /// The field before is too long for JSON.
   Schema& not_in_json() {
-    fields_.back().in_json = false;
+    last().in_json = false;
     return *this;
   }
   /// The getter returns a U, a reference or a pointer to one; null where it is not known.
   template <typename U, typename Get>
   Schema& object(std::string name, std::string meaning, const Schema<U>& members, Get get) {
-    Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.fields()};
+    Field made{std::move(name), FieldKind::object, {}, std::move(meaning), {}, members.shared()};
     made.null = true;
     using Found = std::invoke_result_t<const Get&, const T&>;
     if constexpr (std::is_convertible_v<Found, const U*>) {
@@ -171,14 +171,14 @@ class Schema {
         use(&object);
       }
     };
-    fields_.push_back(std::move(made));
+    add(std::move(made));
     return *this;
   }
   /// The getter returns an object that has a size and elements by number, each a U or a reference to one; or a
   /// reference to it, or to an optional one, which is null in JSON where it is not there.
   template <typename U, typename Get>
   Schema& list(std::string name, std::string meaning, const Schema<U>& members, Get get) {
-    Field made{std::move(name), FieldKind::list, {}, std::move(meaning), {}, members.fields()};
+    Field made{std::move(name), FieldKind::list, {}, std::move(meaning), {}, members.shared()};
     made.null = is_optional<std::remove_cvref_t<std::invoke_result_t<const Get&, const T&>>>::value;
     made.elements = [get = std::move(get)](const void* whole) -> Field::Elements {
       decltype(auto) found = std::invoke(get, *static_cast<const T*>(whole));
@@ -192,7 +192,7 @@ class Schema {
         return elements_of<U>(std::make_shared<const Range>(std::move(found)));
       }
     };
-    fields_.push_back(std::move(made));
+    add(std::move(made));
     return *this;
   }
   /// The fields of a part, as if they were those of the whole. The getter returns a pointer.
@@ -213,11 +213,16 @@ class Schema {
       if (field.elements) {
         field.elements = [part, inner = field.elements](const void* whole) { return inner(part(whole)); };
       }
-      fields_.push_back(std::move(field));
+      add(std::move(field));
     }
     return *this;
   }
   [[nodiscard]] const std::vector<Field>& fields() const { return fields_; }
+  /// The same, which all objects and lists with them share.
+  [[nodiscard]] const Fields& shared() const {
+    if (shared_.empty()) shared_ = fields_;
+    return shared_;
+  }
 
  private:
   // Owns nothing.
@@ -234,7 +239,17 @@ class Schema {
             }};
   }
 
+  void add(Field field) {
+    shared_ = {};
+    fields_.push_back(std::move(field));
+  }
+  Field& last() {
+    shared_ = {};
+    return fields_.back();
+  }
+
   std::vector<Field> fields_;
+  mutable Fields shared_;
 };
 
 // ---------------------------------------------------------------------------------------------------------- options

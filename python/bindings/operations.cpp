@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "python/bindings/agreement.hpp"
 #include "python/bindings/arrays.hpp"
@@ -21,7 +22,7 @@ namespace lober::python {
 namespace {
 
 namespace ops = operations;
-using Fields = std::vector<ops::Field>;
+using Fields = std::span<const ops::Field>;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -136,17 +137,17 @@ class Column {
   std::size_t rows_ = 0;
 };
 
-bool has_lists(const Fields& fields) {
+bool has_lists(Fields fields) {
   for (const ops::Field& field : fields) {
     if (field.kind == ops::FieldKind::list || has_lists(field.members)) return true;
   }
   return false;
 }
 
-py::dict dict_of(const Fields& fields, const void* whole);
+py::dict dict_of(Fields fields, const void* whole);
 
 // A dictionary of columns.
-py::dict columns_of(const Fields& fields, const std::function<void(const ops::Field::Use&)>& walk) {
+py::dict columns_of(Fields fields, const std::function<void(const ops::Field::Use&)>& walk) {
   py::dict result;
   for (const ops::Field& field : fields) {
     if (field.get) {
@@ -162,7 +163,7 @@ py::dict columns_of(const Fields& fields, const std::function<void(const ops::Fi
   return result;
 }
 
-py::dict dict_of(const Fields& fields, const void* whole) {
+py::dict dict_of(Fields fields, const void* whole) {
   py::dict result;
   for (const ops::Field& field : fields) {
     py::object made = py::none();
@@ -267,7 +268,7 @@ py::dict chosen_of(const OperationRun& run) {
 
 // ------------------------------------------------------------------------------------------------------------ table
 
-py::list fields_of(const Fields& fields) {
+py::list fields_of(Fields fields) {
   static const std::array<const char*, 12> kinds{"number", "whole", "flag",   "text",   "lines", "numbers",
                                                  "wholes", "point", "matrix", "object", "list",  "points"};
   py::list list;

@@ -12,8 +12,8 @@ std::size_t pipeline_slots() {
   return 3 * static_cast<std::size_t>(concurrency());
 }
 
-void run_pipeline(std::size_t slots, FunctionRef<bool(std::size_t)> next, FunctionRef<void(std::size_t)> work,
-                  FunctionRef<void(std::size_t)> deliver) {
+void run_pipeline(std::size_t slots, std::size_t taken, FunctionRef<bool(std::size_t)> next,
+                  FunctionRef<void(std::size_t)> work, FunctionRef<void(std::size_t)> deliver) {
   const CancellationScope* const scope = CancellationScope::current();
   // Slot k is free when block number k + slots starts: no more than `slots` blocks are under way, and they end in
   // order.
@@ -30,11 +30,11 @@ void run_pipeline(std::size_t slots, FunctionRef<bool(std::size_t)> next, Functi
     const std::size_t slot = blocks % slots;
     HandOver& hand_over = handed_on[slot];
     hand_over.acquire();
-    const bool taken = next(slot);
-    if (taken) ++blocks;
+    const bool is_taken = blocks < taken || next(slot);
+    if (is_taken) ++blocks;
     hand_over.release();
     next_again.release();
-    if (!taken) control.stop();
+    if (!is_taken) control.stop();
     return slot;
   };
   const auto handle = [&](std::size_t slot) LOBER_UNSEEN {
