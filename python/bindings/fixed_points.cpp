@@ -3,6 +3,8 @@
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
 #include "python/bindings/module.hpp"
@@ -27,6 +29,7 @@ py::tuple near(const System& system, const py::object& guess, int period, int tu
   const PlanarMap& map = map_of(system);
   FixedPointOptions options;
   options.period = period;
+  options.extent = std::max(system.window.width(), system.window.height());
   options.shift = {turns * system.lattice.x, turns * system.lattice.y};
   if (turns != 0 && system.lattice == Point{}) {
     throw UsageError("system " + system.info.name + " does not repeat itself after a shift; turns has to be 0");

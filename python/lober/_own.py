@@ -115,9 +115,10 @@ def _parameters(function: Function, known: Mapping[str, float], coordinates: int
     return names
 
 
-def differences(function: Callable[[Array], Array], x: Array) -> tuple[Array, Array]:
-    """A function of 2 x N numbers at x, and its derivatives, 2 x 2 x N, by central differences of order 4."""
-    h = 1e-3 * (1 + np.abs(x).max(axis=0))
+def differences(function: Callable[[Array], Array], x: Array, extent: float, step: float = 1e-3) -> tuple[Array, Array]:
+    """A function of 2 x N numbers at x, and its derivatives, 2 x 2 x N, by central differences of order 4. The step is
+    relative to the smaller of 1 + |x| and the extent of the window, which knows the units."""
+    h = step * np.minimum(1 + np.abs(x).max(axis=0), extent)
     around = [x]
     for axis in range(2):
         for factor in (1, -1, 2, -2):
@@ -171,8 +172,11 @@ class _OwnMap:
 
 
 class _FormulaMap(_OwnMap):
-    def __init__(self, name: str, forward: Function, inverse: Function | None, action: Function | None) -> None:
+    def __init__(
+        self, name: str, forward: Function, inverse: Function | None, action: Function | None, extent: float
+    ) -> None:
         self._name = name
+        self._extent = extent
         self._forward = _Columns(forward, name)
         self._inverse = None if inverse is None else _Columns(inverse, name)
         self._action = action
@@ -187,7 +191,11 @@ class _FormulaMap(_OwnMap):
     def slips(self, x: Array, shift: Array) -> list[tuple[str, Array, Array]]:
         images, derivatives = self.step_with_derivatives(x, True)
         size = 1 + np.abs(derivatives).sum(axis=(0, 1))
-        found = []
+        _, finer = differences(lambda points: self.step(points, True)[0], x, self._extent, 1.25e-4)
+        gap = np.abs(derivatives - finer).max(axis=(0, 1))
+        if np.median(gap / size) <= 1e-4:  # where the map jumps, a few are far off
+            gap = np.zeros_like(gap)
+        found = [("differences over a thousandth of the window give no derivatives: it is not of the size of the motion", gap, 1e-4 * size)]
         if self._inverse is not None:
             determinant = np.abs(derivatives[0, 0] * derivatives[1, 1] - derivatives[0, 1] * derivatives[1, 0])
             stretch = 1 + size / np.maximum(determinant, 1e-4)
@@ -202,7 +210,7 @@ class _FormulaMap(_OwnMap):
         return found
 
     def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
-        return differences(lambda points: self.step(points, forward)[0], x)
+        return differences(lambda points: self.step(points, forward)[0], x, self._extent)
 
     def action(self, start: Pair, end: Pair) -> float | None:
         return None if self._action is None else number_of(self._action(start[0], end[0]), f"{self._name}: action")
@@ -218,8 +226,10 @@ class _PeriodMap(_OwnMap):
         period: float,
         tolerance: float,
         escape: float,
+        extent: float,
     ) -> None:
         self._name = name
+        self._extent = extent
         self._velocity = velocity
         self._columns = _Columns(velocity, name)
         self._hamiltonian = hamiltonian
@@ -258,7 +268,7 @@ class _PeriodMap(_OwnMap):
     def finer(self) -> Any:
         tolerance = min(self._tolerance, max(0.01 * self._tolerance, 1e-15))
         return _PeriodMap(
-            self._name, self._velocity, self._hamiltonian, self._begin, self._period, tolerance, self._escape
+            self._name, self._velocity, self._hamiltonian, self._begin, self._period, tolerance, self._escape, self._extent
         )
 
     def slips(self, x: Array, shift: Array) -> list[tuple[str, Array, Array]]:
@@ -280,7 +290,7 @@ class _PeriodMap(_OwnMap):
 
     def _with_tangents(self, x: Array, t: Array) -> Array:
         times = np.tile(t, 9)
-        velocity, jacobian = differences(lambda points: self._field(points, times), np.ascontiguousarray(x[:2]))
+        velocity, jacobian = differences(lambda points: self._field(points, times), np.ascontiguousarray(x[:2]), self._extent)
         tangents = np.einsum("ijn,jkn->ikn", jacobian, x[2:].reshape(2, 2, -1))
         return np.concatenate([velocity, tangents.reshape(4, -1)])
 
@@ -347,7 +357,7 @@ def map(
         actions = _bound(action, parameters, 2, title)
 
         def make(values: Mapping[str, float], tolerance: float) -> System:
-            own = _FormulaMap(title, forwards(values), backwards(values), actions(values))
+            own = _FormulaMap(title, forwards(values), backwards(values), actions(values), extent_of(title, window))
             return own_system(title, function, values, own, window, lattice, _value(connection, values))
 
         return Family(title, parameters, make)
@@ -410,7 +420,15 @@ def period_map(
         raise UsageError(f"system {name}: its period is not positive")
     # A trajectory is lost far outside the window, in whatever units that is.
     farthest = max(abs(number_of(edge, f"system {name}: window")) for edge in window)
-    return _PeriodMap(name, velocity, hamiltonian, phase * period, period, tolerance, max(1e6, 1e3 * farthest))
+    return _PeriodMap(name, velocity, hamiltonian, phase * period, period, tolerance, max(1e6, 1e3 * farthest), extent_of(name, window))
+
+
+def extent_of(name: str, window: Box) -> float:
+    """The extent of a system's window, which knows the units of its coordinates; infinite for an empty one, which is refused
+    where it is used."""
+    x0, y0, x1, y1 = (number_of(edge, f"system {name}: window") for edge in window)
+    extent = max(x1 - x0, y1 - y0)
+    return extent if 0 < extent < np.inf else np.inf
 
 
 def _window_points(window: Box) -> Array:

@@ -287,3 +287,38 @@ def test_interrupt_in_a_function_of_ones_own():
         timer.cancel()
         timer.join()
     assert sent and ended - sent[0] < 0.5
+
+
+def in_units(unit):
+    def map(x, y):
+        p = y / unit + 0.9 * np.sin(x / unit)
+        return (x / unit + p) * unit, p * unit
+
+    def inverse(x, y):
+        before = (x - y) / unit
+        return before * unit, (y / unit - 0.9 * np.sin(before)) * unit
+
+    return map, inverse
+
+
+def test_fixed_points_do_not_depend_on_units():
+    found = {}
+    for unit in (1e-9, 1.0, 1e6):
+        forward, inverse = in_units(unit)
+        window = tuple(unit * edge for edge in (-1.1, -4.0, 5.3, 4.0))
+        own = lober.map(forward, inverse=inverse, name="units", window=window)
+        found[unit] = lober.fixed_points(own)
+        one = lober.fixed_point(own, (3 * unit, 0.1 * unit))
+        assert one.at == pytest.approx((np.pi * unit, 0), abs=1e-8 * unit)
+    for unit, points in found.items():
+        assert len(points) == len(found[1.0]) == 2
+        for point, other in zip(points, found[1.0]):
+            assert point.type == other.type
+            assert np.array(point.at) / unit == pytest.approx(np.array(other.at), abs=1e-8)
+            assert np.array(point.multipliers) == pytest.approx(np.array(other.multipliers), abs=1e-7)
+
+
+def test_windows_that_do_not_fit_the_motion_are_refused():
+    forward, inverse = in_units(1e-4)
+    with pytest.raises(lober.DataError, match="give no derivatives"):
+        lober.map(forward, inverse=inverse, name="units", window=(-1, -1, 1, 1))()

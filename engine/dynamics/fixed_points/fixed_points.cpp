@@ -33,7 +33,7 @@ FixedPoint describe(const PlanarMap& map, Point at, const FixedPointOptions& opt
     if (options.period % period != 0) continue;
     const double share = static_cast<double>(period) / options.period;
     const Displacement here = displacement(map, at, period, {share * options.shift.x, share * options.shift.y});
-    if (period < options.period && !(length(here.gap) <= 1e-8 * size_at(at))) continue;
+    if (period < options.period && !(length(here.gap) <= 1e-8 * size_at(at, options.extent))) continue;
     result.period = period;
     result.derivative = here.derivative;
     result.residual = length(here.gap);
@@ -44,7 +44,7 @@ FixedPoint describe(const PlanarMap& map, Point at, const FixedPointOptions& opt
 }
 
 bool in_box(const Rectangle& box, Point z) {
-  const double slack = 1e-9 * (1 + (box.width() + box.height()));
+  const double slack = 1e-9 * size_at({box.width(), box.height()}, extent_of(box));
   return box.min_x - slack <= z.x && z.x <= box.max_x + slack && box.min_y - slack <= z.y && z.y <= box.max_y + slack;
 }
 
@@ -72,7 +72,7 @@ std::string_view name(FixedPointKind kind) {
 
 FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointOptions& options) {
   require(options);
-  const NewtonEnd end = newton(map, guess, options, 0.5 * size_at(guess));
+  const NewtonEnd end = newton(map, guess, options, 0.5 * size_at(guess, options.extent));
   if (!end.converged) {
     throw DataError("no point of period " + std::to_string(options.period) + " found from " + format_point(guess) +
                     (std::isfinite(end.residual) ? ": Newton's method ended at " + format_point(end.at) + ", off by " +
@@ -82,8 +82,10 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
   return describe(map, end.at, options);
 }
 
-std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
+std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& wanted,
                                      const DisplacementGrid& grid, const SearchAllowance* allowance) {
+  FixedPointOptions options = wanted;
+  options.extent = std::min(wanted.extent, extent_of(box));
   const std::vector<Point> seeds = grid.seeds();
   std::vector<std::optional<FixedPoint>> found(seeds.size());
   // Whether there is work left is asked between rounds, so that it does not depend on threads.
@@ -103,7 +105,7 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
   for (const std::optional<FixedPoint>& point : found) {
     if (!point) continue;
     const auto same = std::find_if(result.begin(), result.end(), [&](const FixedPoint& other) {
-      return length({other.at.x - point->at.x, other.at.y - point->at.y}) <= 1e-6 * size_at(other.at);
+      return length({other.at.x - point->at.x, other.at.y - point->at.y}) <= 1e-6 * size_at(other.at, options.extent);
     });
     if (same == result.end()) {
       result.push_back(*point);

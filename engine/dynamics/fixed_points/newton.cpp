@@ -19,7 +19,7 @@ Point newton_step(const Displacement& here) {
 // Newton's method from one guess, one displacement at a time.
 class Iteration {
  public:
-  explicit Iteration(Point guess) : next_(guess) {}
+  Iteration(Point guess, double extent) : extent_(extent), next_(guess) {}
 
   [[nodiscard]] bool ended() const { return ended_; }
   /// Where the displacement is wanted next.
@@ -64,11 +64,12 @@ class Iteration {
     step_ = newton_step(here);
     const double size = length(step_);
     ended_ = round_ == max_rounds || !(best_.residual > 0) || !std::isfinite(size);
-    close_ = size <= 1e-8 * size_at(z_);
+    close_ = size <= 1e-8 * size_at(z_, extent_);
     if (size > reach) step_ = {step_.x * reach / size, step_.y * reach / size};
     next_ = {z_.x + step_.x, z_.y + step_.y};
   }
 
+  double extent_;
   Point z_{}, step_{}, next_;
   NewtonEnd best_{};
   int round_ = 0, halvings_ = 0, evaluations_ = 0;
@@ -77,19 +78,19 @@ class Iteration {
 
 /// Marks those that have converged, if the map is defined all round them: at the edge of the chart of a section it has
 /// limits that look like fixed points.
-void mark_converged(const PlanarMap& map, int period, std::span<const Iteration> iterations,
+void mark_converged(const PlanarMap& map, const FixedPointOptions& options, std::span<const Iteration> iterations,
                     std::vector<NewtonEnd>& ends) {
   std::vector<std::size_t> candidates;
   std::vector<Point> around;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     ends[k] = iterations[k].best();
-    if (iterations[k].stalled() || !(ends[k].residual <= 1e-7 * size_at(ends[k].at))) continue;
+    if (iterations[k].stalled() || !(ends[k].residual <= 1e-7 * size_at(ends[k].at, options.extent))) continue;
     candidates.push_back(k);
     const Point z = ends[k].at;
-    const double h = 1e-6 * size_at(z);
+    const double h = 1e-6 * size_at(z, options.extent);
     around.insert(around.end(), {{z.x + h, z.y}, {z.x - h, z.y}, {z.x, z.y + h}, {z.x, z.y - h}});
   }
-  map.iterate(around, period);
+  map.iterate(around, options.period);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const auto first = around.begin() + static_cast<std::ptrdiff_t>(4 * k);
     ends[candidates[k]].converged = std::all_of(first, first + 4, is_finite);
@@ -111,7 +112,9 @@ NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& opt
 
 std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses, const FixedPointOptions& options,
                               double reach) {
-  std::vector<Iteration> iterations(guesses.begin(), guesses.end());
+  std::vector<Iteration> iterations;
+  iterations.reserve(guesses.size());
+  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent);
   std::vector<std::size_t> open(guesses.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
   while (!open.empty()) {
@@ -128,7 +131,7 @@ std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guess
     std::erase_if(open, [&](std::size_t k) { return iterations[k].ended(); });
   }
   std::vector<NewtonEnd> ends(guesses.size());
-  mark_converged(map, options.period, iterations, ends);
+  mark_converged(map, options, iterations, ends);
   return ends;
 }
 

@@ -94,10 +94,10 @@ std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, con
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 
-bool same_points(const std::vector<FixedPoint>& a, const std::vector<FixedPoint>& b) {
+bool same_points(const std::vector<FixedPoint>& a, const std::vector<FixedPoint>& b, double extent) {
   return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const FixedPoint& point) {
            return std::any_of(b.begin(), b.end(), [&](const FixedPoint& other) {
-             return length({other.at.x - point.at.x, other.at.y - point.at.y}) <= 1e-6 * size_at(other.at);
+             return length({other.at.x - point.at.x, other.at.y - point.at.y}) <= 1e-6 * size_at(other.at, extent);
            });
          });
 }
@@ -151,7 +151,7 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
       search.out_of_work = true;
       if (!first && found.size() < search.points.size()) return search;
     }
-    const bool same = !first && same_points(found, search.points);
+    const bool same = !first && same_points(found, search.points, extent_of(box));
     search.points = std::move(found);
     search.grid = each.grid;
     search.index_sum = 0;

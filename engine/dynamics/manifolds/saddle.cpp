@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -17,11 +18,12 @@ namespace lober::detail {
 namespace {
 
 // A point farther than this from a guess, in units of its size, is not the one that was meant.
-constexpr double nearby = 0.5;
+constexpr double nearby = 0.5, everywhere = std::numeric_limits<double>::infinity();
 
 std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
-  const NewtonEnd end = newton(map, guess, {.period = steps}, nearby * size_at(guess));
-  return end.converged && distance(end.at, guess) <= nearby * size_at(guess) ? std::optional(end.at) : std::nullopt;
+  const NewtonEnd end = newton(map, guess, {.period = steps}, nearby * size_at(guess, everywhere));
+  return end.converged && distance(end.at, guess) <= nearby * size_at(guess, everywhere) ? std::optional(end.at)
+                                                                                         : std::nullopt;
 }
 
 // The way on.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <complex>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,9 @@ struct FixedPointOptions {
   /// The points searched for satisfy f^period(z) = z + shift.
   int period = 1;
   Point shift{};
+  /// Errors are judged, and steps limited, relative to the smaller of this and 1 + |z|. In searches of a box it is the
+  /// extent of the box.
+  double extent = std::numeric_limits<double>::infinity();
   /// A scan evaluates f^period on grid x grid points.
   int grid = 48;
   /// The work that `search_fixed_points` may take, as PlanarMap::work counts it. Not used with `budget`.

@@ -17,7 +17,7 @@ struct Slot {
   std::thread::id worked_by;
 };
 
-// The results of a pipeline of so many blocks, in the order in which they are delivered.
+// The results of a pipeline with this number of blocks, in the order in which they are delivered.
 std::vector<Slot> delivered(std::size_t blocks) {
   std::size_t next = 0;
   std::vector<Slot> all;
