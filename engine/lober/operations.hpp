@@ -182,7 +182,7 @@ using FieldValue =
 struct Field;
 
 /// The fields of an object, which copies share: a range of `const Field`.
-class Fields {
+class LOBER_API Fields {
  public:
   Fields() = default;
   Fields(std::vector<Field> fields);  // NOLINT(google-explicit-constructor)
