@@ -1,4 +1,7 @@
 // Scenes of many thin fingers.
+#include <algorithm>
+#include <utility>
+
 #include "bench/scenes/shapes.hpp"
 
 namespace lober::bench {
@@ -32,10 +35,13 @@ Polygon upright_comb(std::size_t points, std::size_t teeth) {
   return polygon;
 }
 
+std::size_t root(std::size_t points) {
+  return static_cast<std::size_t>(std::sqrt(static_cast<double>(points)));
+}
+
 // A comb whose teeth are bent into nested arcs about the origin, of radius 1 to 2 and from angle `begin` to
 // `end`. All have their vertices at the same angles, so that neighbours stay apart however thin they are.
-Polygon nested_hairs(std::size_t points, double begin, double end) {
-  const auto teeth = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)));
+Polygon nested_hairs(std::size_t points, std::size_t teeth, double begin, double end) {
   const std::size_t along_tooth = (points - 3) / (2 * teeth);
   const std::size_t spare = points - 2 * along_tooth * teeth;
   const double width = 1 / static_cast<double>(2 * teeth);
@@ -56,7 +62,54 @@ Polygon nested_hairs(std::size_t points, double begin, double end) {
   return hairs;
 }
 
+// A band along a spiral of Archimedes, as wide as the gap between its turns.
+Polygon spiral(std::size_t points, double turns, Point centre) {
+  const double pitch = 1 / turns;
+  const std::size_t outward = points / 2, inward = points - outward;
+  const auto at = [&](double turn, double shift) -> Point {
+    const double r = 0.1 + pitch * turn + shift, angle = full_turn * turn;
+    return {centre.x + r * std::cos(angle), centre.y + r * std::sin(angle)};
+  };
+  Polygon band;
+  band.reserve(points);
+  // The root spreads points evenly along its length.
+  const auto turn_at = [&](std::size_t k, std::size_t count) {
+    return turns * std::sqrt((static_cast<double>(k) + 0.5) / static_cast<double>(count));
+  };
+  for (std::size_t k = 0; k < outward; ++k) band.push_back(at(turn_at(k, outward), pitch / 2));
+  for (std::size_t k = inward; k > 0; --k) band.push_back(at(turn_at(k - 1, inward), 0));
+  // It runs outwards on its outer edge, which is clockwise for the band between the two.
+  std::reverse(band.begin(), band.end());
+  return band;
+}
+
+Polygon turned_by(Polygon polygon, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (Point& point : polygon) point = {c * point.x - s * point.y, s * point.x + c * point.y};
+  return polygon;
+}
+
 }  // namespace
+
+Scene make_spirals(std::size_t points) {
+  const double turns = std::sqrt(static_cast<double>(points)) / 10;
+  return {spiral(points, turns, {}), spiral(points, turns, {0.7, 0.1}), std::nullopt, std::nullopt};
+}
+
+Scene make_rings(std::size_t points) {
+  // Rings that are open on one side, across rings about another centre.
+  constexpr double begin = 0.1, end = 6.1;
+  const std::size_t rings = root(points) / 4;
+  Polygon second = nested_hairs(points, rings, begin, end);
+  for (Point& point : second) point = {1.31 - 0.83 * point.y, 0.27 + 0.83 * point.x};
+  return {nested_hairs(points, rings, begin, end), std::move(second), std::nullopt, std::nullopt};
+}
+
+Scene make_net(std::size_t points) {
+  Scene scene = make_comb(points);
+  for (Polygon* const polygon : {&scene.first, &scene.second}) *polygon = turned_by(std::move(*polygon), 0.6);
+  return scene;
+}
 
 Scene make_comb(std::size_t points) {
   const auto teeth = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 10);
@@ -85,11 +138,12 @@ Scene make_hairs(std::size_t points) {
     const double v = 0.03 * point.y;
     point = {along.x * u - along.y * v, along.y * u + along.x * v};
   }
-  return {nested_hairs(points, begin, end), std::move(ellipse), std::nullopt, std::nullopt};
+  return {nested_hairs(points, root(points), begin, end), std::move(ellipse), std::nullopt, std::nullopt};
 }
 
 Scene make_long_hairs(std::size_t points) {
-  return {nested_hairs(points, 0, std::numbers::pi), circle(points, 0.2, 0.6, {0.3, 1.4}), std::nullopt, std::nullopt};
+  return {nested_hairs(points, root(points), 0, std::numbers::pi), circle(points, 0.2, 0.6, {0.3, 1.4}), std::nullopt,
+          std::nullopt};
 }
 
 }  // namespace lober::bench

@@ -19,6 +19,13 @@ constexpr SceneKind all_scenes[] = {
     {"nested", "wavy curve inside a circle", make_nested},
     {"identical", "the same vertices, started elsewhere", make_identical},
     {"disjoint", "two circles apart", make_disjoint},
+    {"images12", "a circle's images under 12 iterates of the standard map and of its inverse", make_images12},
+    {"images14", "the same, 14 iterates", make_images14},
+    {"graze", "circle and r = 1 + 1e-9 sin 500 theta", make_graze},
+    {"spirals", "sqrt(N)/10 turns of a spiral band, and the same about another centre", make_spirals},
+    {"rings", "sqrt(N)/4 thin rings, each open on one side, across others", make_rings},
+    {"net", "the combs, turned by 0.6", make_net},
+    {"clusters", "wavy circles, points a million times closer in N/1000 places", make_clusters},
 };
 
 }  // namespace

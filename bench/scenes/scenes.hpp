@@ -58,5 +58,12 @@ Scene make_comb(std::size_t points);
 Scene make_nested(std::size_t points);
 Scene make_identical(std::size_t points);
 Scene make_disjoint(std::size_t points);
+Scene make_images12(std::size_t points);
+Scene make_images14(std::size_t points);
+Scene make_graze(std::size_t points);
+Scene make_spirals(std::size_t points);
+Scene make_rings(std::size_t points);
+Scene make_net(std::size_t points);
+Scene make_clusters(std::size_t points);
 
 }  // namespace lober::bench

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bench/scenes/shapes.hpp"
-#include "kernels/box.hpp"
+#include "bench/scenes/sampling.hpp"
 
 namespace lober::bench {
 using namespace lober::detail;
@@ -42,64 +41,6 @@ class ShearChain {
   bool inverse_;
 };
 
-using Turns = std::vector<double>;  // parameters on the initial circle, ascending from 0, all below 1
-
-Turns equal_turns(std::size_t count) {
-  Turns turns(count);
-  for (std::size_t k = 0; k < count; ++k) turns[k] = static_cast<double>(k) / static_cast<double>(count);
-  return turns;
-}
-
-double turning(Point a, Point b, Point c) {
-  const Point u{b.x - a.x, b.y - a.y};
-  const Point v{c.x - b.x, c.y - b.y};
-  return std::fabs(std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y));
-}
-
-struct Sampling {
-  Turns turns;
-  double length = 0;  ///< of the polygon that was measured to find them
-};
-
-// `count` parameters spread so that steps are short (a third of the weight), turn little (the ends of the
-// folds need points as well as the long folds do), and stay close to the smooth curve (neighbouring folds
-// must not be cut), measured on the polygon of `turns`.
-Sampling spread(const ShearChain& chain, const Turns& turns, std::size_t count) {
-  const std::size_t size = turns.size();
-  Polygon image(size);
-  for (std::size_t k = 0; k < size; ++k) image[k] = chain(turns[k]);
-  std::vector<double> lengths(size);
-  std::vector<double> turnings(size);
-  std::vector<double> sagittas(size);  // their square roots, which shrink in proportion to the steps
-  double length = 0;
-  double turned = 0;
-  double sagitta = 0;
-  for (std::size_t k = 0; k < size; ++k) {
-    const Point a = image[k];
-    const Point b = image[(k + 1) % size];
-    lengths[k] = distance(a, b);
-    turnings[k] = (turning(image[(k + size - 1) % size], a, b) + turning(a, b, image[(k + 2) % size])) / 2;
-    sagittas[k] = std::sqrt(lengths[k] * turnings[k]);
-    length += lengths[k];
-    turned += turnings[k];
-    sagitta += sagittas[k];
-  }
-  Sampling result{Turns(count), length};
-  double before = 0;
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < size; ++k) {
-    const double share = (lengths[k] / length + turnings[k] / turned + sagittas[k] / sagitta) / 3;
-    const double end = k + 1 == size ? 1 : turns[k + 1];
-    for (; next < count; ++next) {
-      const double wanted = static_cast<double>(next) / static_cast<double>(count);
-      if (wanted >= before + share && k + 1 != size) break;
-      result.turns[next] = turns[k] + std::min((wanted - before) / share, 1.0) * (end - turns[k]);
-    }
-    before += share;
-  }
-  return result;
-}
-
 double image_length(const ShearChain& chain) {
   constexpr std::size_t count = 20000;
   return spread(chain, spread(chain, equal_turns(count), count).turns, 1).length;
@@ -120,13 +61,7 @@ ShearChain chain_of_length(double length, bool inverse) {
 
 Polygon folded_curve(std::size_t points, double length, bool inverse) {
   const ShearChain chain = chain_of_length(length, inverse);
-  const std::size_t coarse = std::max(points / 8, std::min<std::size_t>(points, 100000));
-  Turns turns = equal_turns(coarse);
-  for (int pass = 0; pass < 2; ++pass) turns = spread(chain, turns, coarse).turns;
-  turns = spread(chain, turns, points).turns;
-  Polygon curve(points);
-  for (std::size_t k = 0; k < points; ++k) curve[k] = chain(turns[k]);
-  return curve;
+  return sampled(chain, points);
 }
 
 // Two curves that spread over a few units of area cross about length1 * length2 / 8 times.

@@ -43,4 +43,13 @@ Scene make_near_tangent(std::size_t points) {
   return {radial_curve(points, 0, radius), radial_curve(points, 0.5, radius), std::nullopt, std::nullopt};
 }
 
+Scene make_graze(std::size_t points) {
+  // 1000 crossings at 10^6 points are as flat as 1e-6: slopes of 5e-7 against segments of 6e-6.
+  const std::size_t waves = std::min<std::size_t>(500, points / 50);
+  const double frequency = static_cast<double>(waves);
+  return {circle(points, 0.3, 1, {}),
+          radial_curve(points, 0.3, [=](double angle) { return 1 + 1e-9 * std::sin(frequency * angle); }), std::nullopt,
+          std::nullopt};
+}
+
 }  // namespace lober::bench

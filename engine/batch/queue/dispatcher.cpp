@@ -58,6 +58,7 @@ class Dispatcher {
    public:
     Booking(Dispatcher& dispatcher, std::size_t booked) : dispatcher_(dispatcher), booked_(booked) {}
     ~Booking() override {
+      if (more_ == 0) return;  // nearly always
       const std::lock_guard lock(dispatcher_.mutex_);
       dispatcher_.cache_.give(more_);
     }
