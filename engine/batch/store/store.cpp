@@ -1,3 +1,4 @@
+// One class, and a little longer than other files for that: what it writes in one transaction stands together.
 #include "engine/batch/store/store.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// One class, and longer than other files for that: every step works on the points of the last generation.
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
 
 #include <algorithm>

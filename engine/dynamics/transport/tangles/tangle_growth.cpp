@@ -1,3 +1,4 @@
+// One class, and longer than other files for that: both sides share its tolerance and its limits.
 #include "engine/dynamics/transport/tangles/tangle_growth.hpp"
 
 #include <algorithm>
