@@ -1,4 +1,5 @@
-// One class reads a manifest, and its file is a little longer than others for that: all keys share one place for errors.
+// One class reads a manifest, and its file is a little longer than others for that: all keys share one place for
+// errors.
 #include "engine/batch/manifest/manifest.hpp"
 
 #include <algorithm>
