@@ -1,5 +1,4 @@
 // Scenes of many thin fingers.
-#include <algorithm>
 #include <utility>
 
 #include "bench/scenes/shapes.hpp"
@@ -65,7 +64,7 @@ Polygon nested_hairs(std::size_t points, std::size_t teeth, double begin, double
 // A band along a spiral of Archimedes, as wide as the gap between its turns.
 Polygon spiral(std::size_t points, double turns, Point centre) {
   const double pitch = 1 / turns;
-  const std::size_t outward = points / 2, inward = points - outward;
+  const std::size_t outer = points / 2, inner = points - outer;
   const auto at = [&](double turn, double shift) -> Point {
     const double r = 0.1 + pitch * turn + shift, angle = full_turn * turn;
     return {centre.x + r * std::cos(angle), centre.y + r * std::sin(angle)};
@@ -76,10 +75,8 @@ Polygon spiral(std::size_t points, double turns, Point centre) {
   const auto turn_at = [&](std::size_t k, std::size_t count) {
     return turns * std::sqrt((static_cast<double>(k) + 0.5) / static_cast<double>(count));
   };
-  for (std::size_t k = 0; k < outward; ++k) band.push_back(at(turn_at(k, outward), pitch / 2));
-  for (std::size_t k = inward; k > 0; --k) band.push_back(at(turn_at(k - 1, inward), 0));
-  // It runs outwards on its outer edge, which is clockwise for the band between the two.
-  std::reverse(band.begin(), band.end());
+  for (std::size_t k = 0; k < inner; ++k) band.push_back(at(turn_at(k, inner), 0));
+  for (std::size_t k = outer; k > 0; --k) band.push_back(at(turn_at(k - 1, outer), pitch / 2));
   return band;
 }
 

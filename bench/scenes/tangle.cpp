@@ -60,8 +60,7 @@ ShearChain chain_of_length(double length, bool inverse) {
 }
 
 Polygon folded_curve(std::size_t points, double length, bool inverse) {
-  const ShearChain chain = chain_of_length(length, inverse);
-  return sampled(chain, points);
+  return sampled(chain_of_length(length, inverse), points);
 }
 
 // Two curves that spread over a few units of area cross about length1 * length2 / 8 times.

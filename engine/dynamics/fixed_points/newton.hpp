@@ -1,7 +1,6 @@
 // Newton's method for points with f^period(z) = z + shift.
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -20,10 +19,7 @@ Displacement displacement(const PlanarMap& map, Point z, int period, Point shift
 
 /// The size that an error of z is relative to, in a region of this extent.
 inline double size_at(Point z, double extent) {
-  return std::min(1 + length(z), extent);
-}
-inline double extent_of(const Rectangle& box) {
-  return std::max(box.width(), box.height());
+  return size_within(extent, length(z));
 }
 
 struct NewtonEnd {

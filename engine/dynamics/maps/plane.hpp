@@ -1,6 +1,7 @@
 // Vectors and matrices of the plane.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,18 @@ inline constexpr Point lost_point{std::numeric_limits<double>::quiet_NaN(), std:
 
 inline bool is_finite(Point point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+/// The longer side of a region; infinite for an empty one, which says nothing of the unit of length.
+inline double extent_of(const Rectangle& region) {
+  const double extent = std::max(region.width(), region.height());
+  return extent > 0 ? extent : std::numeric_limits<double>::infinity();
+}
+
+/// The length that errors and steps are relative to where coordinates have this size, in a region of this extent: a
+/// unit of length may be far larger than all that lies in it.
+inline double size_within(double extent, double size) {
+  return std::min(1 + size, extent);
 }
 
 inline Matrix2 operator*(const Matrix2& a, const Matrix2& b) {

@@ -54,12 +54,6 @@ bool differs(double given, Slope slope, double size) {
   return std::fabs(given - slope.value) > accuracy * (size + std::fabs(slope.value)) + 10 * slope.error;
 }
 
-// Steps of differences are for coordinates about 1, unless the window says that they are smaller.
-double scale_of(const Rectangle& window, double size) {
-  const double extent = std::max(window.width(), window.height());
-  return extent > 0 ? std::min(1 + size, extent) : 1 + size;
-}
-
 std::vector<Point> window_points(const Rectangle& window) {
   std::vector<Point> points;
   if (!(window.width() > 0 && window.height() > 0)) return points;
@@ -116,7 +110,7 @@ class MapChecks {
             const Point image = apply(map_.forward, by_x ? Point{value, z.y} : Point{z.x, value});
             return k < 2 ? image.x : image.y;
           },
-          by_x ? z.x : z.y, scale_of(made_.window, length(z)));
+          by_x ? z.x : z.y, size_within(extent_of(made_.window), length(z)));
       if (differs(d[k], slope, size)) {
         report(system_, std::string("the derivative ") + names[k], format_point(z), {"it is", d[k]},
                {"finite differences of forward give", slope.value});
@@ -135,7 +129,7 @@ class MapChecks {
     const double norm = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2]), std::fabs(d[3]), determinant});
     const double stretch = determinant > 0 ? 1 + norm / determinant : 1 / accuracy;
     const double gap = length({back.x - z.x, back.y - z.y});
-    if (gap <= inverse_accuracy * stretch * (scale_of(made_.window, length(z)) + length(image))) return;
+    if (gap <= inverse_accuracy * stretch * (size_within(extent_of(made_.window), length(z)) + length(image))) return;
     throw DataError(prefix(system_) + "backward is not the inverse of forward: it takes the image of " +
                     format_point(z) + " to " + format_point(back));
   }
@@ -154,7 +148,7 @@ class MapChecks {
 
   // dL = y' dx' - y dx.
   void check_action(Point z, Point image) const {
-    const double scale = scale_of(made_.window, length(z));
+    const double scale = size_within(extent_of(made_.window), length(z));
     const Slope to = slope_of([&](double x) { return map_.action(parameters_, z.x, x); }, image.x, scale);
     const Slope from = slope_of([&](double x) { return map_.action(parameters_, x, image.x); }, z.x, scale);
     if (differs(image.y, to, 1)) {
@@ -257,7 +251,7 @@ class FlowChecks {
               moved[j] = value;
               return velocity(moved, t)[i];
             },
-            x[j], scale_of(made_.window, size(x)));
+            x[j], size_within(extent_of(made_.window), size(x)));
         const double given = jacobian[i * dimension_ + j];
         if (differs(given, slope, largest)) {
           report(system_, "the Jacobian d(velocity " + std::to_string(i) + ")/d(x " + std::to_string(j) + ")",
@@ -280,7 +274,7 @@ class FlowChecks {
               moved[j] = value;
               return flow_.hamiltonian(parameters_, moved.data(), t);
             },
-            x[j], scale_of(made_.window, size(x)));
+            x[j], size_within(extent_of(made_.window), size(x)));
       };
       const auto check = [&](int moving, double sign, int by) {
         Slope expected = slope(by);
