@@ -17,6 +17,7 @@
 #include "lober/base/element_iterator.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/export.hpp"
+#include "lober/base/measured.hpp"
 #include "lober/base/progress.hpp"
 #include "lober/base/threads.hpp"
 #include "lober/base/version.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/option_list.hpp"
 #include "lober/dynamics/systems.hpp"
 
 namespace lober::detail::table {

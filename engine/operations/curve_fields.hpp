@@ -1,7 +1,7 @@
 // Parts of results that operations on two curves have in common (private to operations/).
 #pragma once
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/schema.hpp"
 #include "lober/overlay/areas.hpp"
 #include "lober/overlay/counts.hpp"
 #include "lober/overlay/crossings.hpp"

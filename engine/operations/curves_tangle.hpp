@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/option_list.hpp"
 #include "lober/tangle/tangle.hpp"
 
 namespace lober::detail::table {

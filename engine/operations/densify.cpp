@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "engine/operations/curve_of.hpp"
-#include "engine/operations/describe.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
+#include "engine/operations/schema.hpp"
 #include "engine/operations/table.hpp"
 #include "lober/base/error.hpp"
 
@@ -253,9 +255,7 @@ Outcome run_densify(std::span<const Input> inputs, const Options& options, const
     const double fraction = std::min(1.0, static_cast<double>(found.steps.size()) / steps);
     if (!context.progress(fraction, {})) throw Cancelled();
   };
-  if (how.simplify) {
-    done("simplify", simplify(found, {*how.simplify, how.max_length.value_or(Criteria::off)}));
-  }
+  if (how.simplify) done("simplify", simplify(found, {*how.simplify, how.max_length.value_or(Criteria::off)}));
   const PointLimit limit(how, context);
   const Interpolation interpolation =
       how.interpolation.value_or(how.has_angles() ? Interpolation::dritschel : Interpolation::linear);

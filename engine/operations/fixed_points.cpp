@@ -5,7 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
+#include "engine/operations/schema.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
 #include "lober/base/error.hpp"

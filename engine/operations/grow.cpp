@@ -4,9 +4,11 @@
 
 #include "engine/base/growth_forecast.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/operations/describe.hpp"
 #include "engine/operations/growth_fields.hpp"
 #include "engine/operations/growth_options.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
+#include "engine/operations/schema.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
 #include "lober/base/error.hpp"

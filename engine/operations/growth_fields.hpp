@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/schema.hpp"
 #include "lober/dynamics/manifolds.hpp"
 
 namespace lober::detail::table {

@@ -1,7 +1,7 @@
 // Options of operations that grow the manifolds of a tangle (private to operations/).
 #pragma once
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/option_list.hpp"
 
 namespace lober::detail::table {
 

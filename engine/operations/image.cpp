@@ -1,21 +1,19 @@
 // Images and pre-images of a curve under a system's map.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/stopwatch.hpp"
-#include "engine/base/text.hpp"
 #include "engine/operations/curve_of.hpp"
-#include "engine/operations/describe.hpp"
-#include "engine/operations/growth_fields.hpp"
+#include "engine/operations/followed_curve.hpp"
 #include "engine/operations/growth_options.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
+#include "engine/operations/schema.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
-#include "kernels/elementary.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/drawing.hpp"
 #include "lober/dynamics/manifolds.hpp"
-#include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::operations {
 
@@ -148,73 +146,6 @@ std::vector<Field> image_fields() {
 
 // ------------------------------------------------------------------------------------------------------------- run
 
-// The curve as points, or as a function with the parameters of its corners.
-struct FollowedCurve {
-  std::vector<Point> own{};
-  std::span<const Point> points{};
-  CurveFunction function{};
-  std::vector<double> corners{};
-  std::vector<Point> second{};  // the other boundary of a strip
-};
-
-std::string in_words(Point point) {
-  return "(" + format_rounded(point.x, 10) + ", " + format_rounded(point.y, 10) + ")";
-}
-
-FollowedCurve circle(const std::vector<double>& numbers, CurveImages& found) {
-  const Point centre{numbers[0], numbers[1]};
-  const double radius = numbers[2];
-  found.what = "circle of radius " + format_rounded(radius, 10) + " about " + in_words(centre);
-  FollowedCurve given;
-  given.function = [centre, radius](std::span<const double> parameters, std::span<Point> points) {
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-      const double turn = parameters[k] == 1 ? 0 : parameters[k], angle = 2 * std::numbers::pi * turn;
-      points[k] = {centre.x + radius * elementary::cos(angle), centre.y + radius * elementary::sin(angle)};
-    }
-  };
-  // Else all of its points are one, or two.
-  const double largest = std::max(std::fabs(centre.x), std::fabs(centre.y));
-  if (!(largest + radius / 4 > largest)) {
-    throw UsageError("option \"circle\": the radius " + format_number(radius) + " is lost in the rounding of " +
-                     in_words(centre));
-  }
-  given.corners = {0, 1};
-  given.own = {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}};
-  given.points = given.own;
-  return given;
-}
-
-FollowedCurve rectangle(const Rectangle& r, CurveImages& found) {
-  found.what = "rectangle [" + format_rounded(r.min_x, 10) + ", " + format_rounded(r.max_x, 10) + "] x [" +
-               format_rounded(r.min_y, 10) + ", " + format_rounded(r.max_y, 10) + "]";
-  FollowedCurve given;
-  given.own = {{r.min_x, r.min_y}, {r.max_x, r.min_y}, {r.max_x, r.max_y}, {r.min_x, r.max_y}};
-  given.points = given.own;
-  return given;
-}
-
-// On a cylinder the region lies between two boundaries, each from a saddle to its copy.
-FollowedCurve boundary(const System& system, double tolerance, const Context& context, CurveImages& found) {
-  if (!system.connection) {
-    throw UsageError("system " + system.info.name + " names no tangle whose boundary could be taken; give a curve");
-  }
-  ManifoldTangleOptions options;
-  options.tolerance = tolerance;
-  options.progress = context.progress;
-  found.closed = !system.further_needed;
-  std::vector<Connection> connections{*system.connection};
-  if (system.further_needed) connections.insert(connections.end(), system.further.begin(), system.further.end());
-  FollowedCurve given;
-  for (const Connection& connection : connections) {
-    const auto tangle = grow_tangle(*system.map, connection, options);
-    found.what += (found.what.empty() ? "" : " and ") + std::string("boundary with the bip ") +
-                  in_words(tangle->tangle.pips[tangle->bip].at);
-    (given.own.empty() ? given.own : given.second) = boundary_curve(*tangle);
-  }
-  given.points = given.own;
-  return given;
-}
-
 // The curve of the images has to be given exactly once.
 void check_image(const Options& options, std::size_t inputs) {
   const ImageHow how = image_options().how(options);
@@ -236,10 +167,10 @@ void check_image(const Options& options, std::size_t inputs) {
 }
 
 FollowedCurve followed(const ImageHow& how, std::span<const Input> inputs, const Context& context, CurveImages& found) {
-  if (how.circle) return circle(*how.circle, found);
-  if (how.rectangle) return rectangle(*how.rectangle, found);
+  if (how.circle) return followed_circle(*how.circle, found);
+  if (how.rectangle) return followed_rectangle(*how.rectangle, found);
   const System& system = *std::get<SystemInput>(inputs[0]).system;
-  if (how.boundary) return boundary(system, how.tolerance, context, found);
+  if (how.boundary) return followed_boundary(system, how.tolerance, context, found);
   const CurveView curve = curve_at(named("image"), inputs, 1, how.closed);
   found.closed = curve.closed;
   FollowedCurve given;

@@ -4,6 +4,9 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/operations/curve_fields.hpp"
 #include "engine/operations/curve_of.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
+#include "engine/operations/schema.hpp"
 #include "engine/operations/table.hpp"
 #include "lober/base/error.hpp"
 

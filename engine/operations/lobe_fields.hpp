@@ -1,7 +1,7 @@
 // Fields of results for a tangle's crossings, pips, lobes and boundary (private to operations/).
 #pragma once
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/schema.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

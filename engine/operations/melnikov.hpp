@@ -1,7 +1,7 @@
 // Melnikov's function of a system, beside what its tangle has (private to operations/).
 #pragma once
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/schema.hpp"
 #include "lober/transport/melnikov.hpp"
 
 namespace lober::detail::table {

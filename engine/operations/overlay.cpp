@@ -6,6 +6,8 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/operations/curve_fields.hpp"
 #include "engine/operations/curve_of.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
 #include "engine/operations/overlay_fields.hpp"
 #include "engine/operations/table.hpp"
 #include "lober/overlay/interior.hpp"

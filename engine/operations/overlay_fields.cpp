@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "engine/operations/curve_fields.hpp"
+#include "engine/operations/schema.hpp"
 
 namespace lober::detail::table {
 using namespace operations;

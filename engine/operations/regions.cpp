@@ -3,6 +3,9 @@
 
 #include "engine/operations/curve_fields.hpp"
 #include "engine/operations/curve_of.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
+#include "engine/operations/schema.hpp"
 #include "engine/operations/table.hpp"
 
 namespace lober::detail::table {

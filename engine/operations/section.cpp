@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
 #include "engine/operations/picture_size.hpp"
+#include "engine/operations/schema.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
 #include "lober/base/error.hpp"

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/option_list.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::detail::table {

@@ -4,6 +4,8 @@
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/curves_tangle.hpp"
 #include "engine/operations/lobe_fields.hpp"
+#include "engine/operations/option_list.hpp"
+#include "engine/operations/outcome_of.hpp"
 #include "engine/operations/table.hpp"
 
 namespace lober::detail::table {

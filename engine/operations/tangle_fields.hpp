@@ -1,7 +1,7 @@
 // Fields of results for a tangle that was grown (private to operations/).
 #pragma once
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/schema.hpp"
 #include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober::detail::table {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/operations/describe.hpp"
+#include "engine/operations/schema.hpp"
 #include "lober/transport/transport.hpp"
 
 namespace lober::detail::table {

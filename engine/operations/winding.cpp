@@ -5,7 +5,8 @@
 
 #include "engine/base/text.hpp"
 #include "engine/operations/curve_of.hpp"
-#include "engine/operations/describe.hpp"
+#include "engine/operations/outcome_of.hpp"
+#include "engine/operations/schema.hpp"
 #include "engine/operations/table.hpp"
 #include "lober/base/error.hpp"
 

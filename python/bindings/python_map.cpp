@@ -1,4 +1,4 @@
-// Maps whose steps are computed by Python functions of many points at a time (lober/_own.py).
+// Maps whose steps are computed by Python functions of many points at a time (lober/_own_maps.py).
 #include <pybind11/stl.h>
 
 #include <cmath>

@@ -1,22 +1,20 @@
+// Escape, image by image: tubes are carried on as far as that is affordable, and the table grows with them.
 #include "lober/transport/escape.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "engine/base/growth_forecast.hpp"
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/base/quantities.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/time_limit.hpp"
 #include "engine/dynamics/escape/bottlenecks.hpp"
-#include "engine/dynamics/escape/symmetries.hpp"
-#include "engine/dynamics/escape/winding_product.hpp"
+#include "engine/dynamics/escape/fraction_table.hpp"
+#include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -29,9 +27,6 @@ constexpr double beyond_budget = 1.05;
 // Orbits and first curves may take these seconds whatever the budget, as there is nothing to say before; and no more
 // without one, where trajectories next to a collision take a thousand times as long as others.
 constexpr double first_seconds = 5, first_seconds_without_budget = 60;
-// The work for a point where cut curves cross themselves or each other, in evaluations of the vector field:
-// 20 to 60 were measured (capsize at energies from 0.26 to 0.5).
-constexpr double work_a_node = 50;
 
 // The seconds after which work is broken off.
 double last_second(const EscapeOptions& options) {
@@ -51,7 +46,7 @@ void within_first_limit(const Stopwatch& watch, const EscapeOptions& options, co
 class EscapeBuilder {
  public:
   EscapeBuilder(const Flow& flow, const Section& section, double energy, const EscapeOptions& options)
-      : flow_(flow), options_(options) {
+      : flow_(flow), options_(options), table_(flow, result_) {
     result_.energy = energy;
     result_.section = section;
   }
@@ -80,8 +75,8 @@ class EscapeBuilder {
       if (result_.stop == EscapeStop::done && reason_not_to(bottlenecks, more) == EscapeStop::done) {
         bottlenecks.carry(more, false, work(more));
         with_curves(bottlenecks, [&] {
-          measure();
-          compare();
+          table_.measure();
+          table_.compare();
         });
       }
     } catch (const Cancelled&) {
@@ -98,7 +93,7 @@ class EscapeBuilder {
     const CancellationScope shield(CancellationScope::Shield{});
     if (result_.bottlenecks.empty()) std::swap(bottlenecks.list, result_.bottlenecks);
     std::erase_if(result_.table, [&](const EscapeFraction& row) { return row.crossings > result_.crossings; });
-    compare();
+    table_.compare();
     // A second split of the last rows is more than was asked for.
     const bool complete = by_budget && result_.crossings == options_.crossings;
     result_.stop = complete ? EscapeStop::done : by_budget ? EscapeStop::budget : EscapeStop::cancelled;
@@ -122,11 +117,11 @@ class EscapeBuilder {
     bool nothing = false;  // comes back
     const auto is_known = [](const EscapeFraction& row) { return row.is_known(); };
     with_curves(bottlenecks, [&] {
-      lay_out_rows(n);
-      newest_measured_ = measure();
+      table_.lay_out_rows(n);
+      newest_measured_ = table_.measure();
       measured_ += newest_measured_;
       result_.crossings = n;
-      compare();
+      table_.compare();
       measuring_ = measuring.seconds();
       nothing = n == 1 && !bottlenecks.out_of_points() && !bottlenecks.out_of_work() &&
                 std::none_of(result_.table.begin(), result_.table.end(), is_known);
@@ -185,187 +180,19 @@ class EscapeBuilder {
     std::swap(bottlenecks.list, result_.bottlenecks);
   }
 
-  // Directions alternate, so that m fixes where a trajectory is and n.
-  void lay_out_rows(int wanted) {
-    const auto& bottlenecks = result_.bottlenecks;
-    for (std::size_t i = 0; i < bottlenecks.size(); ++i) {
-      const int start = bottlenecks[i].entry[0].direction;
-      for (std::size_t j = 0; j < bottlenecks.size(); ++j) {
-        int n = 0;
-        for (int m = 0;; ++m) {
-          const int here = m % 2 == 0 ? start : -start;
-          n += here == result_.section.direction;
-          if (n > wanted) break;
-          if (n != wanted || here != bottlenecks[j].exit[0].direction) continue;
-          EscapeFraction row;
-          row.entry = i;
-          row.exit = j;
-          row.crossings = n;
-          row.iterates = m;
-          result_.table.push_back(row);
-        }
-      }
-    }
-    std::sort(result_.table.begin(), result_.table.end(), [](const EscapeFraction& x, const EscapeFraction& y) {
-      return std::tie(x.entry, x.exit, x.iterates) < std::tie(y.entry, y.exit, y.iterates);
-    });
-  }
-
-  // Measures the rows that the curves determine and that have not been reported yet. Returns the work.
-  double measure() {
-    std::atomic<std::uint64_t> nodes = 0;
-    for_each_block(result_.table.size(), 1, [&](std::size_t k, std::size_t) { measure(result_.table[k], nodes); });
-    return static_cast<double>(nodes) * work_a_node;
-  }
-
-  struct Split {
-    int forward;
-    int cut;
-    std::size_t points;
-  };
-
-  // Those with the fewest cut curves first, then those with the fewest points.
-  [[nodiscard]] std::vector<Split> splits_of(const EscapeFraction& row) const {
-    const auto &entries = result_.bottlenecks[row.entry].entry, &exits = result_.bottlenecks[row.exit].exit;
-    std::vector<Split> splits;
-    for (int a = 0; a <= row.iterates; ++a) {
-      const auto forward = static_cast<std::size_t>(a), backward = static_cast<std::size_t>(row.iterates - a);
-      if (forward >= entries.size() || backward >= exits.size()) continue;
-      const TubeCurve &first = entries[forward], &second = exits[backward];
-      splits.push_back({a, first.cut + second.cut, first.image.points.size() + second.image.points.size()});
-    }
-    std::stable_sort(splits.begin(), splits.end(), [](const Split& x, const Split& y) {
-      return x.cut != y.cut ? x.cut < y.cut : x.points < y.points;
-    });
-    return splits;
-  }
-
-  // The fraction by one split, and its error bar.
-  [[nodiscard]] CommonArea fraction(const EscapeFraction& row, int forward, std::atomic<std::uint64_t>& nodes) const {
-    const Bottleneck &from = result_.bottlenecks[row.entry], &to = result_.bottlenecks[row.exit];
-    const TubeCurve& a = from.entry[static_cast<std::size_t>(forward)];
-    const TubeCurve& b = to.exit[static_cast<std::size_t>(row.iterates - forward)];
-    if (a.cut || b.cut) {
-      const CommonWindingArea common = common_area_by_winding(a.view(), b.view());
-      nodes += common.nodes;
-      return {common.area / from.area,
-              (common.error + a.cut_off + b.cut_off + a.displacement_area + b.displacement_area) / from.area};
-    }
-    const CommonArea common = common_area(a.view(), b.view());
-    const double share = common.area / from.area;
-    // The defect of the curves' areas that the action shows may be missing in the common area too.
-    return {share, (common.error + a.displacement_area + b.displacement_area) / from.area +
-                       share * (std::fabs(a.area / from.area - 1) + std::fabs(b.area / to.area - 1))};
-  }
-
-  void measure(EscapeFraction& row, std::atomic<std::uint64_t>& nodes) const {
-    if (row.is_known() && row.other == row.other) return;
-    std::vector<Split> splits = splits_of(row);
-    if (row.is_known()) {
-      std::erase_if(splits, [&](const Split& split) { return split.forward == row.forward; });
-    } else if (!splits.empty()) {
-      const CommonArea best = fraction(row, splits[0].forward, nodes);
-      row.fraction = best.area;
-      row.error = best.error;
-      row.forward = splits[0].forward;
-      row.backward = row.iterates - row.forward;
-      row.cut = splits[0].cut > 0;
-      splits.erase(splits.begin());
-    }
-    if (splits.empty() || (splits[0].cut > 0 && !row.cut)) return;
-    const CommonArea other = fraction(row, splits[0].forward, nodes);
-    row.other = other.area;
-    row.other_error = other.error;
-    row.other_forward = splits[0].forward;
-    row.other_backward = row.iterates - row.other_forward;
-  }
-
-  void compare() {
-    Agreement& agreement = result_.agreement;
-    agreement = {};
-    compare_areas(result_.bottlenecks, agreement);
-    if (!symmetries_) symmetries_ = symmetries(flow_, result_.section, result_.bottlenecks);
-    result_.largest_split_difference = 0;
-    for (const EscapeFraction& row : result_.table) {
-      if (row.other == row.other) {
-        result_.largest_split_difference =
-            std::max(result_.largest_split_difference, std::fabs(row.fraction - row.other));
-      }
-      agreement.compare({name(row), "split " + split_text(row.forward, row.backward),
-                         "split " + split_text(row.other_forward, row.other_backward), row.fraction, row.other,
-                         row.error + row.other_error});
-      for (const EscapeSymmetry& symmetry : *symmetries_) compare_by(symmetry, row, agreement);
-      agreement.compare({name(row), "its curves", "the range from 0 to 1", row.fraction,
-                         std::clamp(row.fraction, 0.0, 1.0), row.error});
-    }
-    compare_sums(agreement);
-  }
-
-  // No more leaves than has entered: tubes that the section meets along the flow, or more than once on their way from
-  // one crossing to the next, give fractions that overlap.
-  void compare_sums(Agreement& agreement) const {
-    for (std::size_t entry = 0; entry < result_.bottlenecks.size(); ++entry) {
-      for (const Survival& step : survival(result_, entry)) {
-        const double left = 1 - step.remains;
-        agreement.compare({"the fraction from bottleneck " + std::to_string(entry + 1) +
-                               " that has left after crossing " + std::to_string(step.crossings),
-                           "the sum of all", "what has entered", left, std::min(left, 1.0), step.error});
-      }
-    }
-  }
-
-  static std::string split_text(int forward, int backward) {
-    return std::to_string(forward) + " + " + std::to_string(backward);
-  }
-
-  // The fraction that the symmetry makes of this one, unless it is the same or comes earlier.
-  void compare_by(const EscapeSymmetry& symmetry, const EscapeFraction& row, Agreement& agreement) const {
-    const std::size_t first = symmetry.becomes[row.entry], second = symmetry.becomes[row.exit];
-    const std::size_t entry = symmetry.backwards ? second : first, exit = symmetry.backwards ? first : second;
-    for (const EscapeFraction& other : result_.table) {
-      if (&other <= &row || other.entry != entry || other.exit != exit || other.iterates != row.iterates) continue;
-      const double scale = result_.bottlenecks[entry].area / result_.bottlenecks[row.entry].area;
-      agreement.compare({name(row), "its own curves",
-                         std::string(symmetry.backwards ? "time reversal" : "symmetry") + " from bottlenecks " +
-                             std::to_string(entry + 1) + " and " + std::to_string(exit + 1),
-                         row.fraction, scale * other.fraction, row.error + scale * other.error});
-    }
-  }
-
   const Flow& flow_;
   const EscapeOptions& options_;
   Escape result_;
+  FractionTable table_;
   Stopwatch watch_;
   GrowthForecast cost_;  // seconds by the clock for each number of images
   // Seconds and work that following trajectories has taken, and for how many crossings; of the newest images, their
   // crossings and what measuring them took, in seconds and as work; and the work of measuring all.
   double carrying_ = 0, followed_ = 0, crossings_ = 0, newest_crossings_ = 0, measuring_ = 0, newest_measured_ = 0,
          measured_ = 0;
-  std::optional<std::vector<EscapeSymmetry>> symmetries_;
 };
 
 }  // namespace
-
-std::string name(const EscapeFraction& row) {
-  return "the fraction from bottleneck " + std::to_string(row.entry + 1) + " to " + std::to_string(row.exit + 1) +
-         " after crossing " + std::to_string(row.crossings);
-}
-
-void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement& agreement) {
-  for (std::size_t number = 0; number < bottlenecks.size(); ++number) {
-    const Bottleneck& bottleneck = bottlenecks[number];
-    for (const auto* curves : {&bottleneck.entry, &bottleneck.exit}) {
-      for (std::size_t k = 0; k < curves->size(); ++k) {
-        const TubeCurve& curve = (*curves)[k];
-        if (!curve.complete) continue;
-        agreement.compare({std::string("the area of ") + (curves == &bottleneck.entry ? "entrance " : "exit ") +
-                               std::to_string(number + 1) + ", image " + std::to_string(k),
-                           "its points", "action", curve.area, bottleneck.area,
-                           curve.area_error + bottleneck.area_error});
-      }
-    }
-  }
-}
 
 std::vector<Bottleneck> bottlenecks(const Flow& flow, const Section& section, double energy,
                                     std::span<const FlowState> saddles, const EscapeOptions& options) {
@@ -392,26 +219,6 @@ Escape escape(const Flow& flow, const Section& section, double energy, std::span
   if (section.bound_side != 0) throw UsageError("escape takes only sections without a bound");
   const Section whole = position_section(flow, section.coordinate, section.value, section.direction);
   return EscapeBuilder(flow, whole, energy, options).build(saddles);
-}
-
-std::vector<Survival> survival(const Escape& result, std::size_t entry) {
-  std::vector<Survival> steps;
-  Survival sum;
-  sum.left.assign(result.bottlenecks.size(), 0);
-  for (int n = 1;; ++n) {
-    bool any = false;
-    for (const EscapeFraction& part : result.table) {
-      if (part.entry != entry || part.crossings != n) continue;
-      if (!part.is_known()) return steps;
-      any = true;
-      sum.left[part.exit] += part.fraction;
-      sum.remains -= part.fraction;
-      sum.error += part.error;
-    }
-    if (!any) return steps;
-    sum.crossings = n;
-    steps.push_back(sum);
-  }
 }
 
 }  // namespace lober

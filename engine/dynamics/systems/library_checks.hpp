@@ -9,10 +9,12 @@
 namespace lober::detail {
 
 /// Compares, at some points of the window, the inverse of a map with the map, its derivative and its action with finite
-/// differences; the Jacobian of a flow, what its Hamiltonian says of the velocity, and velocity_batch with the
-/// velocity; and whether map and velocity repeat after the lattice and the period. Points where a function fails are
-/// left out, unless that is all of them. Throws DataError that names the first discrepancy, its place and both numbers.
-/// Takes microseconds.
-void check_library(const lober_system& system, const System& made, std::span<const double> parameters);
+/// differences; and whether it repeats after the lattice. Points where a function fails are left out, unless that is
+/// all of them. Throws DataError that names the first discrepancy, its place and both numbers. Takes microseconds.
+void check_library_map(const lober_system& system, const System& made, std::span<const double> parameters);
+
+/// Compares, in the same way, the Jacobian of a flow with finite differences, what its Hamiltonian says of the velocity
+/// and velocity_batch with the velocity; and whether the velocity repeats after the lattice and the period.
+void check_library_flow(const lober_system& system, const System& made, std::span<const double> parameters);
 
 }  // namespace lober::detail

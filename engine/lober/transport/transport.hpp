@@ -30,20 +30,11 @@
 
 #include "lober/base/agreement.hpp"
 #include "lober/base/export.hpp"
+#include "lober/base/measured.hpp"
 #include "lober/base/progress.hpp"
 #include "lober/tangle/manifold_tangle.hpp"
 
 namespace lober {
-
-/// A value and an estimate, on the safe side, of its error.
-struct Measured {
-  double value = 0, error = 0;
-  friend Measured operator+(Measured x, Measured y) { return {x.value + y.value, x.error + y.error}; }
-  friend Measured operator-(Measured x, Measured y) { return {x.value - y.value, x.error + y.error}; }
-  friend Measured operator*(double factor, Measured x) {
-    return {factor * x.value, (factor < 0 ? -factor : factor) * x.error};
-  }
-};
 
 struct Region {
   /// Coefficients of the constant 1 and then of each boundary in the function of the region: -1, 0 or 1.

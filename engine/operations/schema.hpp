@@ -1,9 +1,9 @@
-// Writes entries of the table (private to operations/): an option is a member of the options of the C++ interface,
-// whose type and default are its own; a field of a result is a member or a function of the C++ result.
+// The fields of a result (private to operations/): each is a member or a function of the C++ result, whose type says
+// what kind of field it is.
 #pragma once
 
-#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -14,17 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "engine/operations/is_optional.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::detail::table {
 using namespace operations;
-
-// ---------------------------------------------------------------------------------------------------------- results
-
-template <typename T>
-struct is_optional : std::false_type {};
-template <typename T>
-struct is_optional<std::optional<T>> : std::true_type {};
 
 template <typename T>
 constexpr FieldKind kind_of() {
@@ -251,126 +245,5 @@ class Schema {
   std::vector<Field> fields_;
   mutable Fields shared_;
 };
-
-// ---------------------------------------------------------------------------------------------------------- options
-
-/// The properties of an option in a table, beside its member.
-struct OptionForm {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool above_min = false;
-  std::string otherwise = {};  ///< what is done without an optional one; empty: it is required
-  std::string value = {};
-  std::vector<std::string> choices = {};  ///< allowed values of a text
-};
-
-/// The options of a How, and what moves their values into one.
-template <typename How>
-class OptionList {
- public:
-  template <typename Base, typename Member>
-  requires std::derived_from<How, Base> OptionList& option(std::string key, Member Base::*member, std::string meaning,
-                                                           OptionForm form = {}) {
-    OptionSpec spec;
-    spec.key = std::move(key);
-    spec.meaning = std::move(meaning);
-    spec.min = form.min;
-    spec.max = form.max;
-    spec.above_min = form.above_min;
-    spec.otherwise = std::move(form.otherwise);
-    spec.value = std::move(form.value);
-    spec.choices = std::move(form.choices);
-    if constexpr (is_optional<Member>::value) {
-      spec.optional = true;
-      spec.required = spec.otherwise.empty();
-      spec.fallback = typename Member::value_type{};
-    } else if constexpr (std::same_as<Member, bool> || std::floating_point<Member> ||
-                         std::same_as<Member, std::string>) {
-      spec.fallback = How{}.*member;
-    } else {
-      static_assert(
-          std::integral<Member>,
-          "an option is a flag, a number, text, or an optional one of these, of a Point, a Rectangle or numbers");
-      spec.fallback = static_cast<std::int64_t>(How{}.*member);
-      if (std::unsigned_integral<Member>) spec.min = std::max(spec.min, 0.0);
-      if constexpr (sizeof(Member) < sizeof(std::int64_t)) {
-        spec.max = std::min(spec.max, static_cast<double>(std::numeric_limits<Member>::max()));
-      }
-    }
-    setters_.push_back([key = spec.key, member](How& how, const Options& options) {
-      const OptionValue* const value = options.find(key);
-      if (value == nullptr) return;
-      if constexpr (is_optional<Member>::value) {
-        how.*member = std::get<typename Member::value_type>(*value);
-      } else if constexpr (std::integral<Member> && !std::same_as<Member, bool>) {
-        how.*member = static_cast<Member>(std::get<std::int64_t>(*value));
-      } else {
-        how.*member = std::get<Member>(*value);
-      }
-    });
-    specs_.push_back(std::move(spec));
-    return *this;
-  }
-  /// A member of an enumeration, by the names that `name` has of its values.
-  template <typename Base, typename Enum, std::size_t size>
-  requires std::derived_from<How, Base> OptionList& choice(std::string key, Enum Base::*member,
-                                                           const std::array<Enum, size>& all, std::string meaning) {
-    OptionSpec spec;
-    spec.key = std::move(key);
-    spec.meaning = std::move(meaning);
-    spec.fallback = std::string(name(How{}.*member));
-    for (const Enum one : all) spec.choices.emplace_back(name(one));
-    setters_.push_back([key = spec.key, member, all](How& how, const Options& options) {
-      const std::string& given = options.text(key);
-      for (const Enum one : all) {
-        if (name(one) == given) how.*member = one;
-      }
-    });
-    specs_.push_back(std::move(spec));
-    return *this;
-  }
-  /// An option that need not be given; `otherwise` says what is done then.
-  template <typename Base, typename Enum, std::size_t size>
-  requires std::derived_from<How, Base> OptionList& choice(std::string key, std::optional<Enum> Base::*member,
-                                                           const std::array<Enum, size>& all, std::string meaning,
-                                                           std::string otherwise) {
-    OptionSpec spec;
-    spec.key = std::move(key);
-    spec.meaning = std::move(meaning);
-    spec.fallback = std::string();
-    spec.optional = true;
-    spec.otherwise = std::move(otherwise);
-    for (const Enum one : all) spec.choices.emplace_back(name(one));
-    setters_.push_back([key = spec.key, member, all](How& how, const Options& options) {
-      const OptionValue* const given = options.find(key);
-      for (const Enum one : all) {
-        if (given != nullptr && name(one) == std::get<std::string>(*given)) how.*member = one;
-      }
-    });
-    specs_.push_back(std::move(spec));
-    return *this;
-  }
-  [[nodiscard]] const std::vector<OptionSpec>& specs() const { return specs_; }
-  [[nodiscard]] How how(const Options& options) const {
-    How made{};
-    for (const auto& set : setters_) set(made, options);
-    return made;
-  }
-
- private:
-  std::vector<OptionSpec> specs_;
-  std::vector<std::function<void(How&, const Options&)>> setters_;
-};
-
-/// The outcome of a value; of its agreement and its remarks, where it has some.
-template <typename T>
-Outcome outcome_of(T value, const Options& options) {
-  Outcome outcome;
-  if constexpr (requires { value.agreement; }) outcome.agreement = value.agreement;
-  if constexpr (requires { value.remarks; }) outcome.remarks = value.remarks;
-  outcome.options = options;
-  outcome.value = std::make_shared<const T>(std::move(value));
-  return outcome;
-}
 
 }  // namespace lober::detail::table
