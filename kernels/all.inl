@@ -14,6 +14,7 @@
 #include "kernels/leaf_strip.inl"
 #include "kernels/moments.inl"
 #include "kernels/pair_filter.inl"
+#include "kernels/ray.inl"
 #include "kernels/sagitta.inl"
 #include "kernels/segment_boxes.inl"
 #include "kernels/shoelace.inl"
@@ -27,6 +28,8 @@ namespace lober::detail {
 const KernelTable LOBER_KERNELS{
     .distribute = distribute_nodes,
     .refine = refine_nodes,
+    .follow_ray = follow_ray_down,
+    .crossings_of_height = crossings_of_leaf,
     .chebyshev_points = evaluate_chebyshev,
     .four_parameters = four_parameters,
     .keep_near_frame = keep_nodes,

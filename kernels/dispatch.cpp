@@ -19,6 +19,14 @@ SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const Tre
   return kernels().refine(box, largest, pyramid, list, count, kept, split);
 }
 
+RayProgress follow_ray(Point point, const RayTree& tree, std::uint32_t level, std::uint32_t* list, std::size_t count) {
+  return kernels().follow_ray(point, tree, level, list, count);
+}
+
+HeightCrossings crossings_of_height(const Point* points, Point point) {
+  return kernels().crossings_of_height(points, point);
+}
+
 std::size_t keep_near(const Frame& frame, FramePyramid pyramid, TreeNode* list, std::size_t count) {
   return kernels().keep_near_frame(frame, pyramid, list, count);
 }

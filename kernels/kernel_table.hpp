@@ -13,6 +13,7 @@
 #include "kernels/leaf.hpp"
 #include "kernels/moments.hpp"
 #include "kernels/pair_filter.hpp"
+#include "kernels/ray.hpp"
 #include "kernels/sagitta.hpp"
 #include "kernels/segment_boxes.hpp"
 #include "kernels/shoelace.hpp"
@@ -28,6 +29,9 @@ struct KernelTable {
                      TreeNode* const* met, std::size_t* met_count);
   SplitCounts (*refine)(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
                         TreeNode* kept, TreeNode* split);
+  RayProgress (*follow_ray)(Point point, const RayTree& tree, std::uint32_t level, std::uint32_t* list,
+                            std::size_t count);
+  HeightCrossings (*crossings_of_height)(const Point* points, Point point);
   void (*chebyshev_points)(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                            const double* parameters, std::size_t size, Point* points);
   unsigned (*four_parameters)(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);

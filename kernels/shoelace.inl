@@ -4,8 +4,6 @@
 #include "kernels/shoelace.hpp"
 #include "kernels/simd.hpp"
 
-#pragma once
-
 namespace lober::detail {
 namespace {
 

@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
-# How long commands take from beginning to end, on one and on two threads: an earlier program beside this one, in turns.
-# usage: bench-commands.sh EARLIER_PROGRAM [PROGRAM, default build/bin/lober [ROUNDS, default 5]]
-# Prints a table of medians in seconds. Options that the earlier program spelled differently are translated.
+# How long commands take from beginning to end, on one and on two threads.
+# usage: bench-commands.sh [PROGRAM, default build/bin/lober [ROUNDS, default 5 [EARLIER]]]
+# Prints a table of medians in seconds. EARLIER, a program of an earlier version, runs in turns with PROGRAM; options that
+# it spelled differently are translated.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-earlier=$(realpath "$1") program=$(realpath "${2:-build/bin/lober}") rounds=${3:-5}
+program=$(realpath "${1:-build/bin/lober}") rounds=${2:-5} earlier=${3:-}
+[ -z "$earlier" ] || earlier=$(realpath "$earlier")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export LC_ALL=C
 
-commands='overlay examples/resonance.dat examples/resonance_image.dat
+commands='--version
+overlay examples/resonance.dat examples/resonance_image.dat
 tangle examples/manifolds.dat --smooth --overlaps
 grow standard --unstable --iterates 9 --tolerance 1e-8 -o OUT.npy
 grow ovp --unstable --iterates 5 --tolerance 1e-6 -o OUT.npy
@@ -39,28 +42,37 @@ seconds() {
   shift 2
   "$program" "$@" --threads "$threads" >"$scratch/out" 2>"$scratch/err" || status=$?
   end=$EPOCHREALTIME
-  if [ "$status" -eq 2 ]; then
+  if [ "$status" -eq 2 ]; then  # an option that it does not know, or did not then
+    [ "$program" != "$earlier" ] || { echo -; return; }
     echo "$program $*: $(tail -n 1 "$scratch/err")" >&2
     exit 1
   fi
   awk -v a="$begin" -v b="$end" 'BEGIN { printf "%.4f\n", b - a }'
 }
-median() { sort -n "$1" | awk '{ v[NR] = $1 } END { printf "%.2g", v[int((NR + 1) / 2)] }'; }
+median() { sort -n "$1" | awk '{ v[NR] = $1 } END { m = v[int((NR + 1) / 2)]; printf m == "-" ? "-" : "%.2g", m }'; }
 
-echo '| command | earlier, 1 thread | now | earlier, 2 threads | now |'
-echo '|:--|--:|--:|--:|--:|'
-while read -r line; do
-  row="| \`lober $line\` |"
+programs=("$program")
+[ -z "$earlier" ] || programs=("$earlier" "$program")
+row='| command |' line='|:--|'
+for threads in '1 thread' '2 threads'; do
+  [ -z "$earlier" ] || row+=" earlier, $threads |" line+='--:|'
+  row+=" $threads |" line+='--:|'
+done
+echo "$row"
+echo "$line"
+while read -r command; do
+  row="| \`lober $command\` |"
   for threads in 1 2; do
-    : >"$scratch/earlier"
-    : >"$scratch/now"
+    rm -f "$scratch"/times.*
     for _ in $(seq "$rounds"); do
-      # shellcheck disable=SC2046
-      seconds "$earlier" "$threads" $(earlier_spelling "${line//OUT/$scratch/out}") >>"$scratch/earlier"
-      # shellcheck disable=SC2086
-      seconds "$program" "$threads" ${line//OUT/$scratch/out} >>"$scratch/now"
+      for k in "${!programs[@]}"; do
+        spelled=${command//OUT/$scratch/out}
+        [ "${programs[k]}" = "$program" ] || spelled=$(earlier_spelling "$spelled")
+        # shellcheck disable=SC2086
+        seconds "${programs[k]}" "$threads" $spelled >>"$scratch/times.$k"
+      done
     done
-    row+=" $(median "$scratch/earlier") | $(median "$scratch/now") |"
+    for k in "${!programs[@]}"; do row+=" $(median "$scratch/times.$k") |"; done
   done
   echo "$row"
 done <<<"$commands"

@@ -1,21 +1,27 @@
 #!/usr/bin/env bash
 # Runs the benchmarks of build/bin.
-# usage: bench.sh [full|quick]
-#   full    10^6 points, all rivals, about a quarter of an hour; writes bench/RESULTS.md, which the README quotes
+# usage: bench.sh [full|quick] [EARLIER]
+#   full    10^6 points, all rivals, about half an hour; writes bench/RESULTS.md, which the README quotes
 #   quick   10^5 points, fast rivals, a few minutes; writes build/bench-quick.md
+# EARLIER, a program of an earlier version, runs the first table's commands beside the present one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-mode=${1:-full}
+mode=${1:-full} earlier=${2:-}
 case $mode in
-  full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 30 --repeat 11) kernels=(--benchmark_min_time=0.5) batch=() ;;
-  quick) results=build/bench-quick.md overlay=(--n 100000 --rivals fast --limit 20 --no-growth) kernels=(--benchmark_min_time=0.1) batch=(--quick) ;;
-  *) echo "usage: bench.sh [full|quick]" >&2; exit 2 ;;
+  full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 30 --repeat 11) kernels=(--benchmark_min_time=0.5) batch=() rounds=5 ;;
+  quick) results=build/bench-quick.md overlay=(--n 100000 --rivals fast --limit 20 --no-growth) kernels=(--benchmark_min_time=0.1) batch=(--quick) rounds=1 ;;
+  *) echo "usage: bench.sh [full|quick] [EARLIER]" >&2; exit 2 ;;
 esac
 tables=$(mktemp)
+older=$(mktemp)
 draft=$(mktemp)
-trap 'rm -f "$tables" "$draft"' EXIT
+trap 'rm -f "$tables" "$older" "$draft"' EXIT
 
 build/bin/bench_overlay "${overlay[@]}" --markdown "$tables"
+# The same without AVX-512, where there is any.
+if grep -q avx512vl /proc/cpuinfo; then
+  LOBER_ISA=avx2 build/bin/bench_overlay --n "${overlay[1]}" --threads 1 --rivals none --no-growth --markdown "$older"
+fi
 
 processor=$(lscpu | sed -n 's/^Model name: *//p' | head -n 1)
 compiler=$("$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' build/CMakeCache.txt)" --version | head -n 1)
@@ -27,7 +33,13 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo 'Where others share the machine, the floors tell how quiet it was.'
   echo 'Scenes, what is measured and what the rivals are asked for: `bench/scenes`, `bench/harness`, `bench/rivals`.'
   echo
-  cat "$tables"
+  echo '## What you wait for'
+  echo
+  echo 'Commands from beginning to end, reading and writing included, on one and on two threads: medians in seconds.'
+  echo
+  scripts/bench-commands.sh build/bin/lober "$rounds" "$earlier"
+  echo
+  cat "$tables" "$older"
   echo '## Run time against error'
   echo
   echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, for each number of points a curve.'

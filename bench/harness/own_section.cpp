@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <numeric>
 
@@ -8,6 +7,7 @@
 #include "bench/harness/measure.hpp"
 #include "bench/harness/sections.hpp"
 #include "bench/harness/table.hpp"
+#include "kernels/cpu.hpp"
 
 namespace lober::bench {
 namespace {
@@ -47,10 +47,16 @@ std::string contacts(const OverlayTimes& times) {
   return text;
 }
 
+// ", avx2 only", where LOBER_ISA keeps the engine from what the processor can.
+std::string limit() {
+  if (instruction_set() == processor_instruction_set()) return {};
+  return ", " + std::string(instruction_set_names()[static_cast<std::size_t>(instruction_set())]) + " only";
+}
+
 }  // namespace
 
 void own_section(const Options& options, std::ostream& out) {
-  out << "### " << options.points << " + " << options.points << " points\n\n"
+  out << "### " << options.points << " + " << options.points << " points" << limit() << "\n\n"
       << "Index, crossings, order along both curves, all areas and pieces, of curves in memory, on "
       << options.threads[0]
       << " thread(s); medians. The floor is a plain area sum over both curves in the same process.\n"
@@ -95,33 +101,6 @@ void own_section(const Options& options, std::ostream& out) {
          "from those of the smooth curves (which the "
       << "polygons only approximate).\n\n"
       << phases << std::flush;
-}
-
-void growth_section(const Options& options, std::ostream& out) {
-  out << "### Growth with the number of points\n\nTime in ms on " << options.threads[0]
-      << " thread(s); the exponent is the slope of a straight line fitted to the logarithms.\n\n";
-  Table table({"scene", "1e4", "1e5", "1e6", "1e7", "exponent", "floor's"});
-  for (const char* name : {"lens", "wavy16"}) {
-    std::vector<std::string> row{name};
-    std::vector<double> logs, floor_logs;
-    for (std::size_t points = 10'000; points <= 10'000'000; points *= 10) {
-      std::cerr << name << ' ' << points << " ..." << std::endl;
-      const Scene scene = find_scene(name)->make(points);
-      const double seconds =
-          time_overlay(scene, options.threads.front(), {.index = options.index}, options.repeat).seconds;
-      logs.push_back(std::log10(seconds));
-      floor_logs.push_back(std::log10(floor_seconds(scene)));
-      row.push_back(milliseconds(seconds));
-    }
-    // Least squares through abscissae 4, 5, 6, 7.
-    const auto slope = [](const std::vector<double>& y) {
-      return (-1.5 * y[0] - 0.5 * y[1] + 0.5 * y[2] + 1.5 * y[3]) / 5;
-    };
-    row.push_back(digits3(slope(logs)));
-    row.push_back(digits3(slope(floor_logs)));
-    table.add(row);
-  }
-  out << table << std::flush;
 }
 
 }  // namespace lober::bench

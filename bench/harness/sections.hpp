@@ -17,7 +17,7 @@ void fast_rivals_section(const Options& options, std::ostream& out);
 /// All rivals at options.small_points: run time against error.
 void all_rivals_section(const Options& options, std::ostream& out);
 
-/// Time from 10^4 to 10^7 points at a fixed number of crossings.
+/// Every scene from 10^4 to 10^7 points, and the exponents.
 void growth_section(const Options& options, std::ostream& out);
 
 }  // namespace lober::bench

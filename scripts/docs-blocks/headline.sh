@@ -9,9 +9,9 @@ column() {
     here && $2 ~ /^ *lens *$/ { gsub(/ /, "", $(want + 1)); print $(want + 1); exit }
   ' "$results"
 }
-own=$(column '^### 1000000 [+] 1000000 points' 5)
-checked=$(column '^### 1000000 [+] 1000000 points' 7)
-floors=$(column '^### 1000000 [+] 1000000 points' 8)
+own=$(column '^### 1000000 [+] 1000000 points$' 5)
+checked=$(column '^### 1000000 [+] 1000000 points$' 7)
+floors=$(column '^### 1000000 [+] 1000000 points$' 8)
 rival=$(column '^### Against general overlay libraries' 11)
 [ -n "$own" ] && [ -n "$checked" ] && [ -n "$floors" ] && [ -n "$rival" ]
 printf 'Two circles with a million points each: crossings, order, all pieces and areas in %s ms on one core, %s ms with the proof\n' "$own" "$checked"

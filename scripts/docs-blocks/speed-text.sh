@@ -10,7 +10,7 @@ awk '
   }
   /^#/ { section = $0 }
   section ~ /^### 1000000 [+]/ && /^[|] lens / && floor == "" { cells(); floor = cell[5] }
-  section ~ /^### Growth with/ && /^[|] (lens|wavy)/ {
+  section ~ /^### Growth with/ && /^[|] (lens|wavy16) / {
     cells()
     if (low == "" || cell[7] + 0 < low + 0) low = cell[7]
     if (high == "" || cell[7] + 0 > high + 0) high = cell[7]

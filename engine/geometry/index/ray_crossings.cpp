@@ -1,61 +1,70 @@
 #include "engine/geometry/index/ray_crossings.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "engine/geometry/curve/require.hpp"
 #include "kernels/predicates.hpp"
+#include "kernels/ray.hpp"
 #include "lober/overlay/index.hpp"
 
 namespace lober {
 using namespace detail;
 namespace {
 
-// Follows the ray from one point through a tree. Heights are half-open, a vertex at the height of the point counts as
-// below it, so that every crossing belongs to exactly one segment.
+// Follows the ray from one point through a tree.
 class RayWalk {
  public:
   RayWalk(const BoxTree& tree, Point point) : tree_(tree), point_(point) {}
 
   RayCrossings run() {
-    visit(tree_.root());
+    const Box& box = tree_.box();
+    if (box.max_y() < point_.y || box.min_y() > point_.y || box.max_x() < point_.x) return {};
+    Nodes all;  // not filled: a query takes less time than that
+    all[0] = 0;
+    follow(tree_.root().level, all, 1);
     return {number_, on_};
   }
 
  private:
-  // +1 for a way from below to above, -1 for the way back.
-  [[nodiscard]] int rise(double from, double to) const {
-    return static_cast<int>(to > point_.y) - static_cast<int>(from > point_.y);
-  }
+  using Nodes = std::array<std::uint32_t, ray_room>;
 
-  void visit(TreeNode node) {
-    const Box& box = tree_.box(node);
-    if (box.max_y() < point_.y || box.min_y() > point_.y || box.max_x() < point_.x) return;
-    if (box.min_x() > point_.x) {
-      const std::size_t first = std::size_t{node.index} << node.level;
-      const std::size_t end = std::min((std::size_t{node.index} + 1) << node.level, tree_.leaves());
-      number_ += rise(tree_.leaf_begin(first).y, tree_.leaf_begin(end).y);
-    } else if (node.level > 0) {
-      const std::uint32_t end = std::min(2 * node.index + 2, tree_.nodes(node.level - 1));
-      for (std::uint32_t child = 2 * node.index; child < end && !on_; ++child) visit({node.level - 1, child});
-    } else {
-      visit_leaf(tree_.leaf_points(node.index));
+  // From the first `count` nodes, no more than follow_ray takes, down to the leaves.
+  void follow(std::uint32_t level, Nodes& nodes, std::size_t count) {
+    const RayProgress reached =
+        follow_ray(point_, {tree_.pyramid(), tree_.chunk_points(0), leaves()}, level, nodes.data(), count);
+    number_ += reached.number;
+    if (reached.level == 0) {
+      for (std::size_t k = 0; k < reached.count && !on_; ++k) count_on_leaf(tree_.leaf_points(nodes[k]));
+      return;
+    }
+    for (std::size_t begin = 0; begin < reached.count && !on_; begin += ray_nodes) {
+      const std::size_t part_count = std::min(ray_nodes, reached.count - begin);
+      Nodes part;
+      std::copy_n(nodes.begin() + static_cast<std::ptrdiff_t>(begin), part_count, part.begin());
+      follow(reached.level, part, part_count);
     }
   }
 
-  void visit_leaf(const Point* p) {
-    for (std::size_t i = 0; i < leaf_size && !on_; ++i) {
-      const Point a = p[i], b = p[i + 1];
-      const int direction = rise(a.y, b.y);
-      if (direction != 0) {
-        const int side = orient2d(a, b, point_, counts_);
-        if (side == 0) on_ = true;
-        if (side == direction) number_ += direction;  // the crossing is to the right of the point
-      } else if (a.y == point_.y || b.y == point_.y) {
-        // Not crossed: a level segment, or one that ends at this height.
-        on_ = a == point_ || b == point_ || (a.y == b.y && (a.x < point_.x) != (b.x < point_.x));
-      }
+  void count_on_leaf(const Point* p) {
+    const HeightCrossings found = crossings_of_height(p, point_);
+    number_ += found.number;
+    for (std::uint64_t bits = found.up | found.down; bits != 0; bits &= bits - 1) {
+      const auto segment = static_cast<std::size_t>(std::countr_zero(bits)) / 2;
+      const int direction = (found.up & bits & -bits) != 0 ? 1 : -1;
+      const int side = orient2d(p[segment], p[segment + 1], point_, counts_);
+      if (side == 0) on_ = true;
+      if (side == direction) number_ += direction;  // the crossing is to the right of the point
+    }
+    for (std::uint64_t bits = found.level; bits != 0; bits &= bits - 1) {
+      const auto segment = static_cast<std::size_t>(std::countr_zero(bits)) / 2;
+      const Point a = p[segment], b = p[segment + 1];
+      on_ = on_ || a == point_ || b == point_ || (a.y == b.y && (a.x < point_.x) != (b.x < point_.x));
     }
   }
+
+  [[nodiscard]] std::uint32_t leaves() const { return static_cast<std::uint32_t>(tree_.leaves()); }
 
   const BoxTree& tree_;
   Point point_;

@@ -32,7 +32,10 @@ static_assert(block_level % 2 == 0, "the walk passes through even levels");
 // The number of boxes a leaf from which on frames and windows pay for one curve, strips for two: pairs of boxes between
 // folds of one curve never cross, those of two curves may well. Making strips takes as long as testing a number of
 // boxes for each leaf.
-constexpr double worth_frames = 16, worth_windows = 1000, worth_strips = 100, boxes_a_strip = 16;
+constexpr double worth_frames = 16, worth_windows = 350, worth_strips = 200, boxes_a_strip = 16;
+// Strips of two curves stay if with them no more than this part of the boxes is tested: where bundles of folds lie
+// across each other they tell nothing apart.
+constexpr double part_with_strips = 0.4;
 
 // The nodes of the second tree that are carried along, for each of the nodes below one node of the first.
 struct Carried {
@@ -121,6 +124,7 @@ class TreeSearch {
     strips1_ = &first;
     strips2_ = &second;
   }
+  void use_boxes_only() { strips1_ = strips2_ = nullptr; }
 
  private:
   void drop_beside(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
@@ -306,6 +310,8 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   } else if (ahead.boxes_a_leaf > worth_strips &&
              ahead.boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
     search.use(strips1.emplace(first), strips2.emplace(second));
+    const Forecast with_strips = forecast(search, tasks, counts);
+    if (with_strips.boxes_a_leaf > part_with_strips * ahead.boxes_a_leaf) search.use_boxes_only();
   }
   std::vector<SearchCounts> task_counts(tasks.size());
   for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {
