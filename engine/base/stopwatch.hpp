@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <utility>
 
 namespace lober::detail {
 
@@ -9,6 +10,11 @@ class Stopwatch {
  public:
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  /// The same, and starts anew: phases that follow each other take one look at the clock each.
+  [[nodiscard]] double lap() {
+    const auto now = std::chrono::steady_clock::now(), start = std::exchange(start_, now);
+    return std::chrono::duration<double>(now - start).count();
   }
 
  private:

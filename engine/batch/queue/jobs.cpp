@@ -115,7 +115,7 @@ class JobQueue::Run final : public JobRunner {
       points += curves[k]->curve().points.size();
       if (!result.failed()) result.error = curves[k]->error();
     }
-    const Stopwatch watch;
+    Stopwatch watch;
     if (!result.failed()) {
       try {
         if (ids.size() == 2) require_same_columns(curves[0]->curve(), curves[1]->curve());
@@ -128,14 +128,13 @@ class JobQueue::Run final : public JobRunner {
         result.error = *error.what() != '\0' ? error.what() : "failed without a message";
       }
     }
-    result.seconds = watch.seconds();
+    result.seconds = watch.lap();
     result.job = number;
     for (std::size_t k = 0; k < ids.size(); ++k) result.digests[k] = cache.digest(ids[k]);
     const double seconds = result.seconds;
     const bool failed = result.failed();
-    const Stopwatch callback_watch;
     if (!hand_over(std::move(result))) return;
-    count(points, failed, costs[number - queue_.first_waiting_], seconds, callback_watch.seconds());
+    count(points, failed, costs[number - queue_.first_waiting_], seconds, watch.lap());
   }
 
   std::vector<double> costs;  ///< costs of the jobs that wait

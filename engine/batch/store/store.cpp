@@ -218,7 +218,10 @@ void Store::append(std::span<const Result> results, const InputDigests& digests)
     refresh();  // what others have committed meanwhile
     put_digests(digests);
     const bool shown = shows_plan();
-    for (const Result& result : results) put(table_of(*plan_, result.job), result, shown);
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      if (k + 4 < results.size()) known_.prefetch(results[k + 4].key);
+      put(table_of(*plan_, results[k].job), results[k], shown);
+    }
     transaction.commit();
   }
   file_->require_in_place(*database_);

@@ -263,15 +263,19 @@ Point contact_point(const Contact& contact, const CurveView& c1, const CurveView
 }
 
 Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind) {
+  Stopwatch watch;
+  return find_contacts(c1, c2, kind, watch);
+}
+
+Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind, Stopwatch& watch) {
   const double scale = union_of(c1.tree().box(), c2.tree().box()).extent();
-  const Stopwatch watch;
   ContactFinder finder(c1.view(), c2.view(), scale);
   const SearchCounts search = find_pairs(c1, c2, kind, finder);
   Contacts contacts = finder.gather();
-  contacts.search_seconds = watch.seconds();
+  contacts.search_seconds = watch.lap();
   contacts.counts.search = search;
   contacts.order2 = sort_along_second(contacts.list, c1.view(), c2.view(), contacts.counts);
-  contacts.order_seconds = watch.seconds() - contacts.search_seconds;
+  contacts.order_seconds = watch.lap();
   return contacts;
 }
 

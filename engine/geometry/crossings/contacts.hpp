@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/stopwatch.hpp"
 #include "engine/geometry/index/index.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/predicates.hpp"
@@ -72,6 +73,8 @@ struct Contacts {
 /// O(n + m + candidates + contacts log contacts on one segment), parallel. Both curves are taken to be simple; if they
 /// are not, the result is complete all the same except inside runs of common vertices.
 [[nodiscard]] Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind);
+/// The same; the watch has been started just now, and is again where it ends.
+[[nodiscard]] Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind, Stopwatch& watch);
 
 /// The numbers of the contacts, sorted by segment of C2 and along each segment, exactly. Adds to `counts` what that
 /// took. Parallel, deterministic; about two passes of counting sort, and n log n on a segment with n contacts.

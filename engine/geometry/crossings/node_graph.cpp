@@ -110,8 +110,8 @@ void find_spans(const Joiner& joiner, NodeGraph& graph) {
 }  // namespace
 
 NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind) {
-  Contacts contacts = find_contacts(c1, c2, kind);
-  const Stopwatch watch;
+  Stopwatch watch;
+  Contacts contacts = find_contacts(c1, c2, kind, watch);
   NodeGraph graph;
   graph.search_seconds = contacts.search_seconds;
   graph.counts = contacts.counts;

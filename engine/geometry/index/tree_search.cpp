@@ -90,7 +90,8 @@ class TreeSearch {
   }
 
   struct Scratch {
-    std::array<Carried, 32> carried;  // by level of the first tree
+    explicit Scratch(std::uint32_t level) : carried((level + 1) / levels_at_once + 1) {}
+    std::vector<Carried> carried;  // one for each level that the walk passes through
     Buffer<SegmentPair> pairs;
     std::uint32_t skip_before = 0;
     SearchCounts counts;
@@ -108,7 +109,7 @@ class TreeSearch {
       }
       return;
     }
-    Carried& carried = scratch.carried[node.level];
+    Carried& carried = scratch.carried[(node.level + 1) / levels_at_once];
     go_down(node, list, carried, scratch.counts);
     const TreeNode below = first_below(node);
     for (std::size_t i = 0; i < nodes_below(node); ++i) {
@@ -277,7 +278,7 @@ SearchCounts search_leaves(const TreeSearch& search, const NearLeaves& near, std
   const std::size_t blocks = (leaves + in_block - 1) / in_block;
   std::vector<SearchCounts> block_counts(blocks);
   for_each_block(blocks, 1, [&](std::size_t block, std::size_t) {
-    TreeSearch::Scratch scratch;
+    TreeSearch::Scratch scratch(0);
     const auto number = static_cast<std::uint32_t>(block);
     const std::size_t end = consumer.wants(number) ? std::min((block + 1) * in_block, leaves) : 0;
     for (std::size_t leaf = block * in_block; leaf < end; ++leaf) {
@@ -292,11 +293,28 @@ SearchCounts search_leaves(const TreeSearch& search, const NearLeaves& near, std
   return counts;
 }
 
+// The walk of a first tree that is one block: the curves are small, and then lists of tasks take longer than the rest.
+SearchCounts search_block(const TreeSearch& search, TreeNode root, SearchCounts counts,
+                          const std::vector<TreeNode>& list, PairConsumer& consumer) {
+  if (list.empty()) {
+    counts.blocks_skipped = 1;
+    return counts;
+  }
+  TreeSearch::Scratch scratch(root.level);
+  if (consumer.wants(0)) search.walk(root, list, 0, consumer, scratch);
+  consumer.finish(0);
+  counts += scratch.counts;
+  counts.blocks_searched = 1;
+  return counts;
+}
+
 SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self, PairConsumer& consumer) {
   TreeSearch search(first, second, self);
   SearchCounts counts;
+  std::vector<TreeNode> list = search.start(counts);
+  if (first.root().level <= block_level) return search_block(search, first.root(), counts, list, consumer);
   std::vector<Meeting> tasks;
-  collect(search, {first.root(), search.start(counts)}, task_level, tasks, counts);
+  collect(search, {first.root(), std::move(list)}, task_level, tasks, counts);
 
   const Forecast ahead = forecast(search, tasks, counts);
   if (self && ahead.boxes_a_leaf > worth_windows) {
@@ -316,7 +334,7 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   std::vector<SearchCounts> task_counts(tasks.size());
   for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {
     std::vector<Meeting> blocks;
-    TreeSearch::Scratch scratch;
+    TreeSearch::Scratch scratch(block_level);
     collect(search, tasks[task], block_level, blocks, scratch.counts);
     for (Meeting& block : blocks) {
       scratch.skip_before = 0;

@@ -133,8 +133,8 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
   const std::size_t count = graph.contacts.size();
   constexpr double largest = std::numeric_limits<double>::max();
   // Products of double-doubles need some room below the largest double.
-  const int exponent = result.largest_coordinate > 0x1p400 ? -200 : 0;
-  const auto reduced = [&](DD sum) { return DD{std::ldexp(sum.hi, exponent), std::ldexp(sum.lo, exponent)}; };
+  const double factor = result.largest_coordinate > 0x1p400 ? 0x1p-200 : 1;
+  const auto reduced = [&](DD sum) { return DD{sum.hi * factor, sum.lo * factor}; };
   ArcSums sums;
   sums.gap.resize(count);
   sums.total1 = reduced(first.data().total);
@@ -154,7 +154,7 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
       [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= reduced(sum); });
   find_wraps(graph, sums);
 
-  const auto lost = [&](DD twice) { return std::min(std::ldexp(std::fabs(0.5 * twice.hi), -exponent), largest); };
+  const auto lost = [&](DD twice) { return std::min(std::fabs(0.5 * twice.hi) / factor, largest); };
   const DD gain1 = result.nodes.clockwise1() ? -sums.total1 : sums.total1,
            gain2 = result.nodes.clockwise2() ? -sums.total2 : sums.total2;
   DD minus12, minus21, common;

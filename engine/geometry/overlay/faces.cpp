@@ -38,9 +38,11 @@ constexpr std::array<std::array<Turn, 4>, 6> make_turns() {
 }
 constexpr std::array<std::array<Turn, 4>, 6> turns = make_turns();
 
+using Arrivals = std::array<std::uint8_t, 6>;
+
 // The half-edges along which a walk with the wanted face on its left can arrive at a node, as bits, for each rotation.
-std::array<std::uint8_t, 6> arrivals(Orientations orientations, Membership wanted) {
-  std::array<std::uint8_t, 6> bits{};
+constexpr Arrivals make_arrivals(Orientations orientations, Membership wanted) {
+  Arrivals bits{};
   for (std::size_t order = 0; order < 6; ++order) {
     for (unsigned arrive = 0; arrive < 4; ++arrive) {
       const Turn& turn = turns[order][arrive];
@@ -49,6 +51,31 @@ std::array<std::uint8_t, 6> arrivals(Orientations orientations, Membership wante
     }
   }
   return bits;
+}
+
+constexpr std::size_t number_of(bool first, bool second) {
+  return 2 * static_cast<std::size_t>(first) + static_cast<std::size_t>(second);
+}
+constexpr std::array<std::array<Arrivals, 4>, 4> make_all_arrivals() {
+  std::array<std::array<Arrivals, 4>, 4> all{};
+  for (const bool clockwise1 : {false, true}) {
+    for (const bool clockwise2 : {false, true}) {
+      for (const bool inside1 : {false, true}) {
+        for (const bool inside2 : {false, true}) {
+          all[number_of(clockwise1, clockwise2)][number_of(inside1, inside2)] =
+              make_arrivals({clockwise1, clockwise2}, {inside1, inside2});
+        }
+      }
+    }
+  }
+  return all;
+}
+// They are few, and small curves have few nodes.
+constexpr std::array<std::array<Arrivals, 4>, 4> all_arrivals = make_all_arrivals();
+
+const Arrivals& arrivals(Orientations orientations, Membership wanted) {
+  return all_arrivals[number_of(orientations.clockwise1, orientations.clockwise2)]
+                     [number_of(wanted.inside1, wanted.inside2)];
 }
 
 // The end of a shared arc at which a half-edge is.
@@ -106,8 +133,8 @@ namespace {
 // Walks all faces that have an arrival in `open`; those that begin with an arrival in `second` are the second kind.
 // Where all nodes are points, which is nearly always, the sum collected at a node is its gap or nothing.
 template <bool points_only>
-void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open,
-              const std::array<std::uint8_t, 6>& second, std::array<Faces, 2>& faces) {
+void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open, const Arrivals& second,
+              std::array<Faces, 2>& faces) {
   const std::uint32_t count = graph.size();
   const std::uint32_t *along2 = graph.along2().data(), *rank2 = graph.rank2.data();
   const std::uint8_t* order = graph.order.data();
@@ -176,7 +203,7 @@ std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Ori
                                 const std::array<Membership, 2>& wanted) {
   const std::uint32_t count = graph.size();
   const std::array arrive{arrivals(orientations, wanted[0]), arrivals(orientations, wanted[1])};
-  std::array<std::uint8_t, 6> arrive_either{};
+  Arrivals arrive_either{};
   for (std::size_t order = 0; order < 6; ++order)
     arrive_either[order] = static_cast<std::uint8_t>(arrive[0][order] | arrive[1][order]);
 
@@ -222,12 +249,17 @@ int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
 // Several sums over the nodes at once: of_block(begin, end) adds them up over a block, and blocks are joined in order.
 template <std::size_t sums, typename SumsOfBlock>
 std::array<DD, sums> sums_over_nodes(std::size_t count, const SumsOfBlock& of_block) {
-  std::vector<std::array<DD, sums>> partial((count + nodes_a_block - 1) / nodes_a_block);
-  for_each_block(count, nodes_a_block, [&](std::size_t begin, std::size_t end) {
+  const auto sums_of = [&](std::size_t begin, std::size_t end) {
     const std::array<RunningSum, sums> block =
         of_block(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
-    for (std::size_t k = 0; k < sums; ++k) partial[begin / nodes_a_block][k] = block[k].value();
-  });
+    std::array<DD, sums> values;
+    for (std::size_t k = 0; k < sums; ++k) values[k] = block[k].value();
+    return values;
+  };
+  if (count <= nodes_a_block) return sums_of(0, count);
+  std::vector<std::array<DD, sums>> partial((count + nodes_a_block - 1) / nodes_a_block);
+  for_each_block(count, nodes_a_block,
+                 [&](std::size_t begin, std::size_t end) { partial[begin / nodes_a_block] = sums_of(begin, end); });
   std::array<DD, sums> total{};
   for (const std::array<DD, sums>& part : partial) {
     for (std::size_t k = 0; k < sums; ++k) total[k] += part[k];
@@ -247,7 +279,7 @@ std::array<DD, 2> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
   });
 }
 
-using ArrivalsWanted = std::array<std::array<std::uint8_t, 6>, 3>;  ///< arrivals of three memberships, by rotation
+using ArrivalsWanted = std::array<Arrivals, 3>;  ///< arrivals of three memberships, by rotation
 
 // The same with shared arcs, node by node, for each membership.
 std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const ArrivalsWanted& wanted) {

@@ -48,7 +48,7 @@ class OverlayBuilder {
         result_.statistics.check_simple_pairs += check.pairs;
       }
     }
-    result_.timing.check = watch.seconds();
+    if (options_.check_simple) result_.timing.check = watch.seconds();
     report(0.3);
     const IndexKind kind = options_.index == IndexKind::automatic ? choose_index(c1_, c2_) : options_.index;
     NodeGraph graph = build_node_graph(c1_, c2_, kind);
@@ -56,7 +56,6 @@ class OverlayBuilder {
     result_.timing.order = graph.order_seconds;
     report(0.7);
 
-    const Stopwatch area_watch;
     sums_ = sum_arcs(c1_, c2_, graph);
     measure_curves();
     result_.orientation1 = orientation(c1_);
@@ -71,11 +70,13 @@ class OverlayBuilder {
       overlay_apart();
     }
     if (exponent_ != 0) rescale(-2 * exponent_, caller1, caller2);
-    for (std::size_t k = 0; k < pieces_.size(); ++k) {
-      result_.all_pieces[k] = Pieces(std::make_shared<const PiecesData>(std::move(pieces_[k])));
+    const auto pieces = std::make_shared<const std::array<PiecesData, 4>>(std::move(pieces_));
+    for (std::size_t k = 0; k < pieces->size(); ++k) {
+      result_.all_pieces[k] = Pieces(std::shared_ptr<const PiecesData>(pieces, &(*pieces)[k]));
     }
-    result_.timing.areas = area_watch.seconds();
-    result_.timing.total = watch.seconds();
+    OverlayTiming& timing = result_.timing;
+    timing.total = watch.seconds();
+    timing.areas = std::max(0.0, timing.total - timing.check - timing.crossings - timing.order);
     report(1);
     return std::move(result_);
   }
