@@ -7,16 +7,28 @@
 namespace lober::detail {
 namespace {
 
-// The nodes of one level that go on, and those that lie ahead.
-struct RayCounts {
-  std::size_t around = 0, ahead = 0;
-};
+// A box is met if its lanes but the first are at most these; its first says whether it begins to the right.
+inline Lanes bound_of_ray(Point point) {
+  return Lanes{point.x, point.y, -point.x, -point.y};
+}
+
+inline RayCounts sort_leaves_on_ray(Point point, const Box* leaf_boxes, const std::uint32_t* list, std::size_t count,
+                                    std::uint32_t* around, std::uint32_t* ahead) {
+  const Lanes bound = bound_of_ray(point);
+  RayCounts end;
+  for (std::size_t k = 0; k < count; ++k) {
+    const unsigned bits = mask_bits(load(leaf_boxes[list[k]].lane) <= bound);
+    around[end.around] = ahead[end.ahead] = list[k];
+    end.around += static_cast<unsigned>(bits == 15);
+    end.ahead += static_cast<unsigned>(bits == 14);
+  }
+  return end;
+}
 
 inline RayCounts go_down_ray(Point point, BoxPyramid pyramid, std::uint32_t below, std::uint32_t down,
                              const std::uint32_t* list, std::size_t count, std::uint32_t* around,
                              std::uint32_t* ahead) {
-  // A box is met if its lanes but the first are at most these; its first says whether it begins to the right.
-  const Lanes bound{point.x, point.y, -point.x, -point.y};
+  const Lanes bound = bound_of_ray(point);
   const std::uint32_t size = pyramid.size[below], most = 1U << down;
   const Box* boxes = pyramid.boxes + pyramid.begin[below];
   RayCounts end;

@@ -1,14 +1,17 @@
 #include "engine/geometry/interior/arc_labels.hpp"
 
-#include <optional>
+#include <cstdint>
+#include <span>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/index/vertex_rays.hpp"
 #include "kernels/predicates.hpp"
 
 namespace lober::detail {
 namespace {
 
 constexpr std::size_t arcs_a_block = 1024;
+constexpr std::uint32_t no_vertex = 0xffffffff;
 
 // Whether q lies ahead of `at` in the direction of p, all three on one line.
 bool same_way(Point at, Point p, Point q) {
@@ -32,12 +35,22 @@ class ArcLabeller {
   ArcLabeller(const CurveView& own, const IndexedCurve& other, bool other_clockwise, const ContactsAlong& contacts)
       : own_(own), other_(other), other_clockwise_(other_clockwise), contacts_(contacts) {}
 
-  Side label(std::size_t k, std::uint64_t& queries) const {
+  // The first vertex strictly between contact k and the next one, by its number; `no_vertex` if there is none.
+  [[nodiscard]] std::uint32_t vertex_after(std::size_t k) const {
     const SeenContact from = contacts_[k];
-    if (const std::optional<Point> vertex = vertex_after(k, from)) {
-      ++queries;
-      return locate(other_, *vertex);
-    }
+    const bool last = k + 1 == contacts_.size();
+    const SeenContact to = contacts_[last ? 0 : k + 1];
+    if (!last && from.own_segment == to.own_segment) return no_vertex;
+    const auto size = static_cast<std::uint32_t>(own_.points.size());
+    const std::uint32_t vertex = from.own_segment + 1 == size ? 0 : from.own_segment + 1;
+    // Repeated vertices carry no segment, and the contact is at the last of them.
+    if (to.at_own_vertex && own_.points[to.own_segment] == own_.points[vertex]) return no_vertex;
+    return vertex;
+  }
+
+  // The side of a part without a vertex, which is straight.
+  [[nodiscard]] Side label_straight(std::size_t k) const {
+    const SeenContact from = contacts_[k];
     if (from.proper) return to_left(!from.other_goes_left);
     const CurveView& other = other_.view();
     const auto [begin, onwards] = other.segment(from.other_segment);
@@ -49,17 +62,6 @@ class ArcLabeller {
 
  private:
   [[nodiscard]] Side to_left(bool left) const { return left != other_clockwise_ ? Side::inside : Side::outside; }
-
-  // The first vertex strictly between contact k and the next one, if there is any.
-  [[nodiscard]] std::optional<Point> vertex_after(std::size_t k, const SeenContact& from) const {
-    const bool last = k + 1 == contacts_.size();
-    const SeenContact to = contacts_[last ? 0 : k + 1];
-    if (!last && from.own_segment == to.own_segment) return std::nullopt;
-    const Point vertex = own_.segment(from.own_segment).b;
-    // Repeated vertices carry no segment, and the contact is at the last of them.
-    if (to.at_own_vertex && own_.points[to.own_segment] == vertex) return std::nullopt;
-    return vertex;
-  }
 
   // The last vertex before `vertex` at another point.
   static Point vertex_before(const CurveView& curve, std::size_t vertex) {
@@ -78,17 +80,41 @@ class ArcLabeller {
 
 }  // namespace
 
-ArcLabels label_arcs(const CurveView& own, const IndexedCurve& other, bool other_clockwise,
+ArcLabels label_arcs(const IndexedCurve& own, const IndexedCurve& other, bool other_clockwise,
                      const ContactsAlong& contacts) {
-  const ArcLabeller labeller(own, other, other_clockwise, contacts);
+  const ArcLabeller labeller(own.view(), other, other_clockwise, contacts);
   const std::size_t count = contacts.size();
-  ArcLabels result;
-  result.after.resize(count);
-  std::vector<std::uint64_t> queries((count + arcs_a_block - 1) / arcs_a_block);
+  Buffer<std::uint32_t> vertices(count);
   for_each_block(count, arcs_a_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) result.after[k] = labeller.label(k, queries[begin / arcs_a_block]);
+    for (std::size_t k = begin; k < end; ++k) vertices[k] = labeller.vertex_after(k);
   });
-  for (const std::uint64_t part : queries) result.queries += part;
+  Buffer<std::uint32_t> located(count);  // vertices in ascending order
+  std::size_t queries = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    located[queries] = vertices[k];
+    queries += static_cast<std::size_t>(vertices[k] != no_vertex);
+  }
+  // The way from the last contact to the first one may begin with the first vertex.
+  const bool wraps = queries > 1 && located[queries - 1] < located[queries - 2];
+  const std::size_t in_order = queries - static_cast<std::size_t>(wraps);
+  const Buffer<RayCrossings> rays = vertex_rays(own.tree(), other.tree(), std::span(located).first(in_order));
+  const auto side_of = [](const RayCrossings& ray) {
+    return ray.on ? Side::on : ray.number != 0 ? Side::inside : Side::outside;
+  };
+  ArcLabels result;
+  result.queries = queries;
+  result.after.resize(count);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (vertices[k] == no_vertex) continue;
+    result.after[k] = next < in_order ? side_of(rays[next]) : locate(other, own.view().points[vertices[k]]);
+    ++next;
+  }
+  for_each_block(count, arcs_a_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (vertices[k] == no_vertex) result.after[k] = labeller.label_straight(k);
+    }
+  });
   return result;
 }
 

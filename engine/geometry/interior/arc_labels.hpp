@@ -13,7 +13,7 @@ struct ArcLabels {
 
 /// Labels the parts of `own`. One that has a vertex strictly inside gets the label of the first one, by its winding
 /// number; a straight one is decided at the contact where it begins. All exact. Parallel, O(contacts log N).
-[[nodiscard]] ArcLabels label_arcs(const CurveView& own, const IndexedCurve& other, bool other_clockwise,
+[[nodiscard]] ArcLabels label_arcs(const IndexedCurve& own, const IndexedCurve& other, bool other_clockwise,
                                    const ContactsAlong& contacts);
 
 }  // namespace lober::detail

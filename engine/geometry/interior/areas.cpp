@@ -89,7 +89,7 @@ class InteriorBuilder {
     const Stopwatch label_watch;
     const ContactsAlong contacts(result_.nodes, curve);
     const bool other_clockwise = curve == 1 ? result_.nodes.clockwise2() : result_.nodes.clockwise1();
-    ArcLabels labels = label_arcs(own(curve).view(), other(curve), other_clockwise, contacts);
+    ArcLabels labels = label_arcs(own(curve), other(curve), other_clockwise, contacts);
     Side whole = Side::outside;
     if (contacts.size() == 0) {
       whole = locate(other(curve), own(curve).view().points[0]);

@@ -1,0 +1,73 @@
+// Vertices of one curve located with respect to another all at once: the same as one by one, with all threads too.
+#include "engine/geometry/index/vertex_rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "lober/overlay/index.hpp"
+#include "tests/oracle/random.hpp"
+
+namespace lober::detail {
+namespace {
+
+using oracle::Random;
+
+// A closed curve that may cross itself: steps anywhere, or on a grid, where vertices share heights and lie on segments.
+std::vector<Point> wandering(Random& random, std::size_t size, bool grid) {
+  std::vector<Point> points;
+  Point at{0, 0};
+  for (std::size_t k = 0; k < size; ++k) {
+    const auto step = [&] { return grid ? static_cast<double>(random.integer(-2, 2)) : random.uniform(-1, 1); };
+    const double pull = grid ? 0 : 0.02;
+    at = {at.x * (1 - pull) + step(), at.y * (1 - pull) + step()};
+    if (grid && std::fabs(at.x) > 12) at.x = 0;
+    if (grid && std::fabs(at.y) > 12) at.y = 0;
+    points.push_back(at);
+  }
+  return points;
+}
+
+std::vector<std::uint32_t> some_numbers(Random& random, std::size_t size, double chance) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t k = 0; k < size; ++k) {
+    if (random.chance(chance)) numbers.push_back(k);
+  }
+  return numbers;
+}
+
+TEST(VertexRays, AreThoseOfEachVertex) {
+  Random random(1);
+  std::size_t on = 0, together = 0;
+  for (int attempt = 0; attempt < 60; ++attempt) {
+    const bool grid = random.chance(0.5);
+    const std::vector<Point> first = wandering(random, static_cast<std::size_t>(random.integer(3, 9000)), grid);
+    const std::vector<Point> second = wandering(random, static_cast<std::size_t>(random.integer(3, 9000)), grid);
+    const IndexedCurve own{CurveView{first}}, other{CurveView{second}};
+    for (const double chance : {0.001, 0.02, 0.3, 1.0}) {
+      const std::vector<std::uint32_t> vertices = some_numbers(random, first.size(), chance);
+      together += static_cast<std::size_t>(vertices.size() >= own.tree().leaves());
+      for (const int threads : {1, 2}) {
+        Buffer<RayCrossings> found;
+        with_threads(threads, [&] { found = vertex_rays(own.tree(), other.tree(), vertices); });
+        ASSERT_EQ(found.size(), vertices.size());
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+          const RayCrossings expected = ray_crossings(other.tree(), first[vertices[k]]);
+          ASSERT_EQ(found[k].on, expected.on) << "try " << attempt << ", vertex " << vertices[k];
+          on += static_cast<std::size_t>(expected.on);
+          if (!expected.on) {
+            ASSERT_EQ(found[k].number, expected.number) << "try " << attempt << ", vertex " << vertices[k];
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(on, 1000U);
+  EXPECT_GT(together, 100U);
+}
+
+}  // namespace
+}  // namespace lober::detail
