@@ -44,6 +44,7 @@ const KernelTable LOBER_KERNELS{
     .leaf_slab = fit_slab,
     .meeting_segments = find_meeting,
     .shoelace_prefixes = prefixes_of,
+    .shoelace_of_leaf = sum_of_leaf,
     .sums_at = all_sums_at,
     .add_sines = add_all_sines,
     .leaf_strip = fit_strip,

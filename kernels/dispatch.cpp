@@ -94,6 +94,10 @@ DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extr
   return kernels().shoelace_prefixes(points, origin, start, extra, prefixes);
 }
 
+DD shoelace_of_leaf(const Point* points, Point origin) {
+  return kernels().shoelace_of_leaf(points, origin);
+}
+
 void sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count, DD* sums) {
   kernels().sums_at(prefixes, segments, t, count, sums);
 }

@@ -51,6 +51,7 @@ struct KernelTable {
   std::size_t (*meeting_segments)(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
                                   std::uint32_t b_begin, SegmentPair* pairs);
   DD (*shoelace_prefixes)(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
+  DD (*shoelace_of_leaf)(const Point* points, Point origin);
   void (*sums_at)(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count,
                   DD* sums);
   void (*add_sines)(double* y, const double* x, double factor, std::size_t count);

@@ -39,6 +39,9 @@ struct alignas(64) LeafPrefixes {
 /// times |a - origin| |b - a|; of a sum, 40 times 2^-106 of the largest sum of up to leaf_size terms.
 DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
 
+/// The sum of the leaf_size segments of a leaf about `origin`, with the error of the last of shoelace_prefixes.
+DD shoelace_of_leaf(const Point* points, Point origin);
+
 /// The sums up to `count` positions on the leaf: sums[k] = before(s) + t[k] term(s), s = segments[k] % leaf_size. The
 /// error of each keeps to the bound of a sum above.
 void sums_at(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count, DD* sums);

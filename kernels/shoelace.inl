@@ -60,6 +60,27 @@ inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* ext
   return start;
 }
 
+// The same without what comes before each segment.
+inline DD sum_of_leaf(const Point* points, Point origin) {
+  const double* coordinates = &points[0].x;
+  const Lanes x = splat(origin.x), y = splat(origin.y);
+  Lanes high = splat(0), low = splat(0);
+  for (std::size_t i = 0; i < LeafPrefixes::quarter; ++i) {
+    Lanes row[lanes];
+    for (std::size_t l = 0; l < lanes; ++l) row[l] = load(coordinates + 2 * (l * LeafPrefixes::quarter + i));
+    transpose(row);
+    const BasicDD<Lanes> term = terms_of(row[0], row[1], row[2], row[3], x, y), sum = two_sum(high, term.hi);
+    high = sum.hi;
+    low += sum.lo + term.lo;
+  }
+  DD total;
+  for (std::size_t l = 0; l < lanes; ++l) {
+    const DD sum = two_sum(total.hi, high[l]);
+    total = fast_two_sum(sum.hi, sum.lo + (total.lo + low[l]));
+  }
+  return total;
+}
+
 // Loads four double-doubles, lanes in the order 0, 2, 1, 3, and stores them so.
 inline BasicDD<Lanes> load_four(const DD* from) {
   const Lanes first = load(&from[0].hi), second = load(&from[2].hi);

@@ -51,7 +51,7 @@ TEST(Shoelace, KeepsItsBound) {
     const bool with_extra = random.chance(0.5);
     const DD start = two_product(with_exponent(random, -30, 30), random.uniform(0.5, 1));
     const DD end = shoelace_prefixes(leaf.data(), origin, start, with_extra ? extra.data() : nullptr, prefixes);
-    mpq_class sum = value_of(start), largest = abs(sum), worst(0);
+    mpq_class sum = value_of(start), largest = abs(sum), worst(0), terms(0), largest_terms(0);
     const auto sum_error = [&](DD found, const mpq_class& exact) {
       worst = std::max(worst, mpq_class(abs(value_of(found) - exact)));
     };
@@ -69,11 +69,15 @@ TEST(Shoelace, KeepsItsBound) {
       const DD t{half.get_d(), 0};
       sum_error(sum_at(prefixes, i, t), sum + value_of(t) * exact);
       sum += exact;
+      terms += exact;
+      largest_terms += abs(exact);
       if (with_extra) sum += value_of(extra[i]);
       largest += abs(exact) + (with_extra ? mpq_class(abs(value_of(extra[i]))) : mpq_class(0));
     }
     sum_error(end, sum);
     ASSERT_LE(worst, 40 * power_of_two(-106) * largest) << "sums, try " << k;
+    const mpq_class error_of_leaf = abs(value_of(shoelace_of_leaf(leaf.data(), origin)) - terms);
+    ASSERT_LE(error_of_leaf, 40 * power_of_two(-106) * largest_terms) << "sum of the leaf, try " << k;
   }
 }
 
@@ -90,6 +94,10 @@ TEST(Shoelace, BothCopiesGiveTheSameBits) {
     ASSERT_EQ(std::memcmp(&plain, &wide, sizeof plain), 0) << "try " << k;
     ASSERT_EQ(plain_end.hi, wide_end.hi);
     ASSERT_EQ(plain_end.lo, wide_end.lo);
+    const DD plain_sum = baseline_kernels.shoelace_of_leaf(leaf.data(), leaf[3]);
+    const DD wide_sum = avx2_kernels.shoelace_of_leaf(leaf.data(), leaf[3]);
+    ASSERT_EQ(plain_sum.hi, wide_sum.hi);
+    ASSERT_EQ(plain_sum.lo, wide_sum.lo);
   }
 }
 

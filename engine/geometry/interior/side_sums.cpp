@@ -10,8 +10,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t leaves_per_block = leaf_size;  // a chunk of the tree, which has their sum
-constexpr std::size_t points_a_block = leaves_per_block * leaf_size;
+constexpr std::size_t leaves_per_block = 32, points_a_block = leaves_per_block * leaf_size;
 
 // The three sums of one block.
 class Collector {
@@ -20,11 +19,14 @@ class Collector {
     sums_[static_cast<std::size_t>(side)].add(term);
     ++terms_;
   }
-  // A term is wrong by less than 2^-102 |a - o| |b - a|, the sum of a leaf by less than 2^-96 of its length squared,
-  // each addition by less than 2^-106 of the largest partial sum.
+  void add_leaf(Side side, DD sum) {
+    sums_[static_cast<std::size_t>(side)].add(sum);
+    terms_ += leaf_size;
+  }
+  // A term is wrong by less than 2^-102 |a - o| |b - a|, each addition by less than 2^-106 of the largest partial sum.
   [[nodiscard]] SideSums result(double length, double extent) const {
     const auto sum = [&](Side side) { return sums_[static_cast<std::size_t>(side)].value(); };
-    const double error = (0x1p-95 + static_cast<double>(terms_) * 0x1p-105) * length * extent;
+    const double error = (0x1p-101 + static_cast<double>(terms_) * 0x1p-105) * length * extent;
     return {sum(Side::outside), sum(Side::on), sum(Side::inside), error};
   }
 
@@ -68,21 +70,10 @@ SideSums sum_by_arcs(const BoxTree& tree, Point origin, double extent, const Con
     LeafPrefixes prefixes;
     std::size_t next = contacts.first_from(first * leaf_size);
     Side side = count == 0 ? whole : after[next == 0 ? count - 1 : next - 1];
-    const std::size_t block = first / leaves_per_block;
-    const auto has_contacts = [&](std::size_t end) { return next < count && contacts.segment(next) < end * leaf_size; };
-    if (!has_contacts(last)) {
-      for (std::size_t leaf = first; leaf < last; ++leaf) length += length_of_leaf(tree, leaf);
-      collector.add(side, tree.chunk_sums()[block]);
-      collector.add(side, shoelace(tree.leaf_begin(first), tree.leaf_begin(last), origin));
-      blocks[block] = collector.result(length, extent);
-      lengths[block] = length;
-      return;
-    }
     for (std::size_t leaf = first; leaf < last; ++leaf) {
       length += length_of_leaf(tree, leaf);
-      if (!has_contacts(leaf + 1)) {
-        collector.add(side, tree.leaf_sums()[leaf]);
-        collector.add(side, shoelace(tree.leaf_begin(leaf), tree.leaf_begin(leaf + 1), origin));
+      if (next == count || contacts.segment(next) >= (leaf + 1) * leaf_size) {
+        collector.add_leaf(side, shoelace_of_leaf(tree.leaf_points(leaf), origin));
         continue;
       }
       shoelace_prefixes(tree.leaf_points(leaf), origin, {}, nullptr, prefixes);
@@ -99,8 +90,8 @@ SideSums sum_by_arcs(const BoxTree& tree, Point origin, double extent, const Con
         collector.add(side, from.hi == 0 ? term : (DD{1, 0} - from) * term);
       }
     }
-    blocks[block] = collector.result(length, extent);
-    lengths[block] = length;
+    blocks[first / leaves_per_block] = collector.result(length, extent);
+    lengths[first / leaves_per_block] = length;
   });
   double length = 0;
   for (const double part : lengths) length += part;
