@@ -2,7 +2,8 @@
 # How long commands take from beginning to end, on one and on two threads.
 # usage: bench-commands.sh [PROGRAM, default build/bin/lober [ROUNDS, default 5 [EARLIER]]]
 # Prints a table of medians in seconds. EARLIER, a program of an earlier version, runs in turns with PROGRAM; options that
-# it spelled differently are translated.
+# it spelled differently are translated. What takes more than ten seconds runs once, for a
+# minute at most.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=$(realpath "${1:-build/bin/lober}") rounds=${2:-5} earlier=${3:-}
@@ -10,6 +11,7 @@ program=$(realpath "${1:-build/bin/lober}") rounds=${2:-5} earlier=${3:-}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export LC_ALL=C
+limit=60
 
 commands='--version
 overlay examples/resonance.dat examples/resonance_image.dat
@@ -40,8 +42,9 @@ earlier_spelling() {
 seconds() {
   local program=$1 threads=$2 begin=$EPOCHREALTIME status=0 end
   shift 2
-  "$program" "$@" --threads "$threads" >"$scratch/out" 2>"$scratch/err" || status=$?
+  timeout --signal=KILL "$limit" "$program" "$@" --threads "$threads" >"$scratch/out" 2>"$scratch/err" || status=$?
   end=$EPOCHREALTIME
+  [ "$status" -ne 137 ] || { echo ">$limit"; return; }
   if [ "$status" -eq 2 ]; then  # an option that it does not know, or did not then
     [ "$program" != "$earlier" ] || { echo -; return; }
     echo "$program $*: $(tail -n 1 "$scratch/err")" >&2
@@ -49,7 +52,8 @@ seconds() {
   fi
   awk -v a="$begin" -v b="$end" 'BEGIN { printf "%.4f\n", b - a }'
 }
-median() { sort -n "$1" | awk '{ v[NR] = $1 } END { m = v[int((NR + 1) / 2)]; printf m == "-" ? "-" : "%.2g", m }'; }
+is_long() { awk '/^>/ || $1 > 10 { long = 1 } END { exit !long }' "$1"; }
+median() { sort -n "$1" | awk '{ v[NR] = $1 } END { m = v[int((NR + 1) / 2)]; print m ~ /^[->]/ ? m : sprintf("%.2g", m) }'; }
 
 programs=("$program")
 [ -z "$earlier" ] || programs=("$earlier" "$program")
@@ -67,6 +71,7 @@ while read -r command; do
     for _ in $(seq "$rounds"); do
       for k in "${!programs[@]}"; do
         spelled=${command//OUT/$scratch/out}
+        [ ! -s "$scratch/times.$k" ] || ! is_long "$scratch/times.$k" || continue
         [ "${programs[k]}" = "$program" ] || spelled=$(earlier_spelling "$spelled")
         # shellcheck disable=SC2086
         seconds "${programs[k]}" "$threads" $spelled >>"$scratch/times.$k"
