@@ -132,7 +132,8 @@ constexpr std::string_view usage_after =
 Lober 1.8 is the program published with Naik, Lekien & Ross (2017), doi:10.1134/S1560354717030078.
 
 A curve is a file of points, or FILE#ZONE for one zone of it (by number from 0, or by title): Tecplot ASCII, columns
-separated by commas or blanks, NPY, or raw float64. The format is recognised by the content.
+separated by commas or blanks, NPY, or raw float64. The format is recognised by the content. FILE:lon,lat or FILE:2,3
+chooses columns of a table by name or number; with FILE:lon,lat,by=id rows with the same id are a zone.
 
 exit status: 0 everything is done; 1 the data cannot be used, or a job of a batch failed; 2 the command cannot be
 understood; 3 two independent routes to one quantity disagree beyond their error bars (everything is printed);

@@ -25,7 +25,8 @@ bool same_file(const std::string& first, const std::string& second) {
 
 // "-" is what standard input was redirected from.
 std::string input_path(const std::string& spec) {
-  return spec == "-" ? "/dev/stdin" : detail::file_of_curve(spec);
+  const std::string file = detail::file_of_curve(spec);
+  return file == "-" ? "/dev/stdin" : file;
 }
 
 // Pipes and devices can take several outputs, and opening them has effects.

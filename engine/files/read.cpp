@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "engine/base/file_bytes.hpp"
@@ -52,14 +53,25 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
 
 }  // namespace
 
-std::pair<std::string, std::string> detail::split_spec(const std::string& spec) {
-  if (exists(spec)) return {spec, {}};
+CurveSpec detail::split_spec(const std::string& spec) {
+  const auto with_columns = [](const std::string& name) -> std::optional<CurveSpec> {
+    if (exists(name)) return CurveSpec{name};
+    for (std::size_t at = name.rfind(':'); at != std::string::npos && at != 0; at = name.rfind(':', at - 1)) {
+      if (exists(name.substr(0, at))) return CurveSpec{name.substr(0, at), name.substr(at + 1)};
+    }
+    return std::nullopt;
+  };
+  if (const auto whole = with_columns(spec); whole && spec.find('#') == std::string::npos) return *whole;
+  if (exists(spec)) return {spec};
   const std::size_t last = spec.rfind('#');
-  if (last == std::string::npos || last == 0) return {spec, {}};
+  if (last == std::string::npos || last == 0) return {spec};
   for (std::size_t at = last; at != std::string::npos && at != 0; at = spec.rfind('#', at - 1)) {
-    if (exists(spec.substr(0, at))) return {spec.substr(0, at), spec.substr(at + 1)};
+    if (auto found = with_columns(spec.substr(0, at))) {
+      found->zone = spec.substr(at + 1);
+      return *found;
+    }
   }
-  return {spec.substr(0, last), spec.substr(last + 1)};
+  return {spec.substr(0, last), {}, spec.substr(last + 1)};
 }
 
 std::string_view name(Format format) {
@@ -76,11 +88,16 @@ std::string_view name(Format format) {
   return "unknown";
 }
 
-CurveFile detail::read_curve_bytes(std::string name, std::span<const std::byte> bytes, std::size_t chunk_size) {
+CurveFile detail::read_curve_bytes(std::string name, std::span<const std::byte> bytes, std::size_t chunk_size,
+                                   std::string_view columns) {
   CurveFile file;
   file.path = std::move(name);
   if (bytes.empty()) throw DataError(file.path + ": the file is empty");
+  const auto require_table = [&] {
+    if (!columns.empty()) throw DataError(file.path + ": columns are chosen of tables of text, not of binary files");
+  };
   if (insists_on_raw(file.path)) {
+    require_table();
     read_raw(bytes, file);
     return file;
   }
@@ -90,9 +107,11 @@ CurveFile detail::read_curve_bytes(std::string name, std::span<const std::byte> 
   refuse(foreign_format(bytes));
   switch (sniff(bytes)) {
     case Content::npy:
+      require_table();
       read_npy(bytes, file);
       break;
     case Content::raw:
+      require_table();
       if (bytes.size() % sizeof(Point) == 0) {  // else the size is wrong
         if (const std::string why = implausible_raw(file.path, bytes); !why.empty()) {
           throw DataError(file.path + ": " + why);
@@ -104,7 +123,7 @@ CurveFile detail::read_curve_bytes(std::string name, std::span<const std::byte> 
       const std::span<const std::byte> unmarked = bytes.subspan(byte_order_mark(bytes));
       const std::string_view text(reinterpret_cast<const char*>(unmarked.data()), unmarked.size());
       refuse(foreign_text(text));
-      read_text(text, chunk_size, file);
+      read_text(text, columns, chunk_size, file);
       break;
   }
   return file;
@@ -117,7 +136,7 @@ CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
   std::string hash;
   parallel_if(
       options.hash && content.bytes().size() > worth_two_threads,
-      [&] { file = read_curve_bytes(path, content.bytes()); },
+      [&] { file = read_curve_bytes(path, content.bytes(), default_chunk_size, options.columns); },
       [&] {
         if (options.hash) hash = sha256(content.bytes());
       });
@@ -126,16 +145,22 @@ CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
 }
 
 NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options) {
-  const auto [path, choice] = split_spec(spec);
-  CurveFile file = read_curve_file(path, options);
+  const CurveSpec parts = split_spec(spec);
+  const std::string& path = parts.file;
+  if (!parts.columns.empty() && !options.columns.empty()) {
+    throw UsageError(spec + ": columns are chosen twice, by the name and by the options");
+  }
+  CurveFile file =
+      read_curve_file(path, {.hash = options.hash, .columns = parts.columns.empty() ? options.columns : parts.columns});
   NamedCurve result;
   result.zones = file.zones.size();
-  const bool chosen = path.size() != spec.size();
+  const bool chosen = parts.zone.has_value();
   if (!chosen && result.zones > 1) {
+    const std::string before = parts.columns.empty() ? path : path + ":" + parts.columns;
     throw DataError(path + ": has " + std::to_string(result.zones) + " zones; choose one with " +
-                    choices(path, result.zones));
+                    choices(before, result.zones));
   }
-  if (chosen) result.zone = choose_zone(file, choice);
+  if (chosen) result.zone = choose_zone(file, *parts.zone);
   Zone& zone = file.zones[result.zone];
   result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : zone.title};
   result.file = path;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "lober/curve/files.hpp"
 
@@ -17,6 +18,6 @@ inline constexpr std::size_t default_chunk_size = std::size_t{1} << 18;
 /// Like `read_curve_file`, with `name` instead of the path and `sha256` left empty. The result does not
 /// depend on `chunk_size`; tests cut text into tiny chunks with it.
 [[nodiscard]] CurveFile read_curve_bytes(std::string name, std::span<const std::byte> bytes,
-                                         std::size_t chunk_size = default_chunk_size);
+                                         std::size_t chunk_size = default_chunk_size, std::string_view columns = {});
 
 }  // namespace lober::detail

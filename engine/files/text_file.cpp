@@ -1,10 +1,13 @@
 #include "engine/files/text_file.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/files/source_location.hpp"
 #include "engine/files/tecplot.hpp"
+#include "engine/files/text_columns.hpp"
 #include "engine/files/text_points.hpp"
 
 namespace lober::detail {
@@ -22,7 +25,7 @@ class Assembler {
     for (const OtherLine& other : chunk.others) {
       append(std::span(chunk.points).subspan(taken, other.points_before - taken));
       taken = other.points_before;
-      read_line(other.text, line_ + other.line);
+      read_other(other, line_ + other.line);
     }
     append(std::span(chunk.points).subspan(taken));
     if (chunk.error) SourceLocation{file_.path, line_ + chunk.error->line}.fail(chunk.error->message);
@@ -43,7 +46,7 @@ class Assembler {
       SourceLocation{file_.path, variables_line_}.fail("expected two variables, found " + std::to_string(variables_));
     }
     if (!in_zone_) begin_zone(implicit_line_);
-    std::vector<Point>& all = file_.zones.back().points;
+    std::vector<Point>& all = file_.zones[zone_].points;
     all.insert(all.end(), points.begin(), points.end());
     open_record_ = TecplotRecord::none;
   }
@@ -56,6 +59,53 @@ class Assembler {
     const double points_per_byte =
         1.02 * static_cast<double>(chunk.points.size()) / static_cast<double>(chunk.text.size());
     all.reserve(all.size() + static_cast<std::size_t>(points_per_byte * static_cast<double>(text_left_)));
+  }
+
+  void read_other(const OtherLine& other, std::size_t line) {
+    const bool is_table = file_.format == Format::text;
+    switch (other.kind) {
+      case OtherLine::Kind::blank:
+        if (is_table && in_zone_ && !groups_) add_blank_line(line);
+        break;
+      case OtherLine::Kind::gap:
+        if (!is_table) SourceLocation{file_.path, line}.fail("not a finite number: " + quoted_text(other.text));
+        if (!groups_) begin_curve({}, line);
+        break;
+      case OtherLine::Kind::group:
+        begin_group(std::string(other.text), line);
+        break;
+      case OtherLine::Kind::text:
+        if (is_table && other.text.front() == '>') {
+          if (groups_) return;
+          begin_curve(other.text.substr(std::min(other.text.find_first_not_of("> \t"), other.text.size())), line);
+        } else {
+          read_line(other.text, line);
+        }
+    }
+  }
+
+  void add_blank_line(std::size_t line) {
+    const std::size_t points = file_.zones[zone_].points.size();
+    if (blank_lines_.empty() || blank_lines_.back().points_before != points) blank_lines_.push_back({points, line + 1});
+  }
+
+  /// The points that follow belong to another curve of a table.
+  void begin_curve(std::string_view title, std::size_t line) {
+    end_zone();
+    title_ = title;
+    while (!title_.empty() && is_blank(title_.back())) title_.pop_back();
+    implicit_line_ = line + 1;
+  }
+
+  /// Those that follow belong to the curve of this group, which need not be new.
+  void begin_group(const std::string& group, std::size_t line) {
+    groups_ = true;
+    const auto [known, is_new] = zone_of_group_.try_emplace(group, file_.zones.size());
+    if (is_new) {
+      title_ = group;
+      begin_zone(line);
+    }
+    zone_ = known->second;
   }
 
   void read_line(std::string_view text, std::size_t line) {
@@ -91,6 +141,8 @@ class Assembler {
       file_.header = text;
       return;
     }
+    // Tables put one behind the other.
+    if (header_line_seen_ && text == file_.header && (!in_zone_ || !blank_lines_.empty())) return;
     Point ignored;
     std::string message = parse_point_line(text, ignored);
     if (message.empty()) message = "not a point: " + quoted_text(text);
@@ -111,12 +163,38 @@ class Assembler {
   void begin_zone(std::size_t line) {
     header_ = {};
     in_zone_ = true;
-    file_.zones.push_back({{}, {}, line});
+    zone_ = file_.zones.size();
+    file_.zones.push_back({std::exchange(title_, {}), {}, line});
+  }
+
+  /// Parts a table's zone where blank lines are, unless there is one behind each point.
+  void part_at_blank_lines() {
+    std::vector<BlankLine> at;
+    at.swap(blank_lines_);
+    const std::vector<Point> points = std::move(file_.zones.back().points);
+    while (!at.empty() && at.back().points_before == points.size()) at.pop_back();
+    if (at.empty() || at.size() + 1 == points.size()) {
+      file_.zones.back().points = points;
+      return;
+    }
+    const auto part = [&](std::size_t begin, std::size_t end) {
+      const auto from = points.begin();
+      return std::vector<Point>(from + static_cast<std::ptrdiff_t>(begin), from + static_cast<std::ptrdiff_t>(end));
+    };
+    file_.zones.back().points = part(0, at.front().points_before);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const std::size_t end = k + 1 < at.size() ? at[k + 1].points_before : points.size();
+      file_.zones.push_back({{}, part(at[k].points_before, end), at[k].next_line});
+    }
   }
 
   void end_zone() {
     if (!in_zone_) return;
     in_zone_ = false;
+    if (!blank_lines_.empty()) {
+      if (file_.format == Format::text) part_at_blank_lines();
+      blank_lines_.clear();
+    }
     Zone& zone = file_.zones.back();
     const std::size_t points = zone.points.size();
     for (const TecplotZone::Count& count : header_.counts) {
@@ -129,6 +207,11 @@ class Assembler {
     if (zone.points.capacity() / 2 > points) zone.points.shrink_to_fit();
   }
 
+  struct BlankLine {
+    std::size_t points_before;  ///< points of the zone
+    std::size_t next_line;
+  };
+
   std::size_t text_left_;  ///< bytes after the last chunk
   std::size_t line_ = 1;   ///< number of the first line of the next chunk
   CurveFile& file_;
@@ -138,13 +221,19 @@ class Assembler {
   std::size_t variables_ = 0;
   std::size_t variables_line_ = 0;  ///< where they are named; 0: nowhere
   bool in_zone_ = false;
+  std::size_t zone_ = 0;                ///< to which points are added
+  std::string title_;                   ///< title of the curve that begins next
+  std::vector<BlankLine> blank_lines_;  ///< of the zone, behind at least one point
+  bool groups_ = false;                 ///< whether rows are grouped by a column
+  std::map<std::string, std::size_t> zone_of_group_;
   bool header_line_seen_ = false;
   bool reserved_ = false;
 };
 
 }  // namespace
 
-void read_text(std::string_view text, std::size_t chunk_size, CurveFile& file) {
+void read_text(std::string_view text, std::string_view columns, std::size_t chunk_size, CurveFile& file) {
+  const TableHead head = read_table_head(text, columns, file.path);
   Assembler assembler(text.size(), file);
   std::string_view rest = text;
   const auto next = [&](TextChunk& chunk) {
@@ -154,8 +243,11 @@ void read_text(std::string_view text, std::size_t chunk_size, CurveFile& file) {
     rest.remove_prefix(chunk.text.size());
     return true;
   };
-  ordered_pipeline<TextChunk>(next, parse_chunk, [&](const TextChunk& chunk) { assembler.add(chunk); });
+  ordered_pipeline<TextChunk>(
+      next, [&](TextChunk& chunk) { parse_chunk(chunk, head.columns); },
+      [&](const TextChunk& chunk) { assembler.add(chunk); });
   assembler.finish();
+  if (!head.names.empty()) file.header = head.names;
 }
 
 }  // namespace lober::detail

@@ -22,25 +22,6 @@ const char* skip_blanks(const char* p, const char* end) {
   return p;
 }
 
-/// Cuts a line into fields at blanks, or at a comma or semicolon with any blanks around it. A separator at
-/// the beginning or the end, or two in a row, leave an empty field. A '#' ends the line.
-std::vector<std::string_view> fields_of(std::string_view line) {
-  line = line.substr(0, line.find('#'));
-  const char* p = line.data();
-  const char* const end = p + line.size();
-  std::vector<std::string_view> fields;
-  bool after_separator = false;
-  for (p = skip_blanks(p, end); p != end || after_separator; p = skip_blanks(p, end)) {
-    const char* const begin = p;
-    while (p != end && !is_blank(*p) && !is_separator(*p)) ++p;
-    fields.emplace_back(begin, static_cast<std::size_t>(p - begin));
-    p = skip_blanks(p, end);
-    after_separator = p != end && is_separator(*p);
-    if (after_separator) ++p;
-  }
-  return fields;
-}
-
 /// The common shape of a line, as fast as the numbers can be read: blanks, number, blanks or one separator,
 /// number, blanks, line end. Returns the line end, or nullptr when the line has another shape or cannot be
 /// read.
@@ -60,6 +41,32 @@ const char* parse_fast(const char* p, const char* end, Point& point) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  const char* p = line.data();
+  const char* const end = p + line.size();
+  const auto take = [&](const char* from, const char* to) {
+    return std::string_view(from, static_cast<std::size_t>(to - from));
+  };
+  std::vector<std::string_view> fields;
+  bool after_separator = false;
+  for (p = skip_blanks(p, end); (p != end && *p != '#') || after_separator; p = skip_blanks(p, end)) {
+    const char* const begin = p;
+    if (p != end && *p == '"') {
+      while (++p != end && *p != '"') {
+      }
+      fields.push_back(take(begin + 1, p));
+      if (p != end) ++p;
+    } else {
+      while (p != end && !is_blank(*p) && !is_separator(*p) && *p != '#') ++p;
+      fields.push_back(take(begin, p));
+    }
+    p = skip_blanks(p, end);
+    after_separator = p != end && is_separator(*p);
+    if (after_separator) ++p;
+  }
+  return fields;
+}
 
 std::string quoted_text(std::string_view text) {
   constexpr std::size_t longest = 40;
@@ -104,34 +111,125 @@ bool has_number(std::string_view line) {
   return false;
 }
 
-void parse_chunk(TextChunk& chunk) {
+namespace {
+
+// "nan" in any case, with a sign or without.
+bool is_nan(std::string_view token) {
+  if (!token.empty() && (token.front() == '-' || token.front() == '+')) token.remove_prefix(1);
+  const auto is = [&](std::size_t k, char lower) { return token[k] == lower || token[k] == lower - 'a' + 'A'; };
+  return token.size() == 3 && is(0, 'n') && is(1, 'a') && is(2, 'n');
+}
+
+// A line that parts two curves: both coordinates are NaN, or empty where there are other columns.
+bool is_gap(const std::vector<std::string_view>& fields, const TextColumns& columns) {
+  if (fields.size() != columns.count) return false;
+  const std::string_view x = fields[columns.x], y = fields[columns.y];
+  return (is_nan(x) && is_nan(y)) || (!columns.are_all() && x.empty() && y.empty());
+}
+
+// A line with more columns than the two that are wanted. Returns its fault, or an empty string.
+std::string parse_wide_line(const std::vector<std::string_view>& fields, const TextColumns& columns, Point& point) {
+  if (fields.size() != columns.count) {
+    return "expected " + std::to_string(columns.count) + " columns, as in the first line, found " +
+           std::to_string(fields.size());
+  }
+  for (const bool second : {false, true}) {
+    const std::string_view field = fields[second ? columns.y : columns.x];
+    switch (parse_number(field, second ? point.y : point.x)) {
+      case NumberKind::finite:
+        break;
+      case NumberKind::not_a_number:
+        return "not a number: " + quoted_text(field);
+      case NumberKind::not_finite:
+        return "not a finite number: " + quoted_text(field);
+    }
+  }
+  return {};
+}
+
+// The lines of a chunk, one after the other.
+class ChunkReader {
+ public:
+  ChunkReader(TextChunk& chunk, const TextColumns& columns) : chunk_(chunk), columns_(columns) {}
+
+  // False at a line that cannot be read.
+  bool take(std::string_view line) {
+    if (line.empty()) {
+      const bool again = !chunk_.others.empty() && chunk_.others.back().kind == OtherLine::Kind::blank &&
+                         chunk_.others.back().points_before == chunk_.points.size();
+      if (!again) note(OtherLine::Kind::blank, line);
+      return true;
+    }
+    if (line.front() == '#') return true;
+    if (columns_.are_all()) return take_two(line);
+    const std::vector<std::string_view> fields = fields_of(line);
+    if (is_gap(fields, columns_)) return note(OtherLine::Kind::gap, line);
+    Point point;
+    std::string message = parse_wide_line(fields, columns_, point);
+    if (!message.empty()) {
+      // A header or a record is for whoever joins the chunks; so is whether there may be one here.
+      if (!has_number(line) || line.front() == '>') return note(OtherLine::Kind::text, line);
+      return fail(std::move(message));
+    }
+    if (columns_.group && (!group_ || *group_ != fields[*columns_.group])) {
+      group_ = fields[*columns_.group];
+      note(OtherLine::Kind::group, *group_);
+    }
+    chunk_.points.push_back(point);
+    return true;
+  }
+
+ private:
+  bool take_two(std::string_view line) {
+    Point point;
+    if (!begins_number(line.front())) {
+      const bool gap = (line.front() == 'n' || line.front() == 'N') && is_gap(fields_of(line), columns_);
+      return note(gap ? OtherLine::Kind::gap : OtherLine::Kind::text, line);
+    }
+    std::string message = parse_point_line(line, point);
+    if (message.empty()) {
+      chunk_.points.push_back(point);
+      return true;
+    }
+    if (is_gap(fields_of(line), columns_)) return note(OtherLine::Kind::gap, line);
+    return fail(std::move(message));
+  }
+  bool note(OtherLine::Kind kind, std::string_view text) {
+    chunk_.others.push_back({kind, text, chunk_.lines, chunk_.points.size()});
+    return true;
+  }
+  bool fail(std::string message) {
+    chunk_.error = LineError{chunk_.lines, std::move(message)};
+    return false;
+  }
+
+  TextChunk& chunk_;
+  const TextColumns& columns_;
+  std::optional<std::string_view> group_;
+};
+
+}  // namespace
+
+void parse_chunk(TextChunk& chunk, const TextColumns& columns) {
   chunk.points.clear();
   chunk.others.clear();
   chunk.lines = 0;
   chunk.error.reset();
+  ChunkReader reader(chunk, columns);
+  const bool fast = columns.are_all();
   const char* p = chunk.text.data();
   const char* const end = p + chunk.text.size();
   while (p != end) {
     p = skip_blanks(p, end);
     Point point;
     const char* line_end = nullptr;
-    if (p != end && begins_number(*p)) line_end = parse_fast(p, end, point);
+    if (fast && p != end && begins_number(*p)) line_end = parse_fast(p, end, point);
     if (line_end != nullptr) {
       chunk.points.push_back(point);
     } else {
       line_end = p == end ? end : static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
       if (line_end == nullptr) line_end = end;
-      const std::string_view line(p, static_cast<std::size_t>(line_end - p));
-      if (line.empty() || line.front() == '#') {
-        // nothing on this line
-      } else if (!begins_number(line.front())) {
-        chunk.others.push_back({line, chunk.lines, chunk.points.size()});
-      } else if (std::string message = parse_point_line(line, point); message.empty()) {
-        chunk.points.push_back(point);
-      } else {
-        chunk.error = LineError{chunk.lines, std::move(message)};
-        return;
-      }
+      if (!reader.take({p, static_cast<std::size_t>(line_end - p)})) return;
     }
     ++chunk.lines;
     p = line_end == end ? end : line_end + 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,8 +12,24 @@
 
 namespace lober::detail {
 
-/// A line that does not begin like a number and is neither blank nor a comment.
+/// The columns of a text file that are read, counted from 0.
+struct TextColumns {
+  std::size_t x = 0, y = 1;
+  std::size_t count = 2;             ///< the number of columns that each line has
+  std::optional<std::size_t> group;  ///< the column whose values say which curve a point belongs to
+
+  [[nodiscard]] bool are_all() const { return x == 0 && y == 1 && count == 2; }
+};
+
+/// A line that is no point, or a change of the group. Of blank lines in a row there is the first one.
 struct OtherLine {
+  enum class Kind : std::uint8_t {
+    text,   ///< does not begin like a number, and is neither blank nor a comment
+    blank,  ///< no characters but blanks
+    gap,    ///< both coordinates are NaN
+    group,  ///< `text` is the group of the points from here on
+  };
+  Kind kind = Kind::text;
   std::string_view text;
   std::size_t line = 0;           ///< counted from 0 at the beginning of the chunk
   std::size_t points_before = 0;  ///< how many points of the chunk precede it
@@ -37,10 +54,14 @@ struct TextChunk {
 }
 
 /// Fills the chunk from its `text`.
-void parse_chunk(TextChunk& chunk);
+void parse_chunk(TextChunk& chunk, const TextColumns& columns = {});
 
 /// Reads one line of any content as a point. Returns the fault of the line, or an empty string.
 [[nodiscard]] std::string parse_point_line(std::string_view line, Point& point);
+
+/// Cuts a line into fields at blanks, or at a comma or semicolon with any blanks around it. A separator at the
+/// beginning or the end, or two in a row, leave an empty field; quotes hold one together. A '#' ends the line.
+[[nodiscard]] std::vector<std::string_view> fields_of(std::string_view line);
 
 /// True when some field of the line is a number (nan and inf included): such a line is never a header.
 [[nodiscard]] bool has_number(std::string_view line);

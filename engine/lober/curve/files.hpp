@@ -16,13 +16,13 @@ namespace lober {
 
 enum class Format : std::uint8_t {
   tecplot,  ///< Tecplot ASCII: VARIABLES, TITLE, ZONE lines, then one point a line
-  text,     ///< two columns separated by commas, semicolons, blanks or tabs; a header line is allowed
+  text,     ///< a table: columns separated by commas, semicolons, blanks or tabs; a header line is allowed
   npy,      ///< NumPy: N x 2 or 2 x N, float64 or float32 of either byte order, C or Fortran order
   raw,      ///< native float64 pairs, nothing else
 };
 [[nodiscard]] LOBER_API std::string_view name(Format format);
 
-/// One zone of a file. Formats without zones have exactly one.
+/// One zone of a file: one of Tecplot's, or a curve of a table. Binary formats have exactly one.
 struct Zone {
   std::string title;
   std::vector<Point> points;
@@ -39,19 +39,25 @@ struct CurveFile {
 
 struct ReadOptions {
   bool hash = true;  ///< compute `sha256`; reading is faster without
+  /// Columns of a table: two names of its header, or numbers counted from 1, and perhaps the column that says which
+  /// curve a row belongs to: "lon,lat", "2,3", "x,y,by=id". Empty: a table has two columns, or more, of which the first
+  /// two are named x and y or longitude and latitude.
+  std::string columns = {};
 };
 
 /// Reads every zone of a file. The format is chosen by the content, never by the name. The file is
-/// read into memory and text is parsed in parallel. Throws DataError "path:line: what is wrong" for a file that
-/// is missing, unreadable, empty, has a zone without points, a line that is not two finite numbers, a column
-/// count other than two, a declared count (I=, N=) that contradicts the points, or a truncated binary file.
-/// Where a file has no lines (it is missing or binary), the message is "path: what is wrong". A pipe is read to its
-/// end;
+/// read into memory and text is parsed in parallel. The curves of a table are parted by lines that begin with '>' (as
+/// GMT has them; the rest is the title), by rows of NaN, by blank lines, unless there is one behind each point, or by
+/// the column that groups rows. Throws DataError "path:line: what is wrong" for a file that is missing, unreadable,
+/// empty, has a zone without points, a line that is not two finite numbers, a column count other than two, a declared
+/// count (I=, N=) that contradicts the points, or a truncated binary file. Where a file has no lines (it is missing or
+/// binary), the message is "path: what is wrong". A pipe is read to its end;
 /// "-" is standard input.
 [[nodiscard]] LOBER_API CurveFile read_curve_file(const std::string& path, const ReadOptions& options = {});
 
-/// A curve named on a command line: `FILE`, or `FILE#K` for zone K counted from 0, or `FILE#TITLE`. (A file
-/// whose name really contains '#' is found first.) Closed curves lose a last vertex that repeats the first.
+/// A curve named on a command line: `FILE`, or `FILE#K` for zone K counted from 0, or `FILE#TITLE`; with
+/// `FILE:COLUMNS`, as ReadOptions::columns, in place of FILE. (A file whose name really contains '#' or ':' is found
+/// first.) Closed curves lose a last vertex that repeats the first.
 struct NamedCurve {
   Curve curve;
   std::string file;    ///< the path without the zone
