@@ -12,11 +12,12 @@
 namespace lober::detail {
 namespace {
 
-// What the first lines of a table say.
+// The first lines of a table.
 struct FirstLines {
-  std::vector<std::string_view> names;   // of the header, or of the last comment before the points
-  std::vector<std::string_view> fields;  // of the first line with numbers
+  std::vector<std::string_view> names;   // in the header, or in the last comment before the points
+  std::vector<std::string_view> fields;  // in the first line with numbers
   std::size_t line = 0;                  // its number, counted from 1; 0 if there is none
+  bool is_plain = false;                 // one separator throughout: commas are not those of decimals
   bool is_tecplot = false;
 };
 
@@ -45,6 +46,7 @@ FirstLines first_lines_of(std::string_view text) {
     if (has_number(line)) {
       found.fields = fields_of(line);
       found.line = number;
+      found.is_plain = line.find(',') == std::string_view::npos || line.find_first_of("; \t") == std::string_view::npos;
       return found;
     }
     if (has_header) return found;  // whoever reads the lines says what is wrong with this one
@@ -65,7 +67,7 @@ std::string joined(const std::vector<std::string_view>& names) {
   return text;
 }
 
-// Of a table with a choice of columns.
+// A choice among the columns of a table.
 class Choice {
  public:
   Choice(const FirstLines& lines, const std::string& path) : lines_(lines), path_(path) {}
@@ -96,19 +98,21 @@ class Choice {
  private:
   // By its number, counted from 1, or by its name.
   [[nodiscard]] std::size_t column(std::string_view choice) const {
-    for (const bool exact : {true, false}) {
-      for (std::size_t k = 0; k < lines_.names.size(); ++k) {
-        if (exact ? lines_.names[k] == choice : same_name(lines_.names[k], choice)) return k;
-      }
-    }
+    const bool has_names = lines_.names.size() == lines_.fields.size();
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), number);
-    const bool is_number = error == std::errc{} && end == choice.data() + choice.size();
-    if (is_number && number >= 1 && number <= lines_.fields.size()) return number - 1;
-    const std::string columns = lines_.names.size() == lines_.fields.size()
-                                    ? "its columns are " + joined(lines_.names)
-                                    : "it has " + std::to_string(lines_.fields.size()) + " columns without names";
-    fail("has no column " + quoted_text(choice) + "; " + columns);
+    if (error == std::errc{} && end == choice.data() + choice.size()) {
+      if (number >= 1 && number <= lines_.fields.size()) return number - 1;
+    } else if (has_names) {
+      for (const bool exact : {true, false}) {
+        for (std::size_t k = 0; k < lines_.names.size(); ++k) {
+          if (exact ? lines_.names[k] == choice : same_name(lines_.names[k], choice)) return k;
+        }
+      }
+    }
+    fail("has no column " + quoted_text(choice) + "; " +
+         (has_names ? "its columns are " + joined(lines_.names)
+                    : "it has " + std::to_string(lines_.fields.size()) + " columns without names"));
   }
 
   [[noreturn]] void fail(const std::string& message) const { throw DataError(path_ + ": " + message); }
@@ -140,10 +144,15 @@ TableHead read_table_head(std::string_view text, std::string_view choice, const 
   } else if (count > 2 && begins_with_coordinates(lines.names) && lines.names.size() == count) {
     head.columns.count = count;
   } else if (count > 2) {
-    const std::string columns =
-        lines.names.size() == count ? joined(lines.names) + "; choose two by FILE:NAME,NAME" : "";
-    SourceLocation{path, lines.line}.fail("expected two columns, found " + std::to_string(count) +
-                                          (columns.empty() ? "; choose two by FILE:NUMBER,NUMBER" : ": " + columns));
+    std::string message = "expected two columns, found " + std::to_string(count);
+    const bool has_all =
+        std::none_of(lines.fields.begin(), lines.fields.end(), [](auto field) { return field.empty(); });
+    if (lines.names.size() == count) {
+      message += ": " + joined(lines.names) + "; choose two by FILE:NAME,NAME";
+    } else if (has_all && lines.is_plain) {
+      message += "; choose two by FILE:NUMBER,NUMBER";
+    }
+    SourceLocation{path, lines.line}.fail(message);
   }
   if (!head.columns.are_all() && lines.names.size() == count) {
     head.names = std::string(lines.names[head.columns.x]) + "," + std::string(lines.names[head.columns.y]);

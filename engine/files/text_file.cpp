@@ -223,7 +223,7 @@ class Assembler {
   bool in_zone_ = false;
   std::size_t zone_ = 0;                ///< to which points are added
   std::string title_;                   ///< title of the curve that begins next
-  std::vector<BlankLine> blank_lines_;  ///< of the zone, behind at least one point
+  std::vector<BlankLine> blank_lines_;  ///< in the zone, behind at least one point
   bool groups_ = false;                 ///< whether rows are grouped by a column
   std::map<std::string, std::size_t> zone_of_group_;
   bool header_line_seen_ = false;

@@ -21,7 +21,7 @@ struct TextColumns {
   [[nodiscard]] bool are_all() const { return x == 0 && y == 1 && count == 2; }
 };
 
-/// A line that is no point, or a change of the group. Of blank lines in a row there is the first one.
+/// A line that is no point, or a change of the group. The first one stands for several blank lines in a row.
 struct OtherLine {
   enum class Kind : std::uint8_t {
     text,   ///< does not begin like a number, and is neither blank nor a comment

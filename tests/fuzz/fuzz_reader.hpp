@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "engine/files/read_memory.hpp"
 
@@ -36,9 +37,10 @@ inline bool same_zones(const CurveFile& a, const CurveFile& b) {
 }
 
 /// The file, or nothing and the reason.
-inline std::optional<CurveFile> read(std::span<const std::byte> bytes, std::size_t chunk_size, std::string& error) {
+inline std::optional<CurveFile> read(std::span<const std::byte> bytes, std::size_t chunk_size, std::string& error,
+                                     std::string_view columns = {}) {
   try {
-    return read_curve_bytes("in", bytes, chunk_size);
+    return read_curve_bytes("in", bytes, chunk_size, columns);
   } catch (const DataError& refused) {
     error = refused.what();
     return std::nullopt;

@@ -1,4 +1,4 @@
-// What a ray from one point to the right crosses, counted part by part (private to index/).
+// The crossings of a ray from one point to the right, counted part by part (private to index/).
 //
 // Heights are half-open, a vertex at the height of the point counts as below it, so that every crossing belongs to
 // exactly one segment.

@@ -21,10 +21,10 @@ struct Heights {
   double from, to;
 };
 
-// What rays from a node meet.
+// The nodes that rays from a node of the own tree meet.
 struct Sight {
   std::int32_t number = 0;     // crossings of all of them alike
-  std::size_t near_count = 0;  // of `near`
+  std::size_t near_count = 0;  // in `near`
   Buffer<TreeNode> near;       // nodes that reach to the left of the right end of the node
   std::vector<Heights> ahead;  // parts to the right, one end of which is at the height of the node
 };
@@ -90,7 +90,7 @@ class VertexRays {
     }
   }
 
-  // What rays from `node` meet of that which those from a node above it meet.
+  // The part that rays from `node` meet of what those from a node above it meet.
   void look(TreeNode node, const Sight& above, Sight& sight, Scratch& scratch) const {
     const Box& box = own_.box(node);
     sight.number = above.number;

@@ -98,7 +98,7 @@ ArcLabels label_arcs(const IndexedCurve& own, const IndexedCurve& other, bool ot
   const bool wraps = queries > 1 && located[queries - 1] < located[queries - 2];
   const std::size_t in_order = queries - static_cast<std::size_t>(wraps);
   const Buffer<RayCrossings> rays = vertex_rays(own.tree(), other.tree(), std::span(located).first(in_order));
-  const auto side_of = [](const RayCrossings& ray) {
+  const auto side_by = [](const RayCrossings& ray) {
     return ray.on ? Side::on : ray.number != 0 ? Side::inside : Side::outside;
   };
   ArcLabels result;
@@ -107,7 +107,7 @@ ArcLabels label_arcs(const IndexedCurve& own, const IndexedCurve& other, bool ot
   std::size_t next = 0;
   for (std::size_t k = 0; k < count; ++k) {
     if (vertices[k] == no_vertex) continue;
-    result.after[k] = next < in_order ? side_of(rays[next]) : locate(other, own.view().points[vertices[k]]);
+    result.after[k] = next < in_order ? side_by(rays[next]) : locate(other, own.view().points[vertices[k]]);
     ++next;
   }
   for_each_block(count, arcs_a_block, [&](std::size_t begin, std::size_t end) {
