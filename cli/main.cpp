@@ -186,6 +186,14 @@ std::string command_meant(const std::string& word) {
   return {};
 }
 
+// "-:2,3", columns of standard input, would be taken for an option.
+std::vector<std::string> with_standard_input(std::vector<std::string> arguments) {
+  for (std::string& argument : arguments) {
+    if (argument.starts_with("-:") || argument.starts_with("-#")) argument.replace(0, 1, "/dev/stdin");
+  }
+  return arguments;
+}
+
 void run_program(const std::vector<std::string>& arguments) {
   check_instruction_set();
   if (arguments.empty()) throw UsageError("no command is given (see lober --help)");
@@ -251,5 +259,5 @@ int main(int count, char** arguments) {
   // Standard output belongs to results. Warnings and errors go to standard error, more with --verbose.
   lober::cli::begin_log("lober");
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write, with a message
-  return lober::cli::guarded({arguments + 1, arguments + count});
+  return lober::cli::guarded(lober::cli::with_standard_input({arguments + 1, arguments + count}));
 }

@@ -26,7 +26,8 @@ Keys, at the top for all groups or in a [[group]] for that group:
   name       name of the group, in exports
   operation  one of those that `lober batch operations` lists
   curves     a pattern of file names with * ? [abc], or a list of patterns; FILE#K is a zone by its number or title,
-             FILE#* stands for all zones; or curves to be computed (below)
+             FILE#* stands for all zones, FILE:lon,lat and FILE:2,3 choose the columns of a table and FILE:lon,lat,by=id#*
+             its groups; or curves to be computed (below)
   with       the same: the second set of pairs = "product"
   closed     false for open curves (default: as the operation has it)
   pairs      "all"          each unordered pair of two of the curves

@@ -12,8 +12,8 @@ namespace lober::python {
 namespace {
 
 // Format, SHA-256, and of each zone its title and points.
-py::tuple read_zones(const std::string& path, bool hash) {
-  CurveFile file = long_call(0, [&] { return read_curve_file(path, {.hash = hash}); });
+py::tuple read_zones(const std::string& path, bool hash, const std::string& columns) {
+  CurveFile file = long_call(0, [&] { return read_curve_file(path, {.hash = hash, .columns = columns}); });
   py::list zones;
   for (Zone& zone : file.zones) zones.append(py::make_tuple(py::bytes(zone.title), array_of(std::move(zone.points))));
   return py::make_tuple(name(file.format), file.sha256, zones);
@@ -46,7 +46,7 @@ void write_one(const std::string& path, const Array& curve, const std::string& f
 }  // namespace
 
 void bind_files(py::module_& module) {
-  module.def("read_zones", read_zones, py::arg("path"), py::arg("hash"));
+  module.def("read_zones", read_zones, py::arg("path"), py::arg("hash"), py::arg("columns"));
   module.def("read_one", read_one, py::arg("spec"), py::arg("closed"));
   module.def("write_zones", write_zones, py::arg("path"), py::arg("zones"));
   module.def("write_one", write_one, py::arg("path"), py::arg("curve").noconvert(), py::arg("format"));

@@ -23,7 +23,7 @@ class Zone:
 
 @dataclass(frozen=True)
 class CurveFile:
-    """All zones of a file; formats without zones have one."""
+    """All zones of a file, or all curves of a table; binary formats have one."""
 
     path: str
     format: str
@@ -32,7 +32,8 @@ class CurveFile:
 
 
 def read(path: Path, *, closed: bool = True) -> Points:
-    """The points of one curve: of FILE, or of one zone, FILE#2 by its number from 0 or FILE#TITLE.
+    """The points of one curve: of FILE, or of one zone, FILE#2 by its number from 0 or FILE#TITLE. FILE:lon,lat and
+    FILE:2,3 choose columns of a table by name or number, FILE:lon,lat,by=id#a one of its groups.
 
     The format is recognised by the content: Tecplot ASCII, text in columns, NPY, raw float64. A closed curve loses a
     last point that repeats the first. Raises DataError, which names file and line.
@@ -40,10 +41,12 @@ def read(path: Path, *, closed: bool = True) -> Points:
     return _lober.read_one(os.fspath(path), closed)
 
 
-def read_zones(path: Path) -> CurveFile:
-    """All zones of a file, with the SHA-256 of its bytes. Raises DataError."""
+def read_zones(path: Path, *, columns: str = "") -> CurveFile:
+    """All zones of a file, with the SHA-256 of its bytes; `columns` as in `read`, "lon,lat" or "2,3,by=id". Raises
+    DataError.
+    """
     name = os.fspath(path)
-    format_name, sha256, zones = _lober.read_zones(name, True)
+    format_name, sha256, zones = _lober.read_zones(name, True, columns)
     return CurveFile(name, format_name, sha256, [Zone(_text(title), points) for title, points in zones])
 
 

@@ -124,6 +124,18 @@ def test_zones(tmp_path):
     assert lober.read(tmp_path / "numpy.npy").tobytes() == ring(9).tobytes()
 
 
+def test_tables(tmp_path):
+    path = tmp_path / "tracers.csv"
+    path.write_text("id,lon,lat\na,0,0\nb,5,5\na,1,0\nb,6,5\na,0,1\nb,5,6\n")
+    file = lober.read_zones(path, columns="lon,lat,by=id")
+    assert [zone.title for zone in file.zones] == ["a", "b"]
+    assert file.zones[1].points.tolist() == [[5, 5], [6, 5], [5, 6]]
+    assert lober.read(f"{path}:lon,lat,by=id#b").tolist() == file.zones[1].points.tolist()
+    assert len(lober.read(f"{path}:2,3", closed=False)) == 6
+    with pytest.raises(lober.DataError, match="its columns are id, lon, lat"):
+        lober.read(f"{path}:lon,lit")
+
+
 def test_names_of_files_with_a_zero_byte(tmp_path):
     """They were cut there: another file was written, or read."""
     victim = tmp_path / "nul"

@@ -140,6 +140,10 @@ TEST_F(BatchStore, DevicesAndPipesAreNoCurves) {
   }
   const Outcome pipe = shell("mkfifo p; cat separ.0 > p & exec timeout 60 \"$LOBER\" overlay p separ.1");
   EXPECT_EQ(pipe.status, 0) << pipe.err;  // what has an end may come through a pipe
+  const Outcome input = shell("exec \"$LOBER\" overlay -:2,1 separ.1 < separ.0"),
+                file = run({"overlay", "separ.0:2,1", "separ.1"});
+  EXPECT_EQ(input.status, 0) << input.err;
+  EXPECT_EQ(file.status, 0) << file.err;
   write("job.toml",
         "operation = \"overlay\"\npairs = [[\"separ.0\", \"separ.1\"], [\"separ.0\", \"p\"], [\"/dev/zero\", "
         "\"separ.0\"]]\n");

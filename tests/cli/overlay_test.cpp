@@ -46,6 +46,18 @@ TEST_F(OverlayProgram, TakesEitherOrientationAndAClosingVertex) {
   EXPECT_EQ(result["areas"]["intersection"], 0.25);
 }
 
+TEST_F(OverlayProgram, TakesColumnsAndGroupsOfATable) {
+  write("table.csv", "id,t,x,y\na,0,0,0\nb,0,0,0\na,1,1,0\nb,1,3,0\na,2,1,1\nb,2,3,3\na,3,0,1\nb,3,0,3\n");
+  EXPECT_EQ(overlay({"table.csv:x,y,by=id#a", "table.csv:3,4,by=1#1"})["areas"]["c2_minus_c1"], 8.0);
+  write("curves.txt", "> small\n0 0\n1 0\n1 1\n0 1\n> large\n0 0\n3 0\n3 3\n0 3\n");
+  EXPECT_EQ(overlay({"curves.txt#small", "curves.txt#large"})["areas"]["c2_minus_c1"], 8.0);
+  const Outcome unnamed = run({"overlay", "table.csv", "curves.txt#0"});
+  EXPECT_EQ(unnamed.status, 1);
+  EXPECT_NE(unnamed.err.find("expected two columns, found 4: id, t, x, y; choose two by FILE:NAME,NAME"),
+            std::string::npos)
+      << unnamed.err;
+}
+
 TEST_F(OverlayProgram, TakesZonesByNumberAndByTitle) {
   write("zones.dat",
         "VARIABLES=\"x\"\"y\"\nZONE T=\"small\"\n0 0\n1 0\n1 1\n0 1\nZONE T=\"large\"\n0 0\n3 0\n3 3\n0 3\n");

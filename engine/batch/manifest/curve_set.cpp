@@ -42,22 +42,29 @@ std::vector<std::string> matches(const std::string& manifest_path, const std::st
   return files;
 }
 
-std::vector<CurveSource> zones_of(const Manifest& manifest, const LocatedText& pattern, const std::string& file,
+std::vector<CurveSource> zones_of(const Manifest& manifest, const LocatedText& pattern, const CurveSource& whole,
                                   const std::string& choice) {
+  const auto zone = [&](std::size_t number) {
+    CurveSource one = whole;
+    one.zone = number;
+    return one;
+  };
   std::size_t number = 0;
   const char* const end = choice.data() + choice.size();
   if (const auto [stop, error] = std::from_chars(choice.data(), end, number); stop == end && error == std::errc{}) {
-    return {CurveSource{file, number}};
+    return {zone(number)};
   }
-  require_regular(located(manifest.path, file));
-  const CurveFile content = read_curve_file(located(manifest.path, file), {.hash = false});
+  const std::string path = located(manifest.path, whole.file);
+  require_regular(path);
+  const CurveFile content = read_curve_file(path, {.hash = false, .columns = whole.columns});
   std::vector<CurveSource> sources;
   for (std::size_t k = 0; k < content.zones.size(); ++k) {
-    if (choice == "*" || content.zones[k].title == choice) sources.push_back(CurveSource{file, k});
+    if (choice == "*" || content.zones[k].title == choice) sources.push_back(zone(k));
   }
   if (sources.empty() || (choice != "*" && sources.size() > 1)) {
-    manifest.fail(pattern.line, pattern.key,
-                  file + " has " + (sources.empty() ? "no" : "more than one") + " zone titled \"" + choice + "\"");
+    manifest.fail(
+        pattern.line, pattern.key,
+        whole.file + " has " + (sources.empty() ? "no" : "more than one") + " zone titled \"" + choice + "\"");
   }
   return sources;
 }
@@ -86,15 +93,25 @@ std::vector<CurveSource> resolve(const Manifest& manifest, const std::vector<Loc
       choice = files.substr(at + 1);
       files.resize(at);
     }
-    const std::vector<std::string> found = matches(manifest.path, files);
+    std::vector<std::string> found = matches(manifest.path, files);
+    std::string columns;
+    if (const std::size_t at = files.rfind(':'); found.empty() && at != std::string::npos && at != 0) {
+      columns = files.substr(at + 1);
+      files.resize(at);
+      found = matches(manifest.path, files);
+    }
     if (found.empty()) manifest.fail(pattern.line, pattern.key, "there is no file " + files);
     for (const std::string& file : found) {
+      CurveSource whole{file};
+      whole.columns = columns;
       const std::vector<CurveSource> sources =
-          choice.empty() ? std::vector{CurveSource{file}} : zones_of(manifest, pattern, file, choice);
+          choice.empty() ? std::vector{whole} : zones_of(manifest, pattern, whole, choice);
       for (const CurveSource& source : sources) {
         if (pattern.recipes.empty()) take(source);
         for (const CurveRecipe& recipe : pattern.recipes) {
-          take(recipe.iterates == 0 ? source : CurveSource{source.file, source.zone, recipe});
+          CurveSource image = source;
+          if (recipe.iterates != 0) image.recipe = recipe;
+          take(std::move(image));
         }
       }
     }

@@ -16,15 +16,18 @@ struct CurveSource {
   std::optional<std::size_t> zone = {};    ///< zone of the file; none: the only one
   std::optional<CurveRecipe> recipe = {};  ///< recipe of a manifold or an image
   bool closed = true;
+  std::string columns = {};  ///< columns of a table, as ReadOptions::columns
 
-  /// FILE or FILE#K; empty for a manifold.
-  [[nodiscard]] std::string location() const { return zone ? file + "#" + std::to_string(*zone) : file; }
+  /// FILE, FILE:COLUMNS and with #K; empty for a manifold.
+  [[nodiscard]] std::string location() const {
+    return file + (columns.empty() ? "" : ":" + columns) + (zone ? "#" + std::to_string(*zone) : "");
+  }
   /// The name in messages and tables: the location, or how the curve is made.
   [[nodiscard]] std::string name() const { return recipe ? recipe->name(location()) : location(); }
   /// Name of the curve in the store: open and closed are different inputs.
   [[nodiscard]] std::string input_name() const { return name() + (closed ? "" : " (open)"); }
   /// Equal for curves that are read together: from one file, and all made in the same way or not at all.
-  [[nodiscard]] std::string unit() const { return file + '\n' + (recipe ? recipe->name() : ""); }
+  [[nodiscard]] std::string unit() const { return file + '\n' + columns + '\n' + (recipe ? recipe->name() : ""); }
 };
 
 /// Curves with the same `unit` as a unit of the queue.

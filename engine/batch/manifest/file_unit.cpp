@@ -16,8 +16,9 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
   if (!file.sha256.empty()) loaded.digest = zone_digest(file.sha256, wanted);
   const std::size_t zones = file.zones.size();
   if (!wanted.zone && zones > 1) {
+    const std::string name = file.path + (wanted.columns.empty() ? "" : ":" + wanted.columns);
     loaded.error =
-        file.path + ": has " + std::to_string(zones) + " zones, choose with " + file.path + "#0 or " + file.path + "#*";
+        file.path + ": has " + std::to_string(zones) + " zones, choose with " + name + "#0 or " + name + "#*";
     return loaded;
   }
   const std::size_t number = wanted.zone.value_or(0);
@@ -62,7 +63,7 @@ CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
     CurveFile file;
     try {
       require_regular(path);
-      file = read_curve_file(path, {.hash = loading.digests});
+      file = read_curve_file(path, {.hash = loading.digests, .columns = zones.front().columns});
     } catch (const DataError& error) {
       return unreadable(path, zones, loading.digests, error.what());
     } catch (const std::bad_alloc&) {
@@ -80,7 +81,8 @@ CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
 }
 
 std::string zone_digest(const std::string& sha256, const CurveSource& zone) {
-  return sha256 + (zone.zone ? "#" + std::to_string(*zone.zone) : "") + (zone.closed ? "" : " open");
+  return sha256 + (zone.columns.empty() ? "" : ":" + zone.columns) +
+         (zone.zone ? "#" + std::to_string(*zone.zone) : "") + (zone.closed ? "" : " open");
 }
 
 void require_regular(const std::string& path) {

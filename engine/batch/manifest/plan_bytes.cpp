@@ -73,6 +73,7 @@ CurveRecipe recipe_of(const Json& from) {
 Json to_json(const CurveSource& source) {
   Json made{{"file", source.file}, {"closed", source.closed}};
   if (source.zone) made["zone"] = *source.zone;
+  if (!source.columns.empty()) made["columns"] = source.columns;
   if (source.recipe) made["recipe"] = to_json(*source.recipe);
   return made;
 }
@@ -81,6 +82,7 @@ CurveSource source_of(const Json& from) {
   CurveSource source{from.at("file").get<std::string>()};
   source.closed = from.at("closed").get<bool>();
   if (const auto zone = from.find("zone"); zone != from.end()) source.zone = zone->get<std::size_t>();
+  if (const auto columns = from.find("columns"); columns != from.end()) source.columns = columns->get<std::string>();
   if (const auto recipe = from.find("recipe"); recipe != from.end()) source.recipe = recipe_of(*recipe);
   if (source.file.empty() && !source.recipe) throw DataError("a stored curve has neither a file nor a recipe");
   return source;

@@ -54,6 +54,22 @@ TEST_F(ManifestTest, AllPairsInThreeLines) {
                    "separ.2 separ.10"}));
 }
 
+TEST_F(ManifestTest, ColumnsAndCurvesOfATable) {
+  write("tracers.csv", "id,lon,lat\na,0,0\nb,5,5\na,1,0\nb,6,5\na,0,1\nb,5,6\n");
+  const std::string head = "operation = \"overlay\"\ncurves = ";
+  EXPECT_EQ(pairs(head + "\"tracers.csv:lon,lat,by=id#*\""),
+            (Names{"tracers.csv:lon,lat,by=id#0 tracers.csv:lon,lat,by=id#1"}));
+  EXPECT_EQ(pairs(head + "[\"tracer*.csv:2,3,by=1#b\", \"separ.0\"]"), (Names{"tracers.csv:2,3,by=1#1 separ.0"}));
+  const Plan all = plan(head + "[\"tracers.csv:lon,lat,by=id#*\", \"tracers.csv:lat,lon,by=id#*\"]");
+  EXPECT_TRUE(Plan::decoded(all.encoded()).encoded() == all.encoded());
+  EXPECT_EQ(Plan::decoded(all.encoded()).curves[2].columns, "lat,lon,by=id");
+  // The same file read in two ways is two inputs.
+  const std::vector<std::string> lon_lat = digests_of({all.curves[0]}, path("job.toml")),
+                                 lat_lon = digests_of({all.curves[2]}, path("job.toml"));
+  EXPECT_NE(lon_lat, lat_lon);
+  EXPECT_THROW((void)plan(head + "\"tracers.csv:lon,lit,by=id#*\""), DataError);
+}
+
 TEST_F(ManifestTest, KindsOfPairs) {
   const std::string head = "operation = \"overlay\"\ncurves = \"separ.*\"\n";
   EXPECT_EQ(pairs(head + "pairs = \"consecutive\""), (Names{"separ.0 separ.1", "separ.1 separ.2", "separ.2 separ.10"}));
