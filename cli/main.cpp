@@ -176,6 +176,7 @@ std::string command_meant(const std::string& word) {
   std::error_code ignored;
   if (word.empty() || word.front() == '-' || std::filesystem::exists(detail::file_of_curve(word), ignored)) return {};
   std::vector<std::string> names;
+  names.reserve(std::size(commands));
   for (const Command& command : commands) names.emplace_back(command.name);
   for (const operations::Operation& operation : operations::all()) names.push_back(command_name(operation));
   for (const std::string& name : names) {

@@ -1,13 +1,8 @@
-// Pairs of segments from two box trees walked against each other.
-//
-// The walk goes down the first tree in curve order and carries along the list of nodes of the second tree whose boxes
-// meet the present one, always split to about its size. So everything found for a leaf is found together and comes
-// out in curve order, which makes sorting the crossings nearly free. Where folds run side by side, nodes are held
-// against each other by slanted rectangles (node_frames.hpp) or by strips along parabolas (node_strips.hpp) too, and
-// one curve that is folded upon itself many times is searched window by window (window_search.hpp).
+// Pairs of segments from two box trees walked against each other (tree_walk.hpp), in tasks, and with what a few leaves
+// show to be worth it: slanted rectangles (node_frames.hpp) or strips along parabolas (node_strips.hpp) where folds run
+// side by side, windows (window_search.hpp) where one curve is folded upon itself many times.
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,9 +12,8 @@
 #include "engine/geometry/index/node_frames.hpp"
 #include "engine/geometry/index/node_strips.hpp"
 #include "engine/geometry/index/search.hpp"
+#include "engine/geometry/index/tree_walk.hpp"
 #include "engine/geometry/index/window_search.hpp"
-#include "kernels/box_pyramid.hpp"
-#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 namespace {
@@ -37,194 +31,6 @@ constexpr double worth_frames = 16, worth_windows = 350, worth_strips = 200, box
 // across each other they tell nothing apart.
 constexpr double part_with_strips = 0.4;
 
-// The nodes of the second tree that are carried along, for each of the nodes below one node of the first.
-struct Carried {
-  std::array<Buffer<TreeNode>, nodes_at_once> met;
-  std::array<std::size_t, nodes_at_once> count{};
-};
-
-class TreeSearch {
- public:
-  TreeSearch(const BoxTree& first, const BoxTree& second, bool self) : first_(first), second_(second), self_(self) {}
-
-  // Where the walk starts: the root of the first tree with what it meets.
-  [[nodiscard]] std::vector<TreeNode> start(SearchCounts& counts) const {
-    ++counts.boxes_tested;
-    if (!meet(first_.box(), second_.box())) return {};
-    Buffer<TreeNode> list{second_.root()};
-    std::size_t count = 1;
-    split_to_size(first_.root(), list, count, counts);
-    return {list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count)};
-  }
-
-  // Levels from a node to those that the walk goes on to: two, one where that makes the level even.
-  [[nodiscard]] static std::uint32_t step_from(std::uint32_t level) { return level % 2 == 1 ? 1 : levels_at_once; }
-
-  // For each node below `node` of the first tree the nodes of the second that meet it, out of those in `list`, split to
-  // about its size.
-  void go_down(TreeNode node, std::span<const TreeNode> list, Carried& carried, SearchCounts& counts) const {
-    const TreeNode below = first_below(node);
-    const std::size_t present = nodes_below(node);
-    std::array<TreeNode*, nodes_at_once> met{};
-    for (std::size_t i = 0; i < nodes_at_once; ++i) {
-      ensure_size(carried.met[i], list.size() + 1);
-      met[i] = carried.met[i].data();
-    }
-    distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), met, carried.count);
-    counts.boxes_tested += present * list.size();
-    for (std::size_t i = 0; i < present; ++i) {
-      const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
-      if (self_) drop_apart(child, carried.met[i], carried.count[i]);
-      drop_beside(child, carried.met[i], carried.count[i], counts);
-      if (carried.count[i] > 0) split_to_size(child, carried.met[i], carried.count[i], counts);
-    }
-  }
-
-  [[nodiscard]] static TreeNode first_below(TreeNode node) {
-    const std::uint32_t step = step_from(node.level);
-    return {node.level - step, node.index << step};
-  }
-  [[nodiscard]] std::size_t nodes_below(TreeNode node) const {
-    const TreeNode below = first_below(node);
-    return std::min<std::size_t>(std::size_t{1} << step_from(node.level), first_.nodes(below.level) - below.index);
-  }
-
-  struct Scratch {
-    explicit Scratch(std::uint32_t level) : carried((level + 1) / levels_at_once + 1) {}
-    std::vector<Carried> carried;  // one for each level that the walk passes through
-    Buffer<SegmentPair> pairs;
-    std::uint32_t skip_before = 0;
-    SearchCounts counts;
-  };
-
-  void walk(TreeNode node, std::span<const TreeNode> list, std::uint32_t block, PairConsumer& consumer,
-            Scratch& scratch) const {
-    if (list.empty()) return;
-    if (static_cast<std::size_t>(node.index + 1) * (leaf_size << node.level) <= scratch.skip_before) return;
-    if (node.level == 0) {
-      leaf_pairs(node, list, scratch.pairs, scratch.counts);
-      if (!scratch.pairs.empty()) {
-        scratch.counts.pairs_proposed += scratch.pairs.size();
-        scratch.skip_before = consumer.consume(block, scratch.pairs);
-      }
-      return;
-    }
-    Carried& carried = scratch.carried[(node.level + 1) / levels_at_once];
-    go_down(node, list, carried, scratch.counts);
-    const TreeNode below = first_below(node);
-    for (std::size_t i = 0; i < nodes_below(node); ++i) {
-      walk({below.level, below.index + static_cast<std::uint32_t>(i)}, {carried.met[i].data(), carried.count[i]}, block,
-           consumer, scratch);
-    }
-  }
-
-  // Uses the frames from now on, for a curve with itself. They must outlive the search.
-  void use(const NodeFrames& frames) { frames_ = &frames; }
-  // Uses the strips of two curves.
-  void use(const NodeStrips& first, const NodeStrips& second) {
-    strips1_ = &first;
-    strips2_ = &second;
-  }
-  void use_boxes_only() { strips1_ = strips2_ = nullptr; }
-
- private:
-  void drop_beside(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
-    if (frames_ == nullptr && strips1_ == nullptr) return;
-    counts.boxes_tested += count;
-    count = frames_ != nullptr ? keep_near(frames_->of(node), frames_->pyramid(), list.data(), count)
-                               : keep_near(strips1_->of(node), strips2_->pyramid(), list.data(), count);
-  }
-
-  static void ensure_size(Buffer<TreeNode>& buffer, std::size_t size) {
-    if (buffer.size() < size) buffer.resize(2 * size);
-  }
-
-  void drop_apart(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) const {
-    const auto end = std::remove_if(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count),
-                                    [&](TreeNode candidate) { return apart(node, candidate); });
-    count = static_cast<std::size_t>(end - list.begin());
-  }
-
-  // Replaces nodes of the second tree that are larger than `node` of the first by those below them that meet it; at a
-  // leaf, down to the leaves.
-  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
-    const Box& box = first_.box(node);
-    const double largest = node.level == 0 ? -1 : box.extent();
-    thread_local Buffer<TreeNode> waiting, split;
-    std::size_t kept = 0, waiting_count = count;
-    ensure_size(waiting, count);
-    std::copy_n(list.begin(), count, waiting.begin());
-    while (waiting_count > 0) {
-      ensure_size(list, kept + waiting_count + 1);
-      ensure_size(split, nodes_at_once * waiting_count + 1);
-      const SplitCounts refined =
-          refine(box, largest, second_.pyramid(), waiting.data(), waiting_count, &list[kept], split.data());
-      counts.boxes_tested += nodes_at_once * (waiting_count - refined.kept);
-      kept += refined.kept;
-      waiting.swap(split);
-      waiting_count = refined.split;
-      if (self_) drop_apart(node, waiting, waiting_count);
-      drop_beside(node, waiting, waiting_count, counts);
-    }
-    count = kept;
-  }
-
-  // In a search of a curve against itself: nothing to find between these two nodes.
-  [[nodiscard]] bool apart(TreeNode node, TreeNode candidate) const {
-    const std::uint32_t begin = node.index << node.level, end = (node.index + 1) << node.level;
-    const std::uint32_t other_begin = candidate.index << candidate.level;
-    const std::uint32_t other_end = (candidate.index + 1) << candidate.level;
-    if (other_end <= begin) return true;  // the pair is found the other way round
-    const std::uint8_t common = first_.flags(node) & second_.flags(candidate);
-    if (common == 0) return false;
-    if (other_begin < end) return true;  // one contains the other, and the larger is one monotone run
-    const bool wraps = begin == 0 && other_end >= second_.leaves() && second_.curve().closed;
-    return other_begin == end || wraps;
-  }
-
-  void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs,
-                  SearchCounts& counts) const {
-    SegmentBoxes boxes;
-    segment_boxes(first_.leaf_points(leaf.index), boxes);
-    const auto begin = static_cast<std::uint32_t>(leaf.index * leaf_size);
-    pairs.clear();
-    for (const TreeNode& other : others) {
-      const std::size_t before = pairs.size();
-      pairs.resize(before + leaf_size * leaf_size);
-      const auto other_begin = static_cast<std::uint32_t>(other.index * leaf_size);
-      std::size_t found = meeting_segments(boxes, begin, second_.leaf_points(other.index), second_.box(other),
-                                           other_begin, pairs.data() + before);
-      if (self_ && other.index == leaf.index) found = keep_upper(pairs.data() + before, found);
-      pairs.resize(before + found);
-    }
-    drop_padding(pairs);
-    counts.boxes_tested += others.size();
-  }
-
-  // Keeps those pairs of a leaf with itself that have first < second.
-  static std::size_t keep_upper(SegmentPair* pairs, std::size_t count) {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (pairs[k].first < pairs[k].second) pairs[kept++] = pairs[k];
-    }
-    return kept;
-  }
-
-  // The last leaf is filled up with segments of no length that are not there.
-  void drop_padding(Buffer<SegmentPair>& pairs) const {
-    const std::size_t first_count = first_.segments(), second_count = second_.segments();
-    std::erase_if(pairs,
-                  [&](const SegmentPair& pair) { return pair.first >= first_count || pair.second >= second_count; });
-  }
-
-  const BoxTree& first_;
-  const BoxTree& second_;
-  bool self_;
-  const NodeFrames* frames_ = nullptr;
-  const NodeStrips* strips1_ = nullptr;
-  const NodeStrips* strips2_ = nullptr;
-};
-
 // A node of the first tree with the nodes of the second that it meets.
 struct Meeting {
   TreeNode node;
@@ -232,16 +38,16 @@ struct Meeting {
 };
 
 // The upper part of the walk, from `from` down to `level`.
-void collect(const TreeSearch& search, const Meeting& from, std::uint32_t level, std::vector<Meeting>& collected,
+void collect(const TreeWalk& search, const Meeting& from, std::uint32_t level, std::vector<Meeting>& collected,
              SearchCounts& counts) {
   if (from.list.empty()) return;
   if (from.node.level <= level) {
     collected.push_back(from);
     return;
   }
-  Carried carried;
+  TreeWalk::Carried carried;
   search.go_down(from.node, from.list, carried, counts);
-  const TreeNode below = TreeSearch::first_below(from.node);
+  const TreeNode below = TreeWalk::first_below(from.node);
   for (std::size_t i = 0; i < search.nodes_below(from.node); ++i) {
     const TreeNode* list = carried.met[i].data();
     collect(search, {{below.level, below.index + static_cast<std::uint32_t>(i)}, {list, list + carried.count[i]}},
@@ -253,7 +59,7 @@ void collect(const TreeSearch& search, const Meeting& from, std::uint32_t level,
 struct Forecast {
   double boxes_a_leaf = 0, boxes = 0;
 };
-Forecast forecast(const TreeSearch& search, const std::vector<Meeting>& tasks, SearchCounts& counts) {
+Forecast forecast(const TreeWalk& search, const std::vector<Meeting>& tasks, SearchCounts& counts) {
   const std::size_t samples = std::min<std::size_t>(4, tasks.size() / 4);
   SearchCounts sampled;
   std::size_t leaves = 0;
@@ -272,13 +78,13 @@ Forecast forecast(const TreeSearch& search, const std::vector<Meeting>& tasks, S
 }
 
 // The pairs of all leaves with those that are near.
-SearchCounts search_leaves(const TreeSearch& search, const NearLeaves& near, std::size_t leaves, PairConsumer& consumer,
+SearchCounts search_leaves(const TreeWalk& search, const NearLeaves& near, std::size_t leaves, PairConsumer& consumer,
                            SearchCounts counts) {
   constexpr std::size_t in_block = std::size_t{1} << block_level;
   const std::size_t blocks = (leaves + in_block - 1) / in_block;
   std::vector<SearchCounts> block_counts(blocks);
   for_each_block(blocks, 1, [&](std::size_t block, std::size_t) {
-    TreeSearch::Scratch scratch(0);
+    TreeWalk::Scratch scratch(0);
     const auto number = static_cast<std::uint32_t>(block);
     const std::size_t end = consumer.wants(number) ? std::min((block + 1) * in_block, leaves) : 0;
     for (std::size_t leaf = block * in_block; leaf < end; ++leaf) {
@@ -294,13 +100,13 @@ SearchCounts search_leaves(const TreeSearch& search, const NearLeaves& near, std
 }
 
 // The walk of a first tree that is one block: the curves are small, and then lists of tasks take longer than the rest.
-SearchCounts search_block(const TreeSearch& search, TreeNode root, SearchCounts counts,
-                          const std::vector<TreeNode>& list, PairConsumer& consumer) {
+SearchCounts search_block(const TreeWalk& search, TreeNode root, SearchCounts counts, const std::vector<TreeNode>& list,
+                          PairConsumer& consumer) {
   if (list.empty()) {
     counts.blocks_skipped = 1;
     return counts;
   }
-  TreeSearch::Scratch scratch(root.level);
+  TreeWalk::Scratch scratch(root.level);
   if (consumer.wants(0)) search.walk(root, list, 0, consumer, scratch);
   consumer.finish(0);
   counts += scratch.counts;
@@ -309,7 +115,7 @@ SearchCounts search_block(const TreeSearch& search, TreeNode root, SearchCounts 
 }
 
 SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self, PairConsumer& consumer) {
-  TreeSearch search(first, second, self);
+  TreeWalk search(first, second, self);
   SearchCounts counts;
   std::vector<TreeNode> list = search.start(counts);
   if (first.root().level <= block_level) return search_block(search, first.root(), counts, list, consumer);
@@ -334,7 +140,7 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   std::vector<SearchCounts> task_counts(tasks.size());
   for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {
     std::vector<Meeting> blocks;
-    TreeSearch::Scratch scratch(block_level);
+    TreeWalk::Scratch scratch(block_level);
     collect(search, tasks[task], block_level, blocks, scratch.counts);
     for (Meeting& block : blocks) {
       scratch.skip_before = 0;

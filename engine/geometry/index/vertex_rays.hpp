@@ -2,7 +2,7 @@
 //
 // Rays from vertices that are near each other meet the same nodes of the other tree, mostly. So the walk goes down the
 // tree of the vertices and carries along the nodes that rays from there may have to look into, as searches for pairs do
-// (tree_search.cpp), with a number for what all of these rays cross alike.
+// (tree_walk.hpp), with a number for what all of these rays cross alike.
 #pragma once
 
 #include <cstdint>

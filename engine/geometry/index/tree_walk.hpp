@@ -1,0 +1,218 @@
+// The walk of one box tree against another (private to index/).
+//
+// It goes down the first tree in curve order and carries along the list of nodes of the second tree whose boxes meet
+// the present one, always split to about its size. So everything found for a leaf is found together and comes out in
+// curve order, which makes sorting the crossings nearly free.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/index/box_tree.hpp"
+#include "engine/geometry/index/index.hpp"
+#include "engine/geometry/index/node_frames.hpp"
+#include "engine/geometry/index/node_strips.hpp"
+#include "kernels/box_pyramid.hpp"
+#include "lober/base/buffer.hpp"
+
+namespace lober::detail {
+
+class TreeWalk {
+ public:
+  /// The nodes of the second tree that are carried along, for each of the nodes below one node of the first.
+  struct Carried {
+    std::array<Buffer<TreeNode>, nodes_at_once> met;
+    std::array<std::size_t, nodes_at_once> count{};
+  };
+
+  /// With `self` the two trees are one.
+  TreeWalk(const BoxTree& first, const BoxTree& second, bool self) : first_(first), second_(second), self_(self) {}
+
+  /// Where the walk starts: the root of the first tree with what it meets.
+  [[nodiscard]] std::vector<TreeNode> start(SearchCounts& counts) const {
+    ++counts.boxes_tested;
+    if (!meet(first_.box(), second_.box())) return {};
+    Buffer<TreeNode> list{second_.root()};
+    std::size_t count = 1;
+    split_to_size(first_.root(), list, count, counts);
+    return {list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count)};
+  }
+
+  /// Levels from a node to those that the walk goes on to: two, one where that makes the level even.
+  [[nodiscard]] static std::uint32_t step_from(std::uint32_t level) { return level % 2 == 1 ? 1 : levels_at_once; }
+
+  /// For each node below `node` of the first tree the nodes of the second that meet it, out of those in `list`, split
+  /// to about its size.
+  void go_down(TreeNode node, std::span<const TreeNode> list, Carried& carried, SearchCounts& counts) const {
+    const TreeNode below = first_below(node);
+    const std::size_t present = nodes_below(node);
+    std::array<TreeNode*, nodes_at_once> met{};
+    for (std::size_t i = 0; i < nodes_at_once; ++i) {
+      ensure_size(carried.met[i], list.size() + 1);
+      met[i] = carried.met[i].data();
+    }
+    distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), met, carried.count);
+    counts.boxes_tested += present * list.size();
+    for (std::size_t i = 0; i < present; ++i) {
+      const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
+      if (self_) drop_apart(child, carried.met[i], carried.count[i]);
+      drop_beside(child, carried.met[i], carried.count[i], counts);
+      if (carried.count[i] > 0) split_to_size(child, carried.met[i], carried.count[i], counts);
+    }
+  }
+
+  /// The first of the nodes that the walk goes on to from `node`, and how many they are.
+  [[nodiscard]] static TreeNode first_below(TreeNode node) {
+    const std::uint32_t step = step_from(node.level);
+    return {node.level - step, node.index << step};
+  }
+  [[nodiscard]] std::size_t nodes_below(TreeNode node) const {
+    const TreeNode below = first_below(node);
+    return std::min<std::size_t>(std::size_t{1} << step_from(node.level), first_.nodes(below.level) - below.index);
+  }
+
+  /// Memory of a walk from a node of `level`, what it counts, and the segment of the first curve before which nothing
+  /// is wanted any more.
+  struct Scratch {
+    explicit Scratch(std::uint32_t level) : carried((level + 1) / levels_at_once + 1) {}
+    std::vector<Carried> carried;  // one for each level that the walk passes through
+    Buffer<SegmentPair> pairs;
+    std::uint32_t skip_before = 0;
+    SearchCounts counts;
+  };
+
+  /// Hands the pairs of all leaves below `node`, which meets the nodes of `list`, to the consumer.
+  void walk(TreeNode node, std::span<const TreeNode> list, std::uint32_t block, PairConsumer& consumer,
+            Scratch& scratch) const {
+    if (list.empty()) return;
+    if (static_cast<std::size_t>(node.index + 1) * (leaf_size << node.level) <= scratch.skip_before) return;
+    if (node.level == 0) {
+      leaf_pairs(node, list, scratch.pairs, scratch.counts);
+      if (!scratch.pairs.empty()) {
+        scratch.counts.pairs_proposed += scratch.pairs.size();
+        scratch.skip_before = consumer.consume(block, scratch.pairs);
+      }
+      return;
+    }
+    Carried& carried = scratch.carried[(node.level + 1) / levels_at_once];
+    go_down(node, list, carried, scratch.counts);
+    const TreeNode below = first_below(node);
+    for (std::size_t i = 0; i < nodes_below(node); ++i) {
+      walk({below.level, below.index + static_cast<std::uint32_t>(i)}, {carried.met[i].data(), carried.count[i]}, block,
+           consumer, scratch);
+    }
+  }
+
+  /// Uses the frames from now on, for a curve with itself. They must outlive the search.
+  void use(const NodeFrames& frames) { frames_ = &frames; }
+  /// Uses the strips of two curves.
+  void use(const NodeStrips& first, const NodeStrips& second) {
+    strips1_ = &first;
+    strips2_ = &second;
+  }
+  /// Neither of them.
+  void use_boxes_only() { strips1_ = strips2_ = nullptr; }
+
+ private:
+  void drop_beside(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    if (frames_ == nullptr && strips1_ == nullptr) return;
+    counts.boxes_tested += count;
+    count = frames_ != nullptr ? keep_near(frames_->of(node), frames_->pyramid(), list.data(), count)
+                               : keep_near(strips1_->of(node), strips2_->pyramid(), list.data(), count);
+  }
+
+  static void ensure_size(Buffer<TreeNode>& buffer, std::size_t size) {
+    if (buffer.size() < size) buffer.resize(2 * size);
+  }
+
+  void drop_apart(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) const {
+    const auto end = std::remove_if(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count),
+                                    [&](TreeNode candidate) { return apart(node, candidate); });
+    count = static_cast<std::size_t>(end - list.begin());
+  }
+
+  // Replaces nodes of the second tree that are larger than `node` of the first by those below them that meet it; at a
+  // leaf, down to the leaves.
+  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    const Box& box = first_.box(node);
+    const double largest = node.level == 0 ? -1 : box.extent();
+    thread_local Buffer<TreeNode> waiting, split;
+    std::size_t kept = 0, waiting_count = count;
+    ensure_size(waiting, count);
+    std::copy_n(list.begin(), count, waiting.begin());
+    while (waiting_count > 0) {
+      ensure_size(list, kept + waiting_count + 1);
+      ensure_size(split, nodes_at_once * waiting_count + 1);
+      const SplitCounts refined =
+          refine(box, largest, second_.pyramid(), waiting.data(), waiting_count, &list[kept], split.data());
+      counts.boxes_tested += nodes_at_once * (waiting_count - refined.kept);
+      kept += refined.kept;
+      waiting.swap(split);
+      waiting_count = refined.split;
+      if (self_) drop_apart(node, waiting, waiting_count);
+      drop_beside(node, waiting, waiting_count, counts);
+    }
+    count = kept;
+  }
+
+  // In a search of a curve against itself: nothing to find between these two nodes.
+  [[nodiscard]] bool apart(TreeNode node, TreeNode candidate) const {
+    const std::uint32_t begin = node.index << node.level, end = (node.index + 1) << node.level;
+    const std::uint32_t other_begin = candidate.index << candidate.level;
+    const std::uint32_t other_end = (candidate.index + 1) << candidate.level;
+    if (other_end <= begin) return true;  // the pair is found the other way round
+    const std::uint8_t common = first_.flags(node) & second_.flags(candidate);
+    if (common == 0) return false;
+    if (other_begin < end) return true;  // one contains the other, and the larger is one monotone run
+    const bool wraps = begin == 0 && other_end >= second_.leaves() && second_.curve().closed;
+    return other_begin == end || wraps;
+  }
+
+  void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs,
+                  SearchCounts& counts) const {
+    SegmentBoxes boxes;
+    segment_boxes(first_.leaf_points(leaf.index), boxes);
+    const auto begin = static_cast<std::uint32_t>(leaf.index * leaf_size);
+    pairs.clear();
+    for (const TreeNode& other : others) {
+      const std::size_t before = pairs.size();
+      pairs.resize(before + leaf_size * leaf_size);
+      const auto other_begin = static_cast<std::uint32_t>(other.index * leaf_size);
+      std::size_t found = meeting_segments(boxes, begin, second_.leaf_points(other.index), second_.box(other),
+                                           other_begin, pairs.data() + before);
+      if (self_ && other.index == leaf.index) found = keep_upper(pairs.data() + before, found);
+      pairs.resize(before + found);
+    }
+    drop_padding(pairs);
+    counts.boxes_tested += others.size();
+  }
+
+  // Keeps those pairs of a leaf with itself that have first < second.
+  static std::size_t keep_upper(SegmentPair* pairs, std::size_t count) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (pairs[k].first < pairs[k].second) pairs[kept++] = pairs[k];
+    }
+    return kept;
+  }
+
+  // The last leaf is filled up with segments of no length that are not there.
+  void drop_padding(Buffer<SegmentPair>& pairs) const {
+    const std::size_t first_count = first_.segments(), second_count = second_.segments();
+    std::erase_if(pairs,
+                  [&](const SegmentPair& pair) { return pair.first >= first_count || pair.second >= second_count; });
+  }
+
+  const BoxTree& first_;
+  const BoxTree& second_;
+  bool self_;
+  const NodeFrames* frames_ = nullptr;
+  const NodeStrips* strips1_ = nullptr;
+  const NodeStrips* strips2_ = nullptr;
+};
+
+}  // namespace lober::detail
