@@ -84,7 +84,7 @@ Outcome run_interior(std::span<const Input> inputs, const Options& options, cons
   if (known_simple(inputs, 0) && known_simple(inputs, 1)) how.check_simple = false;
   CurveInterior found{interior_areas(c1, c2, how)};
   if (how.method == InteriorMethod::ends) {
-    InteriorOptions split = how;
+    InteriorOptions split = static_cast<const InteriorOptions&>(how);
     split.method = InteriorMethod::split;
     split.check_simple = false;
     split.progress = {};
