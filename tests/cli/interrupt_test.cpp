@@ -162,7 +162,8 @@ TEST_F(Interrupt, ProgressIsToBeSeenOnATerminal) {
   const Terminal terminal;
   const int keep_open = open(terminal.name().c_str(), O_RDWR | O_NOCTTY);
   const std::string command = std::string("exec ") + LOBER_PROGRAM +
-                              " grow duffing --unstable --tolerance 1e-9 --iterates 40 2> " + terminal.name();
+                              " grow duffing --unstable --tolerance 1e-9 --iterates 40 --max-work 1e12 2> " +
+                              terminal.name();
   const pid_t process = start_in(folder(), {"sh", "-c", command});
   const std::string seen = terminal.read_for(3.5);
   kill(process, SIGINT);
