@@ -171,12 +171,10 @@ class Assembler {
   void part_at_blank_lines() {
     std::vector<BlankLine> at;
     at.swap(blank_lines_);
+    const std::size_t size = file_.zones.back().points.size();
+    while (!at.empty() && at.back().points_before == size) at.pop_back();
+    if (at.empty() || at.size() + 1 == size) return;
     const std::vector<Point> points = std::move(file_.zones.back().points);
-    while (!at.empty() && at.back().points_before == points.size()) at.pop_back();
-    if (at.empty() || at.size() + 1 == points.size()) {
-      file_.zones.back().points = points;
-      return;
-    }
     const auto part = [&](std::size_t begin, std::size_t end) {
       const auto from = points.begin();
       return std::vector<Point>(from + static_cast<std::ptrdiff_t>(begin), from + static_cast<std::ptrdiff_t>(end));

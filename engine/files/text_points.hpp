@@ -18,10 +18,11 @@ struct TextColumns {
   std::size_t count = 2;             ///< the number of columns that each line has
   std::optional<std::size_t> group;  ///< the column whose values say which curve a point belongs to
 
-  [[nodiscard]] bool are_all() const { return x == 0 && y == 1 && count == 2; }
+  /// Whether each line is a point and nothing else.
+  [[nodiscard]] bool are_all() const { return x == 0 && y == 1 && count == 2 && !group; }
 };
 
-/// A line that is no point, or a change of the group. The first one stands for several blank lines in a row.
+/// A line without a point, or a change of the group. The first one stands for several blank lines in a row.
 struct OtherLine {
   enum class Kind : std::uint8_t {
     text,   ///< does not begin like a number, and is neither blank nor a comment

@@ -1,7 +1,6 @@
 #include "engine/geometry/index/vertex_rays.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <vector>
 
@@ -41,6 +40,8 @@ class VertexRays {
 
   // All vertices of the leaves below `node`.
   void run(TreeNode node) const {
+    const Range vertices = vertices_of(node, {0, vertices_.size()});
+    if (vertices.first == vertices.last) return;
     Scratch scratch;
     std::vector<Sight>& sights = scratch.sights;
     sights.resize(own_.levels() + std::size_t{1});
@@ -49,7 +50,7 @@ class VertexRays {
     for (std::uint32_t level = own_.levels(); level-- > node.level;) {
       look({level, node.index >> (level - node.level)}, sights[level + std::size_t{1}], sights[level], scratch);
     }
-    walk(node, scratch);
+    walk(node, vertices, scratch);
   }
 
  private:
@@ -59,34 +60,40 @@ class VertexRays {
     Buffer<std::uint32_t> leaves, around, leaves_ahead;
   };
 
-  // The numbers of the vertices of the leaves below a node, as a range of vertices_.
-  [[nodiscard]] std::pair<std::size_t, std::size_t> vertices_of(TreeNode node) const {
+  // A part of vertices_.
+  struct Range {
+    std::size_t first, last;
+  };
+
+  // The vertices of the leaves below a node, out of those of a node above it.
+  [[nodiscard]] Range vertices_of(TreeNode node, Range above) const {
     const std::uint64_t begin = (std::uint64_t{node.index} << node.level) * leaf_size;
     const std::uint64_t end = (std::uint64_t{node.index + 1} << node.level) * leaf_size;
-    const auto from = std::lower_bound(vertices_.begin(), vertices_.end(), begin);
-    return {from - vertices_.begin(), std::lower_bound(from, vertices_.end(), end) - vertices_.begin()};
+    const std::span<const std::uint32_t> part = vertices_.subspan(above.first, above.last - above.first);
+    const auto from = std::lower_bound(part.begin(), part.end(), begin);
+    const auto to = std::lower_bound(from, part.end(), end);
+    return {above.first + static_cast<std::size_t>(from - part.begin()),
+            above.first + static_cast<std::size_t>(to - part.begin())};
   }
 
-  void walk(TreeNode node, Scratch& scratch) const {
-    const auto [first, last] = vertices_of(node);
-    if (first == last) return;
+  void walk(TreeNode node, Range vertices, Scratch& scratch) const {
     const Sight& sight = scratch.sights[node.level];
     if (node.level == 0) {
       for (Buffer<std::uint32_t>* const list : {&scratch.leaves, &scratch.around, &scratch.leaves_ahead}) {
         if (list->size() <= sight.near_count) list->resize(2 * sight.near_count + 1);
       }
       for (std::size_t k = 0; k < sight.near_count; ++k) scratch.leaves[k] = sight.near[k].index;
-      for (std::size_t k = first; k < last; ++k) {
+      for (std::size_t k = vertices.first; k < vertices.last; ++k) {
         found_[k] = from_vertex(own_.curve().points[vertices_[k]], sight, scratch);
       }
       return;
     }
     for (std::uint32_t child = 2 * node.index; child < 2 * node.index + 2; ++child) {
       if (child >= own_.nodes(node.level - 1)) continue;
-      const auto [begin, end] = vertices_of({node.level - 1, child});
-      if (begin == end) continue;
+      const Range below = vertices_of({node.level - 1, child}, vertices);
+      if (below.first == below.last) continue;
       look({node.level - 1, child}, sight, scratch.sights[node.level - 1], scratch);
-      walk({node.level - 1, child}, scratch);
+      walk({node.level - 1, child}, below, scratch);
     }
   }
 

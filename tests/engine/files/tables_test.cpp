@@ -109,6 +109,12 @@ TEST(Tables, CurvesByGroup) {
   EXPECT_EQ(curves_of_table(file), (std::vector<TablePoints>{{{1, 10}, {3, 30}, {5, 50}}, {{2, 20}, {4, 40}}}));
 }
 
+TEST(Tables, GroupsOfATableOfTwoColumns) {
+  const CurveFile file = read_table("1 7\n2 8\n3 7\n", "1,2,by=2");
+  EXPECT_EQ(titles_of_table(file), (std::vector<std::string>{"7", "8"}));
+  EXPECT_EQ(curves_of_table(file), (std::vector<TablePoints>{{{1, 7}, {3, 7}}, {{2, 8}}}));
+}
+
 TEST(Tables, CurvesByGapsBlankLinesAndMarks) {
   const std::vector<TablePoints> two{{{1, 2}, {3, 4}}, {{5, 6}, {7, 8}, {9, 10}}};
   for (const char* const gap :
