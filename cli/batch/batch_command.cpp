@@ -14,6 +14,7 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/report/report.hpp"
+#include "engine/base/machine_memory.hpp"
 #include "engine/batch/export/export.hpp"
 #include "engine/batch/forecast.hpp"
 #include "engine/batch/plan_outputs.hpp"
