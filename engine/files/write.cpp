@@ -57,10 +57,11 @@ void write_curves(const std::string& path, std::span<const Zone> zones, const Wr
                                               : "files of the format " + std::string(entry->name) + " are only read";
     throw UsageError(path + ": " + what + "; curves are written as " + endings_that_are_written());
   }
-  if (zones.size() != 1 && !entry->holds_several) {
-    throw UsageError(path + ": a file of the format " + std::string(entry->name) + " holds one curve, not " +
-                     std::to_string(zones.size()) + "; curves are written as " + endings_that_are_written());
+  if (zones.size() > 1 && !entry->holds_several) {
+    throw UsageError(path + ": several curves need another format than " + std::string(entry->name) +
+                     ", which holds one; curves are written as " + endings_that_are_written());
   }
+  if (zones.empty() && !entry->holds_several) throw UsageError(path + ": there is no curve to write");
   for (const Zone& zone : zones) require_finite(path, zone.points);
   if (entry->library != nullptr && !entry->library->is_present()) {
     throw DataError(path + ": cannot be written: " + entry->library->reason_it_is_missing());

@@ -251,9 +251,11 @@ TEST_F(WrittenFormats, EndingsThatCannotBeWritten) {
   const std::vector<Zone> two{{"a", first}, {"b", moved()}};
   EXPECT_NE(usage_error_of([&] { write_curves(path("x.mat"), two); })
                 .find("files of the format mat are only read; curves are "
-                      "written as .txt, .csv, .dat (tecplot), .npy"),
+                      "written as .npy, .csv, .txt, .dat (tecplot), .f64"),
             std::string::npos);
-  EXPECT_NE(usage_error_of([&] { write_curves(path("x.npy"), two); }).find("holds one curve, not 2"),
+  EXPECT_NE(usage_error_of([&] {
+              write_curves(path("x.npy"), two);
+            }).find("several curves need another format than npy, which holds one"),
             std::string::npos);
   EXPECT_NE(usage_error_of([&] { write_curves(path("x"), two); }).find("the ending does not name a format"),
             std::string::npos);
