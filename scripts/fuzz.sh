@@ -7,6 +7,7 @@ seconds=${1:-600}
 build=${2:-build-fuzz}
 at_once=2
 folder=$build/findings
+export LSAN_OPTIONS=suppressions=$PWD/scripts/lsan.supp:print_suppressions=0
 mkdir -p "$folder"
 
 # Inputs that reach new code are kept between runs in BUILD/corpus; the seeds stay as they are.

@@ -166,6 +166,7 @@ class CurvesOfArrays {
     std::erase(shape, 1);
     if (shape.size() > 2) fail("array " + described(x) + ": expected one axis, or two, curves and their points");
     const Buffer<double> xs = numbers(first), ys = numbers(second);
+    if (xs.empty()) return;  // 10^9 curves without points are none
     if (shape.size() < 2) {
       points_.resize(xs.size());
       for (std::size_t k = 0; k < xs.size(); ++k) points_[k] = {xs[k], ys[k]};
@@ -284,6 +285,11 @@ void apply_conventions(Buffer<double>& numbers, const std::array<std::optional<d
       if (shift) number += *shift;
     }
   }
+}
+
+bool can_hold(std::size_t stored, std::size_t size) {
+  constexpr std::size_t max_ratio = 1032, always_fits = std::size_t{1} << 16;
+  return size / max_ratio <= stored || size <= always_fits;
 }
 
 void require_fitting_memory(const std::string& path, const ArrayInfo& array) {

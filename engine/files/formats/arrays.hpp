@@ -61,8 +61,11 @@ void read_arrays(ArrayFile& arrays, std::string_view choice, CurveFile& file);
 void apply_conventions(Buffer<double>& numbers, const std::array<std::optional<double>, 2>& none,
                        std::optional<double> scale, std::optional<double> shift);
 
-/// The most numbers that a file may promise: beyond it the array does not fit into a quarter of the machine's memory,
-/// and a file of a few bytes can promise anything. Throws DataError "path: ..." for more.
+/// Whether `size` bytes may come out of `stored` ones that were compressed by deflate, which gives at most 1032 for
+/// one: a file of a few bytes can promise any size.
+[[nodiscard]] bool can_hold(std::size_t stored, std::size_t size);
+
+/// Throws DataError "path: ..." for an array that does not fit into a quarter of the machine's memory.
 void require_fitting_memory(const std::string& path, const ArrayInfo& array);
 
 }  // namespace lober::detail

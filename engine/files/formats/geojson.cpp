@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -238,8 +239,13 @@ void read_geojson(const FileSource&, CurveFile& file) {
 
 namespace {
 
+// As readers of JSON take -0 for an integer, it is -0.0.
+std::string coordinate(double value) {
+  return value == 0 && std::signbit(value) ? "-0.0" : format_number(value);
+}
+
 void append_position(std::string& text, Point point) {
-  text += '[' + format_number(point.x) + ',' + format_number(point.y) + ']';
+  text += '[' + coordinate(point.x) + ',' + coordinate(point.y) + ']';
 }
 
 // A ring ends with its first point (RFC 7946, 3.1.6).

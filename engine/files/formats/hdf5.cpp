@@ -43,6 +43,7 @@ struct Hdf5 {
   LOBER_LOADED(hdf5_library, H5Dclose);
   LOBER_LOADED(hdf5_library, H5Dget_type);
   LOBER_LOADED(hdf5_library, H5Dget_space);
+  LOBER_LOADED(hdf5_library, H5Dget_storage_size);
   LOBER_LOADED(hdf5_library, H5Dread);
   LOBER_LOADED(hdf5_library, H5Sclose);
   LOBER_LOADED(hdf5_library, H5Sget_simple_extent_type);
@@ -116,6 +117,13 @@ class Hdf5File final : public ArrayFile {
   [[nodiscard]] Buffer<double> numbers(std::size_t index) override {
     const ArrayInfo& array = arrays_[index];
     const Handle set(hdf5().H5Dopen2(file_.id(), sets_[index].c_str(), H5P_DEFAULT), hdf5().H5Dclose);
+    // Parts that were never written take no room in the file.
+    constexpr std::size_t always_fits = std::size_t{64} << 20;
+    if (set.is_open() && array.size() > always_fits && !can_hold(hdf5().H5Dget_storage_size(set.id()), array.size())) {
+      throw DataError(path_ + ": dataset " + array.name +
+                      " was hardly written: the file holds next to nothing of its " + std::to_string(array.size()) +
+                      " numbers");
+    }
     Buffer<double> numbers(array.size());
     if (!set.is_open() ||
         hdf5().H5Dread(set.id(), hdf5().native_double, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0) {

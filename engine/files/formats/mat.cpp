@@ -43,6 +43,30 @@ const Matio& matio() {
   return loaded;
 }
 
+// Version 4: each variable is five words (type, rows, columns, whether it is complex, length of its name), its name and
+// its numbers. matio believes any length.
+void require_sound_version4(std::span<const std::byte> bytes, const std::string& path) {
+  constexpr std::size_t head = 20, max_name = 64;
+  constexpr std::array<std::size_t, 6> sizes{8, 4, 4, 2, 2, 1};  // bytes of a number, by the tens of the type
+  const auto word = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return std::size_t{value};
+  };
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t left = bytes.size() - at;
+    const bool has_head = left >= head;
+    const std::size_t type = has_head ? word(at) / 10 % 10 : sizes.size();
+    const std::size_t name = has_head ? word(at + 16) : 0, rows = has_head ? word(at + 4) : 0;
+    const std::size_t numbers =
+        ArrayInfo{{}, {rows, has_head ? word(at + 8) : 0, has_head && word(at + 12) != 0 ? 2U : 1U}}.size();
+    if (type >= sizes.size() || name > max_name || name > left - head || numbers > (left - head - name) / sizes[type]) {
+      throw DataError(path + ": is a MAT file of version 4 that is damaged or cut off at byte " + std::to_string(at));
+    }
+    at += head + name + numbers * sizes[type];
+  }
+}
+
 using Variable = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
 
 template <typename T>
@@ -83,8 +107,11 @@ CopyNumbers copier_of(matio_classes kind) {
 
 class MatFile final : public ArrayFile {
  public:
-  MatFile(const std::string& in_memory, const std::string& path)
-      : path_(path), file_(matio().Mat_Open(in_memory.c_str(), MAT_ACC_RDONLY), matio().Mat_Close) {
+  MatFile(const std::string& in_memory, const FileSource& source, const std::string& path)
+      : path_(path),
+        file_size_(source.bytes.size()),
+        is_version4_(!source.text().starts_with("MATLAB")),
+        file_(matio().Mat_Open(in_memory.c_str(), MAT_ACC_RDONLY), matio().Mat_Close) {
     if (file_ == nullptr) throw DataError(path + ": is a MAT file that is damaged or cut off");
     for (;;) {
       const Variable variable(matio().Mat_VarReadNextInfo(file_.get()), matio().Mat_VarFree);
@@ -104,6 +131,7 @@ class MatFile final : public ArrayFile {
 
   [[nodiscard]] Buffer<double> numbers(std::size_t index) override {
     const Location& place = places_[index];
+    require_that_it_can_hold(arrays_[index]);
     const Variable whole(matio().Mat_VarRead(file_.get(), place.variable.c_str()), matio().Mat_VarFree);
     const matvar_t* found = whole.get();
     if (whole != nullptr && place.field != no_field) {
@@ -128,6 +156,12 @@ class MatFile final : public ArrayFile {
     std::size_t field;
   };
 
+  // Version 4 is not compressed.
+  void require_that_it_can_hold(const ArrayInfo& array) const {
+    if (is_version4_ ? array.size() <= file_size_ : can_hold(file_size_, array.size())) return;
+    throw DataError(path_ + ": array " + array.name + " has more numbers than the MAT file can hold; it is damaged");
+  }
+
   static std::vector<std::size_t> shape_of(const matvar_t& variable) {
     if (variable.rank < 1 || variable.dims == nullptr) return {};
     return {variable.dims, variable.dims + variable.rank};
@@ -151,6 +185,8 @@ class MatFile final : public ArrayFile {
   }
 
   const std::string& path_;
+  std::size_t file_size_;
+  bool is_version4_;
   std::unique_ptr<mat_t, int (*)(mat_t*)> file_;
   std::vector<ArrayInfo> arrays_;
   std::vector<Location> places_;  // those of arrays_
@@ -163,9 +199,10 @@ void read_mat(const FileSource& source, CurveFile& file) {
   if (!matio_library.is_present()) {
     throw DataError(file.path + ": this is a MATLAB MAT file, " + matio_library.reason_it_is_missing());
   }
+  if (!source.text().starts_with("MATLAB")) require_sound_version4(source.bytes, file.path);
   const std::lock_guard lock(one_thread_at_a_time());
   const MemoryFile in_memory(file.path, source.bytes);
-  MatFile arrays(in_memory.path(), file.path);
+  MatFile arrays(in_memory.path(), source, file.path);
   read_arrays(arrays, source.columns, file);
 }
 #else

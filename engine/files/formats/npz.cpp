@@ -58,7 +58,8 @@ using Archive = std::unique_ptr<zip_t, void (*)(zip_t*)>;
 
 class NpzFile final : public ArrayFile {
  public:
-  NpzFile(std::span<const std::byte> bytes, const std::string& path) : path_(path), archive_(opened(bytes, path)) {
+  NpzFile(std::span<const std::byte> bytes, const std::string& path)
+      : path_(path), archive_size_(bytes.size()), archive_(opened(bytes, path)) {
     constexpr std::string_view ending = ".npy";
     const zip_int64_t count = zip().zip_get_num_entries(archive_.get(), 0);
     for (zip_uint64_t k = 0; k < static_cast<zip_uint64_t>(std::max<zip_int64_t>(count, 0)); ++k) {
@@ -137,6 +138,7 @@ class NpzFile final : public ArrayFile {
       fail(member.name, zip().zip_strerror(archive_.get()));
     }
     require_fitting_memory(path_, {member.name, {status.size / sizeof(double)}});
+    if (!can_hold(archive_size_, status.size)) fail(member.name, "promises more than the archive can hold");
     return status.size;
   }
 
@@ -158,6 +160,7 @@ class NpzFile final : public ArrayFile {
   }
 
   const std::string& path_;
+  std::size_t archive_size_;
   Archive archive_;
   std::vector<ArrayInfo> arrays_;
   std::vector<Member> members_, others_;  // those of numbers, in the order of arrays_; all others

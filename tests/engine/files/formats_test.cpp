@@ -207,6 +207,7 @@ TEST_F(WrittenFormats, AreReadBackToTheSameBits) {
     for (int i = 0; i < 5 + k; ++i)
       zone.points.push_back({std::bit_cast<double>((random() & 0x800fffffffffffffULL) | (random() % 2000 + 20) << 52),
                              std::uniform_real_distribution<double>(-1, 1)(random)});
+    zone.points.push_back({-0.0, 3});
     zone.hole = k % 5 == 1;
     zones.push_back(zone);
   }
