@@ -1,5 +1,5 @@
-// Formats of other programs: NPZ, MAT, HDF5, NetCDF, GeoJSON, WKT, shapefiles, and any of them compressed by gzip. What is
-// read is written in formats that take several curves, and read back.
+// Formats of other programs: NPZ, MAT, HDF5, NetCDF, GeoJSON, WKT, shapefiles, and any of them compressed by gzip.
+// Curves that are read are written in formats that take several, and read back.
 #include <algorithm>
 
 #include "fuzz_reader.hpp"
