@@ -152,14 +152,14 @@ void export_store(const Arguments& arguments) {
   parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
   parser
       .add("-o,--output", output,
-           "Write the table to FILE, whose ending .csv, .jsonl or .npy is its format (default: standard output).")
+           "Write the table to FILE, whose ending .csv, .jsonl, .npy or .nc (NetCDF) is its format (default: standard output).")
       .value("FILE");
-  parser.add("--format", format, "The format of the table: csv, jsonl or npy (default: by the ending of FILE, or csv).")
+  parser.add("--format", format, "The format of the table: csv, jsonl, npy or nc (default: by the ending of FILE, or csv).")
       .value("KIND")
-      .one_of({"csv", "jsonl", "npy"});
+      .one_of({"csv", "jsonl", "npy", "nc"});
   parser
       .add("--operation", operation,
-           "The operation whose results are exported (default: all operations; a table in csv or npy holds one, which "
+           "The operation whose results are exported (default: all operations; a table in csv, npy or nc holds one, which "
            "has to be named if the store has several).")
       .value("NAME");
   if (!parser.parse(arguments)) return;
