@@ -242,10 +242,12 @@ constexpr const char* manifest_example = R"(A manifest for all pairs of a family
 std::string batch_help() {
   const std::size_t width = text_width();
   std::string text =
-      "Computes many curves and pairs, as a manifest says, and keeps the results in a store.\n\n" +
-      examples_text({{"lober batch run job.toml", "all jobs of the manifest that have no result yet"},
-                     {"lober batch export job.results -o areas.csv", "a table of the results"}}) +
-      "\nUsage: lober batch SUBCOMMAND ... (lober batch SUBCOMMAND --help lists its options)\n\nSubcommands:\n";
+      wrapped("Computes many curves and pairs, as a manifest says, and keeps the results in a store.", width);
+  text += "\n\n" + examples_text({{"lober batch run job.toml", "all jobs of the manifest that have no result yet"},
+                                  {"lober batch export job.results -o areas.csv", "a table of the results"}});
+  text += "\n" +
+          wrapped("Usage: lober batch SUBCOMMAND ... (lober batch SUBCOMMAND --help lists its options)", width, 9) +
+          "\n\nSubcommands:\n";
   for (const Subcommand& one : subcommands) {
     const std::string call = "lober batch " + std::string(one.verb) + (one.call.empty() ? "" : " ");
     text += list_entry(call + std::string(one.call), one.title, 40, width);

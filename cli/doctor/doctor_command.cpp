@@ -41,7 +41,7 @@ std::string failure_to_write(const std::string& folder) {
   const int file = mkstemp(name.data());
   if (file < 0) return std::error_code(errno, std::generic_category()).message();
   const bool written = write(file, "lober", 5) == 5;
-  const std::string failure = written ? "" : std::error_code(errno, std::generic_category()).message();
+  std::string failure = written ? "" : std::error_code(errno, std::generic_category()).message();
   close(file);
   unlink(name.c_str());
   return failure;
