@@ -15,7 +15,7 @@ PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel pyt
                    python3-pytest python3-hypothesis python3-shapely python3-sympy python3-numba python3-pandas \
                    python3-matplotlib mypy
 
-.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps python-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs-figures docs-check paper check-readme stress fuzz trust deps mpi-deps bench-deps python-deps format tidy clean
 
 demo: build
 	@scripts/demo.sh
@@ -87,6 +87,13 @@ fuzz: deps
 	cmake --preset fuzz
 	cmake --build --preset fuzz
 	@scripts/fuzz.sh
+
+# docs/trust.md: the cases of public trackers by lober, GEOS and two versions of Boost.Geometry.
+trust: bench-deps
+	@scripts/trust.sh boost
+	cmake --preset bench -DLOBER_NEWER_BOOST=$(CURDIR)/build/boost/usr/include
+	cmake --build --preset bench --target lober bench_trackers trackers_geos trackers_boost trackers_boost_newer
+	@scripts/trust.sh make
 
 deps:
 	@scripts/install-packages.sh $(PACKAGES)
