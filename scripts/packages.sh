@@ -7,7 +7,7 @@ folder=$(realpath -m "${1:-build/packages}")
 version=$(sed -n '1s/^lober (\([^)]*\)) .*/\1/p' debian/changelog)
 scripts/packages-version.sh
 # The names in Build-Depends; debhelper-compat is a version of debhelper.
-build_depends=$(sed -n '/^Build-Depends:/,/^[A-Z][a-z]*:/{s/^Build-Depends://; /^[A-Z]/d; s/([^)]*)//g; s/[ ,]//g; s/-compat$//; p}' debian/control)
+build_depends=$(sed -n '/^Build-Depends/,/^$/{s/^Build-Depends[A-Za-z-]*://; s/([^)]*)//g; s/<[^>]*>//g; s/[ ,]//g; s/-compat$//; p}' debian/control)
 # shellcheck disable=SC2086
 scripts/install-packages.sh build-essential $build_depends
 
