@@ -14,7 +14,7 @@ PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel pyt
                    python3-pytest python3-hypothesis python3-shapely python3-sympy python3-numba python3-pandas \
                    python3-matplotlib mypy
 
-.PHONY: demo test ci deb wheel packages-check build bench bench-build bench-batch python python-functions docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps python-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps python-deps format tidy clean
 
 demo:
 	@echo "Installs what it needs (root or sudo), builds the program and runs it: about three minutes on two cores, seconds the next time."
@@ -55,6 +55,7 @@ python: python-deps
 	cmake --preset release -DLOBER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 	@scripts/python.sh build
 
+.PHONY: deb wheel packages-check
 # Debian packages in build/packages: another machine needs nothing of this folder.
 deb:
 	@scripts/packages.sh
