@@ -84,10 +84,11 @@ program_runs() {
     [ $least -lt 5000 ]' "$version"
 }
 
-# Every command has a page, and the shells find completions.
+# Every command has a page, with the date of the package, and the shells find completions.
 # shellcheck disable=SC2016
 manual_and_completions() {
   shell_in_root '
+    export SOURCE_DATE_EPOCH=$1
     if ! lober --generate man >/tmp/lober.1 2>/dev/null; then
       echo "this lober does not know --generate"
       exit 77
@@ -99,7 +100,7 @@ manual_and_completions() {
     lober --generate complete-bash | cmp - /usr/share/bash-completion/completions/lober
     lober --generate complete-zsh | cmp - /usr/share/zsh/vendor-completions/_lober
     lober --generate complete-fish | cmp - /usr/share/fish/vendor_completions.d/lober.fish
-    echo "== $(ls /usr/share/man/man1/lober*.1.gz | wc -l) pages, completions for bash, zsh and fish"'
+    echo "== $(ls /usr/share/man/man1/lober*.1.gz | wc -l) pages, completions for bash, zsh and fish"' "$(dpkg-parsechangelog --show-field Timestamp)"
 }
 
 # shellcheck disable=SC2016
