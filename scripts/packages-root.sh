@@ -3,7 +3,7 @@
 
 # Debian's required packages and apt, nothing else.
 make_root() {
-  rm -rf "$root"
+  rm -rf --one-file-system "$root"
   mmdebstrap --mode=root --variant=minbase --quiet bookworm "$root"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
 }
