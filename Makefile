@@ -5,7 +5,8 @@ SHELL := /bin/bash
 # What the program and its tests need, and what only the rivals of the benchmark need.
 PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libspdlog-dev \
             libcli11-dev nlohmann-json3-dev libboost-dev libgtest-dev libgmp-dev libcgal-dev libsqlite3-dev \
-            libtomlplusplus-dev nettle-dev pkg-config
+            libtomlplusplus-dev nettle-dev pkg-config \
+            zlib1g-dev libzip-dev libmatio-dev libhdf5-dev libshp-dev
 # Not needed to build; with it lober_mpi is built and tested.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev

@@ -20,6 +20,7 @@ else
 fi
 export LOBER_KILLS=2 LOBER_SCENE_POINTS=20000
 export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
+export LSAN_OPTIONS=suppressions=$PWD/scripts/lsan.supp:print_suppressions=0
 export TSAN_OPTIONS="suppressions=$PWD/scripts/tsan.supp halt_on_error=1"
 cores=${LOBER_CI_CORES:-$(nproc)}
 status=0

@@ -105,7 +105,7 @@ step "numbers of README" 1 scripts/check-numbers.sh
 step "the Python module, its tests and types" 5 make -s python
 step "commands and code of README and documents" 3 scripts/check-readme.sh
 # Without the program: operations_test runs all operations, and clang-tidy below compiles what has changed of it.
-instrumented=(lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_store)
+instrumented=(lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_formats fuzz_store)
 sanitized_minutes=12
 if [ -n "$all" ]; then
   instrumented=()

@@ -12,8 +12,12 @@
 #include "cli/batch/batch_report.hpp"
 #include "cli/batch/operations_list.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/help_text.hpp"
 #include "cli/program/interrupt.hpp"
+#include "cli/program/wrapped_text.hpp"
 #include "cli/report/report.hpp"
+#include "engine/base/machine_memory.hpp"
+#include "engine/base/nearest_word.hpp"
 #include "engine/batch/export/export.hpp"
 #include "engine/batch/forecast.hpp"
 #include "engine/batch/plan_outputs.hpp"
@@ -96,6 +100,8 @@ void check_manifest(const Arguments& arguments) {
       "Reads a manifest and reports the number of its jobs, curves and points, and the work that the memory is too "
       "small for. Nothing is computed.",
       "lober batch check");
+  parser.add_example("lober batch check job.toml", "the work that the manifest asks for");
+  parser.add_example("lober batch check job.toml --memory 4G", "and whether 4 GB are enough for it");
   parser.add("MANIFEST", path, "The manifest, a TOML file that names the operation and the curves.").required();
   add_output_root_option(parser, output_root);
   const Option memory_given = add_memory_budget(parser, memory);
@@ -130,6 +136,8 @@ void show_status(const Arguments& arguments) {
   OptionParser parser(
       "Reports how many jobs of a store are done, the runs that computed them, and the jobs that failed.",
       "lober batch status");
+  parser.add_example("lober batch status job.results", "how far the runs of job.toml are");
+  parser.add_example("lober batch status job1.results", "and of one shard");
   parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
   if (!parser.parse(arguments)) return;
   const detail::Store store = detail::Store::open(path);
@@ -148,17 +156,20 @@ void show_status(const Arguments& arguments) {
 void export_store(const Arguments& arguments) {
   std::string path, output = "-", format, operation;
   OptionParser parser("Writes the results of a store as a table.", "lober batch export");
+  parser.add_example("lober batch export job.results", "all results as CSV on standard output");
+  parser.add_example("lober batch export job.results -o all.jsonl",
+                     "with lists and messages, an object of JSON a line");
   parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
   parser
       .add("-o,--output", output,
-           "Write the table to FILE, whose ending .csv, .jsonl or .npy is its format (default: standard output).")
+           "Write the table to FILE, whose ending .csv, .jsonl, .npy or .nc (NetCDF) is its format (default: standard output).")
       .value("FILE");
-  parser.add("--format", format, "The format of the table: csv, jsonl or npy (default: by the ending of FILE, or csv).")
+  parser.add("--format", format, "The format of the table: csv, jsonl, npy or nc (default: by the ending of FILE, or csv).")
       .value("KIND")
-      .one_of({"csv", "jsonl", "npy"});
+      .one_of({"csv", "jsonl", "npy", "nc"});
   parser
       .add("--operation", operation,
-           "The operation whose results are exported (default: all operations; a table in csv or npy holds one, which "
+           "The operation whose results are exported (default: all operations; a table in csv, npy or nc holds one, which "
            "has to be named if the store has several).")
       .value("NAME");
   if (!parser.parse(arguments)) return;
@@ -177,6 +188,8 @@ void merge_stores(const Arguments& arguments) {
   std::string target;
   std::vector<std::string> sources;
   OptionParser parser("Joins stores of the same plan, as shards write them, into one.", "lober batch merge");
+  parser.add_example("lober batch merge all.results job1.results job2.results", "the results of two shards");
+  parser.add_example("lober batch merge job.results more.results", "adds results to a store");
   parser.add("TARGET", target, "The store that takes the results, which is created if it does not exist.").required();
   parser.add("STORES", sources, "The stores whose results are copied.").required();
   if (!parser.parse(arguments)) return;
@@ -202,52 +215,67 @@ void merge_stores(const Arguments& arguments) {
   warn_of(counts.damaged);
 }
 
-constexpr const char* batch_usage = R"(lober batch: many curves and pairs
+struct Subcommand {
+  std::string_view verb;
+  void (*run)(const Arguments& arguments);
+  std::string_view call, title;
+};
 
-usage:
-  lober batch run MANIFEST [options]    computes the results that are not in the store yet; the first interrupt lets
-                                        running jobs finish within a second, a second one stops at once; nothing
-                                        that was stored is lost
-  lober batch check MANIFEST            reads the manifest and reports how much work it is
-  lober batch status STORE              reports the jobs that are done, the runs and the failures
-  lober batch export STORE [-o FILE]    writes the results as CSV, JSON lines or NPY
-  lober batch merge TARGET STORE...     joins the stores of shards
-  lober batch manifest                  lists the keys of a manifest
-  lober batch operations [NAME]         lists the operations, or the options and results of one
-  lober batch run --help                lists the options of a subcommand
+constexpr Subcommand subcommands[]{
+    {"run", run_manifest, "MANIFEST [options]",
+     "computes the results that are not in the store yet; the first interrupt lets running jobs finish within a "
+     "second, "
+     "a second one stops at once; nothing that was stored is lost"},
+    {"check", check_manifest, "MANIFEST", "reads the manifest and reports how much work it is"},
+    {"status", show_status, "STORE", "reports the jobs that are done, the runs and the failures"},
+    {"export", export_store, "STORE [-o FILE]", "writes the results as CSV, JSON lines or NPY"},
+    {"merge", merge_stores, "TARGET STORE...", "joins the stores of shards"},
+    {"manifest", show_manifest_keys, "", "lists the keys of a manifest"},
+    {"operations", show_operations, "[NAME]", "lists the operations, or the options and results of one"},
+};
 
-A manifest for all pairs of a family of files, relative to its folder:
+constexpr const char* manifest_example = R"(A manifest for all pairs of a family of files, relative to its folder:
   operation = "overlay"
   curves = "separ.*"
   pairs = "all"
 )";
 
+std::string batch_help() {
+  const std::size_t width = text_width();
+  std::string text =
+      "Computes many curves and pairs, as a manifest says, and keeps the results in a store.\n\n" +
+      examples_text({{"lober batch run job.toml", "all jobs of the manifest that have no result yet"},
+                     {"lober batch export job.results -o areas.csv", "a table of the results"}}) +
+      "\nUsage: lober batch SUBCOMMAND ... (lober batch SUBCOMMAND --help lists its options)\n\nSubcommands:\n";
+  for (const Subcommand& one : subcommands) {
+    const std::string call = "lober batch " + std::string(one.verb) + (one.call.empty() ? "" : " ");
+    text += list_entry(call + std::string(one.call), one.title, 40, width);
+  }
+  return text + "\n" + manifest_example + "\n" + reference_line(anchor_of("lober batch run"), width);
+}
+
 }  // namespace
 
+std::vector<std::string> batch_verbs() {
+  std::vector<std::string> verbs;
+  for (const Subcommand& one : subcommands) verbs.emplace_back(one.verb);
+  return verbs;
+}
+
 void run_batch_command(const Arguments& arguments) {
-  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
-    if (arguments.empty()) {
-      throw UsageError(
-          "a subcommand is missing; give run, check, status, export, merge, manifest or operations (see lober batch "
-          "--help)");
-    }
-    return print(batch_usage);
+  const std::vector<std::string> verbs = batch_verbs();
+  if (arguments.empty()) {
+    throw UsageError("a subcommand is missing; give " + detail::joined(verbs) + " (see lober batch --help)");
   }
-  const Arguments rest(arguments.begin() + 1, arguments.end());
   const std::string& verb = arguments[0];
-  if (verb == "run") return run_manifest(rest);
-  if (verb == "check") return check_manifest(rest);
-  if (verb == "status") return show_status(rest);
-  if (verb == "export") return export_store(rest);
-  if (verb == "merge") return merge_stores(rest);
-  if (verb == "manifest") return show_manifest_keys(rest);
-  if (verb == "operations") return show_operations(rest);
-  if (const std::string advice = advice_for_file(verb); !advice.empty()) {
-    throw UsageError("\"" + verb + "\" is not a subcommand of lober batch" + advice);
+  if (verb == "--help" || verb == "-h") return print(batch_help());
+  for (const Subcommand& one : subcommands) {
+    if (verb == one.verb) return one.run({arguments.begin() + 1, arguments.end()});
   }
-  throw UsageError("\"" + verb +
-                   "\" is not a subcommand of lober batch; give run, check, status, export, merge, "
-                   "manifest or operations");
+  const std::string advice = advice_for_file(verb);
+  throw UsageError(
+      "\"" + verb + "\" is not a subcommand of lober batch" +
+      (advice.empty() ? "; there are " + detail::joined(verbs) + detail::did_you_mean(verb, verbs) : advice));
 }
 
 }  // namespace lober::cli

@@ -53,6 +53,9 @@ std::optional<BatchRequest> parse_batch(const std::vector<std::string>& argument
       "Runs the jobs of a manifest that have no result in the store yet. lober batch manifest lists the keys of a "
       "manifest.",
       program);
+  const std::string name = parser.command();
+  parser.add_example(name + " job.toml", "all jobs that have no result yet; results go to job.results");
+  parser.add_example(name + " job.toml --shard 1/2 --store job1.results", "the first half of the jobs");
   parser.add("MANIFEST", request.manifest, "The manifest, a TOML file that names the operation and the curves.")
       .required();
   parser

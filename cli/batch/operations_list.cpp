@@ -8,6 +8,7 @@
 #include "cli/program/option_parser.hpp"
 #include "cli/report/json_file.hpp"
 #include "cli/report/report.hpp"
+#include "engine/base/nearest_word.hpp"
 #include "lober/base/error.hpp"
 #include "lober/batch.hpp"
 
@@ -129,6 +130,8 @@ void show_operations(const std::vector<std::string>& arguments) {
   std::string name, json_path;
   OptionParser parser("Lists the operations of batches; with a name, the options and results of that operation.",
                       "lober batch operations");
+  parser.add_example("lober batch operations", "all of them");
+  parser.add_example("lober batch operations transport", "the options and results of one");
   parser.add("NAME", name, "The name of an operation.");
   add_json_option(parser, json_path, "the list");
   if (!parser.parse(arguments)) return;
@@ -137,10 +140,12 @@ void show_operations(const std::vector<std::string>& arguments) {
 
   std::vector<OperationInfo> all = list_operations();
   if (!name.empty()) {
-    std::string known;
-    for (const OperationInfo& info : all) known += (known.empty() ? "" : ", ") + info.name;
+    std::vector<std::string> known;
+    for (const OperationInfo& info : all) known.push_back(info.name);
     std::erase_if(all, [&](const OperationInfo& info) { return info.name != name; });
-    if (all.empty()) throw UsageError("\"" + name + "\" is not an operation; there are " + known);
+    if (all.empty())
+      throw UsageError("\"" + name + "\" is not an operation; there are " + detail::joined(known) +
+                       detail::did_you_mean(name, known));
   }
   if (!json_path.empty()) {
     Json list = Json::array();
@@ -152,6 +157,8 @@ void show_operations(const std::vector<std::string>& arguments) {
 
 void show_manifest_keys(const std::vector<std::string>& arguments) {
   OptionParser parser("Lists the keys of a manifest.", "lober batch manifest");
+  parser.add_example("lober batch manifest", "all keys, with their values");
+  parser.add_example("lober batch manifest > keys.txt", "the same in a file");
   if (parser.parse(arguments)) print(manifest_keys);
 }
 

@@ -36,8 +36,9 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
       "lober densify");
   parser
       .add("CURVES", request.curves,
-           "CURVE, and AGAINST for --passes and --crossings: FILE, or FILE#ZONE for one zone of it (by number from 0, "
-           "or by title).")
+           "The curve, and the one AGAINST which it is refined by --passes and --crossings: FILE, or FILE#ZONE for one "
+           "zone of it (by number from 0, or by title).")
+      .value("CURVE [AGAINST]")
       .required()
       .count(1, 2);
   add_points_option(parser, request.output, true);

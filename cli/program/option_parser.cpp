@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 #include <type_traits>
 #include <utility>
 
 #include "cli/program/command_line.hpp"
-#include "cli/program/edit_distance.hpp"
+#include "cli/program/help_text.hpp"
+#include "cli/program/wrapped_text.hpp"
 #include "cli/report/text.hpp"
+#include "engine/base/nearest_word.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::cli {
@@ -17,26 +20,36 @@ namespace {
 
 // CLI11's own sentences are of its making; these say what is wrong with which option. One function for all of them.
 
+// Where parsers describe themselves, while described() runs; null elsewhere.
+thread_local std::vector<CommandDescription>* recorded_descriptions = nullptr;
+
 std::string quoted(const std::string& text) {
   return "\"" + text + "\"";
 }
 
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+bool looks_like_option(const std::string& argument) {
+  return argument.size() > 1 && argument[0] == '-' && std::isdigit(static_cast<unsigned char>(argument[1])) == 0;
+}
+
 // Names an argument that the command does not know, and the option that is spelled nearly like it.
 std::string about_unknown(const CLI::App& app, const std::string& argument) {
-  const bool number = std::isdigit(static_cast<unsigned char>(argument[argument.size() > 1 ? 1 : 0])) != 0;
-  if (!argument.starts_with('-') || argument.size() < 2 || number) return "unexpected argument " + quoted(argument);
+  if (!looks_like_option(argument)) return "unexpected argument " + quoted(argument);
   const std::string name = argument.substr(0, argument.find('='));
-  std::string nearest;
-  std::size_t fewest = std::max<std::size_t>(name.size() / 4, 1);
+  std::vector<std::string> words;  // without the dashes, which would count as letters that are right
   for (const CLI::Option* const option : app.get_options()) {
-    for (const std::string& known : option->get_lnames()) {
-      const std::size_t edits = edit_distance(name, "--" + known);
-      if (edits >= fewest && !(edits == fewest && nearest.empty())) continue;
-      fewest = edits;
-      nearest = "--" + known;
-    }
+    for (const std::string& known : names_of(*option)) words.push_back(known.substr(known.find_first_not_of('-')));
   }
-  return "there is no option " + name + (nearest.empty() ? std::string() : "; is " + nearest + " meant?");
+  const std::string word = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+  const std::string meant = detail::nearest_word(word, words);
+  const std::string dashes = meant.size() == 1 ? "-" : "--";
+  return "there is no option " + name + (meant.empty() ? "" : "; did you mean " + dashes + meant + "?");
 }
 
 // The option that a sentence of CLI11's begins with; null if none.
@@ -70,7 +83,11 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
     return names_around(" excludes ", " and ") + " cannot be given together";
   }
   if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return names_around(" requires ", " needs ");
-  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return names_around(" is required", " is missing");
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    const std::vector<std::string> unknown = app.remaining();  // an option that is misspelt is missing, too
+    const auto option = std::find_if(unknown.begin(), unknown.end(), looks_like_option);
+    return option != unknown.end() ? about_unknown(app, *option) : names_around(" is required", " is missing");
+  }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     const CLI::Option* const option = subject_of(app, sentence);
     return option == nullptr ? sentence : about_values(*option);
@@ -143,6 +160,7 @@ Option Option::range(T first, T last) {
   return limited<T>([first, last](T value) { return value >= first && value <= last; }, kind + limits, limits);
 }
 Option Option::one_of(const std::vector<std::string>& allowed) {
+  *choices_ = allowed;
   std::string list;
   for (std::size_t k = 0; k < allowed.size(); ++k) {
     list += (k == 0 ? "" : k + 1 == allowed.size() ? " or " : ", ") + allowed[k];
@@ -150,7 +168,7 @@ Option Option::one_of(const std::vector<std::string>& allowed) {
   option_->check(
       [allowed, list](const std::string& text) {
         const bool good = std::find(allowed.begin(), allowed.end(), text) != allowed.end();
-        return good ? std::string() : quoted(text) + " is not " + list;
+        return good ? std::string() : quoted(text) + " is not " + list + detail::did_you_mean(text, allowed);
       },
       "");
   return *this;
@@ -180,26 +198,60 @@ OptionParser::~OptionParser() = default;
 
 template <typename T>
 Option OptionParser::add(const char* names, T& variable, const char* help) {
-  return Option(app_->add_option(names, variable, help));
+  return added(app_->add_option(names, variable, help));
 }
 Option OptionParser::add_call(const char* names, const std::function<void(const std::string&)>& take,
                               const char* help) {
-  return Option(app_->add_option_function<std::string>(names, take, help));
+  return added(app_->add_option_function<std::string>(names, take, help));
 }
 Option OptionParser::add_flag(const char* names, bool& variable, const char* help) {
-  return Option(app_->add_flag(names, variable, help));
+  return added(app_->add_flag(names, variable, help));
+}
+Option OptionParser::added(CLI::Option* option) {
+  return {option, choices_[option]};
 }
 
 void OptionParser::add_example(const std::string& line, const std::string& meaning) {
-  std::string text = app_->get_description();
-  if (text.find("\nExamples:") == std::string::npos) text += "\n\nExamples:";
-  app_->description(text + "\n  " + line + "\n      " + meaning);
+  examples_.push_back({line, meaning});
 }
 std::string OptionParser::command() const {
   return app_->get_name();
 }
 
+CommandDescription OptionParser::description() const {
+  CommandDescription command{app_->get_name(), app_->get_description(), examples_, {}};
+  const std::vector<const CLI::Option*> options = std::as_const(*app_).get_options();
+  // The names of those in the set, in the order in which they were added.
+  const auto names_in = [&](const std::set<CLI::Option*>& set) {
+    std::vector<std::string> names;
+    for (const CLI::Option* const one : options) {
+      if (std::find(set.begin(), set.end(), one) != set.end()) names.push_back(one->get_name());
+    }
+    return names;
+  };
+  for (const CLI::Option* const option : options) {
+    OptionDescription one;
+    if (option->get_positional()) one.position = option->get_name(true);
+    one.names = names_of(*option);
+    if (option->get_items_expected_max() > 0) one.value = option->get_type_name();
+    if (one.value == "TEXT" && !one.position.empty()) one.value = one.position;
+    one.meaning = option->get_description();
+    if (const auto found = choices_.find(option); found != choices_.end()) one.choices = found->second;
+    one.required = option->get_required();
+    one.repeats = option->get_items_expected_max() >= CLI::detail::expected_max_vector_size;
+    one.needs = names_in(option->get_needs());
+    one.not_with = names_in(option->get_excludes());
+    command.options.push_back(std::move(one));
+  }
+  classify(command);
+  return command;
+}
+
 bool OptionParser::parse(const std::vector<std::string>& arguments) {
+  if (recorded_descriptions != nullptr) {
+    recorded_descriptions->push_back(description());
+    return false;
+  }
   // An empty text would mean that the option was not given: a variable of the shell that was never set.
   const auto refuse_empty = [&](const std::string& name) {
     throw UsageError(name + " has an empty value (see " + app_->get_name() + " --help)");
@@ -211,7 +263,7 @@ bool OptionParser::parse(const std::vector<std::string>& arguments) {
     std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
     app_->parse(std::move(last_first));
   } catch (const CLI::CallForHelp&) {
-    print(app_->help());
+    print(help_text(description(), text_width()));
     return false;
   } catch (const CLI::ParseError& error) {
     throw UsageError(message_of(*app_, error) + " (see " + app_->get_name() + " --help)");
@@ -221,6 +273,19 @@ bool OptionParser::parse(const std::vector<std::string>& arguments) {
     if (std::find(values.begin(), values.end(), std::string()) != values.end()) refuse_empty(option->get_name());
   }
   return true;
+}
+
+std::vector<CommandDescription> described(const std::function<void()>& command) {
+  std::vector<CommandDescription> found;
+  std::vector<CommandDescription>* const before = std::exchange(recorded_descriptions, &found);
+  try {
+    command();
+  } catch (...) {
+    recorded_descriptions = before;
+    throw;
+  }
+  recorded_descriptions = before;
+  return found;
 }
 
 std::optional<double> number_of(const std::string& text) {

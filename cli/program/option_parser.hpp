@@ -4,10 +4,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "cli/program/command_description.hpp"
 
 namespace CLI {
 class App;
@@ -19,7 +22,7 @@ namespace lober::cli {
 /// One of them, to say more about. A handle: valid as long as its parser.
 class Option {
  public:
-  explicit Option(CLI::Option* option) : option_(option) {}
+  Option(CLI::Option* option, std::vector<std::string>& choices) : option_(option), choices_(&choices) {}
 
   Option value(const char* name);  ///< what the help calls the value: "FILE"
   Option required();
@@ -43,6 +46,7 @@ class Option {
   Option limited(const Accepts& accepts, const std::string& kind, const std::string& limits);
 
   CLI::Option* option_;
+  std::vector<std::string>* choices_;  // those of one_of, for descriptions
 };
 
 class OptionParser {
@@ -60,7 +64,7 @@ class OptionParser {
   Option add_call(const char* names, const std::function<void(const std::string&)>& take, const char* help);
   Option add_flag(const char* names, bool& variable, const char* help);
 
-  /// Adds a command line to the help, before its options: "lober grow henon", and what it does.
+  /// Adds a command line to the help, before its options: "lober grow henon", and a phrase that says what it does.
   void add_example(const std::string& line, const std::string& meaning);
   [[nodiscard]] std::string command() const;  ///< "lober grow"
 
@@ -68,8 +72,17 @@ class OptionParser {
   [[nodiscard]] bool parse(const std::vector<std::string>& arguments);
 
  private:
+  [[nodiscard]] Option added(CLI::Option* option);
+  [[nodiscard]] CommandDescription description() const;
+
   std::unique_ptr<CLI::App> app_;
+  std::vector<CommandExample> examples_;
+  std::map<const CLI::Option*, std::vector<std::string>> choices_;
 };
+
+/// Runs a command whose parsers describe themselves instead of parsing: parse() returns false, as for --help, and
+/// nothing is printed.
+[[nodiscard]] std::vector<CommandDescription> described(const std::function<void()>& command);
 
 /// The whole text as a number, in the C locale; nothing if it is none.
 [[nodiscard]] std::optional<double> number_of(const std::string& text);

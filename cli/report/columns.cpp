@@ -6,7 +6,7 @@
 #include "cli/report/text.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
-#include "engine/files/binary_file.hpp"
+#include "engine/files/npy_header.hpp"
 
 namespace lober::cli {
 namespace {

@@ -15,10 +15,10 @@ void run_schema(const std::vector<std::string>& arguments) {
   bool markdown = false;
   OptionParser parser(
       "Prints the JSON Schema of the members that an operation writes beside program, command, agreement, inputs, "
-      "options and "
-      "timing; "
-      "without a name, lists the operations.",
+      "options and timing; without a name, lists the operations.",
       "lober schema");
+  parser.add_example("lober schema", "the operations");
+  parser.add_example("lober schema overlay", "the members of the JSON of lober overlay");
   parser.add("OPERATION", name, "The name of an operation.");
   parser.add_flag("--markdown", markdown,
                   "Print inputs, options and results as a document in Markdown instead; of all operations, without a "

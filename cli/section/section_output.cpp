@@ -9,7 +9,7 @@
 #include "cli/report/cells.hpp"
 #include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
-#include "engine/files/binary_file.hpp"
+#include "engine/files/npy_header.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
 

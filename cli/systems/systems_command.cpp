@@ -180,6 +180,8 @@ void run_systems(const std::vector<std::string>& arguments) {
       "of "
       "that system.",
       "lober systems");
+  parser.add_example("lober systems", "the names of all systems");
+  parser.add_example("lober systems ovp --param gamma=0.5", "the equations, parameters and manifolds of one");
   parser.add("SYSTEM", request.name, "The name of a system, or a shared library (lober_system.h).");
   add_parameter_option(parser, request.parameters);
   add_json_option(parser, json_path, "the list");

@@ -18,6 +18,7 @@
 #include "cli/report/agreement_report.hpp"
 #include "cli/tangle/system_tangle_command.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
+#include "engine/base/nearest_word.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "lober/base/threads.hpp"
@@ -91,9 +92,10 @@ std::optional<TangleRequest> parse_tangle(const std::vector<std::string>& argume
 void require_file_or_system(const std::string& name) {
   const std::vector<SystemInfo> systems = list_systems();
   if (!std::filesystem::exists(detail::file_of_curve(name))) {
-    std::string names;
-    for (const SystemInfo& info : systems) names += (names.empty() ? "" : ", ") + info.name;
-    throw UsageError(name + " is neither a file nor a system; the systems are " + names);
+    std::vector<std::string> names;
+    for (const SystemInfo& info : systems) names.push_back(info.name);
+    throw UsageError(name + " is neither a file nor a system; the systems are " + detail::joined(names) +
+                     detail::did_you_mean(name, names));
   }
   if (std::any_of(systems.begin(), systems.end(), [&](const SystemInfo& info) { return info.name == name; })) {
     log_warning("the file " + name + " is read; --system " + name + " is the system of that name");

@@ -31,6 +31,8 @@ struct WindingRequest {
 };
 
 void add_options(OptionParser& parser, WindingRequest& request) {
+  parser.add_example("lober winding examples/resonance.dat --at 0,0", "about the origin");
+  parser.add_example("lober winding examples/loops.csv --grid 20,20", "on a grid, of a curve that crosses itself");
   parser
       .add("CURVE", request.curve,
            "The closed curve, which may cross itself: FILE, or FILE#ZONE for one zone of it (by number from 0, or by "

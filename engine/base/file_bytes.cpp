@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/base/input_guard.hpp"
+#include "engine/base/machine_memory.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/path_text.hpp"
 #include "lober/base/error.hpp"
@@ -83,9 +84,7 @@ void read_regular(const Descriptor& file, const struct stat& before, const std::
 }
 
 void read_to_end(const Descriptor& file, const std::string& path, Buffer<std::byte>& buffer) {
-  const auto memory =
-      static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::sysconf(_SC_PAGE_SIZE));
-  const std::size_t most = memory / 4;
+  const std::size_t most = memory_for_unknown_content();
   std::size_t used = 0;
   for (;;) {
     if (used == buffer.size()) {

@@ -28,4 +28,15 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+std::string as_utf8(std::string_view text) {
+  std::string result;
+  if (is_utf8(text)) return std::string(text);
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80) result += static_cast<char>(0xc0U | byte >> 6U);
+    result += static_cast<char>(byte < 0x80 ? byte : 0x80U | (byte & 0x3fU));
+  }
+  return result;
+}
+
 }  // namespace lober::detail

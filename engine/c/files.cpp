@@ -3,6 +3,8 @@
 
 #include "engine/c/call.hpp"
 #include "lober/base/error.hpp"
+#include "lober/base/version.hpp"
+#include "lober/curve/formats.hpp"
 
 int lober_read(const char* spec, const char* options, lober_result** result) {
   using namespace lober::detail::c;
@@ -19,10 +21,11 @@ int lober_write(const char* path, const double* points, size_t n) {
   using namespace lober::detail::c;
   return guarded([&] {
     if (!path) throw lober::UsageError("no file is given");
-    const std::string_view name(path);
     const std::span<const lober::Point> given = points_of(points, n, "curve");
-    if (name.ends_with(".npy")) return lober::write_npy(path, given);
-    if (name.ends_with(".raw") || name.ends_with(".f64")) return lober::write_raw(path, given);
-    lober::write_text(path, given, name.ends_with(".csv") ? ',' : ' ');
+    const lober::Zone zone{{}, {given.begin(), given.end()}, 1};
+    const bool has_format = lober::format_of_name(path).has_value();
+    lober::WriteOptions options{.provenance = {{"lober", std::string(lober::version())}}};
+    if (!has_format) options.format = lober::Format::text;
+    lober::write_curves(path, {&zone, 1}, options);
   });
 }

@@ -12,9 +12,6 @@ namespace lober::detail {
 /// Reads `bytes`, which begin with the magic string of NPY, into one zone of `file`. Versions 1.0 to 3.0.
 void read_npy(std::span<const std::byte> bytes, CurveFile& file);
 
-/// The head of an NPY file of native float64 numbers in C order, which follow it. At least two axes.
-[[nodiscard]] std::string npy_head(std::span<const std::size_t> shape);
-
 /// Reads `bytes` as native float64 pairs into one zone of `file`.
 void read_raw(std::span<const std::byte> bytes, CurveFile& file);
 

@@ -20,25 +20,13 @@ struct Magic {
   std::string_view remedy;
 };
 using namespace std::string_view_literals;  // some hold zero bytes
-constexpr std::string_view from_matlab =
-    "in MATLAB writematrix([x(:) y(:)], 'points.txt'), or in Python scipy.io.loadmat and numpy.save";
-constexpr std::string_view from_hdf5 = "in Python h5py (or netCDF4) and numpy.save, an N x 2 array";
-constexpr std::string_view from_netcdf = "in Python scipy.io.netcdf_file (or netCDF4) and numpy.save, an N x 2 array";
 constexpr std::string_view from_parquet = "in Python pandas and DataFrame.to_csv";
 constexpr std::array magics{
-    Magic{"MATLAB 5.0 MAT-file"sv, "a MATLAB MAT file (version 5 to 7)", from_matlab},
-    Magic{"MATLAB 7.3 MAT-file"sv, "a MATLAB MAT file (version 7.3, HDF5)",
-          "in MATLAB writematrix([x(:) y(:)], 'points.txt'), or in Python h5py and numpy.save"},
     Magic{"Octave-1-L"sv, "an Octave binary file", "in Octave dlmwrite('points.txt', [x(:) y(:)], 'precision', 17)"},
-    Magic{"\x89HDF\r\n\x1A\n"sv, "an HDF5 (or NetCDF-4) file", from_hdf5},
-    Magic{"CDF\x01"sv, "a NetCDF file", from_netcdf},
-    Magic{"CDF\x02"sv, "a NetCDF file", from_netcdf},
-    Magic{"CDF\x05"sv, "a NetCDF file", "in Python netCDF4 and numpy.save, an N x 2 array"},
     Magic{"GRIB"sv, "a GRIB file", as_npy},
     Magic{"PAR1"sv, "a Parquet file", from_parquet},
     Magic{"ARROW1"sv, "an Arrow file", from_parquet},
     Magic{"FEA1"sv, "a Feather file", from_parquet},
-    Magic{"\x1F\x8B\x08"sv, "compressed by gzip", "gunzip it first"},
     Magic{"BZh"sv, "compressed by bzip2", "bunzip2 it first"},
     Magic{"\xFD"
           "7zXZ\0"sv,
@@ -82,29 +70,10 @@ std::string zip_format(std::string_view bytes) {
   constexpr std::size_t name_size_at = 26, name_at = 30;
   const std::size_t name_size = number_at(bytes, name_size_at) & 0xFFFF;
   const std::string_view name = bytes.substr(std::min(name_at, bytes.size()), name_size);
-  if (name.ends_with(".npy")) {
-    return sentence("a NumPy archive (npz)", "save one of its arrays by numpy.save, N x 2");
-  }
   if (name == "[Content_Types].xml" || name.starts_with("xl/")) {
     return sentence("an Excel or Office document", "save its columns as CSV");
   }
   return sentence("a zip archive", unpack);
-}
-
-/// MAT files of version 4 have no mark: a type, sizes, a flag, and the length of a name that follows.
-bool is_mat4(std::string_view bytes) {
-  constexpr std::size_t header = 20;
-  constexpr std::uint32_t longest_name = 64;
-  if (bytes.size() < header) return false;
-  const std::uint32_t type = number_at(bytes, 0), rows = number_at(bytes, 4), columns = number_at(bytes, 8);
-  const std::uint32_t imaginary = number_at(bytes, 12), name_size = number_at(bytes, 16);
-  if (type > 52 || type % 10 > 2 || rows == 0 || columns == 0 || imaginary > 1) return false;
-  if (name_size < 2 || name_size > longest_name || bytes.size() < header + name_size) return false;
-  const std::string_view name = bytes.substr(header, name_size - 1);
-  const auto in_names = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  };
-  return bytes[header + name_size - 1] == '\0' && std::all_of(name.begin(), name.end(), in_names);
 }
 
 /// Unformatted Fortran: each record between two copies of its length.
@@ -125,20 +94,6 @@ bool is_utf16(std::string_view bytes) {
   return end > first;
 }
 
-bool is_shapefile(std::string_view bytes) {
-  constexpr std::size_t version_at = 28;
-  return bytes.starts_with("\0\0\x27\x0A"sv) && bytes.size() >= version_at + 4 &&
-         bytes.substr(version_at, 4) == "\xE8\x03\0\0"sv;
-}
-
-bool is_hdf5_behind_block(std::string_view bytes) {
-  constexpr std::size_t first_block = 512, last_block = 8192;
-  for (std::size_t at = first_block; at <= last_block && at < bytes.size(); at *= 2) {
-    if (bytes.substr(at).starts_with("\x89HDF\r\n\x1A\n"sv)) return true;
-  }
-  return false;
-}
-
 /// The first characters of text other than white space.
 std::string_view beginning(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
@@ -146,18 +101,11 @@ std::string_view beginning(std::string_view text) {
 
 }  // namespace
 
-std::string foreign_text(std::string_view text) {
-  const std::string_view first = beginning(text);
+std::string foreign_text(std::span<const std::byte> text) {
+  const std::string_view first = beginning(text_of(text));
   constexpr std::array<std::string_view, 7> tags{"<?xml", "<!", "<svg", "<html", "<kml", "<gpx", "<VTKFile"};
   if (std::any_of(tags.begin(), tags.end(), [&](std::string_view tag) { return first.starts_with(tag); })) {
     return sentence("XML, HTML or SVG", "write its points as two columns of text");
-  }
-  // A header line may name columns in brackets.
-  const bool opens = first.starts_with('{') || first.starts_with('[');
-  const std::string_view second = opens ? beginning(first.substr(1)) : std::string_view{};
-  const std::string_view inside = first.starts_with('{') ? "\"}" : "[{\"-0123456789]";
-  if (!second.empty() && inside.find(second.front()) != std::string_view::npos) {
-    return sentence("JSON", "write its coordinates as two columns of text");
   }
   return {};
 }
@@ -168,13 +116,9 @@ std::string foreign_format(std::span<const std::byte> all) {
     if (bytes.starts_with(magic.bytes)) return sentence(magic.what, magic.remedy);
   }
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) return zip_format(bytes);
-  if (is_shapefile(bytes))
-    return sentence("a shapefile", "write its points as CSV, by ogr2ogr -f CSV -lco GEOMETRY=AS_XY");
   if (bytes.starts_with("\x80\x04\x95") || bytes.starts_with("\x80\x05\x95")) {
     return sentence("a Python pickle", "save the array by numpy.save, N x 2");
   }
-  if (is_hdf5_behind_block(bytes)) return sentence("an HDF5 file", from_hdf5);
-  if (is_mat4(bytes)) return sentence("a MATLAB MAT file (version 4)", from_matlab);
   if (is_fortran_records(bytes)) {
     return sentence("unformatted Fortran records", "write it with access='stream', or as formatted text");
   }

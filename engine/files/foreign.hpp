@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace lober::detail {
 
@@ -12,7 +11,7 @@ namespace lober::detail {
 /// of no format known here. Looks at the first bytes, and at the last one. O(1).
 [[nodiscard]] std::string foreign_format(std::span<const std::byte> bytes);
 
-/// The same for text: JSON, XML.
-[[nodiscard]] std::string foreign_text(std::string_view text);
+/// The same for text: XML.
+[[nodiscard]] std::string foreign_text(std::span<const std::byte> text);
 
 }  // namespace lober::detail

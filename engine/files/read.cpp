@@ -6,15 +6,15 @@
 
 #include "engine/base/file_bytes.hpp"
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/files/binary_file.hpp"
 #include "engine/files/closing.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "engine/files/foreign.hpp"
+#include "engine/files/formats/format_table.hpp"
+#include "engine/files/formats/gzip.hpp"
 #include "engine/files/geographic.hpp"
 #include "engine/files/plausible.hpp"
 #include "engine/files/read_memory.hpp"
 #include "engine/files/sniff.hpp"
-#include "engine/files/text_file.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober {
@@ -74,58 +74,31 @@ CurveSpec detail::split_spec(const std::string& spec) {
   return {spec.substr(0, last), {}, spec.substr(last + 1)};
 }
 
-std::string_view name(Format format) {
-  switch (format) {
-    case Format::tecplot:
-      return "tecplot";
-    case Format::text:
-      return "text";
-    case Format::npy:
-      return "npy";
-    case Format::raw:
-      return "raw";
-  }
-  return "unknown";
-}
-
 CurveFile detail::read_curve_bytes(std::string name, std::span<const std::byte> bytes, std::size_t chunk_size,
                                    std::string_view columns) {
   CurveFile file;
   file.path = std::move(name);
   if (bytes.empty()) throw DataError(file.path + ": the file is empty");
-  const auto require_table = [&] {
-    if (!columns.empty()) throw DataError(file.path + ": columns are chosen of tables of text, not of binary files");
-  };
-  if (insists_on_raw(file.path)) {
-    require_table();
-    read_raw(bytes, file);
-    return file;
+  Buffer<std::byte> unpacked;
+  if (is_gzip(bytes)) {
+    unpacked = unzipped(file.path, bytes);
+    bytes = unpacked;
+    if (bytes.empty()) throw DataError(file.path + ": the file is empty");
+    if (is_gzip(bytes)) throw DataError(file.path + ": is compressed by gzip twice; gunzip it once");
   }
-  const auto refuse = [&](const std::string& foreign) {
+  const FormatEntry& entry = insists_on_raw(file.path) ? entry_of(Format::raw) : recognised(bytes);
+  if ((entry.format == Format::raw && !insists_on_raw(file.path)) || entry.format == Format::text) {
+    std::string foreign = foreign_format(bytes);
+    if (foreign.empty() && entry.format == Format::text) foreign = foreign_text(bytes.subspan(byte_order_mark(bytes)));
     if (!foreign.empty()) throw DataError(file.path + ": this is " + foreign);
-  };
-  refuse(foreign_format(bytes));
-  switch (sniff(bytes)) {
-    case Content::npy:
-      require_table();
-      read_npy(bytes, file);
-      break;
-    case Content::raw:
-      require_table();
-      if (bytes.size() % sizeof(Point) == 0) {  // else the size is wrong
-        if (const std::string why = implausible_raw(file.path, bytes); !why.empty()) {
-          throw DataError(file.path + ": " + why);
-        }
-      }
-      read_raw(bytes, file);
-      break;
-    case Content::text:
-      const std::span<const std::byte> unmarked = bytes.subspan(byte_order_mark(bytes));
-      const std::string_view text(reinterpret_cast<const char*>(unmarked.data()), unmarked.size());
-      refuse(foreign_text(text));
-      read_text(text, columns, chunk_size, file);
-      break;
   }
+  if (!columns.empty() && !entry.has_columns) {
+    throw DataError(file.path +
+                    ": columns are chosen of tables, and arrays of NPZ, MAT, HDF5 and NetCDF files; this is " +
+                    std::string(entry.name));
+  }
+  file.format = entry.format;
+  entry.read({bytes, columns, chunk_size}, file);
   return file;
 }
 

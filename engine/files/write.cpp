@@ -1,83 +1,30 @@
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 
-#include "engine/base/finite.hpp"
 #include "engine/base/output_file.hpp"
-#include "engine/base/parallel/ordered_pipeline.hpp"
-#include "engine/files/binary_file.hpp"
-#include "engine/files/tecplot.hpp"
+#include "engine/files/formats/format_table.hpp"
+#include "engine/files/formats/plain_writers.hpp"
+#include "engine/files/npy_header.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober {
 using namespace detail;
 namespace {
 
-/// Points that cannot be read back are not written.
-void require_finite(const std::string& path, std::span<const Point> points) {
-  if (const std::size_t bad = first_not_finite(points); bad != points.size()) {
-    throw DataError(path + ": cannot be written: point " + std::to_string(bad) + " is not a finite number");
-  }
-}
-
-struct TextBlock {
-  std::span<const Point> points;
+// ".txt, .csv, .dat (tecplot), ..."
+std::string endings_that_are_written() {
   std::string text;
-};
-
-void format_block(TextBlock& block, char separator) {
-  constexpr std::size_t longest_number = 24;  // -1.2345678901234567e-308
-  constexpr std::size_t longest_line = 2 * longest_number + 2;
-  block.text.resize(block.points.size() * longest_line);
-  char* out = block.text.data();
-  for (const Point& point : block.points) {
-    out = std::to_chars(out, out + longest_number, point.x).ptr;
-    *out++ = separator;
-    out = std::to_chars(out, out + longest_number, point.y).ptr;
-    *out++ = '\n';
+  for (const FormatEntry& entry : format_table()) {
+    if (entry.write == nullptr) continue;
+    text += (text.empty() ? "" : ", ") + std::string(entry.suffixes.substr(0, entry.suffixes.find(' ')));
+    if (entry.format == Format::tecplot || entry.format == Format::vtk) text += " (" + std::string(entry.name) + ")";
   }
-  block.text.resize(static_cast<std::size_t>(out - block.text.data()));
-}
-
-/// Formats in parallel, writes in order.
-void write_points(OutputFile& file, std::span<const Point> points, char separator) {
-  constexpr std::size_t block_points = std::size_t{1} << 13;
-  ordered_pipeline<TextBlock>(
-      [&](TextBlock& block) {
-        if (points.empty()) return false;
-        block.points = points.first(std::min(points.size(), block_points));
-        points = points.subspan(block.points.size());
-        return true;
-      },
-      [&](TextBlock& block) { format_block(block, separator); },
-      [&](const TextBlock& block) { file.write(block.text); });
-}
-
-std::string_view bytes_of(std::span<const Point> points) {
-  return {reinterpret_cast<const char*>(points.data()), points.size_bytes()};
+  return text;
 }
 
 }  // namespace
-
-std::string detail::npy_head(std::span<const std::size_t> shape) {
-  constexpr std::size_t before_header = 10;  // magic string, version, length of the header
-  constexpr std::size_t alignment = 64;
-  const char order = std::endian::native == std::endian::little ? '<' : '>';
-  std::string header = std::string("{'descr': '") + order + "f8', 'fortran_order': False, 'shape': (";
-  for (const std::size_t& size : shape) header += std::to_string(size) + (&size == &shape.back() ? "" : ", ");
-  header += "), }";
-  const std::size_t unpadded = before_header + header.size() + 1;
-  header.append((alignment - unpadded % alignment) % alignment, ' ');
-  header += '\n';
-  // Version 1.0; the length has two bytes, the low one first.
-  std::string head("\x93NUMPY\x01\x00", 8);
-  head += static_cast<char>(header.size() & 0xFF);
-  head += static_cast<char>(header.size() >> 8);
-  return head + header;
-}
 
 void write_file(const std::string& path, std::string_view content) {
   OutputFile file(path);
@@ -91,22 +38,36 @@ void write_text(const std::string& path, std::span<const Point> points, char sep
   }
   require_finite(path, points);
   OutputFile file(path);
-  write_points(file, points, separator);
+  put_points(file, points, separator);
   file.commit();
 }
 
 void write_tecplot(const std::string& path, std::span<const Zone> zones, ZoneLines lines) {
   for (const Zone& zone : zones) require_finite(path, zone.points);
   OutputFile file(path);
-  file.write("VARIABLES=\"x\"\"y\"\n");
-  for (const Zone& zone : zones) {
-    // One curve without a title needs no ZONE line; Lober 1.8 writes such files.
-    if (lines == ZoneLines::always || zones.size() > 1 || !zone.title.empty()) {
-      const std::string title = zone.title.empty() ? "" : "T=" + tecplot_title(zone.title) + " ";
-      file.write("ZONE " + title + "I=" + std::to_string(zone.points.size()) + "\n");
-    }
-    write_points(file, zone.points, '\t');
+  put_zones(file, zones, lines);
+  file.commit();
+}
+
+void write_curves(const std::string& path, std::span<const Zone> zones, const WriteOptions& options) {
+  const std::optional<Format> format = options.format ? options.format : format_of_name(path);
+  const FormatEntry* const entry = format ? &entry_of(*format) : nullptr;
+  if (entry == nullptr || entry->write == nullptr) {
+    const std::string what = entry == nullptr ? "the ending does not name a format"
+                                              : "files of the format " + std::string(entry->name) + " are only read";
+    throw UsageError(path + ": " + what + "; curves are written as " + endings_that_are_written());
   }
+  if (zones.size() > 1 && !entry->holds_several) {
+    throw UsageError(path + ": several curves need another format than " + std::string(entry->name) +
+                     ", which holds one; curves are written as " + endings_that_are_written());
+  }
+  if (zones.empty() && !entry->holds_several) throw UsageError(path + ": there is no curve to write");
+  for (const Zone& zone : zones) require_finite(path, zone.points);
+  if (entry->library != nullptr && !entry->library->is_present()) {
+    throw DataError(path + ": cannot be written: " + entry->library->reason_it_is_missing());
+  }
+  OutputFile file(path);
+  entry->write(file, zones, options);
   file.commit();
 }
 
@@ -125,14 +86,14 @@ void write_npy(const std::string& path, std::span<const Point> points) {
   require_finite(path, points);
   OutputFile file(path);
   file.write(npy_head(std::array{points.size(), std::size_t{2}}));
-  file.write(bytes_of(points));
+  file.write(as_bytes(points));
   file.commit();
 }
 
 void write_raw(const std::string& path, std::span<const Point> points) {
   require_finite(path, points);
   OutputFile file(path);
-  file.write(bytes_of(points));
+  file.write(as_bytes(points));
   file.commit();
 }
 

@@ -113,8 +113,9 @@ enum class ExportFormat : std::uint8_t {
   csv,         ///< a header line; lists are put into one field, separated by blanks; unknown values are empty
   json_lines,  ///< one object a line; numbers that are not finite are null
   npy,         ///< a structured array, texts as bytes; no lists; unknown values are NaN, unknown counts -1
+  netcdf,      ///< NetCDF, classic: a variable for each column along the dimension row; no lists; all numbers are float64
 };
-/// The format that the end of a file's name stands for (.csv, .jsonl, .npy). Throws UsageError for any other end.
+/// The format that the end of a file's name stands for (.csv, .jsonl, .npy, .nc). Throws UsageError for any other end.
 [[nodiscard]] LOBER_API ExportFormat export_format(const std::string& path);
 
 struct ExportCounts {
@@ -123,7 +124,7 @@ struct ExportCounts {
 };
 
 /// Writes the jobs of the store's plan that have a result or have failed, in the order of the plan, numbers in the
-/// shortest form that reads back to the same bits. A damaged result is left out, like a missing one. CSV and NPY
+/// shortest form that reads back to the same bits. A damaged result is left out, like a missing one. CSV, NPY and NetCDF
 /// hold one operation, which has to be named when the plan has several. The file appears when it is complete; "-" is
 /// standard output. Throws DataError, UsageError.
 LOBER_API ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,

@@ -5,4 +5,5 @@
 #include "lober/curve/densify.hpp"
 #include "lober/curve/drawing.hpp"
 #include "lober/curve/files.hpp"
+#include "lober/curve/formats.hpp"
 #include "lober/curve/point.hpp"

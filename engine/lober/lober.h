@@ -148,10 +148,12 @@ LOBER_C_API int lober_tangle(const double* u, size_t nu, const double* s, size_t
 /* -------------------------------------------------------------------------------------------------------------- files
  */
 
-/* One curve of a file as the program reads it: FILE, or FILE#K for zone K from 0, FILE#TITLE for that of a
-   title. Options: closed=0|1 (1). Arrays: points. */
+/* One curve of a file as the program reads it, of any format that it reads: FILE, or FILE#K for zone K from 0,
+   FILE#TITLE for that of a title, FILE:LON,LAT for columns of a table or arrays of a file. Options: closed=0|1 (1).
+   Arrays: points. */
 LOBER_C_API int lober_read(const char* spec, const char* options, lober_result** result);
-/* Writes points in the format of the ending: .npy, .csv, .raw or .f64 (raw), else text. */
+/* Writes points as an open curve, in the format of the ending: .npy, .csv, .dat (Tecplot), .geojson and more (`lober doctor`
+   lists them); under any other name as text. */
 LOBER_C_API int lober_write(const char* path, const double* points, size_t n);
 
 /* ------------------------------------------------------------------------------------------------------------ dynamics

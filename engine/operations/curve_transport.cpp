@@ -94,7 +94,8 @@ Operation curve_transport_operation() {
   operation.options = curve_transport_options().specs();
   operation.result = curve_transport_fields();
   operation.examples = {
-      {{"examples/manifolds.dat#0", "examples/manifolds.dat#1"}, {{"iterates", std::int64_t{4}}}, "four iterates"}};
+      {{"examples/manifolds.dat#0", "examples/manifolds.dat#1"}, {{"iterates", std::int64_t{4}}}, "four iterates"},
+      {{"examples/manifolds.dat#0", "examples/manifolds.dat#1"}, {}, "as many iterates as the curves reach"}};
   operation.run = run_curve_transport;
   return operation;
 }

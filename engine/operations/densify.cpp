@@ -341,7 +341,8 @@ Operation simplify_operation() {
   operation.inputs = {{"curve", InputKind::curve, "a curve"}};
   operation.options = simplify_options().specs();
   operation.result = result_schema().fields();
-  operation.examples = {{{"examples/resonance.dat"}, {{"tolerance", 1e-6}}, "nothing moves by more than 1e-6"}};
+  operation.examples = {{{"examples/resonance.dat"}, {{"tolerance", 1e-6}}, "nothing moves by more than 1e-6"},
+                        {{"examples/manifolds.dat#0"}, {{"tolerance", 1e-4}, {"closed", false}}, "an open curve"}};
   operation.run = run_simplify;
   return operation;
 }

@@ -141,7 +141,9 @@ Operation escape_operation() {
   operation.inputs = {{"system", InputKind::system, "a Hamiltonian flow of two degrees of freedom"}};
   operation.options = escape_options().specs();
   operation.result = escape_fields();
-  operation.examples = {{{"capsize"}, {{"energy", 0.25307}}, "how soon ships capsize"}};
+  operation.examples = {
+      {{"capsize"}, {{"energy", 0.25307}}, "how soon ships capsize"},
+      {{"capsize"}, {{"energy", 0.28}, {"crossings", std::int64_t{2}}}, "with more energy, two crossings"}};
   operation.run = run_escape;
   return operation;
 }

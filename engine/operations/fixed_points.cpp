@@ -164,7 +164,8 @@ Operation fixed_points_operation() {
   operation.inputs = {{"system", InputKind::system, "the system whose points they are"}};
   operation.options = fixed_points_options().specs();
   operation.result = fixed_points_fields();
-  operation.examples = {{{"standard K=1.2"}, {{"period", std::int64_t{2}}}, "points of period 1 and 2"}};
+  operation.examples = {{{"standard K=1.2"}, {{"period", std::int64_t{2}}}, "points of period 1 and 2"},
+                        {{"henon"}, {}, "the fixed points of the Henon map"}};
   operation.run = run_fixed_points;
   return operation;
 }

@@ -267,7 +267,8 @@ Operation grow_operation() {
   operation.inputs = {{"system", InputKind::system, "the system whose manifold it is"}};
   operation.options = grow_options().specs();
   operation.result = grow_fields();
-  operation.examples = {{{"henon"}, {{"side", "stable"}, {"length", 30.0}}, "thirty units of its stable manifold"}};
+  operation.examples = {{{"henon"}, {{"side", "stable"}, {"length", 30.0}}, "thirty units of its stable manifold"},
+                        {{"standard K=1.2"}, {{"side", "unstable"}, {"iterates", std::int64_t{8}}}, "eight iterates"}};
   operation.compares = false;
   operation.run = run_grow;
   return operation;

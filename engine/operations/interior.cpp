@@ -117,6 +117,7 @@ Operation interior_operation() {
   operation.options = interior_options().specs();
   operation.result = interior_fields();
   operation.examples = {
+      {{"examples/resonance.dat", "examples/resonance_image.dat"}, {}, "a resonance and its image"},
       {{"examples/resonance.dat", "examples/resonance_image.dat"}, {{"verify", true}}, "and by the overlay"}};
   operation.run = run_interior;
   return operation;

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <map>
 
+#include "engine/base/nearest_word.hpp"
 #include "engine/base/text.hpp"
 #include "lober/base/error.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::operations {
+using detail::did_you_mean;
 using detail::format_number;
+using detail::joined;
 namespace {
 
 [[noreturn]] void refuse(const OptionSpec& spec, const std::string& message) {
@@ -20,12 +23,6 @@ const char* type_name(const OptionValue& value) {
   constexpr const char* names[] = {"true or false",  "a whole number",         "a number", "a string",
                                    "a point [x, y]", "a box [x0, y0, x1, y1]", "numbers"};
   return names[value.index()];
-}
-
-std::string joined(std::span<const std::string> words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 // As what the option takes them for; nothing where there are more or fewer than it has.
@@ -47,7 +44,8 @@ OptionValue checked(OptionSpec spec, const OptionSetting& setting) {
   if (value.index() != spec.fallback.index()) refuse(spec, std::string("has to be ") + type_name(spec.fallback));
   if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !spec.choices.empty()) {
     if (std::find(spec.choices.begin(), spec.choices.end(), *text) == spec.choices.end()) {
-      refuse(spec, "\"" + *text + "\" cannot be read as one of " + joined(spec.choices));
+      refuse(spec,
+             "\"" + *text + "\" cannot be read as one of " + joined(spec.choices) + did_you_mean(*text, spec.choices));
     }
   }
   double number = 0;
@@ -86,7 +84,8 @@ Options::Options(std::span<const OptionSpec> specs, std::span<const OptionSettin
     if (spec == specs.end()) {
       std::vector<std::string> known;
       for (const OptionSpec& any : specs) known.push_back(any.key);
-      throw UsageError(setting.key + ": there is no such option; there are " + joined(known));
+      throw UsageError(setting.key + ": there is no such option; there are " + joined(known) +
+                       did_you_mean(setting.key, known));
     }
     (spec->family() ? of_families : chosen)[setting.key] = checked(*spec, setting);
   }

@@ -148,7 +148,8 @@ Operation regions_operation() {
   operation.options = region_options().specs();
   operation.result = region_fields();
   operation.examples = {
-      {{"examples/resonance.dat", "examples/resonance_image.dat"}, {{"rule", "evenodd"}}, "by the even-odd rule"}};
+      {{"examples/resonance.dat", "examples/resonance_image.dat"}, {{"rule", "evenodd"}}, "by the even-odd rule"},
+      {{"examples/loops.csv"}, {}, "the areas of one curve by winding number"}};
   operation.run = run_regions;
   return operation;
 }

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "engine/base/nearest_word.hpp"
 #include "engine/operations/curve_of.hpp"
 #include "lober/base/error.hpp"
 
@@ -60,9 +63,9 @@ std::span<const Operation> all() {
 const Operation& named(std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return at(static_cast<std::size_t>(found - names.begin()));
-  std::string known;
-  for (const std::string_view any : names) known += (known.empty() ? "" : ", ") + std::string(any);
-  throw UsageError("there is no operation \"" + std::string(name) + "\"; there are " + known);
+  const std::vector<std::string> known(names.begin(), names.end());
+  throw UsageError("there is no operation \"" + std::string(name) + "\"; there are " + lober::detail::joined(known) +
+                   lober::detail::did_you_mean(name, known));
 }
 
 }  // namespace lober::operations

@@ -1,5 +1,9 @@
 #include "lober/curve/files.hpp"
 
+#include "lober/base/error.hpp"
+#include "lober/base/version.hpp"
+#include "lober/curve/formats.hpp"
+
 #include <pybind11/stl.h>
 
 #include "python/bindings/arrays.hpp"
@@ -24,23 +28,40 @@ py::array read_one(const std::string& spec, bool closed) {
   return array_of(std::move(found.curve.points));
 }
 
-void write_zones(const std::string& path, const std::vector<std::pair<std::string, Array>>& zones) {
+Format format_named(const std::string& format) {
+  std::string known;
+  for (const FormatInfo& info : formats()) {
+    if (info.name == format) return info.format;
+    if (info.writes) known += (known.empty() ? "" : ", ") + std::string(info.name);
+  }
+  throw UsageError("no format is called " + format + "; those that are written are " + known);
+}
+
+using Notes = std::vector<std::pair<std::string, std::string>>;
+
+// `format`: by its name, or empty for that of the ending.
+void write_zones(const std::string& path, const std::vector<std::pair<std::string, Array>>& zones,
+                 const std::string& format, bool closed, const Notes& notes) {
   std::vector<Zone> copies;
   for (const auto& [title, array] : zones) {
     const std::span<const Point> points = points_of(array);
     copies.push_back({title, {points.begin(), points.end()}, 1});
   }
+  WriteOptions options{.closed = closed, .provenance = {{"lober", std::string(version())}}};
+  if (!format.empty()) options.format = format_named(format);
+  options.provenance.insert(options.provenance.end(), notes.begin(), notes.end());
   const py::gil_scoped_release released;
-  write_tecplot(path, copies);
+  write_curves(path, copies, options);
 }
 
-// Writes one curve; `format` is npy, raw, csv or text.
-void write_one(const std::string& path, const Array& curve, const std::string& format) {
-  const std::span<const Point> points = points_of(curve);
-  const py::gil_scoped_release released;
-  if (format == "npy") return write_npy(path, points);
-  if (format == "raw") return write_raw(path, points);
-  write_text(path, points, format == "csv" ? ',' : ' ');
+// Name, meaning, endings, whether it is read, written, and takes several curves, the library, and why that is missing.
+py::list list_formats() {
+  py::list all;
+  for (const FormatInfo& info : formats()) {
+    all.append(py::make_tuple(info.name, info.meaning, info.suffixes, info.reads, info.writes, info.takes_several,
+                              info.library, info.missing));
+  }
+  return all;
 }
 
 }  // namespace
@@ -48,8 +69,9 @@ void write_one(const std::string& path, const Array& curve, const std::string& f
 void bind_files(py::module_& module) {
   module.def("read_zones", read_zones, py::arg("path"), py::arg("hash"), py::arg("columns"));
   module.def("read_one", read_one, py::arg("spec"), py::arg("closed"));
-  module.def("write_zones", write_zones, py::arg("path"), py::arg("zones"));
-  module.def("write_one", write_one, py::arg("path"), py::arg("curve").noconvert(), py::arg("format"));
+  module.def("write_zones", write_zones, py::arg("path"), py::arg("zones"), py::arg("format"), py::arg("closed"),
+             py::arg("notes"));
+  module.def("list_formats", list_formats);
 }
 
 }  // namespace lober::python

@@ -24,7 +24,7 @@ from ._dynamics import (
     fixed_point,
 )
 from ._generated import *  # noqa: F403
-from ._files import CurveFile, Zone, read, read_zones, write
+from ._files import CurveFile, Format, Zone, formats, read, read_zones, write
 from ._lober import __version__
 from ._own import Family, flow, map
 from ._overlay import (
@@ -74,6 +74,7 @@ __all__ = [
     "Family",
     "FixedPoint",
     "FixedPoints",
+    "Format",
     "GrowthDiagnostic",
     "Image",
     "Interior",
@@ -104,6 +105,7 @@ __all__ = [
     "equations",
     "fixed_point",
     "flow",
+    "formats",
     "hamiltonian",
     "image",
     "interior_function",

@@ -8,12 +8,8 @@ from typing import Any, Mapping, Union
 
 from . import _lober
 from ._arrays import Points, points_of
-from .errors import UsageError
 
 Path = Union[str, "os.PathLike[str]"]
-
-_ENDINGS = {".npy": "npy", ".csv": "csv", ".txt": "text", ".dat": "tecplot", ".raw": "raw", ".f64": "raw"}
-
 
 @dataclass(frozen=True)
 class Zone:
@@ -23,7 +19,7 @@ class Zone:
 
 @dataclass(frozen=True)
 class CurveFile:
-    """All zones of a file, or all curves of a table; binary formats have one."""
+    """All curves of a file: zones, groups of a table, rings of polygons."""
 
     path: str
     format: str
@@ -33,16 +29,18 @@ class CurveFile:
 
 def read(path: Path, *, closed: bool = True) -> Points:
     """The points of one curve: of FILE, or of one zone, FILE#2 by its number from 0 or FILE#TITLE. FILE:lon,lat and
-    FILE:2,3 choose columns of a table by name or number, FILE:lon,lat,by=id#a one of its groups.
+    FILE:2,3 choose columns of a table by name or number, FILE:lon,lat,by=id#a one of its groups; FILE.h5:/group/x,/group/y
+    two arrays of an HDF5, NetCDF, MAT or NPZ file, FILE.npz:xy one of N x 2.
 
-    The format is recognised by the content: Tecplot ASCII, text in columns, NPY, raw float64. A closed curve loses a
+    The format is recognised by the content, compressed by gzip or not: `formats()` lists them. A closed curve loses a
     last point that repeats the first. Raises DataError, which names file and line.
     """
     return _lober.read_one(os.fspath(path), closed)
 
 
 def read_zones(path: Path, *, columns: str = "") -> CurveFile:
-    """All zones of a file, with the SHA-256 of its bytes; `columns` as in `read`, "lon,lat" or "2,3,by=id". Raises
+    """All zones of a file, with the SHA-256 of its bytes; `columns` as in `read`, "lon,lat", "2,3,by=id" or
+    "/group/x,/group/y". Raises
     DataError.
     """
     name = os.fspath(path)
@@ -50,26 +48,54 @@ def read_zones(path: Path, *, columns: str = "") -> CurveFile:
     return CurveFile(name, format_name, sha256, [Zone(_text(title), points) for title, points in zones])
 
 
-def write(path: Path, curve: Any) -> None:
-    """Writes a curve, or a mapping of titles to curves as the zones of a Tecplot file.
+def write(
+    path: Path,
+    curve: Any,
+    *,
+    format: str = "",
+    closed: bool = True,
+    notes: Mapping[str, str] | None = None,
+) -> None:
+    """Writes a curve, or a mapping of titles to curves, into one file.
 
-    The ending names the format: .npy, .csv, .txt, .dat (Tecplot) or .raw. Numbers read back to the same bits. The file
-    appears under its name when it is complete. Raises UsageError, DataError.
+    The ending names the format, or `format` does: `formats()` lists them. GeoJSON, WKT and VTK hold polygons where the
+    curves are closed, and lines where they are not. `notes` are kept beside the curves in formats that have room for
+    them, with the version of lober. Numbers read back to the same bits. The file appears under its name when it is
+    complete. Raises UsageError, DataError.
     """
-    name = os.fspath(path)
-    ending = os.path.splitext(name)[1].lower()
-    if ending not in _ENDINGS:
-        raise UsageError(
-            f"{name}: the ending does not name a format of points; use .npy, .csv, .txt, .dat (Tecplot) or .raw"
-        )
-    zones = curve if isinstance(curve, Mapping) else None
-    if _ENDINGS[ending] == "tecplot":
-        titled = zones.items() if zones is not None else [("", curve)]
-        _lober.write_zones(name, [(title, points_of(points, title or "curve")) for title, points in titled])
-    elif zones is not None:
-        raise UsageError(f"{name}: several curves need a Tecplot file (.dat)")
-    else:
-        _lober.write_one(name, points_of(curve), _ENDINGS[ending])
+    zones = curve.items() if isinstance(curve, Mapping) else [("", curve)]
+    _lober.write_zones(
+        os.fspath(path),
+        [(title, points_of(points, title or "curve")) for title, points in zones],
+        format,
+        closed,
+        [(key, str(value)) for key, value in (notes or {}).items()],
+    )
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format of curve files."""
+
+    name: str
+    meaning: str
+    endings: tuple[str, ...]
+    reads: bool
+    writes: bool
+    takes_several: bool
+    """Whether a file can hold several curves."""
+    library: str
+    """Debian's package of the library that it needs; empty for none."""
+    missing: str
+    """Why that library is not there, and what to do; empty where it is."""
+
+
+def formats() -> list[Format]:
+    """All formats of curve files, with those whose libraries are not installed here."""
+    return [
+        Format(name, meaning, tuple(endings.split()), reads, writes, takes_several, library, missing)
+        for name, meaning, endings, reads, writes, takes_several, library, missing in _lober.list_formats()
+    ]
 
 
 def _text(title: bytes) -> str:

@@ -39,8 +39,17 @@ ProgramTest::~ProgramTest() {
 }
 
 Outcome ProgramTest::run(const std::vector<std::string>& arguments) const {
-  std::string program = LOBER_PROGRAM;
-  std::vector<char*> list{program.data()};
+  return run_other(LOBER_PROGRAM, arguments);
+}
+
+Outcome ProgramTest::run_in_bash(const std::string& line) const {
+  const std::string begin = "PATH=" + std::filesystem::path(LOBER_PROGRAM).parent_path().string() + ":$PATH\n";
+  return run_other("bash", {"--norc", "--noprofile", "-c", begin + line});
+}
+
+Outcome ProgramTest::run_other(const std::string& program, const std::vector<std::string>& arguments) const {
+  std::string name = program;
+  std::vector<char*> list{name.data()};
   std::vector<std::string> copies = arguments;
   for (std::string& argument : copies) list.push_back(argument.data());
   list.push_back(nullptr);
@@ -54,7 +63,7 @@ Outcome ProgramTest::run(const std::vector<std::string>& arguments) const {
   posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), flags, 0600);
   pid_t process = 0;
-  const int failed = posix_spawn(&process, program.c_str(), &actions, nullptr, list.data(), environ);
+  const int failed = posix_spawnp(&process, program.c_str(), &actions, nullptr, list.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw std::runtime_error(program + " does not start");
   int status = 0;
@@ -96,6 +105,24 @@ void ProgramTest::write_curve(std::string_view name, std::span<const Point> poin
 std::string ProgramTest::read(std::string_view name) const {
   return content_of(folder_ / name);
 }
+
+bool is_installed(const std::string& program) {
+  std::istringstream folders(std::getenv("PATH"));  // NOLINT(concurrency-mt-unsafe): one thread
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (std::filesystem::exists(folder + "/" + program)) return true;
+  }
+  return false;
+}
+
+// NOLINTBEGIN(concurrency-mt-unsafe): one thread
+Environment::Environment(const char* name, const char* value) : name_(name) {
+  if (const char* const before = std::getenv(name)) before_ = before;
+  value == nullptr ? unsetenv(name) : setenv(name, value, 1);
+}
+Environment::~Environment() {
+  before_ ? setenv(name_.c_str(), before_->c_str(), 1) : unsetenv(name_.c_str());
+}
+// NOLINTEND(concurrency-mt-unsafe)
 
 std::vector<Point> box(double left, double low, double right, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -31,6 +32,10 @@ class ProgramTest : public testing::Test {
 
   /// Runs `lober` with these arguments in `folder()`.
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+  /// Runs another program, which is searched for in PATH.
+  [[nodiscard]] Outcome run_other(const std::string& program, const std::vector<std::string>& arguments) const;
+  /// Runs a command line in bash, where `lober` is the program under test.
+  [[nodiscard]] Outcome run_in_bash(const std::string& line) const;
 
   /// Runs `lober overlay` with --json - and parses what it prints. Fails the test when the program does.
   [[nodiscard]] Json overlay(std::vector<std::string> arguments) const;
@@ -48,6 +53,22 @@ class ProgramTest : public testing::Test {
   [[nodiscard]] Json json_of(const std::string& command, std::vector<std::string> arguments) const;
 
   std::filesystem::path folder_;
+};
+
+/// Whether a program is installed.
+[[nodiscard]] bool is_installed(const std::string& program);
+
+/// Sets a variable of the environment of the program under test, as long as it lives; null: takes it away.
+class Environment {
+ public:
+  Environment(const char* name, const char* value);
+  ~Environment();
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  std::string name_;
+  std::optional<std::string> before_;
 };
 
 [[nodiscard]] std::vector<Point> box(double left, double low, double right, double high);

@@ -96,7 +96,8 @@ ExportFormat export_format(const std::string& path) {
   if (path.ends_with(".csv")) return ExportFormat::csv;
   if (path.ends_with(".jsonl")) return ExportFormat::json_lines;
   if (path.ends_with(".npy")) return ExportFormat::npy;
-  throw UsageError(path + ": the name has to end in .csv, .jsonl or .npy");
+  if (path.ends_with(".nc")) return ExportFormat::netcdf;
+  throw UsageError(path + ": the name has to end in .csv, .jsonl, .npy or .nc");
 }
 
 ExportCounts detail::export_results(const Store& store, const std::string& path, ExportFormat format,
@@ -113,6 +114,8 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
     write_json_lines(file, plan, results);
   } else if (format == ExportFormat::csv) {
     write_csv(file, plan, operation_for(plan, operation), results);
+  } else if (format == ExportFormat::netcdf) {
+    write_netcdf(file, plan, operation_for(plan, operation), results);
   } else {
     write_npy_table(file, plan, operation_for(plan, operation), results);
   }

@@ -1,13 +1,10 @@
 // A structured NumPy array: numpy.load reads it.
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 
-#include "engine/batch/export/export_formats.hpp"
-#include "engine/batch/manifest/swept_options.hpp"
+#include "engine/batch/export/table_columns.hpp"
 
 namespace lober::detail {
 namespace {
@@ -24,69 +21,34 @@ void put_value(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-// A column of a swept option.
-struct SweptField {
-  std::string key;
-  OptionValue any;    // whose type all values have
-  std::size_t width;  // width of the longest value as text
-};
-
-std::string type_of(const SweptField& field) {
+std::string type_of(const SweptColumn& field) {
   if (std::holds_alternative<bool>(field.any)) return "|b1";
   if (std::holds_alternative<std::int64_t>(field.any)) return "<i8";
   return std::holds_alternative<double>(field.any) ? "<f8" : "|S" + std::to_string(field.width);
 }
 
 // Null for an option that a group does not have, such as a parameter. Points and lists are written as text.
-void put_option(std::string& bytes, const OptionValue* value, const SweptField& field) {
-  const bool is_text = std::holds_alternative<std::string>(field.any) || !numbers_of(field.any).empty();
-  if (is_text) return put(bytes, value == nullptr ? std::string() : to_string(*value), field.width);
+void put_option(std::string& bytes, const OptionValue* value, const SweptColumn& field) {
+  if (field.is_text()) return put(bytes, value == nullptr ? std::string() : to_string(*value), field.width);
   if (value == nullptr) return put_value(bytes, std::numeric_limits<double>::quiet_NaN());
   if (const auto* flag = std::get_if<bool>(value)) return put_value(bytes, *flag);
   if (const auto* whole = std::get_if<std::int64_t>(value)) return put_value(bytes, *whole);
   put_value(bytes, std::get<double>(*value));
 }
 
-std::size_t longest_text(const Plan& plan, const std::string& key) {
-  std::size_t width = 1;
-  for (const JobGroup& group : plan.groups) {
-    const OptionValue* const value = group.options.find(key);
-    if (value != nullptr) width = std::max(width, to_string(*value).size());
-  }
-  return width;
-}
-
 }  // namespace
 
 void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results) {
-  // The width of a text column is that of its longest text, so that all rows are looked at twice.
-  std::size_t count = 0;
-  std::size_t widths[5] = {1, 1, 1, 1, 1};
-  const auto texts = [&](const Result& result) {
-    const Job& job = plan.jobs[result.job];
-    const JobGroup& group = plan.group_of(job);
-    return std::array<std::string, 5>{group.name, group.options.to_string(), plan.name(job.first),
-                                      plan.name(job.second), result.error};
-  };
-  results([&](const Result& result) {
-    ++count;
-    const auto all = texts(result);
-    for (std::size_t k = 0; k < all.size(); ++k) widths[k] = std::max(widths[k], all[k].size());
-  });
-  constexpr const char* names[] = {"group", "options", "first", "second", "message"};
+  const TableColumns columns = table_columns(plan, operation, results);
   std::string header = "{'descr': [('job', '<i8'), ('failed', '|b1'), ";
-  for (std::size_t k = 0; k < std::size(names); ++k) {
-    header += std::string("('") + names[k] + "', '|S" + std::to_string(widths[k]) + "'), ";
+  for (std::size_t k = 0; k < text_columns.size(); ++k) {
+    header += "('" + std::string(text_columns[k]) + "', '|S" + std::to_string(columns.widths[k]) + "'), ";
   }
-  std::vector<SweptField> swept;
-  for (const SweptOption& option : swept_options(plan, operation)) {
-    swept.push_back({option.key, any_value(option, plan, operation), longest_text(plan, option.key)});
-    header += "('" + option.column + "', '" + type_of(swept.back()) + "'), ";
-  }
+  for (const SweptColumn& option : columns.swept) header += "('" + option.name + "', '" + type_of(option) + "'), ";
   for (const Column& column : operation.columns) {
     header += "('" + column.name + "', '" + (column.kind == Column::Kind::count ? "<i8" : "<f8") + "'), ";
   }
-  header += "], 'fortran_order': False, 'shape': (" + std::to_string(count) + ",), }";
+  header += "], 'fortran_order': False, 'shape': (" + std::to_string(columns.rows) + ",), }";
   constexpr std::size_t before = 12;  // magic string, version 2.0, length of the header in four bytes
   header.append(63 - (before + header.size()) % 64, ' ');
   header += '\n';
@@ -96,10 +58,10 @@ void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operat
   results([&](const Result& result) {
     put_value(bytes, static_cast<std::int64_t>(result.job));
     put_value(bytes, result.failed());
-    const auto all = texts(result);
-    for (std::size_t k = 0; k < all.size(); ++k) put(bytes, all[k], widths[k]);
+    const auto all = texts_of(plan, result);
+    for (std::size_t k = 0; k < all.size(); ++k) put(bytes, all[k], columns.widths[k]);
     const Options& options = plan.group_of(plan.jobs[result.job]).options;
-    for (const SweptField& field : swept) put_option(bytes, options.find(field.key), field);
+    for (const SweptColumn& field : columns.swept) put_option(bytes, options.find(field.key), field);
     for (std::size_t k = 0; k < operation.columns.size(); ++k) {
       const double value = result.failed() ? std::numeric_limits<double>::quiet_NaN() : result.values.at(k);
       if (operation.columns[k].kind == Column::Kind::count) {

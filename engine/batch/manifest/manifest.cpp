@@ -6,10 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <set>
+#include <span>
 
 #include "engine/base/even_values.hpp"
 #include "engine/base/file_bytes.hpp"
+#include "engine/base/nearest_word.hpp"
 #include "engine/batch/manifest/recipe_reader.hpp"
 
 namespace lober::detail {
@@ -26,14 +27,14 @@ class Reader {
   void read(const toml::table& top) {
     const toml::node* const groups = top.get("group");
     if (groups == nullptr) {
-      check_keys(top, {});
+      check_keys(top, true);
       read_group(top, top);
       return;
     }
     if (!groups->is_array_of_tables()) fail(*groups, "group", "has to be written [[group]]");
-    check_keys(top, {"group"});
+    check_keys(top, true);
     for (const toml::node& group : *groups->as_array()) {
-      check_keys(*group.as_table(), {});
+      check_keys(*group.as_table(), false);
       read_group(*group.as_table(), top);
     }
   }
@@ -43,13 +44,15 @@ class Reader {
     manifest_.fail(line_of(node), key, message);
   }
 
-  void check_keys(const toml::table& table, const std::set<std::string, std::less<>>& besides) const {
-    static const std::set<std::string, std::less<>> known{"name",   "operation", "curves",  "with",
-                                                          "closed", "pairs",     "options", "grid"};
-    for (const auto& [key, node] : table) {
-      if (known.contains(key.str()) || besides.contains(key.str())) continue;
-      fail(node, std::string(key.str()),
-           "there is no such key; there are name, operation, curves, with, closed, pairs, options, grid and [[group]]");
+  void check_keys(const toml::table& table, bool is_top) const {
+    const std::vector<std::string> known{"name",  "operation", "curves", "with", "closed",
+                                         "pairs", "options",   "grid",   "group"};
+    const std::span<const std::string> in_groups(known.data(), known.size() - 1);
+    for (const auto& [name, node] : table) {
+      const std::string key(name.str());
+      if (std::find(known.begin(), known.end(), key) != known.end() && (is_top || key != "group")) continue;
+      fail(node, key,
+           "there is no such key; there are " + joined(in_groups) + " and [[group]]" + did_you_mean(key, known));
     }
   }
 
@@ -96,9 +99,11 @@ class Reader {
     const std::string name = text_of(*node, "operation");
     group.operation = find_operation(name);
     if (group.operation != nullptr) return;
-    std::string known;
-    for (const Operation& any : all_operations()) known += (known.empty() ? "" : ", ") + any.name;
-    fail(*node, "operation", "there is no operation \"" + name + "\" in this version; there are " + known);
+    std::vector<std::string> known;
+    for (const Operation& any : all_operations()) known.push_back(any.name);
+    fail(*node, "operation",
+         "there is no operation \"" + name + "\" in this version; there are " + joined(known) +
+             did_you_mean(name, known));
   }
 
   std::vector<LocatedText> patterns(const toml::table& table, const toml::table& top, const std::string& key) const {
@@ -168,9 +173,10 @@ class Reader {
     } else if (word == "single") {
       group.pairs = PairKind::single;
     } else {
+      const std::vector<std::string> known{"all", "consecutive", "product", "single"};
       fail(node, "pairs",
-           "\"" + word +
-               "\" cannot be read as pairs; give all, consecutive, product, single, { lag = k } or a list of pairs");
+           "\"" + word + "\" cannot be read as pairs; give " + joined(known) + ", { lag = k } or a list of pairs" +
+               did_you_mean(word, known));
     }
   }
 

@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "engine/base/nearest_word.hpp"
+
 namespace lober::detail {
 namespace {
 
@@ -71,9 +73,9 @@ class RecipeReader {
        : name == "tolerance" ? recipe_.tolerance
                              : recipe_.integration_tolerance) = value;
     } else {
-      fail(node, "a curve of a system has no " + name +
-                     "; it has system, parameters, manifold, from, branch, length, image_of, iterates, tolerance, "
-                     "integration_tolerance");
+      const std::vector<std::string> known{"system", "parameters", "manifold", "from",      "branch",
+                                           "length", "image_of",   "iterates", "tolerance", "integration_tolerance"};
+      fail(node, "a curve of a system has no " + name + "; it has " + joined(known) + did_you_mean(name, known));
     }
   }
 

@@ -1,11 +1,10 @@
 #include "engine/batch/queue/jobs.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <mutex>
 
+#include "engine/base/machine_memory.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/queue/dispatcher.hpp"
@@ -31,10 +30,6 @@ std::size_t working_memory(const Operation& operation, std::size_t points) {
 }
 
 }  // namespace
-
-std::size_t machine_memory() {
-  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
-}
 
 JobQueue::JobQueue(const JobQueueOptions& options) : options_(options) {
   if (options_.memory == 0) options_.memory = machine_memory() / 2;

@@ -99,7 +99,4 @@ class JobQueue {
   } counters_;
 };
 
-/// Bytes of memory of this machine.
-[[nodiscard]] std::size_t machine_memory();
-
 }  // namespace lober::detail

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/nearest_word.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/shared_library.hpp"
@@ -27,12 +28,11 @@ std::vector<SystemEntry> entries() {
           standard_map_entry()};
 }
 
-/// "a, b, c" of the names of things.
 template <typename Things, typename Name>
-std::string joined(const Things& things, const Name& name) {
-  std::string text;
-  for (const auto& thing : things) text += (text.empty() ? "" : ", ") + name(thing);
-  return text;
+std::vector<std::string> names_of(const Things& things, const Name& name) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(name(thing));
+  return names;
 }
 
 void require_in_range(const std::string& system, const Parameter& parameter, double value) {
@@ -78,8 +78,9 @@ System detail::make_system(const SystemEntry& entry, const ParameterValues& valu
     const auto found = std::find_if(info.parameters.begin(), info.parameters.end(),
                                     [&](const Parameter& parameter) { return parameter.name == name; });
     if (found == info.parameters.end()) {
-      throw UsageError("system " + info.name + " has no parameter '" + name + "'; it has: " +
-                       joined(info.parameters, [](const Parameter& parameter) { return parameter.name; }));
+      const auto known = names_of(info.parameters, [](const Parameter& parameter) { return parameter.name; });
+      throw UsageError("system " + info.name + " has no parameter '" + name + "'; it has: " + joined(known) +
+                       did_you_mean(name, known));
     }
     const auto at = static_cast<std::size_t>(found - info.parameters.begin());
     if (given[at]) throw UsageError("system " + info.name + ": parameter " + name + " is given twice");
@@ -120,9 +121,9 @@ System make_system(std::string_view name, const ParameterValues& values, const I
   for (const SystemEntry& entry : all) {
     if (entry.info.name == name) return make_system(entry, values, options);
   }
-  throw UsageError("no system is called '" + std::string(name) +
-                   "'; there are: " + joined(all, [](const SystemEntry& entry) { return entry.info.name; }) +
-                   ", or the path of a shared library");
+  const auto known = names_of(all, [](const SystemEntry& entry) { return entry.info.name; });
+  throw UsageError("no system is called '" + std::string(name) + "'; there are: " + joined(known) +
+                   ", or the path of a shared library" + did_you_mean(name, known));
 }
 
 }  // namespace lober

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lober/base/export.hpp"
@@ -15,18 +16,31 @@
 namespace lober {
 
 enum class Format : std::uint8_t {
-  tecplot,  ///< Tecplot ASCII: VARIABLES, TITLE, ZONE lines, then one point a line
-  text,     ///< a table: columns separated by commas, semicolons, blanks or tabs; a header line is allowed
-  npy,      ///< NumPy: N x 2 or 2 x N, float64 or float32 of either byte order, C or Fortran order
-  raw,      ///< native float64 pairs, nothing else
+  tecplot,    ///< Tecplot ASCII: VARIABLES, TITLE, ZONE lines, then one point a line
+  text,       ///< a table: columns separated by commas, semicolons, blanks or tabs; a header line is allowed
+  npy,        ///< NumPy: N x 2 or 2 x N, float64 or float32 of either byte order, C or Fortran order
+  raw,        ///< native float64 pairs, nothing else
+  npz,        ///< NumPy archive of named arrays
+  mat,        ///< MATLAB, versions 4 to 7.3
+  hdf5,       ///< HDF5, and NetCDF-4, which is HDF5
+  netcdf,     ///< NetCDF in its classic formats
+  geojson,    ///< GeoJSON
+  wkt,        ///< well-known text of geometries
+  shapefile,  ///< ESRI shapefile, the .shp alone
+  vtk,        ///< VTK polydata in XML; written, not read
+  csv,        ///< a table of text with commas between its columns, as it is written; read as `text`
 };
 [[nodiscard]] LOBER_API std::string_view name(Format format);
 
-/// One zone of a file: one of Tecplot's, or a curve of a table. Binary formats have exactly one.
+/// One curve of a file: a zone of Tecplot's, a curve of a table, a ring of a polygon. NPY and raw float64 have exactly
+/// one.
 struct Zone {
   std::string title;
   std::vector<Point> points;
-  std::size_t line = 1;  ///< where it starts in a text file, counted from 1
+  std::size_t line = 1;  ///< where it starts in a table or a Tecplot file, counted from 1
+  bool hole = false;     ///< a hole in the last zone before it that is none
+  /// Numbers that belong to it, such as {"area", 0.5}: into formats that have room for them. Not read.
+  std::vector<std::pair<std::string, double>> numbers = {};
 };
 
 struct CurveFile {
@@ -42,6 +56,11 @@ struct ReadOptions {
   /// Columns of a table: two names of its header, or numbers counted from 1, and perhaps the column that says which
   /// curve a row belongs to: "lon,lat", "2,3", "x,y,by=id". Empty: a table has two columns, or more, of which the first
   /// two are named x and y or longitude and latitude.
+  ///
+  /// Arrays of an NPZ, MAT, HDF5 or NetCDF file: two of one shape, "x,y" or "/group/x,/group/y", or one of N x 2 or 2 x
+  /// N numbers, "xy"; perhaps "by=ID", an array that says which curve each point belongs to, or "offsets=O", where each
+  /// curve begins and the last one ends. Arrays of two axes are one curve a row (MATLAB: a column), which may end in
+  /// NaN. Empty: arrays called x and y, or longitude and latitude, or the only one of N x 2 or 2 x N numbers.
   std::string columns = {};
 };
 
@@ -50,7 +69,8 @@ struct ReadOptions {
 /// GMT has them; the rest is the title), by rows of NaN, by blank lines, unless there is one behind each point, or by
 /// the column that groups rows. Throws DataError "path:line: what is wrong" for a file that is missing, unreadable,
 /// empty, has a zone without points, a line that is not two finite numbers, a column count other than two, a declared
-/// count (I=, N=) that contradicts the points, or a truncated binary file. Where a file has no lines (it is missing or
+/// count (I=, N=) that contradicts the points, or a truncated binary file, and for a format whose library is not there
+/// (lober/curve/formats.hpp). Files compressed by gzip are unpacked. Where a file has no lines (it is missing or
 /// binary), the message is "path: what is wrong". A pipe is read to its end;
 /// "-" is standard input.
 [[nodiscard]] LOBER_API CurveFile read_curve_file(const std::string& path, const ReadOptions& options = {});
@@ -96,6 +116,7 @@ LOBER_API void write_tecplot(const std::string& path, std::span<const Zone> zone
 LOBER_API void write_text(const std::string& path, std::span<const Point> points, char separator = ' ');
 LOBER_API void write_npy(const std::string& path, std::span<const Point> points);
 LOBER_API void write_raw(const std::string& path, std::span<const Point> points);
+/// Several curves, in these and other formats: write_curves (lober/curve/formats.hpp).
 
 /// Writes `content` in the same way: complete under its name, or not at all.
 LOBER_API void write_file(const std::string& path, std::string_view content);

@@ -119,7 +119,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   for (const OperationInfo& one : list_operations()) all += (all.empty() ? "" : ", ") + one.name;
   EXPECT_TRUE(all.starts_with("overlay, interior, regions, winding, tangle, manifold_tangle, densify, simplify, "));
   EXPECT_EQ(refusal("operation = \"overly\"\ncurves = \"separ.*\""),
-            "job.toml:1: operation: there is no operation \"overly\" in this version; there are " + all);
+            "job.toml:1: operation: there is no operation \"overly\" in this version; there are " + all +
+                "; did you mean overlay?");
   EXPECT_EQ(refusal("curves = \"separ.*\""), "job.toml:1: operation: is missing");
   EXPECT_EQ(refusal("operation = \"overlay\""), "job.toml:1: curves: is missing");
   EXPECT_EQ(refusal("operation = \"densify\"\ncurves = \"separ.*\"\nwith = \"other.*\"\noptions.max_length = 1"),
@@ -128,7 +129,20 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"al\"").substr(0, 72),
             "job.toml:3: pairs: \"al\" cannot be read as pairs; give all, consecutive, ");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\n[options]\nindex = \"gird\""),
-            "job.toml:4: options.index: \"gird\" cannot be read as one of auto, tree, grid, kd");
+            "job.toml:4: options.index: \"gird\" cannot be read as one of auto, tree, grid, kd; did you mean grid?");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurvs = \"separ.*\""),
+            "job.toml:2: curvs: there is no such key; there are name, operation, curves, with, closed, pairs, options, "
+            "grid and [[group]]; did you mean curves?");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"consecutiv\""),
+            "job.toml:3: pairs: \"consecutiv\" cannot be read as pairs; give all, consecutive, product, single, "
+            "{ lag = k } or a list of pairs; did you mean consecutive?");
+  EXPECT_EQ(
+      refusal("operation = \"overlay\"\ncurves = { system = \"henon\", manifld = \"stable\" }"),
+      "job.toml:2: curves: a curve of a system has no manifld; it has system, parameters, manifold, from, branch, "
+      "length, image_of, iterates, tolerance, integration_tolerance; did you mean manifold?");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\noptions.smoth = true"),
+            "job.toml:3: options.smoth: there is no such option; there are areas_only, discretisation, index, "
+            "check_simple, verify, smooth, classes, lobes; did you mean smooth?");
   EXPECT_EQ(refusal("operation = \"interior\"\ncurves = \"separ.*\"\n[grid]\npasses = [1,\n  -1]"),
             "job.toml:5: options.passes: has to be at least 0");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\""),

@@ -19,17 +19,7 @@ using namespace std::string_literals;
 TEST(Foreign, IsNamedWithAWayToConvert) {
   const std::string noise(600, '\x07');
   const std::vector<std::pair<std::string, const char*>> files{
-      {"MATLAB 5.0 MAT-file, Platform: GLNXA64" + noise, "MATLAB MAT file (version 5 to 7)"},
-      {"MATLAB 7.3 MAT-file, Platform: GLNXA64" + noise, "7.3, HDF5"},
-      {"\0\0\0\0\x05\0\0\0\x02\0\0\0\0\0\0\0\x02\0\0\0x\0"s + noise, "version 4"},
-      {"\x89HDF\r\n\x1A\n" + noise, "HDF5"},
-      {std::string(512, '\0') + "\x89HDF\r\n\x1A\n" + noise, "HDF5"},
-      {"CDF\x01" + noise, "NetCDF"},
-      {"CDF\x02" + noise, "NetCDF"},
-      {"CDF\x05" + noise, "NetCDF"},
       {"PK\x03\x04" + std::string(22, '\x01') + "\x05\0\0\0arr_0.npy"s + noise, "zip archive"},
-      {"PK\x03\x04" + std::string(22, '\x01') + "\x09\0\0\0arr_0.npy"s + noise, "npz"},
-      {"\x1F\x8B\x08" + noise, "gzip"},
       {"BZh9" + noise, "bzip2"},
       {"\xFD"s + "7zXZ\0"s + noise, "xz"},
       {"\x28\xB5\x2F\xFD" + noise, "zstd"},
@@ -37,7 +27,6 @@ TEST(Foreign, IsNamedWithAWayToConvert) {
       {"\xFF\xD8\xFF\xE0" + noise, "JPEG"},
       {"%PDF-1.7\n" + noise, "PDF"},
       {"%PDF-1.7\n1 0 obj\n", "PDF"},
-      {"\0\0\x27\x0A"s + std::string(24, '\0') + "\xE8\x03\0\0"s + noise, "shapefile"},
       {"PAR1" + noise, "Parquet"},
       {"ARROW1\0\0"s + noise, "Arrow"},
       {"\x80\x04\x95" + noise, "pickle"},
@@ -50,8 +39,6 @@ TEST(Foreign, IsNamedWithAWayToConvert) {
       {"\x10\0\0\0"s + std::string(16, '\x3F') + "\x10\0\0\0"s + noise, "Fortran"},
       {"\xFF\xFE\x31\0 \0\x32\0\n\0"s, "UTF-16"},
       {"\xFE\xFF\0\x31\0 \0\x32\0\n"s, "UTF-16"},
-      {"{\"type\": \"FeatureCollection\"}", "JSON"},
-      {"\xEF\xBB\xBF [[0, 0], [1, 0], [1, 1]]", "JSON"},
       {"<?xml version=\"1.0\"?><svg/>", "XML"},
       {"# vtk DataFile Version 3.0\nx\nASCII\n", "VTK"},
   };

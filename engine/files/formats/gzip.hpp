@@ -1,0 +1,19 @@
+// Files compressed by gzip.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "lober/base/buffer.hpp"
+
+namespace lober::detail {
+
+[[nodiscard]] bool is_gzip(std::span<const std::byte> bytes);
+
+/// The content of `bytes`, one or more members of gzip (RFC 1952). At most a quarter of the machine's memory: a file of
+/// a few bytes can promise any size. Throws DataError "name: ..." for a file that is damaged or cut off, and where zlib
+/// is not there.
+[[nodiscard]] Buffer<std::byte> unzipped(const std::string& name, std::span<const std::byte> bytes);
+
+}  // namespace lober::detail

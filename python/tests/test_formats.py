@@ -1,0 +1,190 @@
+"""Round trips with the programs that people have: what they write is read, what lober writes they read."""
+
+import csv
+import gzip
+import json
+import subprocess
+
+import numpy as np
+import pytest
+
+import lober
+
+
+def ring(points, at=(0.0, 0.0)):
+    t = np.arange(points) * (2 * np.pi / points)
+    return np.column_stack([np.cos(t) + at[0], np.sin(t) / 3 + at[1]])
+
+
+CURVES = {"one": ring(40), "zwei \N{GREEK SMALL LETTER SIGMA}": ring(55, (1 / 3, 0.1))}
+
+
+def require(name):
+    for known in lober.formats():
+        if known.name == name and known.missing:
+            pytest.skip(known.missing)
+
+
+def same(zones, curves=CURVES, rings=False):
+    assert len(zones) == len(curves)
+    for zone, curve in zip(zones, curves.values()):
+        points = zone.points[:-1] if rings else zone.points
+        assert points.tobytes() == curve.tobytes()
+
+
+def test_formats_are_listed():
+    known = {one.name: one for one in lober.formats()}
+    assert known["npz"].endings == (".npz",) and known["npz"].takes_several
+    assert known["mat"].reads and not known["mat"].writes
+    assert not known["vtk"].reads and known["vtk"].writes
+    with pytest.raises(lober.UsageError, match="no format is called npx; those that are written are npy, csv"):
+        lober.write("x", ring(5), format="npx")
+
+
+@pytest.mark.parametrize("ending", ["npz", "geojson", "wkt", "dat", "txt", "csv"])
+def test_several_curves_come_back(tmp_path, ending):
+    require({"dat": "tecplot", "txt": "text"}.get(ending, ending))
+    path = tmp_path / f"two.{ending}"
+    lober.write(path, CURVES, notes={"source": "a test"})
+    file = lober.read_zones(path, columns="x,y,by=curve" if ending == "csv" else "")
+    same(file.zones, rings=ending in ("geojson", "wkt"))
+    assert lober.read(f"{path}:x,y,by=curve#1" if ending == "csv" else f"{path}#1").tobytes() == list(CURVES.values())[1].tobytes()
+    if ending not in ("wkt", "csv"):
+        assert [zone.title for zone in file.zones] == list(CURVES)
+
+
+def test_numpy(tmp_path):
+    require("npz")
+    path = tmp_path / "two.npz"
+    lober.write(path, CURVES, notes={"source": "a test"})
+    with np.load(path) as file:
+        assert sorted(file.files) == ["offsets", "points", "provenance", "titles"]
+        assert file["titles"].tolist() == list(CURVES)
+        parts = np.split(file["points"], file["offsets"][1:-1])
+        assert all(part.tobytes() == curve.tobytes() for part, curve in zip(parts, CURVES.values()))
+        assert str(file["provenance"]) == f"lober: {lober.__version__}\nsource: a test"
+    one = ring(30)
+    for save in (np.savez, np.savez_compressed):
+        save(tmp_path / "arrays.npz", x=one[:, 0], y=one[:, 1], other=np.arange(3))
+        assert lober.read(tmp_path / "arrays.npz").tobytes() == one.tobytes()
+        assert lober.read(f"{tmp_path}/arrays.npz:x,y").tobytes() == one.tobytes()
+    with pytest.raises(lober.DataError, match=r"it holds x \(30\), y \(30\), other \(3\)"):
+        lober.read(f"{tmp_path}/arrays.npz:x,z")
+
+
+def test_gzip(tmp_path):
+    with gzip.open(tmp_path / "c.csv.gz", "wt") as file:
+        csv.writer(file).writerows(ring(20).tolist())
+    assert lober.read(tmp_path / "c.csv.gz").tobytes() == ring(20).tobytes()
+    whole = (tmp_path / "c.csv.gz").read_bytes()
+    (tmp_path / "cut.gz").write_bytes(whole[:-20])
+    with pytest.raises(lober.DataError, match="compressed by gzip: the file ends in the middle"):
+        lober.read(tmp_path / "cut.gz")
+
+
+def test_pandas(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    lober.write(tmp_path / "two.csv", CURVES)
+    table = pandas.read_csv(tmp_path / "two.csv", float_precision="round_trip")
+    assert list(table.columns) == ["x", "y", "curve"]
+    for k, curve in enumerate(CURVES.values()):
+        assert np.array_equal(table[table.curve == k][["x", "y"]].to_numpy(), curve)
+    frame = pandas.DataFrame({"t": 0, "lon": ring(9)[:, 0], "lat": ring(9)[:, 1]})
+    frame.to_csv(tmp_path / "frame.csv", index=False)
+    assert np.array_equal(lober.read(f"{tmp_path}/frame.csv:lon,lat"), ring(9))
+
+
+def test_scipy(tmp_path):
+    scipy_io = pytest.importorskip("scipy.io")
+    require("mat")
+    both = np.stack([ring(25), ring(25, (2, 1))])
+    for options in ({}, {"do_compression": True}, {"format": "4"}):
+        scipy_io.savemat(tmp_path / "m.mat", {"x": both[..., 0].T, "y": both[..., 1].T}, **options)
+        same(lober.read_zones(tmp_path / "m.mat").zones, {"0": both[0], "1": both[1]})
+    scipy_io.savemat(tmp_path / "s.mat", {"orbit": {"x": both[0, :, 0], "y": both[0, :, 1]}})
+    assert lober.read(f"{tmp_path}/s.mat:orbit.x,orbit.y").tobytes() == both[0].tobytes()
+
+
+def test_h5py(tmp_path):
+    h5py = pytest.importorskip("h5py")
+    require("hdf5")
+    curve = ring(1000)
+    with h5py.File(tmp_path / "f.h5", "w") as file:
+        file.create_dataset("run/7/x", data=curve[:, 0], compression="gzip", shuffle=True)
+        file.create_dataset("run/7/y", data=curve[:, 1].astype(">f8"), chunks=(100,))
+    assert lober.read(f"{tmp_path}/f.h5:/run/7/x,/run/7/y").tobytes() == curve.tobytes()
+    assert lober.read(f"{tmp_path}/f.h5:x,y").tobytes() == curve.tobytes()
+
+
+@pytest.mark.parametrize("form", ["NETCDF3_CLASSIC", "NETCDF3_64BIT_OFFSET", "NETCDF3_64BIT_DATA", "NETCDF4"])
+def test_netcdf(tmp_path, form):
+    netcdf = pytest.importorskip("netCDF4")
+    require("hdf5" if form == "NETCDF4" else "netcdf")
+    with netcdf.Dataset(tmp_path / "f.nc", "w", format=form) as file:
+        file.createDimension("obs", None)  # records
+        file.createDimension("traj", 2)
+        for k, name in enumerate(("lon", "lat")):
+            variable = file.createVariable(name, "f8", ("obs", "traj"))
+            variable[:] = np.stack([ring(12)[:, k], ring(12, (1, 1))[:, k]]).T
+        file.createVariable("step", "i4", ("obs",))[:] = np.arange(12)
+    zones = lober.read_zones(tmp_path / "f.nc").zones
+    assert len(zones) == 12  # a row is a curve: here one of two points for each time
+    assert zones[3].points.tolist() == [ring(12)[3].tolist(), ring(12, (1, 1))[3].tolist()]
+
+
+def test_geopandas(tmp_path):
+    geopandas = pytest.importorskip("geopandas")
+    shapely = pytest.importorskip("shapely.geometry")
+    lober.write(tmp_path / "two.geojson", CURVES)
+    frame = geopandas.read_file(tmp_path / "two.geojson")
+    assert frame["name"].tolist() == list(CURVES)
+    for polygon, curve in zip(frame.geometry, CURVES.values()):
+        assert np.array_equal(np.array(polygon.exterior.coords)[:-1], curve)
+        assert polygon.area == pytest.approx(lober.area(curve), rel=1e-13)
+    lober.write(tmp_path / "open.geojson", CURVES, closed=False)
+    assert set(geopandas.read_file(tmp_path / "open.geojson").geom_type) == {"LineString"}
+    frame = geopandas.GeoDataFrame({"n": [1, 2]}, geometry=[shapely.Polygon(curve) for curve in CURVES.values()])
+    frame.to_file(tmp_path / "two.shp")
+    require("shapefile")
+    zones = lober.read_zones(tmp_path / "two.shp").zones
+    for zone, polygon in zip(zones, geopandas.read_file(tmp_path / "two.shp").geometry):
+        assert np.array_equal(zone.points, np.array(polygon.exterior.coords))
+
+
+def test_wkt_in_shapely(tmp_path):
+    wkt = pytest.importorskip("shapely.wkt")
+    lober.write(tmp_path / "two.wkt", CURVES, notes={"source": "a test"})
+    lines = [line for line in (tmp_path / "two.wkt").read_text().splitlines() if not line.startswith("#")]
+    for line, curve in zip(lines, CURVES.values()):
+        assert np.array_equal(np.array(wkt.loads(line).exterior.coords)[:-1], curve)
+
+
+def test_vtk(tmp_path):
+    vtk = pytest.importorskip("vtkmodules.vtkIOXML")
+    lober.write(tmp_path / "two.vtp", CURVES, notes={"source": "a test"})
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(tmp_path / "two.vtp"))
+    reader.Update()
+    data = reader.GetOutput()
+    assert data.GetNumberOfPolys() == 2 and data.GetNumberOfLines() == 0
+    titles = data.GetCellData().GetAbstractArray("title")
+    assert [titles.GetValue(k) for k in range(2)] == list(CURVES)
+    assert "source: a test" in data.GetFieldData().GetAbstractArray("provenance").GetValue(0)
+    for k, curve in enumerate(CURVES.values()):
+        cell = data.GetCell(k).GetPoints()
+        assert [cell.GetPoint(i)[:2] for i in range(cell.GetNumberOfPoints())] == [tuple(point) for point in curve.tolist()]
+
+
+def test_gmt(tmp_path):
+    if subprocess.run(["which", "gmt"], capture_output=True).returncode:
+        pytest.skip("GMT is not installed")
+    lober.write(tmp_path / "two.txt", CURVES)
+    out = subprocess.run(["gmt", "convert", tmp_path / "two.txt", "--FORMAT_FLOAT_OUT=%.17g"], capture_output=True, text=True)
+    (tmp_path / "again.txt").write_text(out.stdout)
+    same(lober.read_zones(tmp_path / "again.txt").zones)
+
+
+def test_geojson_provenance(tmp_path):
+    lober.write(tmp_path / "c.geojson", ring(5), notes={"input": 'a "b"'})
+    data = json.loads((tmp_path / "c.geojson").read_text())
+    assert data["provenance"] == {"lober": lober.__version__, "input": 'a "b"'}

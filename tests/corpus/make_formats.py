@@ -1,0 +1,89 @@
+"""Makes the files of the folder formats, in which it is run, with the programs that people have.
+
+Each holds two curves of five points, x and y below: those of the second are the first's moved by (2, 1).
+"""
+
+import gzip
+import json
+import pathlib
+
+import geopandas
+import h5py
+import netCDF4
+import numpy as np
+import scipy.io
+import shapely.geometry
+
+x = np.array([0.0, 1.0, 1.5, 0.1, -0.3])
+y = np.array([0.0, 0.1, 1.0, 1.25, 0.7])
+xs, ys = np.stack([x, x + 2]), np.stack([y, y + 1])
+points = np.c_[x, y]
+
+with gzip.GzipFile("table.txt.gz", "wb", mtime=0) as file:
+    np.savetxt(file, points, fmt="%.17g")
+
+np.savez("two.npz", x=xs, y=ys, name=np.array(["one", "two"]))
+np.savez_compressed("one.npz", xy=np.asfortranarray(points.astype(">f4")), count=np.int16(5), half=x.astype("f2"))
+np.savez_compressed("parts.npz", points=np.concatenate([points, points + [2, 1]]), offsets=np.array([0, 5, 10]),
+                    titles=np.array(["one", "zweite \N{GREEK SMALL LETTER SIGMA}"]), curve=np.repeat([4, 2], 5))
+
+scipy.io.savemat("v4.mat", {"x": x, "y": y}, format="4")
+scipy.io.savemat("v5.mat", {"x": xs.T, "y": ys.T, "s": {"x": x.astype("f4"), "y": y}, "z": x + 1j * y, "text": "no numbers"},
+                 do_compression=True, oned_as="column")
+kind = h5py.h5t.C_S1.copy()
+kind.set_size(7)
+with h5py.File("v73.mat", "w", userblock_size=512) as file:
+    for name, numbers in {"x": xs, "y": ys}.items():
+        file[name] = numbers  # MATLAB's first axis is HDF5's last: a column of MATLAB is a curve
+        of_class = h5py.h5a.create(file[name].id, b"MATLAB_class", kind, h5py.h5s.create(h5py.h5s.SCALAR))
+        of_class.write(np.array(b"double"))
+with open("v73.mat", "r+b") as file:
+    file.write(b"MATLAB 7.3 MAT-file, made for a test".ljust(124) + b"\x00\x02IM")
+
+with h5py.File("groups.h5", "w", libver="earliest") as file:
+    file.create_group("orbit/inner")
+    file.create_dataset("orbit/inner/x", data=x, compression="gzip")
+    file.create_dataset("orbit/inner/y", data=y.astype("f4"))
+    file.create_dataset("orbit/xy", data=points.T + [[2], [1]])
+    file.create_dataset("orbit/id", data=np.array([0, 0, 0, 1, 1], dtype="i1"))
+    file.create_dataset("text", data=[b"no", b"numbers"])
+
+for form, name in [("NETCDF3_CLASSIC", "classic.nc"), ("NETCDF3_64BIT_OFFSET", "offset.nc"),
+                   ("NETCDF3_64BIT_DATA", "data.nc"), ("NETCDF4", "four.nc")]:
+    with netCDF4.Dataset(name, "w", format=form) as file:
+        file.createDimension("trajectory", 2)
+        file.createDimension("obs", 7)
+        lon = file.createVariable("lon", "f8", ("trajectory", "obs"), fill_value=-999.0)
+        lat = file.createVariable("lat", "i4", ("trajectory", "obs"))
+        lat.scale_factor, lat.add_offset = 0.05, 1.0
+        lon[:, :5], lat[:, :5] = xs, ys
+        lon[:, 5:] = np.ma.masked
+with netCDF4.Dataset("grid.nc", "w", format="NETCDF3_CLASSIC") as file:
+    for name in ("lon", "lat"):
+        file.createDimension(name, 5)
+        file.createVariable(name, "f8", (name,))[:] = x
+
+
+def ring(k):
+    return [[float(a), float(b)] for a, b in zip(xs[k], ys[k])] + [[float(xs[k][0]), float(ys[k][0])]]
+
+
+hole = [[0.4, 0.4], [0.6, 0.4], [0.5, 0.6], [0.4, 0.4]]
+with open("features.geojson", "w") as file:
+    json.dump({"features": [
+        {"geometry": {"coordinates": [ring(0), hole], "type": "Polygon"}, "type": "Feature", "id": 7,
+         "properties": {"name": "one", "nested": {"type": "Point", "coordinates": [9, 9]}, "list": ["name", "x"]}},
+        {"type": "Feature", "id": "two", "properties": None, "geometry": {"type": "GeometryCollection", "geometries": [
+            {"type": "LineString", "coordinates": [[*p, 5.0] for p in ring(1)]}]}},
+        {"type": "Feature", "properties": {}, "geometry": None},
+        {"type": "Feature", "properties": {}, "geometry": {"type": "MultiPolygon",
+                                                           "coordinates": [[ring(0), hole], [ring(1)]]}},
+        {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [1, 2]}},
+        {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [3, 4.5]}},
+    ], "type": "FeatureCollection"}, file, indent=1)
+
+frame = geopandas.GeoDataFrame({"n": [1, 2]}, geometry=[shapely.geometry.Polygon(ring(0), [hole]),
+                                                        shapely.geometry.Polygon(ring(1))])
+frame.to_file("polygons.shp")
+for ending in ("cpg", "dbf", "prj", "shx"):
+    pathlib.Path("polygons").with_suffix("." + ending).unlink(missing_ok=True)
