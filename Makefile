@@ -17,7 +17,9 @@ PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel pyt
 
 .PHONY: demo test ci build bench bench-build bench-batch python python-functions docs-figures docs-check paper check-readme stress fuzz trust deps mpi-deps bench-deps python-deps format tidy clean
 
-demo: build
+demo:
+	@echo "Installs what it needs (root or sudo), builds the program and runs it: about three minutes on two cores, seconds the next time."
+	@$(MAKE) --no-print-directory build
 	@scripts/demo.sh
 
 # The figures and the numbers of all documents, from the program and from bench/RESULTS.md: some minutes on two cores.
@@ -53,6 +55,19 @@ build: deps
 python: python-deps
 	cmake --preset release -DLOBER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 	@scripts/python.sh build
+
+.PHONY: deb wheel packages-check
+# Debian packages in build/packages: another machine needs nothing of this folder.
+deb:
+	@scripts/packages.sh
+
+# A wheel of the Python package in build/wheel, for this Python.
+wheel: python-deps
+	@scripts/packages-wheel.sh
+
+# The packages on a clean Debian 12, and built there again: root, the network, a quarter of an hour.
+packages-check: deb
+	@scripts/packages-check.sh
 
 # The functions of the Python package that follow from the engine's table.
 python-functions: python-deps

@@ -1,15 +1,21 @@
 # Writes lober_build.hpp, only if it changes: version, commit, compiler and flags of this build.
 #   cmake -DSOURCE=... -DOUTPUT=... -DVERSION=... -DCOMPILER=... -DFLAGS=... -P build_info.cmake
 cmake_minimum_required(VERSION 3.25)
-execute_process(COMMAND git -C "${SOURCE}" rev-parse --short=12 HEAD
-                OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-execute_process(COMMAND git -C "${SOURCE}" status --porcelain --untracked-files=no
-                OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-if(commit STREQUAL "")
-  set(commit unknown)
-elseif(NOT changes STREQUAL "")
-  string(APPEND commit "+changes")
+# A copy of the sources without a repository says in a file which commit it is of (scripts/packages.sh); a repository around
+# it is another one.
+set(commit unknown)
+if(EXISTS "${SOURCE}/.git")
+  execute_process(COMMAND git -C "${SOURCE}" describe --always --abbrev=12 --exclude=* --dirty=+changes
+                  OUTPUT_VARIABLE found OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+elseif(EXISTS "${SOURCE}/COMMIT")
+  file(STRINGS "${SOURCE}/COMMIT" found LIMIT_COUNT 1)
 endif()
+if(NOT found STREQUAL "")
+  set(commit "${found}")
+endif()
+# Where it was built does not change what is built.
+string(REGEX REPLACE " *-f[a-z]+-prefix-map=[^ ]+" "" FLAGS "${FLAGS}")
+string(STRIP "${FLAGS}" FLAGS)
 string(REPLACE "\"" "" FLAGS "${FLAGS}")
 file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT
 "#define LOBER_BUILD_VERSION \"@VERSION@\"

@@ -18,6 +18,7 @@ PYBIND11_MODULE(_lober, module) {
   bind_interior(module);
   bind_regions(module);
   bind_tangle(module);
+  bind_build(module);
   bind_files(module);
   bind_systems(module);
   bind_python_map(module);

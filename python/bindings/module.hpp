@@ -5,6 +5,7 @@
 
 namespace lober::python {
 
+void bind_build(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_fixed_points(pybind11::module_& module);
 void bind_interior(pybind11::module_& module);

@@ -7,6 +7,8 @@
     >>> r.crossings
     2
 
+`lober.show_versions()` prints versions, `lober.test()` tests the installed package in a second.
+
 Results do not depend on the number of threads. Definitions and signs are in docs/conventions.md of the project.
 """
 
@@ -36,6 +38,8 @@ from ._overlay import (
     winding,
 )
 from ._regions import RegionPieces, Regions
+from ._self_test import test
+from ._show_versions import show_versions
 from ._symbolic import equations, hamiltonian
 from ._systems import Connection, Parameter, System, SystemInfo, system, systems
 from ._tangle import Boundary, Lobes, Tangle, TangleErrors
@@ -109,8 +113,10 @@ __all__ = [
     "plot",
     "read",
     "read_zones",
+    "show_versions",
     "system",
     "systems",
+    "test",
     "winding",
     "write",
 ]

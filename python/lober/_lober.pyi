@@ -12,6 +12,8 @@ _Box = tuple[float, float, float, float]
 
 __version__: str
 
+def build() -> dict[str, Any]: ...
+
 class Areas:
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
     @property

@@ -1,0 +1,51 @@
+"""Versions of lober and of what it uses here, for a report of an error."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+from importlib import metadata
+from pathlib import Path
+
+from . import _lober
+
+#: Packages that are imported when they are used, and for what.
+OPTIONAL = {
+    "matplotlib": "lober.plot",
+    "sympy": "lober.hamiltonian, lober.equations",
+    "numba": "functions that it compiles, as systems",
+    "shapely": "its polygons and lines, as curves",
+}
+
+
+def _version(package: str) -> str:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return "not installed"
+
+
+def _program(command: str) -> str:
+    found = shutil.which(command.split()[0]) if command else None
+    return found or "NumPy, as there is no compiler here"
+
+
+def show_versions() -> None:
+    """Prints the versions of lober, Python and NumPy, compiler, instruction set and threads, and the optional packages.
+
+    Nothing is imported for it. A report of an error is complete with these lines.
+    """
+    build = _lober.build()
+    compiler = os.environ.get("CC", "cc")
+    lines = [
+        ("lober", f"{_lober.__version__} in {Path(__file__).parent}"),
+        ("Python", f"{platform.python_version()}, {platform.platform()}"),
+        ("NumPy", _version("numpy")),
+        ("compiler", f"{build['compiler']} built lober; systems are compiled with {_program(compiler)}"),
+        ("instructions", build["instruction_set"]),
+        ("threads", str(build["threads"])),
+        *((package, f"{_version(package)} ({use})") for package, use in OPTIONAL.items()),
+    ]
+    width = max(len(name) for name, _ in lines)
+    print("\n".join(f"{name:<{width}}  {value}" for name, value in lines))
