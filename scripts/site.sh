@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Builds the site of the documents as static HTML in BUILD/docs/html, without the network; every warning is an error.
+# The program and the Python module have to be there: their numbers and pictures are made anew.
+# usage: site.sh [BUILD]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+build=$(realpath "${1:-build}")
+site=$build/docs
+python=$build/python/venv/bin/python
+[ -x "$build/bin/lober" ] && [ -x "$python" ] || { echo "no program or no Python module in $build; make docs builds them" >&2; exit 1; }
+mkdir -p "$site/static"
+
+# The headers.
+(cat docs/site/Doxyfile; echo "OUTPUT_DIRECTORY = $site/doxygen"; echo "WARN_AS_ERROR = ${LOBER_DOXYGEN_ERRORS:-NO}") |
+  { rm -rf "$site/doxygen"; mkdir -p "$site/doxygen"; doxygen -; } || { echo "the headers have symbols without a comment" >&2; exit 1; }
+
+# MathJax, the part that turns TeX into SVG.
+mathjax=/usr/share/javascript/mathjax
+for part in MathJax.js config/TeX-AMS_SVG.js extensions jax/input/TeX jax/element jax/output/SVG/jax.js jax/output/SVG/autoload \
+  jax/output/SVG/config.js jax/output/SVG/fonts/TeX jax/output/PreviewHTML; do
+  mkdir -p "$site/static/mathjax/$(dirname "$part")"
+  cp -rLu "$mathjax/$part" "$site/static/mathjax/$(dirname "$part")/"
+done
+
+"$python" docs/site/stage.py "$build" "$site/source"
+rm -rf "$site/html" "$site/doctrees"
+LOBER_SOURCE=$PWD LOBER_SITE_STATIC=$site/static \
+  "$python" -m sphinx -W --keep-going -q -c docs/site -d "$site/doctrees" "$site/source" "$site/html"
+
+# Nothing on a page is loaded from elsewhere.
+loaded=$(grep -rlE --include='*.html' '<(script|img|iframe|source)[^>]* src="(https?:)?//|<link [^>]*href="(https?:)?//|@import|url\((https?:)?//' "$site/html" || true)
+[ -z "$loaded" ] || { echo "pages that load something from elsewhere:" >&2; echo "$loaded" >&2; exit 1; }
+echo "$(find "$site/html" -name '*.html' | wc -l) pages in $site/html; begin with index.html"
