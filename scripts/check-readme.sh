@@ -16,7 +16,7 @@ set -uo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
 build=$(realpath "${BUILD:-build}")
-[ $# -gt 0 ] && files=("$@") || files=(README.md CONTRIBUTING.md docs/*.md)
+[ $# -gt 0 ] && files=("$@") || files=(README.md CONTRIBUTING.md docs/*.md docs/{tutorials,how-to,reference,explanation}/*.md)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -r examples "$work/examples"

@@ -46,8 +46,43 @@ autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
 python_use_unqualified_type_names = True
 
+PARAMETER = re.compile(r"^(\*{0,2}[A-Za-z_]\w*): (.*)$")
+
+
+def as_rst(lines):
+    """Comments of the package as RST: `code`, lists of `name: meaning`, indented lines as code."""
+    out = []
+    kind = "text"  # or "list", "code"
+    for line in lines:
+        before = out[-1] if out else ""
+        found = PARAMETER.match(line)
+        if kind == "code" and line and not line.startswith(" "):
+            out.append("")
+            kind = "text"
+        if found and (not before.strip() or kind == "list"):
+            line = f":{found[1]}: {found[2]}"
+            kind = "list"
+        elif line.startswith(" ") and kind == "text":
+            out += ["", ".. code-block:: python", ""]
+            kind = "code"
+        elif line.strip() and not line.startswith(" ") and kind == "list":
+            if before.strip():
+                out.append("")
+            kind = "text"
+        if kind == "code":
+            out.append("    " + line if line else line)
+            continue
+        pieces = re.split(r"(`[^`]*`)", line)
+        out.append("".join(f"`{each}`" if each.startswith("`") else re.sub(r"(\*|\||(?<=\w)_(?!\w))", r"\\\1", each) for each in pieces))
+    return out
+
+
+def process_docstring(app, what, name, thing, options, lines):
+    lines[:] = as_rst(lines)
+
 
 def setup(app):
     from pygments.lexers.special import TextLexer
 
     app.add_lexer("usage", TextLexer)
+    app.connect("autodoc-process-docstring", process_docstring)

@@ -95,7 +95,7 @@ def run(book: nbformat.NotebookNode, build: Path, work: Path) -> None:
     kernels = work / ".kernels" / "kernels" / "lober"
     kernels.mkdir(parents=True)
     (kernels / "kernel.json").write_text(
-        '{"argv": ["%s", "-P", "-m", "ipykernel_launcher", "-f", "{connection_file}"],'
+        '{"argv": ["%s", "-P", "-Xfrozen_modules=off", "-m", "ipykernel_launcher", "-f", "{connection_file}"],'
         ' "display_name": "lober", "language": "python"}' % python
     )
     os.environ["JUPYTER_PATH"] = str(work / ".kernels")

@@ -6,6 +6,7 @@ contents.toml says which pages there are and in which order. Links between docum
 become links between pages, and a link to nothing is an error.
 """
 
+import inspect
 import shutil
 import subprocess
 import sys
@@ -52,6 +53,33 @@ def manifest_page(lober: Path) -> str:
     return f"# Keys of a manifest\n\nPrinted by `lober batch manifest`.\n\n```text\n{text.rstrip()}\n```\n"
 
 
+def python_page(_: Path) -> str:
+    """Everything that `import lober` gives, in the order of its topics, by autodoc."""
+    import lober
+
+    functions = sorted(name for name in vars(lober) if inspect.isfunction(getattr(lober, name)))
+    classes = [getattr(lober, name) for name in sorted(vars(lober)) if inspect.isclass(getattr(lober, name))]
+    results = [each.__name__ for each in classes if not issubclass(each, (Exception, Warning))]
+    errors = [each.__name__ for each in classes if issubclass(each, (Exception, Warning))]
+    plots = sorted(name for name, each in vars(lober.plot).items() if inspect.isfunction(each) and name[0] != "_")
+    parts = ["# Python, every function and class\n", "From the comments in the package. Examples are on the page before.\n"]
+
+    def add(title: str, module: str, names: list[str], kind: str) -> None:
+        parts.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: {module}\n")
+        for name in names:
+            if name.startswith("_"):
+                continue
+            options = "   :members:\n" if kind != "function" else ""
+            parts.append(f".. auto{kind}:: {name}\n{options}")
+        parts.append("```\n")
+
+    add("Functions", "lober", functions, "function")
+    add("Pictures", "lober.plot", plots, "function")
+    add("Results and systems", "lober", results, "class")
+    add("Errors", "lober", errors, "exception")
+    return "\n".join(parts)
+
+
 def kind_page(kind: dict, titles: dict[str, str]) -> str:
     """The first page of a kind: its purpose and its pages, each with a sentence."""
     lines = [f"# {kind['title']}\n", kind["about"].strip() + "\n"]
@@ -80,7 +108,9 @@ def main() -> None:
     shutil.rmtree(stage, ignore_errors=True)
     stage.mkdir(parents=True)
 
-    generated = {"commands": commands_page, "manifest": manifest_page}
+    generated = {"commands": commands_page, "manifest": manifest_page, "python_api": python_page}
+    for kind in contents["kind"]:
+        kind["pages"] = [page for page in kind["pages"] if not page.get("optional") or (ROOT / page["source"]).is_file()]
     pages = {page["source"]: page["page"] for kind in contents["kind"] for page in kind["pages"] if "source" in page}
     pages["docs/site/index.md"] = "index"
     for page in list(pages):
