@@ -29,7 +29,13 @@ myst_dmath_allow_labels = False
 
 # MathJax lies beside the pages; nothing is loaded from elsewhere.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG"
-mathjax2_config = {"SVG": {"font": "TeX"}, "showMathMenu": False, "messageStyle": "none"}
+mathjax2_config = {
+    "SVG": {"font": "TeX"},
+    "tex2jax": {"processClass": "math"},
+    "showMathMenu": False,
+    "messageStyle": "none",
+}
+myst_update_mathjax = False  # its settings are those of MathJax 3
 
 html_theme = "furo"
 html_title = "lober"

@@ -113,7 +113,14 @@ def image(files: Path, name: str) -> str:
 def results(cell: nbformat.NotebookNode, files: Path, number: str) -> list[str]:
     """What a cell printed, showed and drew, as Markdown."""
     pieces = []
-    for index, output in enumerate(cell.outputs):
+    outputs: list[nbformat.NotebookNode] = []
+    for output in cell.outputs:  # lines that were printed one by one
+        if outputs and output.output_type == "stream" == outputs[-1].output_type:
+            outputs[-1].text += output.text
+        else:
+            outputs.append(output)
+    cell.outputs = outputs
+    for index, output in enumerate(outputs):
         if output.output_type == "stream":
             pieces.append(printed(output.text))
             continue
