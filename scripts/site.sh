@@ -11,7 +11,7 @@ python=$build/python/venv/bin/python
 mkdir -p "$site/static"
 
 # The headers.
-(cat docs/site/Doxyfile; echo "OUTPUT_DIRECTORY = $site/doxygen"; echo "WARN_AS_ERROR = ${LOBER_DOXYGEN_ERRORS:-NO}") |
+(cat docs/site/Doxyfile; echo "OUTPUT_DIRECTORY = $site/doxygen"; echo "WARN_AS_ERROR = ${LOBER_DOXYGEN_ERRORS:-FAIL_ON_WARNINGS}") |
   { rm -rf "$site/doxygen"; mkdir -p "$site/doxygen"; doxygen -; } || { echo "the headers have symbols without a comment" >&2; exit 1; }
 
 # MathJax, the part that turns TeX into SVG.

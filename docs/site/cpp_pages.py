@@ -9,7 +9,8 @@ SPECIAL = re.compile(r"([\\`*_{}\[\]<>|$#~])")
 
 
 def escaped(text: str) -> str:
-    return SPECIAL.sub(r"\\\1", text)
+    """Text as Markdown; what stands between backticks stays."""
+    return re.sub(r"(`[^`]*`)|([^`]+|`)", lambda found: found[1] or SPECIAL.sub(r"\\\1", found[2]), text)
 
 
 def plain(element: ElementTree.Element | None) -> str:
@@ -192,7 +193,7 @@ def as_markdown(lines: list[str]) -> str:
             out += ["```", ""]
             literal = False
         if not literal:
-            line = re.sub(r"(`[^`]*`)|([^`]+)", lambda found: found[1] or escaped(found[2]), line)
+            line = escaped(line)
         out.append(line)
     return "\n".join(out + (["```"] if literal else []))
 

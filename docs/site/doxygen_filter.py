@@ -53,7 +53,7 @@ def cpp(lines: list[str]) -> list[str]:
 def c(text: str) -> str:
     """Comments before a declaration become /** */, those behind one /**< */."""
     text = re.sub(r"(?m)^(\s*)/\* (?=[\s\S]*?\*/\n\s*[A-Za-z#])", r"\1/** ", text)
-    text = re.sub(r"(?m)^(\s*[^\s/][^\n]*?[;,])(\s*)/\* ", r"\1\2/**< ", text)
+    text = re.sub(r"(?m)^(#define [^\n]*?|\s*[^\s/][^\n]*?[;,])(\s*)/\* ", r"\1\2/**< ", text)
     lines = text.split("\n")
     out = []
     comment = ""
@@ -81,13 +81,22 @@ def c(text: str) -> str:
     return "\n".join(out)
 
 
+def escaped(line: str) -> str:
+    """A comment without what Doxygen would take for a link or a tag: FILE#K, <passes>."""
+    code, slashes, comment = line.partition("///")
+    return code + slashes + re.sub(r"(?<!\\)([#<])(?=[A-Za-z])", r"\\\1", comment)
+
+
 def main() -> None:
     text = open(sys.argv[1], encoding="utf-8").read()
     if sys.argv[1].endswith(".h"):
         opening = text.index("*/")
-        sys.stdout.write(text[:opening] + c(text[opening:]))
+        sys.stdout.write("/** \\file\n" + text[2:opening].replace("\n", " ", 1) + c(text[opening:]))
+    elif sys.argv[1].endswith(".dox"):
+        sys.stdout.write(text)
     else:
-        sys.stdout.write("\n".join(cpp(text.split("\n"))))
+        text = "/// \\file\n" + text.split("\n", 1)[1]
+        sys.stdout.write("\n".join(cpp([escaped(line) for line in text.split("\n")])))
 
 
 main()
