@@ -69,6 +69,7 @@ def declaration(member: ElementTree.Element) -> str:
     kind_of = plain(member.find("type"))
     arguments = re.sub(r"\s+", " ", member.findtext("argsstring", ""))
     arguments = re.sub(r" ([&*])(?=[\w)])", r"\1 ", arguments)
+    arguments = re.sub(r"< (.*?) ?>", r"<\1>", arguments).replace("=default", " = default").replace("=delete", " = delete")
     if kind == "enum":
         values = ", ".join(
             value.findtext("name", "") + (f" {plain(value.find('initializer'))}" if value.find("initializer") is not None else "")
@@ -107,7 +108,11 @@ def code_cell(text: str) -> str:
 def table(members: list[ElementTree.Element]) -> str:
     rows = ["| member | |", "|---|---|"]
     for member in members:
-        rows.append(f"| {code_cell(declaration(member))} | {cell(description(member))} |")
+        code = declaration(member)
+        text = description(member)
+        if not text:  # Doxygen lets only these pass
+            text = "Refused by the compiler." if code.endswith("= delete") else "As the compiler makes it."
+        rows.append(f"| {code_cell(code)} | {cell(text)} |")
         for value in member.findall("enumvalue"):
             if description(value):
                 rows.append(f"| {code_cell(value.findtext('name', ''))} | {cell(description(value))} |")
@@ -124,6 +129,7 @@ def members_of(compound: ElementTree.Element) -> list[ElementTree.Element]:
         for section in compound.findall("sectiondef")
         if not section.get("kind", "").startswith(("private", "protected"))
         for member in section.findall("memberdef")
+        if member.get("kind") != "friend" or "operator" in member.findtext("name", "")
     ]
     return sorted(found, key=lambda member: int(member.find("location").get("line")))
 

@@ -10,7 +10,7 @@ import re
 import sys
 
 # TYPE NAME [= VALUE][{}], NAME [= VALUE]...;  without parentheses, which would be a function
-DECLARATION = re.compile(r"^(\s*)((?:static constexpr |const )?[A-Za-z_][\w:]*(?:<[^;=(]*?>)?[*&]?) ([A-Za-z_]\w*[^;()]*,[^;]*);(.*)$")
+DECLARATION = re.compile(r"^(\s*)((?:(?:inline|static|constexpr|const) )*[A-Za-z_][\w:]*(?:<[^;=(]*?>)?[*&]?) ([A-Za-z_]\w*[^;()]*,[^;]*);(.*)$")
 # Operators that Doxygen takes for members whose name it cannot tell.
 FUNCTION = re.compile(r"\(")
 

@@ -34,6 +34,7 @@ class CancellationScope {
   struct Shield {};
   /// Begins a scope in which nothing is cancelled.
   LOBER_API explicit CancellationScope(Shield) noexcept;
+  /// Ends the scope.
   LOBER_API ~CancellationScope();
   CancellationScope(const CancellationScope&) = delete;
   CancellationScope& operator=(const CancellationScope&) = delete;

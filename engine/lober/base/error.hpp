@@ -39,6 +39,7 @@ class LOBER_API DataError : public Error {
 /// The work was cancelled, by a function for progress or by a CancellationScope.
 class LOBER_API Cancelled : public Error {
  public:
+  /// The message is "cancelled".
   Cancelled() : Error("cancelled") {}
 };
 
