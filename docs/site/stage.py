@@ -21,7 +21,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 
 
-def commands_page(lober: Path) -> str:
+def commands_page(lober: Path, _: Path) -> str:
     """The help of every command, as the program prints it."""
     first = subprocess.run([lober, "--help"], check=True, capture_output=True, text=True).stdout
     names = []
@@ -47,13 +47,32 @@ def commands_page(lober: Path) -> str:
     return "\n".join(parts)
 
 
-def manifest_page(lober: Path) -> str:
+def manifest_page(lober: Path, _: Path) -> str:
     """The keys of a manifest, as the program lists them."""
     text = subprocess.run([lober, "batch", "manifest"], check=True, capture_output=True, text=True).stdout
     return f"# Keys of a manifest\n\nPrinted by `lober batch manifest`.\n\n```text\n{text.rstrip()}\n```\n"
 
 
-def python_page(_: Path) -> str:
+def json_page(lober: Path, stage: Path) -> str:
+    """The JSON Schema of each result, as files to be taken away."""
+    listed = subprocess.run([lober, "schema"], check=True, capture_output=True, text=True).stdout
+    folder = stage / "files" / "schemas"
+    folder.mkdir(parents=True)
+    parts = [
+        "# JSON\n",
+        "`--json FILE` writes one JSON object. The members that all commands share, and what holds for numbers, are in the "
+        "[conventions](conventions.md), section 13; the members of a result with units and meanings in the "
+        "[operations](operations.md). The same as JSON Schema, printed by `lober schema NAME`:\n",
+    ]
+    for line in listed.splitlines():
+        name, title = line.split(maxsplit=1)
+        schema = subprocess.run([lober, "schema", name], check=True, capture_output=True, text=True).stdout
+        (folder / f"{name}.json").write_text(schema)
+        parts.append(f"- [{name}.json](../files/schemas/{name}.json): {title}")
+    return "\n".join(parts) + "\n"
+
+
+def python_page(_: Path, __: Path) -> str:
     """Everything that `import lober` gives, in the order of its topics, by autodoc."""
     import lober
 
@@ -108,7 +127,7 @@ def main() -> None:
     shutil.rmtree(stage, ignore_errors=True)
     stage.mkdir(parents=True)
 
-    generated = {"commands": commands_page, "manifest": manifest_page, "python_api": python_page}
+    generated = {"commands": commands_page, "manifest": manifest_page, "json": json_page, "python_api": python_page}
     for kind in contents["kind"]:
         kind["pages"] = [page for page in kind["pages"] if not page.get("optional") or (ROOT / page["source"]).is_file()]
     pages = {page["source"]: page["page"] for kind in contents["kind"] for page in kind["pages"] if "source" in page}
@@ -133,7 +152,7 @@ def main() -> None:
         for page in kind["pages"]:
             name = page["page"]
             if "generated" in page:
-                text = generated[page["generated"]](lober)
+                text = generated[page["generated"]](lober, stage)
             elif name.startswith("tutorials/"):
                 text = notebook.executed(ROOT / page["source"], build, stage / f"{name}_files")
                 text = rewriter.rewrite(page["source"], name, text)
