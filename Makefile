@@ -16,7 +16,7 @@ PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel pyt
 
 # The site of the documents: Sphinx, Doxygen, what executes the tutorials, and MathJax, which becomes part of the site.
 DOCS_PACKAGES := python3-sphinx furo python3-myst-parser python3-sphinx-copybutton python3-nbclient python3-ipykernel \
-                 doxygen libjs-mathjax
+                 doxygen libjs-mathjax node-normalize.css
 
 .PHONY: demo test ci build bench bench-build bench-batch python python-functions docs docs-deps docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps python-deps format tidy clean
 
