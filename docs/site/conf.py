@@ -79,7 +79,7 @@ def as_rst(lines):
             out.append("    " + line if line else line)
             continue
         pieces = re.split(r"(`[^`]*`)", line)
-        out.append("".join(f"`{each}`" if each.startswith("`") else re.sub(r"(\*|\||(?<=\w)_(?!\w))", r"\\\1", each) for each in pieces))
+        out.append("".join(f"`{each}`" if each.startswith("`") else re.sub(r"(\*|\||(?<=\w)_(?!\w)|(?<=\bFILE):)", r"\\\1", each) for each in pieces))
     return out
 
 
