@@ -22,7 +22,8 @@ trap 'rm -rf "$work"' EXIT
 
 # Each case by every library, into the file $1.
 run_rivals() {
-  local programs=("$build/bin/trackers_geos" "$build/bin/trackers_boost" "$build/bin/trackers_boost_newer") program
+  local programs=("$build/bin/trackers_geos" "$build/bin/trackers_boost" "$build/bin/trackers_boost_newer"
+    "$build/bin/trackers_clipper") program
   for program in "$build/bin/bench_trackers" "${programs[@]}"; do
     [ -x "$program" ] || { echo "$program is missing; make trust builds it" >&2; return 1; }
   done
@@ -34,13 +35,13 @@ said() { sed -n "s/^# $2: //p" "$cases/$1.dat"; }
 
 # The table of the cases, from rivals.tsv ($1).
 cases_table() {
-  local name exact error bar geos boost newer
-  IFS=$'\t' read -r _ _ _ _ geos boost newer <"$1"
-  echo "| case | reported | exact area | error of lober, its bar | $geos | $boost | $newer |"
-  echo '|---|---|---:|---:|---|---|---|'
-  tail -n +2 "$1" | while IFS=$'\t' read -r name exact error bar geos boost newer; do
-    printf '| [%s](%s) | %s | %.6g | %s, %s | %s | %s | %s |\n' "$(said "$name" tracker)" "$(said "$name" link)" \
-      "$(said "$name" reported)" "$exact" "$error" "$bar" "$geos" "$boost" "$newer"
+  local name exact error bar verdicts
+  IFS=$'\t' read -r _ _ _ _ verdicts <"$1"
+  echo "| case | reported | exact area | error of lober, its bar | ${verdicts//$'\t'/ | } |"
+  echo "|---|---|---:|---:|$(tr -cd '\t' <<<"$verdicts" | sed 's/./---|/g')---|"
+  tail -n +2 "$1" | while IFS=$'\t' read -r name exact error bar verdicts; do
+    printf '| [%s](%s) | %s | %.6g | %s, %s | %s |\n' "$(said "$name" tracker)" "$(said "$name" link)" \
+      "$(said "$name" reported)" "$exact" "$error" "$bar" "${verdicts//$'\t'/ | }"
   done | sort -t'[' -k2,2V
 }
 
@@ -52,6 +53,8 @@ cases_summary() {
       ++count
       if ($3 + 0 > $4 + 0) { print "an area of lober outside its bar: " $1 > "/dev/stderr"; bad = 1 }
       for (k = 5; k <= columns; ++k) {
+        if ($k == "-") continue
+        ++asked[k]
         if ($k ~ /\*\*wrong/) ++wrong[k]
         else if ($k ~ /^right(; as integers: right)?$/) ++right[k]
         else ++between[k]
@@ -59,10 +62,10 @@ cases_summary() {
     }
     END {
       if (bad || !count) exit 1
-      print "| of " count " cases | all right | a small area, precision or validity wrong, or no answer | an area **wrong** |"
-      print "|---|---:|---:|---:|"
-      print "| lober | " count " | 0 | 0 |"
-      for (k = 5; k <= columns; ++k) print "| " name[k] " | " right[k] + 0 " | " between[k] + 0 " | " wrong[k] + 0 " |"
+      print "| | cases | all right | a small area, precision or validity wrong, or no answer | an area **wrong** |"
+      print "|---|---:|---:|---:|---:|"
+      print "| lober | " count " | " count " | 0 | 0 |"
+      for (k = 5; k <= columns; ++k) print "| " name[k] " | " asked[k] + 0 " | " right[k] + 0 " | " between[k] + 0 " | " wrong[k] + 0 " |"
     }
   ' "$1"
 }
