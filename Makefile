@@ -9,7 +9,7 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
             zlib1g-dev libzip-dev libmatio-dev libhdf5-dev libshp-dev
 # Not needed to build; with it lober_mpi is built and tested.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
-BENCH_PACKAGES := libbenchmark-dev libgeos-dev
+BENCH_PACKAGES := libbenchmark-dev libgeos-dev libpolyclipping-dev
 # The Python module and what its tests compare it with.
 PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel python3-build pybind11-dev python3-numpy \
                    python3-pytest python3-hypothesis python3-shapely python3-sympy python3-numba python3-pandas \
@@ -114,11 +114,11 @@ fuzz: deps
 	cmake --build --preset fuzz
 	@scripts/fuzz.sh
 
-# docs/trust.md: the cases of public trackers by lober, GEOS and two versions of Boost.Geometry.
+# docs/trust.md: the cases of public trackers by lober, GEOS, two versions of Boost.Geometry and Clipper.
 trust: bench-deps
 	@scripts/trust.sh boost
 	cmake --preset bench -DLOBER_NEWER_BOOST=$(CURDIR)/build/boost/usr/include
-	cmake --build --preset bench --target lober bench_trackers trackers_geos trackers_boost trackers_boost_newer
+	cmake --build --preset bench --target lober bench_trackers trackers_geos trackers_boost trackers_boost_newer trackers_clipper
 	@scripts/trust.sh make
 
 deps:

@@ -45,8 +45,8 @@ std::string verdict_of(const std::string& rival, const std::string& file, const 
   for (int arrangement = 0; arrangement < arrangement_count; ++arrangement) {
     const std::string command =
         quoted(rival) + " " + quoted(file) + " " + std::to_string(arrangement) + (integers ? " integers" : "");
-    const Judgement one = judge(output_of(command), given, integers);
-    if (one.verdict != Verdict::right) ++bad;
+    const Judgement one = judge(output_of(command), given);
+    if (one.verdict > Verdict::right) ++bad;
     if (arrangement == 0 || one.verdict > worst.verdict) worst = one;
   }
   if (bad > 0 && bad < arrangement_count) worst.text += " (" + std::to_string(bad) + " of 6)";

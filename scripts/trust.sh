@@ -22,7 +22,8 @@ trap 'rm -rf "$work"' EXIT
 
 # Each case by every library, into the file $1.
 run_rivals() {
-  local programs=("$build/bin/trackers_geos" "$build/bin/trackers_boost" "$build/bin/trackers_boost_newer") program
+  local programs=("$build/bin/trackers_geos" "$build/bin/trackers_boost" "$build/bin/trackers_boost_newer"
+    "$build/bin/trackers_clipper") program
   for program in "$build/bin/bench_trackers" "${programs[@]}"; do
     [ -x "$program" ] || { echo "$program is missing; make trust builds it" >&2; return 1; }
   done
@@ -34,13 +35,13 @@ said() { sed -n "s/^# $2: //p" "$cases/$1.dat"; }
 
 # The table of the cases, from rivals.tsv ($1).
 cases_table() {
-  local name exact error bar geos boost newer
-  IFS=$'\t' read -r _ _ _ _ geos boost newer <"$1"
-  echo "| case | reported | exact area | error of lober, its bar | $geos | $boost | $newer |"
-  echo '|---|---|---:|---:|---|---|---|'
-  tail -n +2 "$1" | while IFS=$'\t' read -r name exact error bar geos boost newer; do
-    printf '| [%s](%s) | %s | %.6g | %s, %s | %s | %s | %s |\n' "$(said "$name" tracker)" "$(said "$name" link)" \
-      "$(said "$name" reported)" "$exact" "$error" "$bar" "$geos" "$boost" "$newer"
+  local name exact error bar verdicts
+  IFS=$'\t' read -r _ _ _ _ verdicts <"$1"
+  echo "| case | reported | exact area | error of lober, its bar | ${verdicts//$'\t'/ | } |"
+  echo "|---|---|---:|---:|$(tr -cd '\t' <<<"$verdicts" | sed 's/./---|/g')---|"
+  tail -n +2 "$1" | while IFS=$'\t' read -r name exact error bar verdicts; do
+    printf '| [%s](%s) | %s | %.6g | %s, %s | %s |\n' "$(said "$name" tracker)" "$(said "$name" link)" \
+      "$(said "$name" reported)" "$exact" "$error" "$bar" "${verdicts//$'\t'/ | }"
   done | sort -t'[' -k2,2V
 }
 
@@ -52,6 +53,8 @@ cases_summary() {
       ++count
       if ($3 + 0 > $4 + 0) { print "an area of lober outside its bar: " $1 > "/dev/stderr"; bad = 1 }
       for (k = 5; k <= columns; ++k) {
+        if ($k == "-") continue
+        ++asked[k]
         if ($k ~ /\*\*wrong/) ++wrong[k]
         else if ($k ~ /^right(; as integers: right)?$/) ++right[k]
         else ++between[k]
@@ -59,10 +62,10 @@ cases_summary() {
     }
     END {
       if (bad || !count) exit 1
-      print "| of " count " cases | all right | a small area, precision or validity wrong, or no answer | an area **wrong** |"
-      print "|---|---:|---:|---:|"
-      print "| lober | " count " | 0 | 0 |"
-      for (k = 5; k <= columns; ++k) print "| " name[k] " | " right[k] + 0 " | " between[k] + 0 " | " wrong[k] + 0 " |"
+      print "| | cases | all right | a small area, precision or validity wrong, or no answer | an area **wrong** |"
+      print "|---|---:|---:|---:|---:|"
+      print "| lober | " count " | " count " | 0 | 0 |"
+      for (k = 5; k <= columns; ++k) print "| " name[k] " | " asked[k] + 0 " | " right[k] + 0 " | " between[k] + 0 " | " wrong[k] + 0 " |"
     }
   ' "$1"
 }
@@ -83,7 +86,7 @@ cases_notes() {
 record() {
   local command keep
   case $1 in
-    tests) command="scripts/run-tests.sh $build -E ^trust_page$" keep='passed, .* skipped$|^ *[0-9]* skipped:' ;;
+    tests) command="ctest --test-dir $build -N" keep='^Total Tests:' ;;
     stress) command=scripts/stress.sh keep='.' ;;
     fuzz) command='scripts/fuzz.sh 60' keep='.' ;;
     *) echo "trust.sh record tests|stress|fuzz" >&2; return 2 ;;
@@ -111,7 +114,7 @@ tried() {
       if (!count) { print "nothing recorded of: " what > "/dev/stderr"; bad = 1 }
       printf "| %s | %s | %s | `%s` |\n", what, number(count), outcome, by
     }
-    FILENAME ~ /tests.txt$/ && / passed, / { tests = $1; tests_outcome = $0; sub(/^[0-9]+ passed, /, "", tests_outcome) }
+    FILENAME ~ /tests.txt$/ && /^Total Tests:/ { tests = $3 }
     / overlays, [0-9]+ wrong; / { ++families; overlays += $2; overlays_wrong += $4; match($0, /area [0-9.e+-]+ of itself/); e = substr($0, RSTART + 5) + 0; if (e > overlay_error) overlay_error = e }
     / pairs, [0-9]+ wrong, / { ++shapes; regions += $2; regions_wrong += $4; pieces += $6; match($0, /area [0-9.e+-]+ of itself/); e = substr($0, RSTART + 5) + 0; if (e > region_error) region_error = e }
     / tangles \(/ { tangles = $1 }
@@ -125,7 +128,7 @@ tried() {
     FILENAME ~ /stress.txt$/ && /PASSED/ { passed[++programs] = $4 }
     FILENAME ~ /stress.txt$/ && /FAILED/ { print "the recorded stress has failures" > "/dev/stderr"; bad = 1 }
     END {
-      if (tests) row("tests of the suite", tests, tests_outcome, "make test")
+      if (tests) row("tests of the suite", tests, "a change lands only when all pass", "make test")
       row("overlays of random pairs of " families " families, against rational arithmetic (GMP) written from the definitions", overlays, overlays_wrong " wrong; an area is off by " overlay_error " of itself at most", "make stress")
       row("winding regions of random pairs of " shapes " families that cross themselves, against exact slabs", regions, regions_wrong " wrong in " number(pieces) " pieces; an area is off by " region_error " of itself at most", "make stress")
       row("tangles of random curves: primary crossings against their definition in rational arithmetic, areas against overlays", tangles, "none wrong", "make stress")

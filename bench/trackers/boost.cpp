@@ -5,6 +5,7 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/version.hpp>
 #include <exception>
+#include <type_traits>
 
 #include "bench/trackers/rival_program.hpp"
 
@@ -50,6 +51,7 @@ RivalOverlay measured(const Overlay& overlay) {
 template <class Number, class Geometry>
 RivalAnswer overlays_of(const Geometry& a, const Geometry& b) {
   RivalAnswer answer;
+  answer.grid = std::is_integral_v<Number> ? 1 : 0;
   if (!bg::is_valid(a, answer.invalid_input) || !bg::is_valid(b, answer.invalid_input)) {
     if (answer.invalid_input.empty()) answer.invalid_input = "not valid";
   } else {

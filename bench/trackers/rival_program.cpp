@@ -28,8 +28,9 @@ int run_rival_program(std::span<char* const> arguments, const std::string& versi
     RivalAnswer answer = chosen(shapes.a, shapes.b);
     if (shapes.exchanged) std::swap(answer.overlays[0], answer.overlays[1]);
     std::cout << std::setprecision(17) << version << "\n"
-              << (answer.invalid_input.empty() ? "valid" : one_line(answer.invalid_input)) << "\n";
-    for (std::size_t k = 0; k < 4; ++k) {
+              << answer.grid << " " << (answer.invalid_input.empty() ? "valid" : one_line(answer.invalid_input))
+              << "\n";
+    for (std::size_t k = 0; k < 4 && answer.taken; ++k) {
       const RivalOverlay& overlay = answer.overlays[k];
       std::cout << trust::area_names[k + 2] << " " << overlay.area << " "
                 << (!overlay.error.empty() ? "error " + one_line(overlay.error)

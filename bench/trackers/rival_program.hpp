@@ -21,6 +21,8 @@ struct RivalOverlay {
 };
 
 struct RivalAnswer {
+  bool taken = true;          ///< whether the library takes coordinates of this kind
+  double grid = 0;            ///< the distance of the coordinates that it can have, 0 for doubles
   std::string invalid_input;  ///< the reason why the library calls A or B not valid; empty when they are
   std::array<RivalOverlay, 4> overlays;
 };

@@ -18,7 +18,7 @@ std::string few_digits(double value) {
 
 // The area that all sides sweep when they move by a unit in the last place of the largest coordinate: coordinates
 // rounded to doubles, or to integers, explain an error of this size.
-double rounding_of_coordinates(const trust::TrackerCase& given, bool integers) {
+double rounding_of_coordinates(const trust::TrackerCase& given, double grid) {
   double length = 0, largest = 0;
   for (const trust::Shape* shape : {&given.a, &given.b}) {
     for (const trust::PolygonRings& polygon : *shape) {
@@ -31,7 +31,7 @@ double rounding_of_coordinates(const trust::TrackerCase& given, bool integers) {
       }
     }
   }
-  return length * (integers ? 1 : largest * std::numeric_limits<double>::epsilon());
+  return length * (grid > 0 ? grid : largest * std::numeric_limits<double>::epsilon());
 }
 
 std::string format_name(std::string_view area_name) {
@@ -47,7 +47,7 @@ struct Finding {
 };
 
 Finding judge_overlay(std::string_view name, double area, const std::string& validity, double exact, double slack,
-                      bool integers) {
+                      bool on_grid) {
   const double error = std::fabs(area - exact);
   const std::string overlay = format_name(name);
   const std::string both = overlay + " " + few_digits(area) + ", not " + few_digits(exact);
@@ -56,21 +56,23 @@ Finding judge_overlay(std::string_view name, double area, const std::string& val
     if (error > 1e-3 * exact) return {Verdict::wrong, error, "**wrong**: " + both};
     return {Verdict::imprecise, error, "imprecise: " + overlay + " by " + few_digits(error / exact) + " of itself"};
   }
-  if (!integers && error > 0.01 * exact) return {Verdict::lost, error, "small area wrong: " + both};
+  if (!on_grid && error > 0.01 * exact) return {Verdict::lost, error, "small area wrong: " + both};
   if (validity != "valid") return {Verdict::invalid, exact, "not valid: " + overlay};
   return {};
 }
 
 }  // namespace
 
-Judgement judge(const std::string& answer, const trust::TrackerCase& given, bool integers) {
+Judgement judge(const std::string& answer, const trust::TrackerCase& given) {
   std::istringstream lines(answer);
   std::string version, input;
+  double grid = 0;
   std::getline(lines, version);
+  lines >> grid >> std::ws;
   std::getline(lines, input);
   std::array<double, trust::area_count> exact{};
   for (std::size_t k = 0; k < trust::area_count; ++k) exact[k] = std::strtod(given.areas[k].c_str(), nullptr);
-  const double slack = std::max(1e-9 * exact[trust::area_union], rounding_of_coordinates(given, integers));
+  const double slack = std::max(1e-9 * exact[trust::area_union], rounding_of_coordinates(given, grid));
   Finding worst;
   std::size_t found = 0;
   for (std::string line; std::getline(lines, line); ++found) {
@@ -81,9 +83,10 @@ Judgement judge(const std::string& answer, const trust::TrackerCase& given, bool
     std::getline(words, validity);
     const auto k = std::find(trust::area_names.begin(), trust::area_names.end(), name) - trust::area_names.begin();
     if (k == std::ssize(trust::area_names)) return {Verdict::failed, "no answer"};
-    const Finding one = judge_overlay(name, area, validity, exact[static_cast<std::size_t>(k)], slack, integers);
+    const Finding one = judge_overlay(name, area, validity, exact[static_cast<std::size_t>(k)], slack, grid > 0);
     if (std::pair(one.verdict, one.size) > std::pair(worst.verdict, worst.size)) worst = one;
   }
+  if (found == 0 && !input.empty()) return {Verdict::not_taken, "-"};
   if (found != 4) return {Verdict::failed, "crash, or no answer in time"};
   if (worst.verdict == Verdict::right) return {Verdict::right, "right"};
   if (input != "valid") return {Verdict::no_input, "input not valid for it"};

@@ -11,6 +11,7 @@ namespace lober::bench {
 /// From good to bad. In place of 1e-9 of the union stands the error that coordinates rounded to doubles explain, where
 /// that is more.
 enum class Verdict {
+  not_taken,  ///< the library has no coordinates of this kind
   right,      ///< all four areas, and all four results are valid polygons
   invalid,    ///< areas are right, a result is not valid
   imprecise,  ///< an area is off by less than a thousandth of itself, by more than 1e-9 of the union
@@ -26,6 +27,6 @@ struct Judgement {
 };
 
 /// `answer` is what a rival program prints (rival_program.hpp).
-[[nodiscard]] Judgement judge(const std::string& answer, const trust::TrackerCase& given, bool integers);
+[[nodiscard]] Judgement judge(const std::string& answer, const trust::TrackerCase& given);
 
 }  // namespace lober::bench
