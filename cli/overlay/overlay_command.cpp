@@ -20,6 +20,7 @@ namespace {
 
 struct OverlayRequest {
   std::array<std::string, 2> curves;
+  Periods periods;
   std::string lobes, crossings, json, svg, rule, format;
   std::vector<operations::OptionSetting> settings;
   std::vector<double> window;  // window of the picture
@@ -33,7 +34,7 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
   OptionParser parser(
       "Computes the crossings, lobes and areas of two closed curves, which have to be simple unless --rule is given.",
       "lober overlay");
-  add_curve_arguments(parser, request.curves);
+  add_curve_arguments(parser, request.curves, request.periods);
   add_json_option(parser, request.json);
   const Option lobes =
       parser
@@ -105,7 +106,8 @@ void run(const OverlayRequest& request) {
   CurvesReport report;
   {
     Progress progress;
-    report = run_on_curves(by_rule ? "regions" : "overlay", request.curves, request.settings, progress);
+    report =
+        run_on_curves(by_rule ? "regions" : "overlay", request.curves, request.settings, request.periods, progress);
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
     const auto total = [&] { return watch.seconds(); };

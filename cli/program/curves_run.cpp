@@ -8,7 +8,8 @@
 namespace lober::cli {
 
 CurvesReport run_on_curves(const std::string& operation, const std::array<std::string, 2>& curves,
-                           const std::vector<operations::OptionSetting>& settings, Progress& progress) {
+                           const std::vector<operations::OptionSetting>& settings, Periods periods,
+                           Progress& progress) {
   const operations::Operation& entry = operations::named(operation);
   const operations::Options options = checked_options(entry, settings);
   CurvesReport report;
@@ -16,11 +17,12 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
   const detail::Stopwatch read_watch;
   double points = 0;
   for (std::size_t k = 0; k < 2; ++k) {
-    report.inputs[k] = read_curve(curves[k], true);
+    report.inputs[k] = read_curve(curves[k], true, {.periods = periods});
     points += static_cast<double>(report.inputs[k].curve.points.size());
     progress.advance(0.5 * static_cast<double>(k + 1));
   }
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
+  move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, periods);
   report.read_seconds = read_watch.seconds();
   progress.of(points, "points");
   progress.phase(operation, 0.25, 0.9);

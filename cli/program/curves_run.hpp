@@ -26,7 +26,8 @@ struct CurvesReport {
 /// Reads the curves and runs the operation. Throws DataError for curves that cannot be used; for one that is not simple
 /// it names the file and the option --rule.
 [[nodiscard]] CurvesReport run_on_curves(const std::string& operation, const std::array<std::string, 2>& curves,
-                                         const std::vector<operations::OptionSetting>& settings, Progress& progress);
+                                         const std::vector<operations::OptionSetting>& settings, Periods periods,
+                                         Progress& progress);
 
 /// Writes the JSON object of a command. `engine` are the engine's parts of the timing.
 void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,
