@@ -9,18 +9,29 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
             zlib1g-dev libzip-dev libmatio-dev libhdf5-dev libshp-dev
 # Not needed to build; with it lober_mpi is built and tested.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin
-BENCH_PACKAGES := libbenchmark-dev libgeos-dev
+BENCH_PACKAGES := libbenchmark-dev libgeos-dev libpolyclipping-dev
 # The Python module and what its tests compare it with.
 PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel python3-build pybind11-dev python3-numpy \
                    python3-pytest python3-hypothesis python3-shapely python3-sympy python3-numba python3-pandas \
                    python3-matplotlib mypy
 
-.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs-figures docs-check paper check-readme stress fuzz deps mpi-deps bench-deps python-deps format tidy clean
+# The site of the documents: Sphinx, Doxygen, what executes the tutorials, and MathJax, which becomes part of the site.
+DOCS_PACKAGES := python3-sphinx furo python3-myst-parser python3-sphinx-copybutton python3-nbclient python3-ipykernel \
+                 doxygen libjs-mathjax node-normalize.css
+
+.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs docs-deps docs-figures docs-check paper check-readme stress fuzz trust deps mpi-deps bench-deps python-deps format tidy clean
 
 demo:
 	@echo "Installs what it needs (root or sudo), builds the program and runs it: about three minutes on two cores, seconds the next time."
 	@$(MAKE) --no-print-directory build
 	@scripts/demo.sh
+
+# The documents as a site, build/docs/html: some minutes after make build and make python, without the network.
+docs: docs-deps
+	cmake --preset release -DLOBER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
+	cmake --build --preset release --target lober lober_python
+	@scripts/python-install.sh build
+	@scripts/site.sh build
 
 # The figures and the numbers of all documents, from the program and from bench/RESULTS.md: some minutes on two cores.
 # docs-check makes them elsewhere and fails when a committed one differs; make test does so for those that take seconds.
@@ -103,6 +114,13 @@ fuzz: deps
 	cmake --build --preset fuzz
 	@scripts/fuzz.sh
 
+# docs/trust.md: the cases of public trackers by lober, GEOS, two versions of Boost.Geometry and Clipper.
+trust: bench-deps
+	@scripts/trust.sh boost
+	cmake --preset bench -DLOBER_NEWER_BOOST=$(CURDIR)/build/boost/usr/include
+	cmake --build --preset bench --target lober bench_trackers trackers_geos trackers_boost trackers_boost_newer trackers_clipper
+	@scripts/trust.sh make
+
 deps:
 	@scripts/install-packages.sh $(PACKAGES)
 
@@ -114,6 +132,9 @@ bench-deps: deps
 
 python-deps: deps
 	@scripts/install-packages.sh $(PYTHON_PACKAGES)
+
+docs-deps: python-deps
+	@scripts/install-packages.sh $(DOCS_PACKAGES)
 
 format:
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

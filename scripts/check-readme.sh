@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Executes every code block of README.md and of the documents: what they tell a reader to type works, on the files of the
 # repository, in a temporary folder. Fails where a block fails, where a block says no kind, and where README.md has none of a
-# kind.
+# kind that a reader begins with.
 # usage: check-readme.sh [FILE.md...]        BUILD=build is the build folder
 #
 #   ```sh        run, in the order of the file; `make TARGET` is only asked whether it knows what to do
@@ -11,12 +11,13 @@
 #   ```cpp       a program: compiled against the installed package, and run
 #   ```python    a program: run with the package that `make python` has installed, in the order of the file, all of a file
 #                together; left out where there is none
+#   ```output    what the programs before it printed last: compared
 #   ```text      a picture in letters: nothing is done
 set -uo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
 build=$(realpath "${BUILD:-build}")
-[ $# -gt 0 ] && files=("$@") || files=(README.md CONTRIBUTING.md docs/*.md)
+[ $# -gt 0 ] && files=("$@") || files=(README.md CONTRIBUTING.md docs/*.md docs/{tutorials,how-to,reference,explanation}/*.md)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -r examples "$work/examples"
@@ -48,6 +49,14 @@ run_console() {
     { fail "$2" "fails: $command" <"$work/.err"; return; }
   awk -f "$root/scripts/same-output.awk" "$work/.shown" "$work/.printed" >"$work/.out" ||
     fail "$2" "prints something else (make docs-figures): $command" <"$work/.out"
+}
+
+# The last lines that the Python programs of the same file have printed.
+check_output() {
+  [ -x "$build/python/venv/bin/python" ] || { echo "$2: left out, because there is no Python module (make python)"; return; }
+  tail -n "$(wc -l <"$1")" "$work/.python.out" >"$work/.printed"
+  awk -f "$root/scripts/same-output.awk" "$1" "$work/.printed" >"$work/.out" ||
+    fail "$2" "the programs print something else" <"$work/.out"
 }
 
 # What is wrong with the form of a command, if anything.
@@ -104,8 +113,8 @@ run_python() {
     echo "$2: left out, because there is no Python module (make python)"
     return
   fi
-  (cd "$work" && MPLBACKEND=Agg timeout 600 "$build/python/venv/bin/python" -P ".python-$4.py") >"$work/.out" 2>&1 </dev/null ||
-    fail "$2" "a program fails" < <(tail -n 15 "$work/.out")
+  (cd "$work" && MPLBACKEND=Agg timeout 600 "$build/python/venv/bin/python" -P ".python-$4.py") >"$work/.python.out" 2>&1 </dev/null ||
+    fail "$2" "a program fails" < <(tail -n 15 "$work/.python.out")
 }
 
 for file in "${files[@]}"; do
@@ -114,7 +123,7 @@ for file in "${files[@]}"; do
   mkdir "$folder"
   awk -v out="$folder" -f scripts/blocks.awk "$file" >"$work/.index"
   if [ "$file" = README.md ]; then
-    for kind in sh console usage toml cpp; do
+    for kind in sh console python output; do
       grep -q "^[0-9]* $kind " "$work/.index" || fail "$file" "has no block of kind $kind" </dev/null
     done
   fi
@@ -133,6 +142,7 @@ for file in "${files[@]}"; do
       toml) run_toml "$body" "$place" "$number" ;;
       cpp) run_cpp "$body" "$place" "$number" ;;
       python) run_python "$body" "$place" "$number" "$(basename "$file")" ;;
+      output) check_output "$body" "$place" ;;
       text) ;;
       *) fail "$place" "a block of kind $kind: nobody checks it" <"$body" ;;
     esac

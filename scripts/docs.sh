@@ -68,7 +68,7 @@ docs/paper/table-5-0.253.txt costly  escape capsize --energy 0.253 --crossings 4
 docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --crossings 0 --saddle 2 --svg
 '
 # Documents with blocks; those of the costly kind are only made with all.
-documents='README.md docs/paper.md docs/figures.md docs/winding.md docs/images.md docs/sections.md docs/levels.md docs/melnikov.md docs/escape.md docs/published-forms.md docs/reference.md'
+documents='README.md docs/reference/formats.md docs/paper.md docs/figures.md docs/published-forms.md docs/reference.md '$(ls docs/explanation/*.md docs/how-to/*.md docs/tutorials/*.md | tr '\n' ' ')
 costly_blocks=''
 
 stale=0

@@ -162,14 +162,18 @@ void export_store(const Arguments& arguments) {
   parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
   parser
       .add("-o,--output", output,
-           "Write the table to FILE, whose ending .csv, .jsonl, .npy or .nc (NetCDF) is its format (default: standard output).")
+           "Write the table to FILE, whose ending .csv, .jsonl, .npy or .nc (NetCDF) is its format (default: standard "
+           "output).")
       .value("FILE");
-  parser.add("--format", format, "The format of the table: csv, jsonl, npy or nc (default: by the ending of FILE, or csv).")
+  parser
+      .add("--format", format,
+           "The format of the table: csv, jsonl, npy or nc (default: by the ending of FILE, or csv).")
       .value("KIND")
       .one_of({"csv", "jsonl", "npy", "nc"});
   parser
       .add("--operation", operation,
-           "The operation whose results are exported (default: all operations; a table in csv, npy or nc holds one, which "
+           "The operation whose results are exported (default: all operations; a table in csv, npy or nc holds one, "
+           "which "
            "has to be named if the store has several).")
       .value("NAME");
   if (!parser.parse(arguments)) return;
@@ -243,10 +247,12 @@ constexpr const char* manifest_example = R"(A manifest for all pairs of a family
 std::string batch_help() {
   const std::size_t width = text_width();
   std::string text =
-      "Computes many curves and pairs, as a manifest says, and keeps the results in a store.\n\n" +
-      examples_text({{"lober batch run job.toml", "all jobs of the manifest that have no result yet"},
-                     {"lober batch export job.results -o areas.csv", "a table of the results"}}) +
-      "\nUsage: lober batch SUBCOMMAND ... (lober batch SUBCOMMAND --help lists its options)\n\nSubcommands:\n";
+      wrapped("Computes many curves and pairs, as a manifest says, and keeps the results in a store.", width);
+  text += "\n\n" + examples_text({{"lober batch run job.toml", "all jobs of the manifest that have no result yet"},
+                                  {"lober batch export job.results -o areas.csv", "a table of the results"}});
+  text += "\n" +
+          wrapped("Usage: lober batch SUBCOMMAND ... (lober batch SUBCOMMAND --help lists its options)", width, 9) +
+          "\n\nSubcommands:\n";
   for (const Subcommand& one : subcommands) {
     const std::string call = "lober batch " + std::string(one.verb) + (one.call.empty() ? "" : " ");
     text += list_entry(call + std::string(one.call), one.title, 40, width);

@@ -9,8 +9,8 @@
 #include "cli/program/output_names.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/table_options.hpp"
+#include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
-#include "cli/report/point_file.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
 
@@ -21,7 +21,7 @@ using operations::RefinedCurve;
 
 struct DensifyRequest {
   std::vector<std::string> curves;
-  std::string output, against_output, json;
+  std::string output, against_output, json, format;
   bool open = false, open_against = false;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
@@ -41,7 +41,7 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
       .value("CURVE [AGAINST]")
       .required()
       .count(1, 2);
-  add_points_option(parser, request.output, true);
+  add_points_option(parser, request.output, request.format, true);
   parser.add_flag("--open", request.open, "Read CURVE as an open curve: its last vertex is not joined to the first.");
   parser.add_flag("--open-against", request.open_against, "Read AGAINST as an open curve.");
   const TableOptions options(parser, operations::named("densify"), {"closed", "closed_against"},
@@ -73,8 +73,8 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
   }
   request.settings.push_back({"closed", !request.open});
   request.settings.push_back({"closed_against", !request.open_against});
-  (void)format_of(request.output);
-  if (!request.against_output.empty()) (void)format_of(request.against_output);
+  (void)curve_format(request.output, request.format, false);
+  if (!request.against_output.empty()) (void)curve_format(request.against_output, request.format, false);
   return request;
 }
 
@@ -108,8 +108,11 @@ void run(const DensifyRequest& request) {
     progress.phase("writing", 0.8, 1);
     const detail::Stopwatch write_watch;
     const auto& found = outcome.as<RefinedCurve>();
-    write_points(request.output, found.points);
-    if (!request.against_output.empty()) write_points(request.against_output, found.against->points);
+    CurveFileOptions file{
+        .format = request.format, .closed = !request.open, .notes = notes_of("densify", outcome, notes_on(curves))};
+    write_curve_file(request.output, found.points, file);
+    file.closed = !request.open_against;
+    if (!request.against_output.empty()) write_curve_file(request.against_output, found.against->points, file);
     const double write_seconds = write_watch.seconds();
     if (!request.json.empty()) {
       write_outcome_json(request.json, "densify", {{"inputs", files_json(curves)}}, operation, outcome, [&] {

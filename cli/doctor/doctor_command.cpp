@@ -41,7 +41,7 @@ std::string failure_to_write(const std::string& folder) {
   const int file = mkstemp(name.data());
   if (file < 0) return std::error_code(errno, std::generic_category()).message();
   const bool written = write(file, "lober", 5) == 5;
-  const std::string failure = written ? "" : std::error_code(errno, std::generic_category()).message();
+  std::string failure = written ? "" : std::error_code(errno, std::generic_category()).message();
   close(file);
   unlink(name.c_str());
   return failure;
@@ -83,7 +83,7 @@ std::string parts_text(const std::vector<OptionalPart>& parts) {
   std::string text;
   for (const OptionalPart& part : parts) {
     text += (text.empty() ? "" : ", ") + part.name + (part.available ? " yes" : " no");
-    if (!part.version.empty()) text += " (" + part.version + ")";
+    if (!part.library.empty() && !part.available) text += " (" + part.library + ")";
   }
   return text;
 }
@@ -123,7 +123,7 @@ Json report_json(const Diagnosis& found) {
     if (!one.built_with.empty()) libraries.back()["built_with"] = one.built_with;
   }
   for (const OptionalPart& part : found.parts) {
-    parts.push_back({{"name", part.name}, {"available", part.available}, {"version", part.version}});
+    parts.push_back({{"name", part.name}, {"available", part.available}, {"library", part.library}});
   }
   const Machine& machine = found.machine;
   return {{"commit", found.program.commit == "unknown" ? Json() : Json(found.program.commit)},

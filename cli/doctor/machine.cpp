@@ -74,11 +74,13 @@ GroupLimits group_limits(const std::string& root, const std::string& groups) {
     const std::size_t first = line.find(':'), second = line.find(':', std::min(first, line.size()) + 1);
     if (second == std::string::npos) continue;
     const std::string controllers = line.substr(first + 1, second - first - 1);
-    const std::string mount = controllers.empty() ? root : root + "/" + controllers;
+    std::string mount = root;
+    if (!controllers.empty()) mount.append("/").append(controllers);
     std::string path = line.substr(second + 1);
     while (!path.empty() && path != "/") {
       add_limits(limits, mount + path);
-      path.erase(path.rfind('/'));
+      const std::size_t slash = path.rfind('/');
+      path.erase(slash == std::string::npos ? 0 : slash);
     }
     add_limits(limits, mount);
   }

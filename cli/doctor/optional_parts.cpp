@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "lober/curve/formats.hpp"
+
 namespace lober::cli {
 namespace {
 
@@ -18,7 +20,10 @@ OptionalPart mpi_program() {
 std::vector<OptionalPart> optional_parts() {
   std::vector<OptionalPart> parts;
   parts.push_back(mpi_program());
-  // Formats of files that need a library of their own are listed here: {"HDF5", true, "1.10.8"}.
+  for (const FormatInfo& format : formats()) {
+    if (!format.library.empty())
+      parts.push_back({std::string(format.name), format.missing.empty(), std::string(format.library)});
+  }
   return parts;
 }
 

@@ -9,7 +9,7 @@ namespace lober::cli {
 struct OptionalPart {
   std::string name;
   bool available = false;
-  std::string version = {};  ///< version of the library behind it; empty where there is none
+  std::string library = {};  ///< Debian's package of the library behind it; empty where there is none
 };
 
 /// All of them, in the order in which `lober doctor` lists them.

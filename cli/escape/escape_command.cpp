@@ -27,7 +27,7 @@ struct EscapeRequest {
   std::vector<std::string> parameters, saddles;
   std::vector<operations::OptionSetting> settings;
   bool lists_counts = false;  ///< whether counts of trajectories were asked for
-  std::string json, svg, curves, tubes;
+  std::string json, svg, curves, tubes, format;
   int threads = 0;
 };
 
@@ -54,8 +54,9 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   parser
       .add("--curves", request.curves,
            "Write the periodic orbits, as points of position, and the curves of all tubes on the section, their images "
-           "and pre-images to FILE as Tecplot zones (default: no file).")
+           "and pre-images to FILE, in the format of its ending (default: no file).")
       .value("FILE");
+  add_format_option(parser, request.format);
   parser
       .add("--tubes", request.tubes,
            "Write the surfaces of the tubes between their orbits and the section to FILE, in the coordinates x, y and "
@@ -148,7 +149,7 @@ void run(const EscapeRequest& request) {
     } else {
       progress.phase("writing", 0.95, 1);
     }
-    if (!request.curves.empty()) write_escape_curves(request.curves, report);
+    if (!request.curves.empty()) write_escape_curves(request.curves, request.format, report);
     if (!request.tubes.empty()) write_escape_tubes(request.tubes, *report.flow, report);
     if (!request.json.empty()) {
       System chosen;

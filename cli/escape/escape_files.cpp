@@ -1,6 +1,7 @@
-// The curves of an escape as Tecplot zones.
+// The curves of an escape.
 
 #include "cli/escape/escape_report.hpp"
+#include "cli/report/curve_file.hpp"
 #include "cli/report/text.hpp"
 #include "lober/curve/files.hpp"
 
@@ -32,7 +33,7 @@ std::vector<Point> orbit_positions(const Flow& flow, const PeriodicOrbit& orbit)
 
 }  // namespace
 
-void write_escape_curves(const std::string& path, const EscapeReport& report) {
+void write_escape_curves(const std::string& path, const std::string& format, const EscapeReport& report) {
   const std::vector<std::string> names = bottleneck_names(report.result());
   std::vector<Zone> zones;
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -40,7 +41,10 @@ void write_escape_curves(const std::string& path, const EscapeReport& report) {
     add_zones(zones, "entrance " + names[k], "f^", report.result().bottlenecks[k].entry);
     add_zones(zones, "exit " + names[k], "f^-", report.result().bottlenecks[k].exit);
   }
-  write_tecplot(path, zones, ZoneLines::always);
+  write_curve_file(path, zones,
+                   {.format = format,
+                    .notes = notes_of("escape", report.outcome, {}, report.system.name),
+                    .zone_lines = ZoneLines::always});
 }
 
 }  // namespace lober::cli

@@ -38,7 +38,7 @@ using detail::table::bottleneck_names;
 /// left", "entrance left f^1", ..., "exit left", "exit left f^-1", ...; f is the map to the next crossing, in either
 /// direction. " cut" follows for a curve that is the image of the part that has not left yet, " open" for one that
 /// trajectories which do not get here leave open.
-void write_escape_curves(const std::string& path, const EscapeReport& report);
+void write_escape_curves(const std::string& path, const std::string& format, const EscapeReport& report);
 
 /// Whether tubes are written as legacy VTK, not drawn as SVG. Throws UsageError for another ending.
 [[nodiscard]] bool is_vtk(const std::string& path);

@@ -51,7 +51,8 @@ std::vector<CompletedCommand> completed_commands() {
 std::vector<CommandExample> kinds_of_pages() {
   return {{"man", "manual page of lober, or of a command"}, {"complete-bash", "completions for bash"},
           {"complete-zsh", "completions for zsh"},          {"complete-fish", "completions for fish"},
-          {"markdown", "reference of all commands"},        {"commands", "names of the commands, one a line"}};
+          {"markdown", "reference of all commands"},        {"formats", "table of formats for the documents"},
+          {"commands", "names of the commands, one a line"}};
 }
 
 std::string short_meaning(const OptionDescription& option) {

@@ -1,5 +1,6 @@
 #include "cli/generate/generate_command.hpp"
 
+#include "cli/formats/formats_command.hpp"
 #include "cli/generate/completions.hpp"
 #include "cli/generate/man_page.hpp"
 #include "cli/generate/markdown.hpp"
@@ -16,6 +17,7 @@ std::string page_of(const std::string& kind) {
   if (kind == "complete-zsh") return zsh_completion();
   if (kind == "complete-fish") return fish_completion();
   if (kind == "markdown") return markdown_reference();
+  if (kind == "formats") return markdown_formats();
   if (kind == "man") return program_man_page();
   if (kind == "commands") {
     std::string names;

@@ -11,8 +11,8 @@
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
+#include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
-#include "cli/report/point_file.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/cancellation.hpp"
 #include "lober/base/threads.hpp"
@@ -25,7 +25,7 @@ using operations::SystemManifold;
 struct GrowRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
-  std::string output, json;
+  std::string output, json, format;
   int threads = 0;
 };
 
@@ -45,7 +45,7 @@ std::optional<GrowRequest> parse_grow(const std::vector<std::string>& arguments)
   const Option limit = add_memory_option(
       parser, memory, "The memory, in bytes or with a unit, as 4G or 500M, at which growing ends (default: no limit).");
   add_integration_option(parser, request.system.integration);
-  add_points_option(parser, request.output, false);
+  add_points_option(parser, request.output, request.format, false);
   add_json_option(parser, request.json, "a report of the growth");
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
@@ -58,7 +58,7 @@ std::optional<GrowRequest> parse_grow(const std::vector<std::string>& arguments)
   request.settings = options.settings();
   request.settings.push_back({"side", unstable ? "unstable" : "stable"});
   if (limit.given()) request.settings.push_back({"max_memory", static_cast<std::int64_t>(memory)});
-  if (!request.output.empty()) (void)format_of(request.output);
+  if (!request.output.empty()) (void)curve_format(request.output, request.format, false);
   return request;
 }
 
@@ -86,7 +86,10 @@ void run(const GrowRequest& request) {
       progress.phase("writing", 0.9, 1);
     }
     const detail::Stopwatch write_watch;
-    if (!request.output.empty()) write_points(request.output, manifold.points);
+    if (!request.output.empty()) {
+      write_curve_file(request.output, manifold.points,
+                       {.format = request.format, .notes = notes_of("grow", outcome, {}, system_text(*input.system))});
+    }
     const double write_seconds = write_watch.seconds();
     if (!request.json.empty()) {
       write_outcome_json(request.json, "grow", {{"system", system_json(*input.system, input.integration)}}, operation,

@@ -23,7 +23,7 @@ struct ImageRequest {
   std::string curve;
   std::vector<double> window;
   bool open = false;
-  std::string iterates = "1", output, json, svg;
+  std::string iterates = "1", output, json, svg, format;
   int first = 0, last = 0;  // numbers of iterates
   int threads = 0;
   std::vector<operations::OptionSetting> settings;
@@ -46,11 +46,12 @@ void check(ImageRequest& request) {
   request.last = colon == std::string::npos ? request.first : iterate_of(request.iterates.substr(colon + 1));
   if (request.first > request.last) throw UsageError("--iterates FIRST:LAST: FIRST has to come before LAST, as -4:3");
   if (request.output.empty()) return;
-  if (request.output != "-") (void)format_of(request.output);
+  if (request.output != "-") (void)curve_format(request.output, request.format, false);
   const bool may_be_one = request.first == request.last && !request.boundary && request.output != "-";
-  if (!may_be_one && !takes_images(request.output)) {
+  if (!may_be_one && !takes_images(request.output, request.format)) {
     throw UsageError("-o " + request.output +
-                     ": several curves need a Tecplot file (.dat), or a name with {n}, which becomes the iterate");
+                     ": several curves need a format that holds several, as .dat (Tecplot), .npz or .geojson, or a "
+                     "name with {n}, which becomes the iterate");
   }
 }
 
@@ -81,10 +82,14 @@ std::optional<ImageRequest> parse_image(const std::vector<std::string>& argument
   add_integration_option(parser, request.system.integration);
   parser
       .add("-o,--output", request.output,
-           "Write the images to FILE: one file of Tecplot zones (.dat), or, with {n} in the name, which becomes the "
-           "number of the iterate, a file for each (.npy, .csv, .txt, .dat or .raw). An image with gaps is written "
-           "in parts, each an open curve (default: no file).")
+           ("Write the images to FILE, whose ending is its format: " + written_endings() +
+            ". Several go into one file, if its format holds several curves, or, with {n} in the name, which becomes "
+            "the "
+            "number of the iterate, into a file for each. An image with gaps is written in parts, each an open curve "
+            "(default: no file).")
+               .c_str())
       .value("FILE");
+  add_format_option(parser, request.format);
   const Option picture =
       parser.add("--svg", request.svg, "Draw all images as an SVG picture in FILE (default: no file).").value("FILE");
   add_window_option(parser, request.window, picture);
@@ -139,7 +144,7 @@ void run(const ImageRequest& request) {
     report.outcome = operation.run(inputs, options, context);
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
-    if (!request.output.empty()) write_images(request.output, report);
+    if (!request.output.empty()) write_images(request.output, request.format, report);
     if (!request.svg.empty()) write_image_picture(request.svg, report, window_of(request.window));
     report.write_seconds = write_watch.seconds();
     if (!request.json.empty()) write_image_json(request.json, report, [&] { return watch.seconds(); });

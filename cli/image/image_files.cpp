@@ -1,10 +1,14 @@
-// The files of curves: one of Tecplot zones, or one for each curve.
+// The files of curves: one of all of them, or one for each.
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
 #include "cli/image/image_report.hpp"
 #include "cli/program/output_names.hpp"
-#include "cli/report/point_file.hpp"
+#include "cli/program/system_options.hpp"
+#include "cli/report/curve_file.hpp"
+#include "engine/files/formats/format_table.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::cli {
@@ -21,20 +25,35 @@ void add_zones(std::vector<Zone>& zones, const std::string& name, const std::vec
   }
 }
 
+bool holds_several(Format format) {
+  return detail::entry_of(format).holds_several;
+}
+
+CurveFileOptions options_of(const ImageReport& report, const std::string& format) {
+  const auto& images = report.found().images;
+  const bool whole = std::all_of(images.begin(), images.end(), [](const auto& one) { return one.parts.size() == 1; });
+  return {.format = format,
+          .closed = report.found().closed && whole,
+          .notes = notes_of("image", report.outcome,
+                            report.input ? std::vector{note_on(*report.input)} : std::vector<std::string>{},
+                            system_text(*report.system.system)),
+          .zone_lines = ZoneLines::always};
+}
+
 // The one curve of the one image that any format takes.
 const ImagePart& only_curve(const ImageReport& report, const std::string& path) {
   const auto& images = report.found().images;
   if (images.size() == 1 && images[0].parts.size() == 1) return images[0].parts[0];
   throw DataError("-o " + path +
-                  ": the image has gaps and is several curves, which need a Tecplot file (.dat), or a name "
-                  "with {n}");
+                  ": the image has gaps and is several curves, which need a format that holds "
+                  "several, as .dat (Tecplot), .npz or .geojson, or a name with {n}");
 }
 
 }  // namespace
 
-bool takes_images(const std::string& path) {
+bool takes_images(const std::string& path, const std::string& format) {
   return path != "-" &&
-         (path.find(iterate_placeholder) != std::string::npos || format_of(path) == PointFormat::tecplot);
+         (path.find(iterate_placeholder) != std::string::npos || holds_several(curve_format(path, format, false)));
 }
 
 std::string image_path(const std::string& path, int iterate, std::size_t curve, std::size_t part) {
@@ -46,17 +65,21 @@ std::string image_path(const std::string& path, int iterate, std::size_t curve, 
   return std::string(path).replace(at, iterate_placeholder.size(), number);
 }
 
-void write_images(const std::string& path, const ImageReport& report) {
+void write_images(const std::string& path, const std::string& format, const ImageReport& report) {
+  CurveFileOptions options = options_of(report, format);
   if (path.find(iterate_placeholder) == std::string::npos) {
-    if (format_of(path) != PointFormat::tecplot) return write_points(path, only_curve(report, path).points);
+    if (!holds_several(curve_format(path, format, false))) {
+      return write_curve_file(path, only_curve(report, path).points, options);
+    }
     std::vector<Zone> zones;
     for (const auto& one : report.found().images) add_zones(zones, one.name(), one.parts);
-    return write_tecplot(path, zones, ZoneLines::always);
+    return write_curve_file(path, zones, options);
   }
+  options.zone_lines = ZoneLines::where_needed;
   for (const auto& one : report.found().images) {
     for (std::size_t part = 0; part < one.parts.size(); ++part) {
-      write_points(image_path(path, one.image.iterate, one.curve, one.parts.size() == 1 ? 0 : part + 1),
-                   one.parts[part].points);
+      write_curve_file(image_path(path, one.image.iterate, one.curve, one.parts.size() == 1 ? 0 : part + 1),
+                       one.parts[part].points, options);
     }
   }
 }

@@ -31,11 +31,11 @@ void write_image_picture(const std::string& path, const ImageReport& report, con
 /// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
 void write_image_json(const std::string& path, ImageReport& report, const std::function<double()>& seconds_so_far);
 
-/// Whether a name takes all images: Tecplot, a zone for each, or {n} in it, which becomes the iterate.
-[[nodiscard]] bool takes_images(const std::string& path);
+/// Whether a name takes all images: its format holds several curves, or {n} is in it, which becomes the iterate.
+[[nodiscard]] bool takes_images(const std::string& path, const std::string& format);
 /// The name for an iterate of a curve, and a part of it from 1 on; part 0: whole.
 [[nodiscard]] std::string image_path(const std::string& path, int iterate, std::size_t curve = 0, std::size_t part = 0);
 /// Writes all images; the format is by the ending (output_names.hpp).
-void write_images(const std::string& path, const ImageReport& report);
+void write_images(const std::string& path, const std::string& format, const ImageReport& report);
 
 }  // namespace lober::cli

@@ -11,6 +11,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/files/formats/format_table.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
 
@@ -22,7 +23,7 @@ constexpr std::size_t max_shaded = 8;  // levels
 struct LevelsRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
-  std::string output, svg, json;
+  std::string output, svg, json, format;
   int threads = 0;
 };
 
@@ -43,7 +44,7 @@ void run(const LevelsRequest& request) {
     report.outcome = operation.run(std::array<operations::Input, 1>{input}, options, context);
     const double seconds = watch.seconds();
     report.shaded = options.find("at") != nullptr && report.result().levels.size() <= max_shaded;
-    if (!request.output.empty()) write_levels(request.output, report);
+    if (!request.output.empty()) write_levels(request.output, request.format, report);
     if (!request.svg.empty()) write_levels_picture(request.svg, report);
     if (!request.json.empty()) {
       write_outcome_json(request.json, "levels", {{"system", system_json(report.system, input.integration)}}, operation,
@@ -68,15 +69,21 @@ void run_levels(const std::vector<std::string>& arguments) {
   options["energy"].excludes(options["at"]);
   parser
       .add("-o,--output", request.output,
-           "Write the curves to FILE as Tecplot zones (.dat); their vertices lie on the level to rounding (default: "
-           "no file).")
+           ("Write the curves to FILE, whose ending is its format: " + written_endings() +
+            "; their vertices lie on the level to rounding (default: no file).")
+               .c_str())
       .value("FILE");
+  add_format_option(parser, request.format);
   parser.add("--svg", request.svg, "Draw the level curves as an SVG picture in FILE (default: no file).").value("FILE");
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
-  if (!request.output.empty() && (request.output == "-" || format_of(request.output) != PointFormat::tecplot)) {
-    throw UsageError("-o " + request.output + ": several curves need a Tecplot file (.dat)");
+  if (!request.output.empty()) {
+    const Format format = curve_format(request.output, request.format, false);
+    if (!detail::entry_of(format).holds_several) {
+      throw UsageError("-o " + request.output +
+                       ": several curves need a format that holds several, as .dat (Tecplot), .npz or .geojson");
+    }
   }
   request.settings = options.settings();
   run_with_threads(request.threads, [&] { run(request); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/report/curve_file.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober::cli {
@@ -30,16 +31,23 @@ std::string levels_table(const LevelsReport& report) {
   return text;
 }
 
-void write_levels(const std::string& path, const LevelsReport& report) {
+void write_levels(const std::string& path, const std::string& format, const LevelsReport& report) {
   std::vector<Zone> zones;
+  bool all_closed = true;
   for (const operations::SystemLevel& level : report.result().levels) {
     for (std::size_t k = 0; k < level.curves.size(); ++k) {
       const LevelCurve& curve = level.curves[k];
       zones.push_back(
           {fmt::format("energy {} curve {} {}", level.value, k, curve.closed ? "closed" : "open"), curve.points});
+      zones.back().numbers = {{"energy", level.value}};
+      all_closed = all_closed && curve.closed;
     }
   }
-  write_tecplot(path, zones, ZoneLines::always);
+  write_curve_file(path, zones,
+                   {.format = format,
+                    .closed = all_closed,
+                    .notes = notes_of("levels", report.outcome, {}, system_text(report.system)),
+                    .zone_lines = ZoneLines::always});
 }
 
 }  // namespace lober::cli

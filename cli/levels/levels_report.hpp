@@ -23,8 +23,8 @@ struct LevelsReport {
 
 /// The short aligned table for people.
 [[nodiscard]] std::string levels_table(const LevelsReport& report);
-/// A Tecplot zone for each curve, closed ones without their first point at the end.
-void write_levels(const std::string& path, const LevelsReport& report);
+/// All curves, closed ones without their first point at the end.
+void write_levels(const std::string& path, const std::string& format, const LevelsReport& report);
 /// Level curves, those through saddles in red; the bands between few levels, or the part outside Hill's region,
 /// shaded.
 void write_levels_picture(const std::string& path, const LevelsReport& report);

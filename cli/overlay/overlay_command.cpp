@@ -20,7 +20,7 @@ namespace {
 
 struct OverlayRequest {
   std::array<std::string, 2> curves;
-  std::string lobes, crossings, json, svg, rule;
+  std::string lobes, crossings, json, svg, rule, format;
   std::vector<operations::OptionSetting> settings;
   std::vector<double> window;  // window of the picture
   int threads = 0;
@@ -38,7 +38,7 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
   const Option lobes =
       parser
           .add("--lobes", request.lobes,
-               "Write the pieces of C1 \\ C2 and C2 \\ C1 to FILE as Tecplot zones (default: no file).")
+               "Write the pieces of C1 \\ C2 and C2 \\ C1 to FILE, in the format of its ending (default: no file).")
           .value("FILE");
   const Option crossings = parser
                                .add("--crossings", request.crossings,
@@ -48,6 +48,7 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
       parser.add("--svg", request.svg, "Draw the curves and the lobes as an SVG picture in FILE (default: no file).")
           .value("FILE");
   add_window_option(parser, request.window, svg);
+  add_format_option(parser, request.format);
   TableOptions options(parser, operations::named("overlay"));
   options["areas_only"].excludes(lobes).excludes(svg);
   Option rule = add_rule_option(parser, request.rule);
@@ -108,13 +109,16 @@ void run(const OverlayRequest& request) {
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
     const auto total = [&] { return watch.seconds(); };
+    const CurveFileOptions lobes{.format = request.format,
+                                 .closed = true,
+                                 .notes = notes_of("overlay", report.outcome, notes_on(report.inputs))};
     if (by_rule) {
-      if (!request.lobes.empty()) write_lobes(request.lobes, report.outcome.as<CurveRegions>());
+      if (!request.lobes.empty()) write_lobes(request.lobes, report.outcome.as<CurveRegions>(), lobes);
       report.write_seconds = write_watch.seconds();
       if (!request.json.empty()) write_regions_json(request.json, "overlay", report, total);
     } else {
       const auto& found = report.outcome.as<CurveOverlay>();
-      if (!request.lobes.empty()) write_lobes(request.lobes, found);
+      if (!request.lobes.empty()) write_lobes(request.lobes, found, lobes);
       if (!request.crossings.empty()) write_crossings(request.crossings, found);
       if (!request.svg.empty()) write_picture(request.svg, found, window_of(request.window));
       report.write_seconds = write_watch.seconds();

@@ -53,6 +53,8 @@ std::vector<Zone> zones_of(Pairing pairing, std::size_t piece, double area, std:
   std::vector<Zone> zones;
   for (std::vector<Point>& polygon : polygons) {
     zones.push_back({title, std::move(polygon)});
+    zones.back().hole = zones.size() > 1;
+    zones.back().numbers = {{"piece", static_cast<double>(piece)}, {"area", area}};
     title = name(pairing);
     append_all(title, " ", piece, " hole ", zones.size());
   }
@@ -61,7 +63,7 @@ std::vector<Zone> zones_of(Pairing pairing, std::size_t piece, double area, std:
 
 // Writes `count(pairing)` pieces of C1 \ C2 and C2 \ C1, each by `zones(pairing, piece)`.
 template <typename Count, typename Zones>
-void write_pieces(const std::string& path, const Count& count, const Zones& zones) {
+void write_pieces(const std::string& path, const CurveFileOptions& options, const Count& count, const Zones& zones) {
   std::vector<Zone> all;
   for (const Pairing pairing : {Pairing::c1_minus_c2, Pairing::c2_minus_c1}) {
     std::vector<std::vector<Zone>> by_piece(count(pairing));
@@ -70,25 +72,25 @@ void write_pieces(const std::string& path, const Count& count, const Zones& zone
     });
     for (std::vector<Zone>& piece : by_piece) std::move(piece.begin(), piece.end(), std::back_inserter(all));
   }
-  write_tecplot(path, all);
+  write_curve_file(path, all, options);
 }
 
 }  // namespace
 
-void write_lobes(const std::string& path, const CurveOverlay& found) {
+void write_lobes(const std::string& path, const CurveOverlay& found, const CurveFileOptions& options) {
   write_pieces(
-      path, [&](Pairing pairing) { return found.pieces(pairing).size(); },
+      path, options, [&](Pairing pairing) { return found.pieces(pairing).size(); },
       [&](Pairing pairing, std::size_t k) {
         return zones_of(pairing, k, found.pieces(pairing).areas()[k], outline(found, pairing, k));
       });
 }
 
-void write_lobes(const std::string& path, const CurveRegions& found) {
+void write_lobes(const std::string& path, const CurveRegions& found, const CurveFileOptions& options) {
   const auto pieces_of = [&](Pairing pairing) -> const RegionPieces& {
     return (*found.pieces)[static_cast<std::size_t>(pairing)];
   };
   write_pieces(
-      path, [&](Pairing pairing) { return pieces_of(pairing).size(); },
+      path, options, [&](Pairing pairing) { return pieces_of(pairing).size(); },
       [&](Pairing pairing, std::size_t k) {
         return zones_of(pairing, k, pieces_of(pairing).areas()[k], pieces_of(pairing).outline(k));
       });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/program/curves_run.hpp"
+#include "cli/report/curve_file.hpp"
 #include "cli/report/report.hpp"
 
 namespace lober::cli {
@@ -33,8 +34,8 @@ void append_sigma(std::string& text, const CurveOverlay& found, std::size_t node
 
 /// One Tecplot zone for each piece of C1 \ C2, then of C2 \ C1; the holes of a piece follow it as zones of
 /// their own.
-void write_lobes(const std::string& path, const CurveOverlay& found);
-void write_lobes(const std::string& path, const CurveRegions& found);
+void write_lobes(const std::string& path, const CurveOverlay& found, const CurveFileOptions& options);
+void write_lobes(const std::string& path, const CurveRegions& found, const CurveFileOptions& options);
 
 /// The nodes as comma-separated columns, which a comment at the top of the file explains.
 void write_crossings(const std::string& path, const CurveOverlay& found);

@@ -86,13 +86,19 @@ void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curve
   parser.add("C2", curves[1], "The second curve, in the same form.").required();
 }
 
-void add_points_option(OptionParser& parser, std::string& path, bool required) {
+void add_points_option(OptionParser& parser, std::string& path, std::string& format, bool required) {
   std::string help =
-      "Write the points to FILE, whose ending .npy, .csv, .txt, .dat (Tecplot) or .raw is its format; - is text on "
-      "standard output";
+      "Write the points to FILE, whose ending is its format: " + written_endings() + "; - is text on standard output";
   help += required ? "." : " (default: no file).";
   Option option = parser.add("-o,--output", path, help.c_str()).value("FILE");
   if (required) option.required();
+  add_format_option(parser, format);
+}
+
+void add_format_option(OptionParser& parser, std::string& format) {
+  parser.add("--format", format, "The format of curves that are written (default: by the ending of FILE).")
+      .value("KIND")
+      .one_of(written_formats());
 }
 
 void add_json_option(OptionParser& parser, std::string& path, const std::string& what) {

@@ -42,8 +42,10 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
 
 /// C1 and C2, closed curves.
 void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves);
-/// -o FILE, of points.
-void add_points_option(OptionParser& parser, std::string& path, bool required);
+/// -o FILE, of points, and --format of it.
+void add_points_option(OptionParser& parser, std::string& path, std::string& format, bool required);
+/// --format KIND of the files of curves.
+void add_format_option(OptionParser& parser, std::string& format);
 /// --json FILE. `what` is written to it.
 void add_json_option(OptionParser& parser, std::string& path, const std::string& what = "the results");
 /// --window X0,Y0,X1,Y1 of a picture, which `svg` asks for; and that window, none where it was not given (UsageError

@@ -10,6 +10,7 @@
 #include "cli/doctor/doctor_command.hpp"
 #include "cli/escape/escape_command.hpp"
 #include "cli/fixed_points/fixed_points_command.hpp"
+#include "cli/formats/formats_command.hpp"
 #include "cli/grow/grow_command.hpp"
 #include "cli/image/image_command.hpp"
 #include "cli/interior/interior_command.hpp"
@@ -69,6 +70,8 @@ constexpr OwnCommand own_commands[]{
      "computes many curves and pairs; also batch check, status, export, merge, manifest and operations",
      CommandGroup::many},
     {"schema", run_schema, "[OPERATION]", "prints what is in the JSON of an operation, with units and meanings",
+     CommandGroup::program},
+    {"formats", run_formats, "[--json FILE]", "lists the formats of curve files that are read and written",
      CommandGroup::program},
     {"cite", run_cite, "[--bibtex]", "prints how to cite lober and the article whose methods it implements",
      CommandGroup::program},

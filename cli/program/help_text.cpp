@@ -16,7 +16,7 @@ std::string anchor_of(std::string_view command) {
 
 std::string reference_line(const std::string& anchor, std::size_t width) {
   return wrapped("Reference: " + std::string(reference_page) + (anchor.empty() ? "" : "#" + anchor) +
-                     " (docs/reference.md in the sources)",
+                     " or docs/reference.md",
                  width, 2) +
          "\n";
 }

@@ -15,7 +15,7 @@ inline constexpr std::string_view reference_page = "share/doc/lober/html/referen
 /// The section of a command in the reference: "lober-batch-run" of "lober batch run"; empty for other programs.
 [[nodiscard]] std::string anchor_of(std::string_view command);
 
-/// The end of a help text: where the reference has more.
+/// The end of a help text: where the reference has more, installed and in the sources.
 [[nodiscard]] std::string reference_line(const std::string& anchor, std::size_t width);
 
 /// The summary, the examples, the usage, and the options by group, in lines of at most `width` characters (those of

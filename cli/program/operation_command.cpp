@@ -12,9 +12,9 @@
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
+#include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "cli/report/outcome_table.hpp"
-#include "cli/report/point_file.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
@@ -35,7 +35,7 @@ std::string argument_name(const operations::InputSpec& input) {
 struct OperationRequest {
   SystemRequest system;
   std::deque<std::string> files;  // in the order of the inputs; in place, because they are parsed into
-  std::string output, json;
+  std::string output, json, format;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
 };
@@ -87,6 +87,14 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
   return read;
 }
 
+// The system among the inputs in words; empty where there is none.
+std::string system_in(const std::vector<operations::Input>& inputs) {
+  for (const operations::Input& input : inputs) {
+    if (const auto* const system = std::get_if<operations::SystemInput>(&input)) return system_text(*system->system);
+  }
+  return {};
+}
+
 void run(const operations::Operation& operation, const OperationRequest& request) {
   const detail::Stopwatch watch;
   std::vector<std::string> named;
@@ -95,7 +103,7 @@ void run(const operations::Operation& operation, const OperationRequest& request
   }
   for (const std::string& file : files_of_system(request.system.name)) named.push_back(file);
   const std::vector<Output> outputs = checked_outputs({{"-o", request.output}, {"--json", request.json}}, named);
-  if (!request.output.empty()) (void)format_of(request.output);
+  if (!request.output.empty()) (void)curve_format(request.output, request.format, false);
   const operations::Options options = checked_options(operation, request.settings);
   const OperationInputs read = read_inputs(operation, request, options);
   const double read_seconds = watch.seconds();
@@ -115,7 +123,10 @@ void run(const operations::Operation& operation, const OperationRequest& request
     }
   }
   if (!request.output.empty()) {
-    write_points(request.output, std::get<std::vector<Point>>(curve_of_result(operation)->get(outcome.value.get())));
+    write_curve_file(
+        request.output, std::get<std::vector<Point>>(curve_of_result(operation)->get(outcome.value.get())),
+        {.format = request.format,
+         .notes = notes_of(command_name(operation), outcome, notes_on(read.curves), system_in(read.inputs))});
   }
   if (!request.json.empty()) {
     write_outcome_json(request.json, command_name(operation), read.members, operation, outcome, [&] {
@@ -168,7 +179,7 @@ void run_operation(const operations::Operation& operation, const std::vector<std
     if (!input.optional) argument.required();
   }
   const TableOptions options(parser, operation);
-  if (curve_of_result(operation) != nullptr) add_points_option(parser, request.output, false);
+  if (curve_of_result(operation) != nullptr) add_points_option(parser, request.output, request.format, false);
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;

@@ -225,7 +225,8 @@ CommandDescription OptionParser::description() const {
   const auto names_in = [&](const std::set<CLI::Option*>& set) {
     std::vector<std::string> names;
     for (const CLI::Option* const one : options) {
-      if (std::find(set.begin(), set.end(), one) != set.end()) names.push_back(one->get_name());
+      const bool is_in = std::any_of(set.begin(), set.end(), [&](const CLI::Option* other) { return other == one; });
+      if (is_in) names.push_back(one->get_name());
     }
     return names;
   };

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/files/formats/format_table.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
 
@@ -24,13 +25,15 @@ constexpr std::array<std::pair<std::string_view, PointFormat>, 6> point_endings{
 constexpr std::array<std::string_view, 2> json_options{"--json", "--graph"};
 constexpr std::array<std::string_view, 2> picture_options{"--svg", "--picture"};
 constexpr std::array<std::string_view, 4> zone_options{"--lobes", "--boundary", "--pips", "--curves"};
+constexpr std::array<std::string_view, 2> several_options{"--lobes", "--curves"};  // among these
 constexpr std::array<std::string_view, 2> table_options{"--crossings", "--csv"};
 constexpr std::array<std::string_view, 6> published_options{"<rslt>",     "<lobefile>",  "<manifile>",
                                                             "<pipsfile>", "<lobebfile>", "<lobeseq>"};
 
+constexpr std::string_view curves_kind = "curves";
+
 constexpr std::array<std::string_view, 1> json_endings{".json"};
 constexpr std::array<std::string_view, 1> picture_endings{".svg"};
-constexpr std::array<std::string_view, 2> zone_endings{".dat", ".tec"};
 constexpr std::array<std::string_view, 1> table_endings{".csv"};
 
 /// The outputs of the options of one kind. Without endings: text under any name that is not of another format.
@@ -41,7 +44,7 @@ struct OutputKind {
 };
 constexpr std::array<OutputKind, 5> output_kinds{{{json_options, "JSON", json_endings},
                                                   {picture_options, "an SVG picture", picture_endings},
-                                                  {zone_options, "Tecplot zones", zone_endings},
+                                                  {zone_options, curves_kind, {}},
                                                   {table_options, "comma-separated columns", table_endings},
                                                   {published_options, "text in the format of Lober 1.8", {}}}};
 
@@ -65,7 +68,46 @@ bool is_among(Names names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// The format that the ending stands for, if curves are written in it; null otherwise.
+const detail::FormatEntry* curve_entry(const std::string& path) {
+  const std::optional<Format> format = format_of_name(path);
+  const detail::FormatEntry* const entry = format ? &detail::entry_of(*format) : nullptr;
+  return entry != nullptr && entry->write != nullptr ? entry : nullptr;
+}
+
 }  // namespace
+
+Format curve_format(const std::string& path, const std::string& named, bool or_tecplot) {
+  if (!named.empty()) {
+    for (const detail::FormatEntry& entry : detail::format_table()) {
+      if (entry.name == named && entry.write != nullptr) return entry.format;
+    }
+  }
+  if (path == "-") return Format::text;
+  if (const detail::FormatEntry* const entry = curve_entry(path)) return entry->format;
+  if (or_tecplot && ending_of(path).empty()) return Format::tecplot;
+  throw UsageError(path + ": the ending does not name a format of curves; use " + written_endings() +
+                   ", or name one by --format");
+}
+
+std::vector<std::string> written_formats() {
+  std::vector<std::string> names;
+  for (const detail::FormatEntry& entry : detail::format_table()) {
+    if (entry.write != nullptr) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+std::string written_endings() {
+  std::string text;
+  for (const detail::FormatEntry& entry : detail::format_table()) {
+    if (entry.write == nullptr) continue;
+    text += (text.empty() ? "" : ", ") + std::string(entry.suffixes.substr(0, entry.suffixes.find(' ')));
+    if (entry.format == Format::tecplot) text += " (Tecplot)";
+    if (entry.format == Format::vtk) text += " (VTK)";
+  }
+  return text;
+}
 
 PointFormat format_of(const std::string& path) {
   if (path == "-") return PointFormat::text;
@@ -82,6 +124,17 @@ void require_fitting_name(std::string_view option, const std::string& path) {
                                  [&](const OutputKind& k) { return is_among(k.options, option); });
   if (kind == output_kinds.end()) return;
   const std::string ending = ending_of(path);
+  if (kind->what == curves_kind) {
+    if (!ending.empty() && curve_entry(path) == nullptr) {
+      throw UsageError(std::string(option) + " writes curves, but " + path + " has the ending of another format; use " +
+                       written_endings() + ", or no ending");
+    }
+    if (is_among(several_options, option) && !ending.empty() && !curve_entry(path)->holds_several) {
+      throw UsageError(std::string(option) + " writes several curves, but " + path +
+                       " has the ending of a format that holds one; use .dat (Tecplot), .npz or .geojson");
+    }
+    return;
+  }
   if (ending.empty() || is_among(kind->endings, ending)) return;
   if (kind->endings.empty() && !is_among(of_other_formats, ending)) return;
   std::string message = std::string(option) + " writes " + std::string(kind->what) + ", but " + path +

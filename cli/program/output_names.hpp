@@ -4,10 +4,20 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "lober/curve/files.hpp"
 
 namespace lober::cli {
 
-/// Formats of points; "-" takes text.
+/// The format of a file of curves: the one that is named, as `--format` does, or that of the ending; text for "-".
+/// Without an ending Tecplot, or else (`or_tecplot` is false) a UsageError, as for formats that are not written.
+[[nodiscard]] Format curve_format(const std::string& path, const std::string& named, bool or_tecplot);
+/// The formats in which curves are written, by their names; and their endings: ".npy, .csv, ...".
+[[nodiscard]] std::vector<std::string> written_formats();
+[[nodiscard]] std::string written_endings();
+
+/// Formats of tables of numbers; "-" takes text.
 enum class PointFormat : std::uint8_t { npy, csv, text, tecplot, raw };
 
 /// The format that the ending of the path names: .npy, .csv, .txt, .dat (Tecplot) or .raw, in either case. Throws

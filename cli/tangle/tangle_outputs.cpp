@@ -5,13 +5,12 @@
 namespace lober::cli {
 
 void TangleOutputs::add_options(OptionParser& parser) {
-  parser.add("--lobes", lobes, "Write the outlines of the lobes to FILE as Tecplot zones (default: no file).")
-      .value("FILE");
   parser
-      .add("--boundary", boundary, "Write the boundary to FILE as an open polyline, a Tecplot zone (default: no file).")
+      .add("--lobes", lobes, "Write the outlines of the lobes to FILE, in the format of its ending (default: no file).")
       .value("FILE");
-  parser.add("--pips", pips, "Write the pips to FILE as the points of a Tecplot zone (default: no file).")
+  parser.add("--boundary", boundary, "Write the boundary to FILE as an open polyline (default: no file).")
       .value("FILE");
+  parser.add("--pips", pips, "Write the pips to FILE as the points of a curve (default: no file).").value("FILE");
   parser
       .add("--graph", graph,
            "Write every crossing with its order along both manifolds to FILE as JSON, for topological tools (default: "
@@ -28,6 +27,7 @@ void TangleOutputs::add_options(OptionParser& parser) {
                 "Name the fixed points, regions, pips and lobes in the picture, as far as there is room.")
       .needs(picture);
   add_window_option(parser, window, picture);
+  add_format_option(parser, format);
 }
 
 std::vector<Output> TangleOutputs::files() const {
@@ -46,9 +46,9 @@ std::vector<Output> TangleOutputs::files() const {
 
 void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std::function<double()>& seconds_so_far) {
   const detail::Stopwatch watch;
-  if (!outputs.lobes.empty()) write_tangle_lobes(outputs.lobes, report);
-  if (!outputs.boundary.empty()) write_tangle_boundary(outputs.boundary, report);
-  if (!outputs.pips.empty()) write_tangle_pips(outputs.pips, report);
+  if (!outputs.lobes.empty()) write_tangle_lobes(outputs.lobes, report, outputs.format);
+  if (!outputs.boundary.empty()) write_tangle_boundary(outputs.boundary, report, outputs.format);
+  if (!outputs.pips.empty()) write_tangle_pips(outputs.pips, report, outputs.format);
   if (!outputs.graph.empty()) write_tangle_graph(outputs.graph, report);
   if (!outputs.svg.empty()) {
     write_tangle_picture(outputs.svg, report, {outputs.labels, window_of(outputs.window)});

@@ -49,12 +49,12 @@ void write_tangle_json(const std::string& path, TangleReport& report, const std:
 /// of crossings bounds which lobe.
 void write_tangle_graph(const std::string& path, const TangleReport& report);
 
-/// One Tecplot zone for each lobe: a closed polygon.
-void write_tangle_lobes(const std::string& path, const TangleReport& report);
-/// The boundary as an open polyline; a file without a zone if there is none.
-void write_tangle_boundary(const std::string& path, const TangleReport& report);
-/// One zone with the pips, outward along U, if there are any.
-void write_tangle_pips(const std::string& path, const TangleReport& report);
+/// A closed polygon for each lobe.
+void write_tangle_lobes(const std::string& path, const TangleReport& report, const std::string& format);
+/// The boundary as an open polyline; a file without a curve if there is none.
+void write_tangle_boundary(const std::string& path, const TangleReport& report, const std::string& format);
+/// The pips as points of one curve, outward along U, if there are any.
+void write_tangle_pips(const std::string& path, const TangleReport& report, const std::string& format);
 
 /// An SVG picture of the manifolds, the pips, the lobes in two colours and the boundary.
 struct TanglePicture {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/base/file_bytes.hpp"
+#include "engine/base/nearest_word.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/files/closing.hpp"
 #include "engine/files/curve_spec.hpp"
@@ -44,7 +45,11 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
   }
   const auto titled = [&](const Zone& zone) { return zone.title == choice; };
   const auto found = std::find_if(file.zones.begin(), file.zones.end(), titled);
-  if (found == file.zones.end()) fail("has no zone titled \"" + choice + "\"");
+  if (found == file.zones.end()) {
+    std::vector<std::string> titles;
+    for (const Zone& zone : file.zones) titles.push_back(zone.title);
+    fail("has no zone titled \"" + choice + "\"" + did_you_mean(choice, titles));
+  }
   if (std::find_if(found + 1, file.zones.end(), titled) != file.zones.end()) {
     fail("has several zones titled \"" + choice + "\"; choose one of " + choices(file.path, zones));
   }

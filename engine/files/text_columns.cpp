@@ -17,7 +17,7 @@ struct FirstLines {
   std::vector<std::string_view> names;   // in the header, or in the last comment before the points
   std::vector<std::string_view> fields;  // in the first line with numbers
   std::size_t line = 0;                  // its number, counted from 1; 0 if there is none
-  bool is_plain = false;                 // one separator throughout: commas are not those of decimals
+  bool has_decimal_commas = false;       // commas beside another separator
   bool is_tecplot = false;
 };
 
@@ -25,6 +25,21 @@ std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
+}
+
+// Whether a line has commas and other separators: "1,5 2,5" or "1,5;2,5", where commas are those of decimals; a comma
+// with blanks about it is one separator.
+bool mixes_separators(std::string_view line) {
+  line = line.substr(0, line.find('#'));
+  if (line.find(',') == std::string_view::npos) return false;
+  if (line.find(';') != std::string_view::npos) return true;
+  for (std::size_t begin = line.find_first_of(" \t"); begin != std::string_view::npos;) {
+    const std::size_t end = line.find_first_not_of(" \t\r", begin);
+    if (end == std::string_view::npos) return false;
+    if (begin > 0 && line[begin - 1] != ',' && line[end] != ',') return true;
+    begin = line.find_first_of(" \t", end);
+  }
+  return false;
 }
 
 FirstLines first_lines_of(std::string_view text) {
@@ -46,7 +61,7 @@ FirstLines first_lines_of(std::string_view text) {
     if (has_number(line)) {
       found.fields = fields_of(line);
       found.line = number;
-      found.is_plain = line.find(',') == std::string_view::npos || line.find_first_of("; \t") == std::string_view::npos;
+      found.has_decimal_commas = mixes_separators(line);
       return found;
     }
     if (has_header) return found;  // whoever reads the lines says what is wrong with this one
@@ -138,6 +153,12 @@ TableHead read_table_head(std::string_view text, std::string_view choice, const 
     return head;
   }
   const std::size_t count = lines.fields.size();
+  if (lines.has_decimal_commas && (count > 2 || !choice.empty())) {
+    SourceLocation{path, lines.line}.fail(
+        "commas separate columns here, and decimals begin with a point; write the numbers with points, as sed "
+        "'s/,/./g' "
+        "does");
+  }
   if (!choice.empty()) {
     if (lines.line == 0) throw DataError(path + ": no points");
     head.columns = Choice(lines, path).columns(choice);
@@ -149,7 +170,7 @@ TableHead read_table_head(std::string_view text, std::string_view choice, const 
         std::none_of(lines.fields.begin(), lines.fields.end(), [](auto field) { return field.empty(); });
     if (lines.names.size() == count) {
       message += ": " + joined(lines.names) + "; choose two by FILE:NAME,NAME";
-    } else if (has_all && lines.is_plain) {
+    } else if (has_all) {
       message += "; choose two by FILE:NUMBER,NUMBER";
     }
     SourceLocation{path, lines.line}.fail(message);

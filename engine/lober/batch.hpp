@@ -25,18 +25,18 @@ struct OperationOption {
   std::vector<std::string> choices;  ///< the allowed values of a text; empty: any
   std::optional<double> min, max;    ///< the bounds of a number
   bool above_min = false;            ///< min itself is excluded
-  std::string meaning;
+  std::string meaning;               ///< a phrase
 };
 
 /// An operation that a manifest can ask for, and the parts of its results that are stored.
 struct OperationInfo {
-  std::string name, summary;
+  std::string name, summary;                   ///< its name, and a sentence about it
   std::size_t min_curves = 0, max_curves = 0;  ///< numbers of curves that a job can have
   bool open = false;                           ///< curves are open unless the manifest says otherwise
   std::string view;                            ///< name of the view of its results in a store, for SQL
-  std::vector<OperationOption> options;
-  std::vector<std::string> columns;  ///< names of the numbers of a result, in SQL and exports
-  std::vector<std::string> lists;    ///< names of the lists of numbers of a result
+  std::vector<OperationOption> options;        ///< in their order
+  std::vector<std::string> columns;            ///< names of the numbers of a result, in SQL and exports
+  std::vector<std::string> lists;              ///< names of the lists of numbers of a result
 };
 
 /// All operations of batches.
@@ -44,17 +44,19 @@ struct OperationInfo {
 
 /// One of several processes or machines that share a plan: `number` counts from 0 and is less than `of`.
 struct Shard {
-  std::size_t number = 0, of = 1;
+  std::size_t number = 0, of = 1;  ///< number of the part, and number of parts
 };
 
+/// Counts of the reading and indexing of curves.
 struct CacheCounts {
-  std::uint64_t units_read = 0, curves_indexed = 0;
-  std::uint64_t max_reads = 0;  ///< how often one unit was read at most
-  std::uint64_t evictions = 0;
-  std::size_t peak_bytes = 0;                    ///< curves, indexes, and the memory that running jobs may take
-  double read_seconds = 0, prepare_seconds = 0;  ///< wall time of each reading, added up
+  std::uint64_t units_read = 0, curves_indexed = 0;  ///< files or zones that were read, and curves that were indexed
+  std::uint64_t max_reads = 0;                       ///< how often one unit was read at most
+  std::uint64_t evictions = 0;                       ///< curves that were dropped to make room for others
+  std::size_t peak_bytes = 0;                        ///< curves, indexes, and the memory that running jobs may take
+  double read_seconds = 0, prepare_seconds = 0;      ///< wall time of each reading, added up
 };
 
+/// Limits of a run.
 struct QueueOptions {
   int threads = 0;         ///< 0: as many as the calling thread may use
   std::size_t memory = 0;  ///< bytes for curves, their indexes and the work on them; 0: half of the machine's
@@ -65,36 +67,38 @@ struct QueueReport {
   std::size_t jobs = 0, failed = 0;  ///< number of jobs that ran, and how many of them failed
   bool stopped = false;              ///< jobs are left, because of `stop`
   std::uint64_t points = 0;          ///< points of the curves of all jobs, a curve counted as often as it was used
-  CacheCounts cache;
-  double wall_seconds = 0;
-  double operation_seconds = 0;  ///< time of threads in operations
-  double callback_seconds = 0;   ///< time of threads in the callback, and waiting for it
-  int threads = 0;
+  CacheCounts cache;                 ///< counts of curves
+  double wall_seconds = 0;           ///< wall time of the run
+  double operation_seconds = 0;      ///< time of threads in operations
+  double callback_seconds = 0;       ///< time of threads in the callback, and waiting for it
+  int threads = 0;                   ///< number of threads
 };
 
 /// How far a run is. Costs are in the unit of Operation::cost.
 struct QueueProgress {
-  std::size_t jobs = 0, done = 0, failed = 0;
-  double cost = 0, cost_done = 0;
-  std::uint64_t points_done = 0;
+  std::size_t jobs = 0, done = 0, failed = 0;  ///< jobs in all, jobs that are done, and jobs that failed
+  double cost = 0, cost_done = 0;              ///< cost of all jobs, and of those that are done
+  std::uint64_t points_done = 0;               ///< points of the curves of the jobs that are done
 };
 
+/// Options of run_batch.
 struct BatchOptions {
-  std::string store;
-  Shard shard;
-  QueueOptions queue;
+  std::string store;   ///< path of the store, a file that is made where there is none
+  Shard shard;         ///< part of the jobs to run
+  QueueOptions queue;  ///< limits of threads and memory
   /// Called about ten times a second while jobs run, from a thread of its own; return false to stop: jobs that run are
   /// finished and stored if they end within `patience` seconds, else broken off. An exception that it throws stops the
   /// run too and is passed on.
   std::function<bool(const QueueProgress&)> progress;
-  double patience = 1;
+  double patience = 1;  ///< seconds that running jobs have after a stop
   /// The folder below which jobs write their files, and which names of outputs are relative to; empty: the folder of
   /// the manifest. It has to exist.
   std::string output_root = {};
 };
 
+/// The account of a run.
 struct BatchReport {
-  QueueReport queue;
+  QueueReport queue;                 ///< the work on jobs
   std::size_t jobs = 0;              ///< jobs of the shard
   std::size_t finished_before = 0;   ///< jobs of the shard whose results were in the store
   std::vector<std::string> damaged;  ///< a line for each stored result that cannot be read; its job is done again
@@ -109,24 +113,26 @@ struct BatchReport {
 /// memory given.
 [[nodiscard]] LOBER_API BatchReport run_batch(const std::string& manifest, const BatchOptions& options);
 
+/// Format of an export.
 enum class ExportFormat : std::uint8_t {
   csv,         ///< a header line; lists are put into one field, separated by blanks; unknown values are empty
   json_lines,  ///< one object a line; numbers that are not finite are null
   npy,         ///< a structured array, texts as bytes; no lists; unknown values are NaN, unknown counts -1
-  netcdf,      ///< NetCDF, classic: a variable for each column along the dimension row; no lists; all numbers are float64
+  netcdf,  ///< NetCDF, classic: a variable for each column along the dimension row; no lists; all numbers are float64
 };
 /// The format that the end of a file's name stands for (.csv, .jsonl, .npy, .nc). Throws UsageError for any other end.
 [[nodiscard]] LOBER_API ExportFormat export_format(const std::string& path);
 
+/// Numbers of jobs of an export.
 struct ExportCounts {
-  std::size_t done = 0, failed = 0, missing = 0;
-  std::vector<std::string> damaged;  ///< a line for each job whose result is damaged; it counts as missing
+  std::size_t done = 0, failed = 0, missing = 0;  ///< jobs with a result, jobs that failed, and jobs without either
+  std::vector<std::string> damaged;               ///< a line for each job whose result is damaged; it counts as missing
 };
 
 /// Writes the jobs of the store's plan that have a result or have failed, in the order of the plan, numbers in the
-/// shortest form that reads back to the same bits. A damaged result is left out, like a missing one. CSV, NPY and NetCDF
-/// hold one operation, which has to be named when the plan has several. The file appears when it is complete; "-" is
-/// standard output. Throws DataError, UsageError.
+/// shortest form that reads back to the same bits. A damaged result is left out, like a missing one. CSV, NPY and
+/// NetCDF hold one operation, which has to be named when the plan has several. The file appears when it is complete;
+/// "-" is standard output. Throws DataError, UsageError.
 LOBER_API ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,
                                       const std::optional<std::string>& operation = {});
 

@@ -33,6 +33,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* A function of the interface. */
 #if defined(__GNUC__)
 #define LOBER_C_API __attribute__((visibility("default")))
 #else
@@ -69,6 +70,7 @@ LOBER_C_API const char* lober_message(void);
    done, or -1 where it is not known. 0 cancels. NULL: none. It may be called by another thread, and cannot call lober:
    functions that return a status refuse with LOBER_USAGE_ERROR. */
 typedef int (*lober_progress)(double fraction, void* context);
+/* Sets the progress function of this thread, which is called with `context`. */
 LOBER_C_API void lober_set_progress(lober_progress function, void* context);
 
 /* ------------------------------------------------------------------------------------------------------------ results
@@ -76,21 +78,26 @@ LOBER_C_API void lober_set_progress(lober_progress function, void* context);
 
 typedef struct lober_result lober_result;
 
+/* Type of the elements of an array. */
 enum lober_type {
   LOBER_DOUBLES = 1,  /* const double* */
   LOBER_INTEGERS = 2, /* const int64_t* */
   LOBER_TEXT = 3      /* const char*, ended by a zero that `columns` does not count; rows is 1 */
 };
 
+/* An array of a result, which belongs to it. */
 typedef struct lober_array {
-  const char* name;
-  int type;
-  const void* data;
-  size_t rows, columns;
+  const char* name;     /* such as "areas.c1_minus_c2" */
+  int type;             /* LOBER_DOUBLES, LOBER_INTEGERS or LOBER_TEXT */
+  const void* data;     /* the elements, row by row */
+  size_t rows, columns; /* its shape */
 } lober_array;
 
+/* Number of arrays. */
 LOBER_C_API size_t lober_array_count(const lober_result* result);
+/* The array of this number, from 0. LOBER_USAGE_ERROR where there is none. */
 LOBER_C_API int lober_array_at(const lober_result* result, size_t number, lober_array* array);
+/* The array of this name. LOBER_USAGE_ERROR where there is none. */
 LOBER_C_API int lober_array_named(const lober_result* result, const char* name, lober_array* array);
 /* The only number of an array, also of integers; NaN where there is no number or no such array. */
 LOBER_C_API double lober_number(const lober_result* result, const char* name);
@@ -163,6 +170,7 @@ LOBER_C_API int lober_write(const char* path, const double* points, size_t n);
 typedef struct lober_model lober_model;
 /* Parameters: words NAME=VALUE; the others have their defaults. Options: tolerance=D of the integration. */
 LOBER_C_API int lober_model_open(const char* name, const char* parameters, const char* options, lober_model** model);
+/* NULL is allowed. */
 LOBER_C_API void lober_model_free(lober_model* model);
 /* Names, summaries, parameters and defaults of the built-in systems, as lines of text. Arrays: names, summaries. */
 LOBER_C_API int lober_systems(lober_result** result);
@@ -200,9 +208,9 @@ LOBER_C_API int lober_transport(const lober_model* model, const char* options, l
 
 /* Points of a curve, or others; or a model. */
 typedef struct lober_input {
-  const double* points;
-  size_t n;
-  const lober_model* model;
+  const double* points;     /* x, y of each point; NULL for a model */
+  size_t n;                 /* number of points */
+  const lober_model* model; /* a system; NULL for points */
 } lober_input;
 /* Runs an operation of the table (lober/operations.hpp) by its name. Options are those of the table, 1 or 0 for true or
    false, X,Y for points, numbers with commas between for boxes and lists; threads=N; outlines=1 keeps a copy of the

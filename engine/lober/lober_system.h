@@ -29,25 +29,28 @@ extern "C" {
    end of lober_system and the period at the end of lober_section; libraries built for earlier versions are still
    loaded. */
 #define LOBER_SYSTEM_ABI 4
-#define LOBER_MAX_DIMENSION 6
+#define LOBER_MAX_DIMENSION 6 /* coordinates of a flow at most */
 
+/* The kind of a system. */
 typedef enum lober_kind { LOBER_MAP = 1, LOBER_FLOW = 2 } lober_kind;
 
+/* A parameter of a system. */
 typedef struct lober_parameter {
-  const char* name;
-  double default_value;
-  const char* meaning;
+  const char* name;     /* the name on the command line */
+  double default_value; /* the value when it is not given */
+  const char* meaning;  /* a phrase */
 } lober_parameter;
 
 /* The values of a parameter that make sense: min to max, without min or max where it is excluded. -INFINITY and INFINITY
    (math.h) where there is no bound. Others are refused before any function of the library is called with them. */
 typedef struct lober_range {
-  double min, max;
-  int min_excluded, max_excluded;
+  double min, max;                /* the bounds */
+  int min_excluded, max_excluded; /* not 0: the bound itself is excluded */
 } lober_range;
 
 /* A diffeomorphism of the plane; points are x, y. */
 typedef struct lober_map {
+  /* The map. */
   int (*forward)(const double* parameters, const double point[2], double image[2]);
   /* The inverse map. */
   int (*backward)(const double* parameters, const double point[2], double image[2]);
@@ -60,22 +63,22 @@ typedef struct lober_map {
 
 /* Coordinates q and p such that q and factor * p are conjugate: factor dq/dt = dH/dp, factor dp/dt = -dH/dq. */
 typedef struct lober_conjugate_pair {
-  int q, p;
+  int q, p;                                   /* numbers of the coordinates */
   double (*factor)(const double* parameters); /* NULL: 1 */
 } lober_conjugate_pair;
 
 /* Return maps: crossings of x[coordinate] = value in the direction +1 or -1, in the chart (x[chart_x], x[chart_y]). */
 typedef struct lober_section {
-  int coordinate;
-  double value;
-  int direction;
-  int chart_x, chart_y;
+  int coordinate;       /* number of the coordinate that is constant */
+  double value;         /* its value */
+  int direction;        /* sign of its derivative at the crossings that count */
+  int chart_x, chart_y; /* numbers of the coordinates of the planar map */
   int solved; /* the coordinate that follows from the energy, conjugate to `coordinate`; -1 in three dimensions */
   int energy_parameter; /* number of the parameter that is the energy; -1 in three dimensions */
   /* Only crossings with bound_side * (x[bound_coordinate] - bound) > 0 count; bound_side 0: all. */
   int bound_coordinate;
-  double bound;
-  int bound_side;
+  double bound;   /* value that parts the sides */
+  int bound_side; /* the side that counts */
   /* From version 4 on: where the coordinate is an angle, its period; crossings of value + k * period count for every
      whole number k. 0: the coordinate is not an angle. */
   double period;
@@ -84,6 +87,7 @@ typedef struct lober_section {
 /* dx/dt = velocity(x, t) in `dimension` coordinates. */
 typedef struct lober_flow {
   int dimension; /* 1 .. LOBER_MAX_DIMENSION */
+  /* The velocity at x and t. */
   int (*velocity)(const double* parameters, const double* x, double t, double* dxdt);
   /* d(velocity i)/d(x j) at [i * dimension + j]. */
   int (*jacobian)(const double* parameters, const double* x, double t, double* jacobian);
@@ -92,8 +96,8 @@ typedef struct lober_flow {
   double (*period)(const double* parameters);
   /* Optional: the Hamiltonian, with its conjugate pairs. */
   double (*hamiltonian)(const double* parameters, const double* x, double t);
-  size_t pair_count;
-  const lober_conjugate_pair* pairs;
+  size_t pair_count;                 /* number of conjugate pairs */
+  const lober_conjugate_pair* pairs; /* the pairs */
   /* Optional: the section of an autonomous flow of three dimensions, or of four with a Hamiltonian. */
   const lober_section* section;
   /* Optional, from version 3 on: the velocity of `count` points at a time, each with its own time t[k], in a loop that
@@ -103,29 +107,30 @@ typedef struct lober_flow {
   void (*velocity_batch)(const double* parameters, size_t count, const double* x, const double* t, double* dxdt);
 } lober_flow;
 
-#define LOBER_MAX_CORNERS 16
-#define LOBER_MAX_CONNECTIONS 64
+#define LOBER_MAX_CORNERS 16     /* corners of a closure at most */
+#define LOBER_MAX_CONNECTIONS 64 /* connections of a system at most */
 
 /* The manifolds that bound a region: U from the saddle near `from`, S from the one near `to`, each on the branch that
    leaves in the given direction. */
 typedef struct lober_connection {
-  double from[2], u_direction[2];
-  double to[2], s_direction[2];
-  int has_bip; /* whether `bip` is near a pip that is a good one to bound the region with */
-  double bip[2];
+  double from[2], u_direction[2]; /* near the saddle of U, and the direction in which U leaves it */
+  double to[2], s_direction[2];   /* near the saddle of S, and the direction in which S leaves it */
+  int has_bip;                    /* whether `bip` is near a pip that is a good one to bound the region with */
+  double bip[2];                  /* a point near that pip */
   /* Corners of the path from `to` back to `from` that the map keeps (walls, an axis) and that closes the boundary; none
      for a straight one, or where it closes itself. */
   size_t corner_count; /* 0 .. LOBER_MAX_CORNERS */
-  double corners[LOBER_MAX_CORNERS][2];
+  double corners[LOBER_MAX_CORNERS][2]; /* from `to` on */
 } lober_connection;
 
+/* The description of a system. */
 typedef struct lober_system {
-  unsigned abi; /* LOBER_SYSTEM_ABI */
-  lober_kind kind;
-  const char* name;
-  const char* summary; /* one line; all texts are UTF-8 */
-  size_t parameter_count;
-  const lober_parameter* parameters;
+  unsigned abi;                      /* LOBER_SYSTEM_ABI */
+  lober_kind kind;                   /* a map or a flow */
+  const char* name;                  /* name in messages */
+  const char* summary;               /* one line; all texts are UTF-8 */
+  size_t parameter_count;            /* number of parameters */
+  const lober_parameter* parameters; /* the parameters, in the order in which functions get their values */
   /* The box of the fixed points of interest: min x, min y, max x, max y in the plane of the map. */
   double window[4];
   /* The shift of the plane after which the map repeats itself; 0, 0 for none. */
@@ -135,6 +140,7 @@ typedef struct lober_system {
   /* From version 2 on. The number of connections whose boundaries bound regions, the first one region 1, up to
      LOBER_MAX_CONNECTIONS; 0 and NULL for none. `connection` fills in number `index`. */
   size_t connection_count;
+  /* Fills in connection `index`. */
   int (*connection)(const double* parameters, size_t index, lober_connection* connection);
   /* Not 0: region 1 is bounded by all of them together, such as the strip of a cylinder between two boundaries. */
   int all_bound_region_1;
@@ -148,8 +154,9 @@ typedef struct lober_system {
   double second_lattice[2];
 } lober_system;
 
-#define LOBER_EXPORT __attribute__((visibility("default")))
+#define LOBER_EXPORT __attribute__((visibility("default"))) /* a function that the library exports */
 
+/* The one function that the library exports: its description, valid as long as the library is loaded. */
 LOBER_EXPORT const lober_system* lober_system_describe(void);
 
 #ifdef __cplusplus

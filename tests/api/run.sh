@@ -81,7 +81,7 @@ done
 [ "$shown" -ge 4 ] || fail "comments show $shown commands"
 grep -q -- '--system' "$headers/lober_system.h" && fail "lober_system.h names --system, which most commands do not have"
 # A shell takes < and > for itself.
-bad=$(grep -nE -- '--bound [^" `|]*[<>]' "$root"/README.md "$root"/docs/*.md)
+bad=$(grep -nE -- '--bound [^" `|]*[<>]' "$root"/README.md "$root"/docs/*.md "$root"/docs/*/*.md)
 [ -z "$bad" ] || fail "limits without quotes:
 $bad"
 

@@ -80,7 +80,7 @@ TEST_F(Doctor, ReadsLimitsOfControlGroups) {
   const GroupLimits first = group_limits(folder() / "one", "4:memory:/job\n1:cpu:/\n0::/\n");
   EXPECT_EQ(first.memory, std::uint64_t{1} << 20);
   EXPECT_EQ(first.processors, std::nullopt);
-  const GroupLimits none = group_limits(folder() / "nowhere", "0::/a/b\nnonsense\n");
+  const GroupLimits none = group_limits(folder() / "nowhere", "0::/a/b\nnonsense\n5:cpu:odd\n");
   EXPECT_EQ(none.memory, std::nullopt);
 }
 

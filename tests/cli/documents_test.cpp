@@ -26,7 +26,7 @@ std::string content(const fs::path& path) {
 std::vector<fs::path> documents() {
   const fs::path root(LOBER_SOURCE_DIR);
   std::vector<fs::path> files{root / "README.md", root / "cli/batch/operations_list.cpp"};
-  for (const auto& entry : fs::directory_iterator(root / "docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
     if (entry.path().extension() == ".md") files.push_back(entry.path());
   }
   return files;

@@ -51,9 +51,9 @@ TEST_F(EscapeProgram, WritesCurvesThatGiveTheTable) {
   EXPECT_NEAR(fraction("entrance left f^2", "exit left f^-3"), 0.029905210198, 1e-4);
   EXPECT_EQ(fraction("entrance left", "exit right"), 0);
   EXPECT_NE(read("curves.dat").find("orbit left"), std::string::npos);
-  const Outcome refused = run({"escape", "capsize", "--curves", "curves.csv"});
+  const Outcome refused = run({"escape", "capsize", "--curves", "curves.npy"});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("--curves writes Tecplot zones"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--curves writes several curves"), std::string::npos) << refused.err;
 }
 
 // Every vertex lies on the surface of the energy, at least on the side of the tube where its ring on the section is.

@@ -61,8 +61,8 @@ TEST_F(Generate, ManualPagesHaveAllSections) {
     EXPECT_TRUE(generate({"man", command}).starts_with(".TH LOBER-")) << command;
   }
   const std::string overlay = generate({"man", "overlay"});
-  for (const char* const words : {".B \\-\\-json FILE\n", ".SS \"Pictures\"\n", "auto, tree, grid or kd.",
-                                  ".B lober overlay\n", "lober(1)"}) {
+  for (const char* const words :
+       {".B \\-\\-json FILE\n", ".SS \"Pictures\"\n", "auto, tree, grid or kd.", ".B lober overlay\n", "lober(1)"}) {
     EXPECT_NE(overlay.find(words), std::string::npos) << words << "\n" << overlay;
   }
   EXPECT_NE(generate({"man", "grow"}).find("Built-in systems: abc, capsize"), std::string::npos);

@@ -1,8 +1,11 @@
 // The help of each command, and --version.
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
+#include "cli/program/commands.hpp"
+#include "cli/program/wrapped_text.hpp"
 #include "lober/base/version.hpp"
 #include "tests/cli/program.hpp"
 
@@ -65,7 +68,7 @@ TEST_F(Help, BeginsWithTheTaskAndExamplesAndEndsWithTheReference) {
     std::string anchor = name;
     std::replace(anchor.begin(), anchor.end(), ' ', '-');
     EXPECT_EQ(lines_of(help).back(),
-              "Reference: share/doc/lober/html/reference.html#" + anchor + " (docs/reference.md in the sources)");
+              "Reference: share/doc/lober/html/reference.html#" + anchor + " or docs/reference.md");
     EXPECT_NE(help.find("\nRunning:\n"), std::string::npos);
     EXPECT_NE(help.find("  -h, --help "), std::string::npos);
   }
@@ -167,6 +170,40 @@ TEST_F(Help, VersionIsTheSameEverywhere) {
     EXPECT_NE(verbose.out.find(word), std::string::npos) << verbose.out;
   }
   EXPECT_EQ(run({"--version", "--bogus"}).status, 2);
+}
+
+TEST(WrappedText, BreaksBetweenWords) {
+  EXPECT_EQ(wrapped("", 10), "");
+  EXPECT_EQ(wrapped("one two three", 9), "one two\nthree");
+  EXPECT_EQ(wrapped("one two three", 13), "one two three");
+  EXPECT_EQ(wrapped("one  two three", 9, 2), "one two\n  three");
+  EXPECT_EQ(wrapped("one two", 9, 4, 4), "one\n    two");
+  EXPECT_EQ(wrapped("a longer-than-the-line b", 8), "a\nlonger-than-the-line\nb");
+  EXPECT_EQ(list_entry("-o FILE", "output", 12, 40), "  -o FILE   output\n");
+  EXPECT_EQ(list_entry("--output FILE", "output", 12, 40), "  --output FILE\n            output\n");
+}
+
+// The source of help, manual pages and completions.
+TEST(Descriptions, AreComplete) {
+  std::size_t forms = 0;
+  for (const Command& command : all_commands()) {
+    EXPECT_FALSE(command.title.empty()) << command.name;
+    for (const CommandDescription& form : forms_of(command)) {
+      ++forms;
+      std::set<std::string> names;
+      for (const OptionDescription& option : form.options) {
+        SCOPED_TRACE(form.name + ": " + option.label());
+        EXPECT_TRUE(option.meaning.ends_with(".") || option.meaning.ends_with(")")) << option.meaning;
+        EXPECT_FALSE(option.position.empty() && option.names.empty());
+        EXPECT_EQ(option.kind == ValueKind::choice, !option.choices.empty());
+        EXPECT_EQ(option.kind == ValueKind::none, option.value.empty());
+        EXPECT_NE(option.value, "TEXT");  // a name that says nothing
+        for (const std::string& name : option.names) EXPECT_TRUE(names.insert(name).second) << name;
+      }
+      EXPECT_TRUE(names.contains("--help"));
+    }
+  }
+  EXPECT_GE(forms, 30U);
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ TEST_F(ImageProgram, WritesASingleImageInAnyFormat) {
   }
   const Outcome two = run({"image", "standard", "--circle", "2,0.5,0.01", "--iterates", "1:2", "-o", "two.npy"});
   EXPECT_EQ(two.status, 2);
-  EXPECT_NE(two.err.find("several curves need a Tecplot file"), std::string::npos) << two.err;
+  EXPECT_NE(two.err.find("several curves need a format that holds several"), std::string::npos) << two.err;
 }
 
 }  // namespace

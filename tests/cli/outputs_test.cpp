@@ -108,11 +108,12 @@ TEST_F(Outputs, HaveTheEndingsOfTheirFormats) {
   };
   const Arguments overlay{"overlay", "a.dat", "b.dat"}, tangle{"tangle", "u.dat", "s.dat"};
   refused(overlay, "--svg", "x.png", ".svg");
-  refused(overlay, "--lobes", "x.geojson", ".dat");
+  refused(overlay, "--lobes", "x.npy", ".geojson");
+  refused(overlay, "--lobes", "x.mat", ".npz");
   refused(overlay, "--crossings", "x.npy", ".csv");
   refused(overlay, "--json", "x.svg", ".json");
   refused({"interior", "a.dat", "b.dat"}, "--json", "x.toml", ".json");
-  refused(tangle, "--pips", "x.csv", ".dat");
+  refused(tangle, "--pips", "x.h5", ".csv");
   refused(tangle, "--boundary", "x.PNG", ".dat");
   refused(tangle, "--graph", "x.dot", ".json");
   refused({"tangle", "--system", "henon"}, "--lobes", "x.shp", ".dat");

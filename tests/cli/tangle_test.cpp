@@ -194,7 +194,12 @@ TEST_F(TangleProgram, SaysThatThereIsNoCrossing) {
       run({"tangle", "u", "apart", "--lobes", "l", "--boundary", "b", "--pips", "p", "--svg", "v", "--graph", "g"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("0 pips, 0 lobes"), std::string::npos) << outcome.out;
-  for (const char* file : {"l", "b", "p"}) EXPECT_EQ(read(file), "VARIABLES=\"x\"\"y\"\n");
+  for (const char* file : {"l", "b", "p"}) {
+    const std::string text = read(file);
+    EXPECT_TRUE(text.starts_with("# lober: ")) << text;
+    EXPECT_NE(text.find("\n# input 2: apart sha256 "), std::string::npos) << text;
+    EXPECT_TRUE(text.ends_with("\nVARIABLES=\"x\"\"y\"\n")) << text;
+  }
   EXPECT_EQ(Json::parse(read("g"))["nodes"], Json::array());
   expect_failure({"tangle", "u", "apart", "--bip", "0"}, 2, "do not cross");
 }

@@ -1,4 +1,4 @@
-// The ten lines of the README, compiled against the installed package.
+// The ten lines of docs/how-to/cpp.md, compiled against the installed package.
 #include <cmath>
 #include <cstdio>
 #include <lober/overlay.hpp>

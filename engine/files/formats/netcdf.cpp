@@ -74,8 +74,7 @@ class NetCdfFile final : public ArrayFile {
   [[nodiscard]] Buffer<double> numbers(std::size_t index) override {
     const Variable& variable = variables_[places_[index]];
     const std::size_t size = arrays_[index].size();
-    Buffer<double> numbers(size);
-    if (size == 0) return numbers;
+    if (size == 0) return {};
     // A variable without records is one that is in a single piece.
     const std::size_t pieces = variable.has_records ? records_ : 1, in_piece = size / pieces;
     const std::size_t step = variable.has_records ? record_size_ : 0, length = in_piece * variable.type.size;
@@ -83,6 +82,7 @@ class NetCdfFile final : public ArrayFile {
         (pieces > 1 && step > (bytes_.size() - variable.begin - length) / (pieces - 1))) {
       fail("ends in the numbers of " + arrays_[index].name);
     }
+    Buffer<double> numbers(size);
     for (std::size_t piece = 0; piece < pieces; ++piece) {
       const std::byte* const from = bytes_.data() + variable.begin + piece * step;
       for (std::size_t k = 0; k < in_piece; ++k) {

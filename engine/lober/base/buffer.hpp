@@ -21,6 +21,7 @@ namespace lober {
 /// their pages back whenever it is short of memory (MADV_FREE). Each thread keeps the last few blocks of up to 8 KiB.
 /// Under AddressSanitizer and ThreadSanitizer nothing is kept and all memory comes from the instrumented allocator.
 [[nodiscard]] LOBER_API void* allocate_bulk(std::size_t bytes);
+/// Gives back memory of allocate_bulk.
 LOBER_API void free_bulk(void* memory, std::size_t bytes) noexcept;
 
 /// Gives all memory that is only kept for the next array back to the system: for a program that goes on after its work
@@ -32,18 +33,22 @@ LOBER_API void release_bulk_memory() noexcept;
 template <typename T>
 inline constexpr bool left_unfilled = std::is_same_v<T, Point>;
 
+/// An allocator for large arrays, which keeps blocks for the next one and leaves points uninitialised.
 template <typename T>
 class BulkAllocator {
  public:
-  using value_type = T;
+  using value_type = T;  ///< the elements
   BulkAllocator() = default;
+  /// An allocator for other elements: all of them are alike.
   template <typename U>
   BulkAllocator(const BulkAllocator<U>&) {}  // NOLINT(google-explicit-constructor)
 
+  /// Uninitialised memory for `count` elements. Throws std::bad_alloc.
   T* allocate(std::size_t count) {
     if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
     return static_cast<T*>(allocate_bulk(count * sizeof(T)));
   }
+  /// Gives back memory of `allocate`.
   void deallocate(T* memory, std::size_t count) { free_bulk(memory, count * sizeof(T)); }
 
   /// Leaves plain values uninitialised.
@@ -57,10 +62,12 @@ class BulkAllocator {
       ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
     }
   }
+  /// All allocators are alike.
   friend bool operator==(const BulkAllocator&, const BulkAllocator&) { return true; }
 };
 
 template <typename T>
+/// An array of numbers or points that stays uninitialised until it is written.
 using Buffer = std::vector<T, BulkAllocator<T>>;
 
 }  // namespace lober

@@ -28,16 +28,20 @@ namespace lober {
 /// which they began.
 class CancellationScope {
  public:
+  /// The work of this thread is cancelled when the flag is set.
   LOBER_API explicit CancellationScope(const std::atomic<bool>& flag) noexcept;
   /// Within it nothing is cancelled: for storing the results from before a cancellation.
   struct Shield {};
+  /// Begins a scope in which nothing is cancelled.
   LOBER_API explicit CancellationScope(Shield) noexcept;
+  /// Ends the scope.
   LOBER_API ~CancellationScope();
   CancellationScope(const CancellationScope&) = delete;
   CancellationScope& operator=(const CancellationScope&) = delete;
 
   /// The innermost scope of this thread; null if there is none.
   [[nodiscard]] LOBER_API static const CancellationScope* current() noexcept;
+  /// Whether the flag of this scope, or of one around it, is set.
   [[nodiscard]] LOBER_API bool cancelled() const noexcept;
 
  private:

@@ -36,8 +36,10 @@ class LOBER_API DataError : public Error {
   using Error::Error;
 };
 
+/// The work was cancelled, by a function for progress or by a CancellationScope.
 class LOBER_API Cancelled : public Error {
  public:
+  /// The message is "cancelled".
   Cancelled() : Error("cancelled") {}
 };
 
@@ -45,11 +47,12 @@ class LOBER_API Cancelled : public Error {
 /// the two segments (segment k joins vertex k to vertex k + 1) meet at `at`, rounded to double.
 class LOBER_API NotSimpleError : public DataError {
  public:
+  /// The error of curve `curve_number` (1 or 2), whose segments `first` and `second` meet at `point`.
   NotSimpleError(int curve_number, std::uint32_t first, std::uint32_t second, Point point);
-  int curve;
-  std::uint32_t segment1;
-  std::uint32_t segment2;
-  Point at;
+  int curve;               ///< number of the curve, from 1
+  std::uint32_t segment1;  ///< number of the first segment
+  std::uint32_t segment2;  ///< number of the second segment
+  Point at;                ///< the point where they meet, rounded
 };
 
 }  // namespace lober

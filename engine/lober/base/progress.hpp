@@ -19,6 +19,7 @@ namespace lober {
 class Progress {
  public:
   Progress() = default;
+  /// Takes a function of a fraction, of a line, or of both, that returns whether to go on.
   template <typename Function>
   requires(!std::same_as<std::remove_cvref_t<Function>, Progress> &&
            (std::predicate<Function&, double, const std::string&> || std::predicate<Function&, double> ||
@@ -42,6 +43,7 @@ class Progress {
   bool operator()(double fraction, const std::string& line = {}) const {
     return !function_ || function_(fraction, line);
   }
+  /// Whether to go on: a line without a fraction.
   bool operator()(const std::string& line) const { return (*this)(std::numeric_limits<double>::quiet_NaN(), line); }
 
  private:

@@ -7,8 +7,11 @@
 
 #include "lober/base/export.hpp"
 
+/// Major version of the headers.
 #define LOBER_VERSION_MAJOR 0
+/// Minor version of the headers.
 #define LOBER_VERSION_MINOR 2
+/// Patch version of the headers.
 #define LOBER_VERSION_PATCH 0
 
 namespace lober {

@@ -26,16 +26,17 @@ namespace lober {
 
 /// One straight piece of a curve, from a to b.
 struct Segment {
-  Point a, b;
+  Point a, b;  ///< its ends
 };
 
 /// A curve of either kind that somebody else owns, for functions that take both. Cheap to copy; valid as long as the
 /// points are. Types that own points convert to it, but not as temporaries, whose points would soon be gone: give the
 /// curve a name.
 struct CurveView {
-  std::span<const Point> points;
-  bool closed = true;
+  std::span<const Point> points;  ///< the vertices, which somebody else owns
+  bool closed = true;             ///< whether the last vertex is joined to the first
 
+  /// Number of segments.
   [[nodiscard]] std::size_t segments() const {
     return closed ? points.size() : (points.empty() ? 0 : points.size() - 1);
   }
@@ -88,6 +89,7 @@ class ClosedCurve : public detail::CurvePoints {
   /// Takes the points of a vector or the like: moved from an rvalue, else copied.
   template <detail::PointContainer Container>
   explicit ClosedCurve(Container&& points) : ClosedCurve(kept(std::forward<Container>(points))) {}
+  /// A copy of the points.
   ClosedCurve(std::initializer_list<Point> points) : ClosedCurve(std::vector<Point>(points)) {}
   /// Shares points that `owner` keeps alive.
   ClosedCurve(std::shared_ptr<const void> owner, std::span<const Point> points) noexcept
@@ -95,6 +97,7 @@ class ClosedCurve : public detail::CurvePoints {
   /// Points that the caller keeps alive and unchanged for as long as the curve and all results made of it live.
   [[nodiscard]] static ClosedCurve borrow(std::span<const Point> points) noexcept { return {nullptr, points}; }
 
+  /// The curve as functions take it that accept both kinds.
   operator CurveView() const& noexcept { return {points(), true}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                             // NOLINT(google-explicit-constructor)
 
@@ -107,13 +110,18 @@ class ClosedCurve : public detail::CurvePoints {
 class OpenCurve : public detail::CurvePoints {
  public:
   OpenCurve() = default;
+  /// Takes the points of a vector or the like: moved from an rvalue, else copied.
   template <detail::PointContainer Container>
   explicit OpenCurve(Container&& points) : OpenCurve(kept(std::forward<Container>(points))) {}
+  /// A copy of the points.
   OpenCurve(std::initializer_list<Point> points) : OpenCurve(std::vector<Point>(points)) {}
+  /// Shares points that `owner` keeps alive.
   OpenCurve(std::shared_ptr<const void> owner, std::span<const Point> points) noexcept
       : CurvePoints(std::move(owner), points) {}
+  /// Points that the caller keeps alive and unchanged for as long as the curve and all results made of it live.
   [[nodiscard]] static OpenCurve borrow(std::span<const Point> points) noexcept { return {nullptr, points}; }
 
+  /// The curve as functions take it that accept both kinds.
   operator CurveView() const& noexcept { return {points(), false}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                              // NOLINT(google-explicit-constructor)
 
@@ -124,16 +132,19 @@ class OpenCurve : public detail::CurvePoints {
 
 /// A curve from a file, before its kind is known. `name` is the zone title or the file it came from.
 struct Curve {
-  std::vector<Point> points;
-  bool closed = true;
-  std::string name;
+  std::vector<Point> points;             ///< the vertices
+  bool closed = true;                    ///< whether the last vertex is joined to the first
+  std::string name;                      ///< title of the zone, or the file
   std::optional<bool> latitude_first{};  ///< set where a file names its columns as latitude and longitude
 
+  /// The curve as functions take it that accept both kinds.
   operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)
 };
 
+/// The sense in which a closed curve runs; degenerate: it has no area.
 enum class Orientation : std::int8_t { clockwise = -1, degenerate = 0, counter_clockwise = 1 };
+/// The name of an orientation, as in the JSON.
 [[nodiscard]] constexpr std::string_view name(Orientation orientation) {
   return orientation == Orientation::counter_clockwise ? "counter_clockwise"
          : orientation == Orientation::clockwise       ? "clockwise"

@@ -22,12 +22,14 @@
 
 namespace lober {
 
+/// The curve on which points are inserted.
 enum class Interpolation : std::uint8_t {
   linear,     ///< on the chords: the curve stays the same set of points, to rounding
   dritschel,  ///< Dritschel's local cubic (1988), kernels/interpolation.hpp: order 3 to 4, looks at four vertices; its
               ///< tangents at a vertex agree to third order only, which leaves corners on coarse curves
   spline,     ///< the cubic spline over chord length: periodic, or not-a-knot at the ends of an open curve: order 4
 };
+/// All kinds of interpolation.
 inline constexpr std::array<Interpolation, 3> all_interpolations{Interpolation::linear, Interpolation::dritschel,
                                                                  Interpolation::spline};
 [[nodiscard]] LOBER_API std::string_view name(Interpolation interpolation);  ///< as on the command line
@@ -37,6 +39,7 @@ inline constexpr std::array<Interpolation, 3> all_interpolations{Interpolation::
 /// Comput. Phys. 104, 1993) as Mancho, Small, Wiggins and Ide use them for manifolds (Physica D 182, 2003, 188-222):
 /// the angle alpha is that between successive segments, d the length of a segment. All that are set have to hold.
 struct Criteria {
+  /// The bound of a criterion that is switched off.
   static constexpr double off = std::numeric_limits<double>::infinity();
   double max_length = off;      ///< tau: d <= tau
   double angle = off;           ///< alpha <= this bound at every vertex
@@ -58,32 +61,37 @@ enum class DiagnosticCause : std::uint8_t {
   max_rounds,  ///< still not met after the last round
 };
 inline constexpr std::array<DiagnosticCause, 4> all_diagnostic_causes{
+    ///< all causes
     DiagnosticCause::min_length, DiagnosticCause::corner, DiagnosticCause::max_points, DiagnosticCause::max_rounds};
+/// The name of the cause.
 [[nodiscard]] LOBER_API std::string_view name(DiagnosticCause cause);
 
 /// Segments first, ..., first + count - 1 of the result: at least one of them breaks a criterion.
 struct Diagnostic {
-  std::uint32_t first;
-  std::uint32_t count;
-  DiagnosticCause cause;
+  std::uint32_t first;    ///< number of the first segment
+  std::uint32_t count;    ///< number of segments
+  DiagnosticCause cause;  ///< why the criterion is not met
+  /// Whether all members are equal.
   friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
 /// A curve of many points, with the criteria that could not be met.
 struct DensifiedCurve {
-  Buffer<Point> points;
-  bool closed = true;
+  Buffer<Point> points;                 ///< the vertices
+  bool closed = true;                   ///< whether the last vertex is joined to the first
   std::vector<Diagnostic> diagnostics;  ///< in order along the curve
   std::uint32_t rounds = 0;             ///< number of rounds in which points were inserted or removed
 
+  /// The curve as functions take it that accept both kinds.
   operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)
 };
 
+/// Options of densify.
 struct DensifyOptions {
-  Interpolation interpolation = Interpolation::linear;
+  Interpolation interpolation = Interpolation::linear;  ///< the curve on which points are inserted
   std::size_t max_points = 100'000'000;  ///< points of the result at most; the last round is trimmed evenly to fit
-  std::uint32_t max_rounds = 32;
+  std::uint32_t max_rounds = 32;         ///< number of rounds at most
 };
 
 /// Cuts every segment into equal parts (of its parameter) until the criteria hold: as few as needed, up to a factor
@@ -96,11 +104,12 @@ struct DensifyOptions {
 
 // ------------------------------------------------------------------------------------- near another curve
 
+/// Options of densify_near.
 struct NearOptions {
-  int passes = 1;
-  int points = 10;  ///< inserted into a segment in each pass
-  Interpolation interpolation = Interpolation::linear;
-  std::size_t max_points = 100'000'000;  ///< points of the result at most; DataError beyond
+  int passes = 1;                                       ///< number of passes
+  int points = 10;                                      ///< inserted into a segment in each pass
+  Interpolation interpolation = Interpolation::linear;  ///< the curve on which points are inserted
+  std::size_t max_points = 100'000'000;                 ///< points of the result at most; DataError beyond
 };
 
 /// Passes near the intersections with another curve (Naik, Lekien & Ross 2017, section 4; -DENS of Lober 1.8): each
@@ -127,6 +136,7 @@ LOBER_API void parameters_near(std::span<const double> meetings, int passes, int
 
 // ------------------------------------------------------------------------------------------- fewer points
 
+/// Options of simplify.
 struct SimplifyOptions {
   double tolerance = 0;               ///< how far a removed vertex may lie from the curve that remains
   double max_length = Criteria::off;  ///< no new segment is longer than this

@@ -30,6 +30,7 @@ namespace lober {
 /// Which square cells of a frame from (0, 0) on have been drawn on, so that lines on top of each other are drawn once.
 class Coverage {
  public:
+  /// A frame of this size with square cells of side `cell`.
   LOBER_API Coverage(double width, double height, double cell);
 
   /// Marks the cells on the segment and returns whether any of them is new. Takes steps of a cell's size, at most one a
@@ -56,8 +57,8 @@ class LabelLayout {
 
   /// The result of roomiest.
   struct FreePlace {
-    Point at;
-    double distance = 0;
+    Point at;             ///< centre of the cell
+    double distance = 0;  ///< distance to what it avoids
   };
   /// Inside a closed polygon (even-odd rule): the centre of the cell farthest from lines, labels, frame and the
   /// polygon's outside, distances across counted `flat` times, and that distance; none where no centre of a cell lies
@@ -89,6 +90,7 @@ struct LobeRaster {
   Rectangle window;                         ///< fits the lobes, or the manifolds if there are none
   std::vector<int> lobes;                   ///< row by row from below, each from the left
 
+  /// The centre of a cell.
   [[nodiscard]] LOBER_API Point centre(std::size_t column, std::size_t row) const;
 };
 

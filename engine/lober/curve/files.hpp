@@ -15,6 +15,7 @@
 
 namespace lober {
 
+/// Format of a file.
 enum class Format : std::uint8_t {
   tecplot,    ///< Tecplot ASCII: VARIABLES, TITLE, ZONE lines, then one point a line
   text,       ///< a table: columns separated by commas, semicolons, blanks or tabs; a header line is allowed
@@ -30,27 +31,30 @@ enum class Format : std::uint8_t {
   vtk,        ///< VTK polydata in XML; written, not read
   csv,        ///< a table of text with commas between its columns, as it is written; read as `text`
 };
+/// The name of the format.
 [[nodiscard]] LOBER_API std::string_view name(Format format);
 
 /// One curve of a file: a zone of Tecplot's, a curve of a table, a ring of a polygon. NPY and raw float64 have exactly
 /// one.
 struct Zone {
-  std::string title;
-  std::vector<Point> points;
-  std::size_t line = 1;  ///< where it starts in a table or a Tecplot file, counted from 1
-  bool hole = false;     ///< a hole in the last zone before it that is none
+  std::string title;          ///< title of the curve; empty where the file has none
+  std::vector<Point> points;  ///< in the order of the file
+  std::size_t line = 1;       ///< where it starts in a table or a Tecplot file, counted from 1
+  bool hole = false;          ///< a hole in the last zone before it that is none
   /// Numbers that belong to it, such as {"area", 0.5}: into formats that have room for them. Not read.
   std::vector<std::pair<std::string, double>> numbers = {};
 };
 
+/// The zones of a file.
 struct CurveFile {
-  std::string path;
-  Format format = Format::text;
-  std::string sha256;  ///< hash of the whole file, lower-case hexadecimal
-  std::vector<Zone> zones;
+  std::string path;              ///< the path as it was given
+  Format format = Format::text;  ///< format of the content
+  std::string sha256;            ///< hash of the whole file, lower-case hexadecimal
+  std::vector<Zone> zones;       ///< in the order of the file
   std::string header;  ///< names of columns, as the first line of a text file or the variables of a Tecplot file
 };
 
+/// Options of reading.
 struct ReadOptions {
   bool hash = true;  ///< compute `sha256`; reading is faster without
   /// Columns of a table: two names of its header, or numbers counted from 1, and perhaps the column that says which
@@ -79,10 +83,10 @@ struct ReadOptions {
 /// `FILE:COLUMNS`, as ReadOptions::columns, in place of FILE. (A file whose name really contains '#' or ':' is found
 /// first.) Closed curves lose a last vertex that repeats the first.
 struct NamedCurve {
-  Curve curve;
-  std::string file;    ///< the path without the zone
-  std::string sha256;  ///< hash of the whole file
-  std::size_t zone = 0;
+  Curve curve;            ///< the curve
+  std::string file;       ///< the path without the zone
+  std::string sha256;     ///< hash of the whole file
+  std::size_t zone = 0;   ///< number of its zone, from 0
   std::size_t zones = 1;  ///< number of zones of the file
   /// Says how a curve was closed, or that it consists of longitudes and latitudes; nearly always empty.
   std::string remark;
@@ -111,10 +115,14 @@ LOBER_API void require_same_columns(const Curve& first, const Curve& second);
 ///
 /// A single zone without a title needs no ZONE line in a Tecplot file.
 enum class ZoneLines : std::uint8_t { where_needed, always };
+/// Writes zones as Tecplot ASCII.
 LOBER_API void write_tecplot(const std::string& path, std::span<const Zone> zones,
                              ZoneLines lines = ZoneLines::where_needed);
+/// Writes a line for each point.
 LOBER_API void write_text(const std::string& path, std::span<const Point> points, char separator = ' ');
+/// Writes an array of N x 2 float64.
 LOBER_API void write_npy(const std::string& path, std::span<const Point> points);
+/// Writes native float64 pairs.
 LOBER_API void write_raw(const std::string& path, std::span<const Point> points);
 /// Several curves, in these and other formats: write_curves (lober/curve/formats.hpp).
 

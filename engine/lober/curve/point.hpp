@@ -10,18 +10,19 @@ namespace lober {
 /// A point of the plane in the user's units. Layout is two packed doubles, so an array of points is an
 /// N x 2 row-major matrix and can be mapped as one.
 struct LOBER_API Point {
-  double x = 0;
-  double y = 0;
+  double x = 0;  ///< the first coordinate
+  double y = 0;  ///< the second coordinate
+  /// Whether both coordinates are equal.
   friend constexpr bool operator==(const Point&, const Point&) = default;
 };
 static_assert(sizeof(Point) == 2 * sizeof(double));
 
 /// A closed rectangle with sides along the axes; empty unless it is given bounds.
 struct Rectangle {
-  double min_x = std::numeric_limits<double>::infinity();
-  double min_y = std::numeric_limits<double>::infinity();
-  double max_x = -std::numeric_limits<double>::infinity();
-  double max_y = -std::numeric_limits<double>::infinity();
+  double min_x = std::numeric_limits<double>::infinity();   ///< the left side
+  double min_y = std::numeric_limits<double>::infinity();   ///< the lower side
+  double max_x = -std::numeric_limits<double>::infinity();  ///< the right side
+  double max_y = -std::numeric_limits<double>::infinity();  ///< the upper side
   /// The rectangle with corners a and b.
   [[nodiscard]] static constexpr Rectangle of(Point a, Point b) {
     return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.x < b.x ? b.x : a.x, a.y < b.y ? b.y : a.y};
@@ -33,9 +34,13 @@ struct Rectangle {
     if (point.x > max_x) max_x = point.x;
     if (point.y > max_y) max_y = point.y;
   }
+  /// Whether no point is in it.
   [[nodiscard]] constexpr bool empty() const { return !(min_x <= max_x && min_y <= max_y); }
+  /// The extent along x.
   [[nodiscard]] constexpr double width() const { return max_x - min_x; }
+  /// The extent along y.
   [[nodiscard]] constexpr double height() const { return max_y - min_y; }
+  /// Whether all four sides are equal.
   friend constexpr bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 

@@ -19,14 +19,15 @@ namespace lober {
 /// The point F^(k local.steps)(P(parameter)) of a manifold, k >= 0 the number of `images`; twice that many steps on a
 /// manifold whose multiplier is negative.
 struct ManifoldPosition {
-  int images = 0;
-  double parameter = 0;
+  int images = 0;        ///< number of images k
+  double parameter = 0;  ///< parameter on the local manifold
 };
 
 /// A point of a manifold and the direction in which it moves with the parameter.
 struct MovingPoint {
-  Point at, velocity;
+  Point at, velocity;  ///< the point, and its derivative by the parameter
 };
+/// The point at a position of a manifold, and its velocity.
 [[nodiscard]] LOBER_API MovingPoint point_on(const PlanarMap& map, const LocalManifold& local,
                                              ManifoldPosition position);
 
@@ -38,6 +39,7 @@ struct MovingPoint {
 [[nodiscard]] LOBER_API ManifoldPosition position_on(const GrownManifold& grown, const LocalManifold& local,
                                                      Position position);
 
+/// The orbit through a point that both manifolds have in common.
 struct ConnectingOrbit {
   Point at;               ///< the point of the orbit nearest to the guess
   ManifoldPosition u, s;  ///< positions of that point on both manifolds

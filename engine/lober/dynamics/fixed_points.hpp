@@ -26,10 +26,12 @@ enum class FixedPointKind {
   attracting,        ///< both moduli < 1
   repelling          ///< both moduli > 1
 };
+/// The name of the type.
 [[nodiscard]] LOBER_API std::string_view name(FixedPointKind kind);
 
+/// A fixed or periodic point of a map.
 struct FixedPoint {
-  Point at;
+  Point at;  ///< the point
   /// The least n with f^n(at) = at + (the shift asked for).
   int period = 1;
   /// Derivative of f^period.
@@ -39,15 +41,16 @@ struct FixedPoint {
   std::array<std::complex<double>, 2> multipliers;
   /// Unit vectors to x > 0 (to y > 0 when upright), in the order of the multipliers; (0, 0) when those are complex.
   std::array<Point, 2> directions;
-  FixedPointKind kind = FixedPointKind::parabolic;
+  FixedPointKind kind = FixedPointKind::parabolic;  ///< type, by the derivative
   /// |f^period(at) - at - shift|.
   double residual = 0;
 };
 
+/// Options of a search for fixed points.
 struct FixedPointOptions {
   /// The points searched for satisfy f^period(z) = z + shift.
   int period = 1;
-  Point shift{};
+  Point shift{};  ///< shift that the map adds, such as a multiple of 2 pi
   /// Errors are judged, and steps limited, relative to the smaller of this and 1 + |z|. In searches of a box it is the
   /// extent of the box.
   double extent = std::numeric_limits<double>::infinity();
@@ -79,6 +82,7 @@ struct FixedPointOptions {
 /// is 0 to rounding. `period` has to be a multiple of the point's.
 [[nodiscard]] LOBER_API int index_of(const FixedPoint& point, int period);
 
+/// The result of search_fixed_points.
 struct FixedPointSearch {
   std::vector<FixedPoint> points;  ///< as find_fixed_points gives them; may be empty
   int grid = 0;                    ///< grid of the last scan

@@ -17,7 +17,7 @@
 
 namespace lober {
 
-inline constexpr int max_flow_dimension = 6;
+inline constexpr int max_flow_dimension = 6;  ///< coordinates of a flow at most
 
 /// Coordinates of a point of phase space; the first dimension() of them count, the others are 0.
 using FlowState = std::array<double, max_flow_dimension>;
@@ -27,9 +27,9 @@ using FlowMatrix = std::array<FlowState, max_flow_dimension>;
 /// Two coordinates such that state[q] and factor * state[p] are conjugate: the Hamiltonian H obeys
 /// factor dq/dt = dH/d(state[p]) and factor d(state[p])/dt = -dH/dq.
 struct ConjugatePair {
-  int q = 0;
-  int p = 1;
-  double factor = 1;
+  int q = 0;          ///< number of the position
+  int p = 1;          ///< number of the momentum
+  double factor = 1;  ///< factor of the momentum
 };
 
 /// How trajectories are integrated.
@@ -56,20 +56,20 @@ struct IntegrationOptions {
 
 /// A section state[coordinate] = value, crossed in one direction, and two coordinates on it.
 struct Section {
-  int coordinate = 0;
-  double value = 0;
+  int coordinate = 0;  ///< number of the coordinate that is constant
+  double value = 0;    ///< its value
   /// Sign of d(state[coordinate])/dt at the crossings that count; 0: either (in Flow::to_section only).
   int direction = 1;
   /// The planar map is in these coordinates.
   int chart_x = 1;
-  int chart_y = 2;
+  int chart_y = 2;  ///< number of the second coordinate of the map
   /// The coordinate that follows from the energy and the direction of the crossing: the momentum or velocity conjugate
   /// to `coordinate`. The Hamiltonian must be quadratic in it. -1: none (flows of three dimensions).
   int solved = -1;
   /// Only crossings with bound_side * (state[bound_coordinate] - bound) > 0 count; bound_side 0: all.
   int bound_coordinate = 0;
-  double bound = 0;
-  int bound_side = 0;
+  double bound = 0;    ///< the bound
+  int bound_side = 0;  ///< side of the bound that counts
   /// Period of an angle: state[coordinate] = value + k * period is the same section for every whole number k. The flow
   /// must not change when the coordinate is shifted by it. 0: the coordinate is not an angle.
   double period = 0;
@@ -83,9 +83,11 @@ class LOBER_API Flow {
   Flow& operator=(const Flow&) = delete;
   virtual ~Flow() = default;
 
+  /// Number of coordinates.
   [[nodiscard]] virtual int dimension() const = 0;
   /// Period in time; 0 for autonomous flows.
   [[nodiscard]] virtual double period() const = 0;
+  /// The velocity at a state and a time.
   [[nodiscard]] virtual FlowState velocity(const FlowState& state, double time) const = 0;
   /// d(velocity)/d(state).
   [[nodiscard]] virtual FlowMatrix jacobian(const FlowState& state, double time) const = 0;

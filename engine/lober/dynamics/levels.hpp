@@ -31,14 +31,15 @@ using PlaneFunction = std::function<double(Point)>;
 /// An equilibrium of the flow as it is at a time, with its energy; in four dimensions a state of rest, `at` its
 /// position.
 struct Equilibrium {
-  Point at;
-  double energy = 0;
+  Point at;             ///< the position
+  double energy = 0;    ///< energy there
   bool saddle = false;  ///< in a planar flow: eigenvalues of opposite sign; in four dimensions: rank 1 or more
 };
 /// The equilibrium that Newton's method finds from `guess`. Throws DataError when none is found, UsageError as
 /// energy_of.
 [[nodiscard]] LOBER_API Equilibrium equilibrium_near(const Flow& flow, const FlowState& guess, double time);
 
+/// A curve on which the function has one value.
 struct LevelCurve {
   std::vector<Point> points;  ///< the function is larger on their left; closed curves without the first point again
   bool closed = false;        ///< else it ends at the border of the window or of the domain of the function
@@ -50,10 +51,15 @@ class LevelGrid {
   /// Throws UsageError for a window without area or a grid without cells. O(nodes), parallel.
   LOBER_API LevelGrid(PlaneFunction function, const Rectangle& window, std::size_t columns, std::size_t rows);
 
+  /// The box of the grid.
   [[nodiscard]] const Rectangle& window() const { return window_; }
+  /// Number of cells along x.
   [[nodiscard]] std::size_t columns() const { return columns_; }
+  /// Number of cells along y.
   [[nodiscard]] std::size_t rows() const { return rows_; }
+  /// The position of a node, columns and rows counted from 0.
   [[nodiscard]] LOBER_API Point node(std::size_t column, std::size_t row) const;
+  /// The value at a node; NaN where the function has none.
   [[nodiscard]] double value(std::size_t column, std::size_t row) const {
     return values_[row * (columns_ + 1) + column];
   }

@@ -20,18 +20,22 @@
 
 namespace lober {
 
+/// The manifold of a saddle on which orbits leave it, or that on which they approach it.
 enum class ManifoldSide : std::int8_t {
   stable = -1,   ///< contracted by F; treated as unstable under its inverse
   unstable = 1,  ///< expanded by F
 };
 
+/// Both manifolds.
 inline constexpr std::array<ManifoldSide, 2> all_manifold_sides{ManifoldSide::unstable, ManifoldSide::stable};
+/// The name of the side.
 [[nodiscard]] constexpr std::string_view name(ManifoldSide side) {
   return side == ManifoldSide::unstable ? "unstable" : "stable";
 }
 
 struct LocalManifold;
 
+/// Options of local_manifold.
 struct LocalManifoldOptions {
   int period = 1;            ///< the saddle is fixed by F^period, which takes the place of F below
   int degree = 40;           ///< degree of the polynomial
@@ -45,9 +49,9 @@ struct LocalManifoldOptions {
 /// s in [-reach, reach] gives both branches; s is arc length from the saddle to first order. The branch s > 0 leaves
 /// the saddle towards larger x (towards larger y, if its tangent is vertical).
 struct LocalManifold {
-  Point saddle;
-  Point tangent;  ///< unit vector
-  ManifoldSide side = ManifoldSide::unstable;
+  Point saddle;                                ///< the fixed point
+  Point tangent;                               ///< unit vector
+  ManifoldSide side = ManifoldSide::unstable;  ///< whether it is the stable or the unstable manifold
   int steps = 1;          ///< iterates of F that the multiplier stands for: +- period, negative for the stable side
   double multiplier = 0;  ///< lambda of F^steps, so |lambda| > 1; negative at an inverse saddle
   double reach = 0;       ///< r
@@ -56,10 +60,11 @@ struct LocalManifold {
   /// across the curve. The component along the curve, which images do not feel (it slides points along the manifold),
   /// cannot be less than rounding at s times |lambda|.
   double defect = 0;
-  double defect_across = 0;
+  double defect_across = 0;  ///< the component of `defect` across the curve
   /// Four times the smallest values of both defects that could be reached near the saddle: errors of the map itself.
   double noise = 0, noise_across = 0;
 
+  /// P(s), |s| <= reach.
   [[nodiscard]] LOBER_API Point at(double s) const;
   /// points[k] = P(parameters[k]), |parameters[k]| <= reach; the same bits in any span.
   LOBER_API void points_at(std::span<const double> parameters, std::span<Point> points) const;
@@ -68,9 +73,10 @@ struct LocalManifold {
   /// The map that takes each branch to itself: `steps` of F, or twice as many where a negative multiplier exchanges the
   /// branches; and the factor > 1 in s that they stand for.
   struct Image {
-    int steps;
-    double factor;
+    int steps;      ///< number of iterates of F, negative for the stable side
+    double factor;  ///< factor of s
   };
+  /// The map that takes each branch to itself.
   [[nodiscard]] LOBER_API Image image() const;
 };
 

@@ -26,6 +26,7 @@
 
 namespace lober {
 
+/// One of the two branches of a manifold: s > 0 or s < 0 (LocalManifold).
 enum class Branch : std::int8_t { minus = -1, plus = 1 };
 /// The branch that leaves the saddle to the same side as `direction`.
 [[nodiscard]] LOBER_API Branch branch_towards(const LocalManifold& local, Point direction);
@@ -39,18 +40,22 @@ enum class GrowthDiagnosticCause : std::uint8_t {
   left_box,    ///< a fact rather than a fault: the curve is outside the box there and is followed coarsely
 };
 inline constexpr std::array<GrowthDiagnosticCause, 4> all_growth_causes{
+    ///< all causes
     GrowthDiagnosticCause::failed, GrowthDiagnosticCause::spacing, GrowthDiagnosticCause::max_rounds,
     GrowthDiagnosticCause::left_box};
+/// The name of the cause.
 [[nodiscard]] LOBER_API std::string_view name(GrowthDiagnosticCause cause);
 
 /// Segments first, ..., first + count - 1 of the result.
 struct GrowthDiagnostic {
-  std::size_t first;
-  std::size_t count;
-  GrowthDiagnosticCause cause;
+  std::size_t first;            ///< number of the first segment
+  std::size_t count;            ///< number of segments
+  GrowthDiagnosticCause cause;  ///< why the tolerance is not met
+  /// Whether all members are equal.
   friend bool operator==(const GrowthDiagnostic&, const GrowthDiagnostic&) = default;
 };
 
+/// Why growing ended.
 enum class GrowthStop : std::uint8_t {
   iterates,   ///< done
   length,     ///< done
@@ -60,8 +65,10 @@ enum class GrowthStop : std::uint8_t {
   failed,     ///< no point of the last generation has an image in the box
   cancelled,  ///< by `progress`
 };
+/// The name of the reason.
 [[nodiscard]] LOBER_API std::string_view name(GrowthStop stop);
 
+/// The state of a growing manifold.
 struct GrowthProgress {
   int iterates = 0;          ///< done
   std::size_t points = 0;    ///< points of the finished part
@@ -75,8 +82,8 @@ struct GrowthOptions {
   int iterates = -1;        ///< ends at F^iterates of the end of the local manifold
   double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length, not
                                                             ///< counting parts outside the box
-  double max_length = 0;  ///< no segment is longer; 0: a fiftieth of the extent of the local manifold
-  std::size_t max_points = 100'000'000;
+  double max_length = 0;                 ///< no segment is longer; 0: a fiftieth of the extent of the local manifold
+  std::size_t max_points = 100'000'000;  ///< points of the result at most
   std::size_t max_memory = std::numeric_limits<std::size_t>::max();      ///< bytes, roughly; 120 are needed a point
   std::uint64_t max_images = std::numeric_limits<std::uint64_t>::max();  ///< steps of the map in all
   /// Evaluations of the vector field (PlanarMap::work) in all; for maps given by formulas the steps.
@@ -90,15 +97,17 @@ struct GrowthOptions {
   std::function<bool(const GrowthProgress&)> progress = {};  ///< false stops; called from the calling thread
 };
 
+/// The result of grow.
 struct GrownManifold {
   Buffer<Point> points;                       ///< points from LocalManifold::saddle itself on
   Buffer<double> parameters;                  ///< s: vertex i is F^(k steps)(P(s)), k its generation
   std::vector<std::size_t> generation_begin;  ///< the first vertex of each generation, and the number of points
   std::vector<GrowthDiagnostic> diagnostics;  ///< in order
-  GrowthStop stop = GrowthStop::iterates;
-  double length = 0;         ///< length of the polygon inside the box
-  std::uint64_t images = 0;  ///< steps of the map taken in all
+  GrowthStop stop = GrowthStop::iterates;     ///< why growing ended
+  double length = 0;                          ///< length of the polygon inside the box
+  std::uint64_t images = 0;                   ///< steps of the map taken in all
 
+  /// The curve as functions take it that accept both kinds.
   operator CurveView() const& { return {points, false}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                   // NOLINT(google-explicit-constructor)
 };
@@ -115,27 +124,31 @@ struct GrownManifold {
 /// several threads and must give a parameter the same point in every batch. Its exceptions pass through.
 using CurveFunction = std::function<void(std::span<const double> parameters, std::span<Point> points)>;
 
+/// Options of image_of and images_of.
 struct ImageOptions {
-  double tolerance = 1e-5;
-  double max_length = std::numeric_limits<double>::infinity();
-  std::size_t max_points = 100'000'000;
+  double tolerance = 1e-5;                                      ///< how far the image may lie from its polygon
+  double max_length = std::numeric_limits<double>::infinity();  ///< length of a segment of the image at most
+  std::size_t max_points = 100'000'000;                         ///< points of an image at most
   /// Evaluations of the vector field (PlanarMap::work) for all images of a curve together; for maps given by formulas
   /// the steps. The image at which it is reached has no points.
   double max_work = std::numeric_limits<double>::infinity();
   Rectangle box = {};  ///< default: the plane
+  /// False stops; called from the calling thread.
   std::function<bool(const GrowthProgress&)> progress = {};
 };
 
+/// An image of a curve.
 struct CurveImage {
-  Buffer<Point> points;
+  Buffer<Point> points;       ///< the vertices
   Buffer<double> parameters;  ///< parameter of each point; on a polygon: number of the segment + fraction
-  bool closed = true;
-  int iterate = 0;  ///< set by `images_of` from `first` to `last`
+  bool closed = true;         ///< whether the last vertex is joined to the first
+  int iterate = 0;            ///< set by `images_of` from `first` to `last`
   /// In order. Where the map fails at the first point of a closed curve, the last one belongs to the closing segment.
   std::vector<GrowthDiagnostic> diagnostics;
-  GrowthStop stop = GrowthStop::iterates;
-  std::uint64_t images = 0;
+  GrowthStop stop = GrowthStop::iterates;  ///< why the work ended
+  std::uint64_t images = 0;                ///< steps of the map taken
 
+  /// The curve as functions take it that accept both kinds.
   operator CurveView() const& { return {points, closed}; }  // NOLINT(google-explicit-constructor)
   operator CurveView() const&& = delete;                    // NOLINT(google-explicit-constructor)
 };
@@ -155,13 +168,14 @@ struct CurveImage {
 [[nodiscard]] LOBER_API std::vector<CurveImage> images_of(const PlanarMap& map, int first, int last,
                                                           const CurveFunction& curve, std::span<const double> corners,
                                                           const ImageOptions& options);
+/// The same for a polygon, open or closed.
 [[nodiscard]] LOBER_API std::vector<CurveImage> images_of(const PlanarMap& map, int first, int last, CurveView curve,
                                                           const ImageOptions& options);
 
 /// A curve of at least two points.
 struct ImagePart {
-  Buffer<Point> points;
-  bool closed = false;
+  Buffer<Point> points;  ///< the vertices
+  bool closed = false;   ///< whether the last vertex is joined to the first
 };
 /// The image without the segments that span points without an image: one curve where the map fails nowhere, else open
 /// curves in order. O(N).

@@ -23,8 +23,9 @@ namespace lober {
 /// does not count; neither does the second one where it is a multiple of the first.
 [[nodiscard]] LOBER_API Point folded(Point point, Point lattice, Point second_lattice, Point origin);
 
+/// Options of follow_orbits.
 struct OrbitOptions {
-  std::size_t iterates = 0;
+  std::size_t iterates = 0;  ///< number of iterates of each orbit
   /// Shift of the plane after which the map repeats itself: points are folded after every step, to the part past
   /// `origin`; (0, 0): they are not folded.
   Point lattice{}, origin{};

@@ -16,14 +16,15 @@
 
 namespace lober {
 
+/// An equilibrium of rank 1, with the linear flow about it.
 struct SaddlePoint {
-  FlowState at{};
-  double energy = 0;
+  FlowState at{};          ///< the equilibrium
+  double energy = 0;       ///< energy there
   double rate = 0;         ///< the real eigenvalues are +- rate
   double frequency = 0;    ///< the imaginary eigenvalues are +- i frequency
   FlowState unstable{};    ///< eigenvector of +rate, of length 1, largest component positive
   FlowState centre_cos{};  ///< centre_cos cos(frequency t) - centre_sin sin(frequency t) solves the linear flow
-  FlowState centre_sin{};
+  FlowState centre_sin{};  ///< the other vector of that solution
 };
 
 /// The state at a position (in the coordinates q of the two conjugate pairs) whose velocity there is zero: momenta by
@@ -35,22 +36,23 @@ struct SaddlePoint {
 /// dimensions and Hamiltonian; DataError when there is no equilibrium near the guess or it is not a saddle of rank 1.
 [[nodiscard]] LOBER_API SaddlePoint saddle_point(const Flow& flow, const FlowState& guess);
 
+/// A periodic orbit about a saddle.
 struct PeriodicOrbit {
-  SaddlePoint saddle;
-  double energy = 0;
-  Section local;        ///< crossed by the orbit once a period
-  Point at;             ///< the point where it crosses, in the chart of `local`: the fixed point of the return map
-  FlowState state{};    ///< the same point in phase space
-  double residual = 0;  ///< distance of `at` from its image
-  double period = 0;
-  double action = 0;                   ///< integral of p dq over the orbit, all pairs
-  double action_error = 0;             ///< error bar: its change when integrated less accurately
-  double multiplier = 0;               ///< Floquet multiplier > 1; the others are its inverse and 1 twice
-  FlowMatrix monodromy{};              ///< derivative of the flow over one period at `state`
-  double trace_defect = 0;             ///< trace of the monodromy matrix less the sum of the four multipliers
+  SaddlePoint saddle;       ///< the saddle
+  double energy = 0;        ///< energy of the orbit
+  Section local;            ///< crossed by the orbit once a period
+  Point at;                 ///< the point where it crosses, in the chart of `local`: the fixed point of the return map
+  FlowState state{};        ///< the same point in phase space
+  double residual = 0;      ///< distance of `at` from its image
+  double period = 0;        ///< the period in time
+  double action = 0;        ///< integral of p dq over the orbit, all pairs
+  double action_error = 0;  ///< error bar: its change when integrated less accurately
+  double multiplier = 0;    ///< Floquet multiplier > 1; the others are its inverse and 1 twice
+  FlowMatrix monodromy{};   ///< derivative of the flow over one period at `state`
+  double trace_defect = 0;  ///< trace of the monodromy matrix less the sum of the four multipliers
   std::array<FlowState, 2> turning{};  ///< the states where local.coordinate is least and largest
   bool brake = false;                  ///< whether the orbit is at rest at `turning` (velocities below 1e-9)
-  int continuation_steps = 0;
+  int continuation_steps = 0;          ///< number of steps of the continuation in energy
 };
 
 /// The orbit at an energy. Throws UsageError when the energy is not above that of the saddle; DataError when the

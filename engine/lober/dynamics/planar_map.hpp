@@ -16,8 +16,8 @@ namespace lober {
 
 /// A 2 x 2 matrix, row by row.
 struct Matrix2 {
-  double xx = 1, xy = 0;
-  double yx = 0, yy = 1;
+  double xx = 1, xy = 0;  ///< first row
+  double yx = 0, yy = 1;  ///< second row
 };
 
 /// A diffeomorphism of (a part of) the plane. Immutable: every call may come from several threads at the same time, and
@@ -73,7 +73,9 @@ class LOBER_API PlanarMap {
   }
 
  protected:
+  /// Adds to `work`, in tenths of an evaluation.
   void add_tenths_of_work(std::uint64_t tenths) const { tenths_of_work_.fetch_add(tenths, std::memory_order_relaxed); }
+  /// Adds to `work_of_derivatives`, in tenths of an evaluation.
   void add_tenths_of_derivatives(std::uint64_t tenths) const {
     tenths_of_derivatives_.fetch_add(tenths, std::memory_order_relaxed);
   }

@@ -18,18 +18,20 @@
 
 namespace lober {
 
+/// A parameter of a system.
 struct Parameter {
-  std::string name;
-  double value = 0;  ///< the default in a SystemInfo, the chosen value in a System
-  std::string meaning;
+  std::string name;     ///< the name on the command line
+  double value = 0;     ///< the default in a SystemInfo, the chosen value in a System
+  std::string meaning;  ///< a phrase
   /// The values that make sense: min to max, without min or max where it is excluded.
   double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool min_excluded = false;
-  bool max_excluded = false;
+  double max = std::numeric_limits<double>::infinity();  ///< the upper bound
+  bool min_excluded = false;                             ///< whether min itself is excluded
+  bool max_excluded = false;                             ///< whether max itself is excluded
   /// Whether it is the size of a perturbation, without which (at 0) manifolds coincide: that of Melnikov's method.
   bool perturbation = false;
 
+  /// Whether the number is in the range.
   [[nodiscard]] LOBER_API bool allows(double number) const;
   /// The values as words: "positive", "above 2", "at least -1", "in [0, 0.5)"; empty where any number will do.
   [[nodiscard]] LOBER_API std::string range() const;
@@ -37,9 +39,9 @@ struct Parameter {
 
 /// The description of a system before its parameters are chosen.
 struct SystemInfo {
-  std::string name;
-  std::string summary;  ///< one line: equations or their source, and the planar map
-  std::vector<Parameter> parameters;
+  std::string name;                   ///< the name on the command line
+  std::string summary;                ///< one line: equations or their source, and the planar map
+  std::vector<Parameter> parameters;  ///< in their order, with defaults
 
   /// The parameter that is the size of a perturbation; null where there is none.
   [[nodiscard]] LOBER_API const Parameter* perturbation() const;
@@ -48,18 +50,19 @@ struct SystemInfo {
 /// An affine map z -> linear z + shift of the plane that takes orbits of the planar map f to orbits: it commutes with
 /// f, or, a reversor, it turns f into its inverse, f S = S f^-1. Nothing in the engine relies on it.
 struct Symmetry {
-  Matrix2 linear;
-  Point shift{};
-  bool reversor = false;
+  Matrix2 linear;         ///< the linear part
+  Point shift{};          ///< the constant part
+  bool reversor = false;  ///< whether it turns the map into its inverse
 
+  /// The image of a point.
   [[nodiscard]] LOBER_API Point operator()(Point z) const;
 };
 
 /// A pair of manifolds: U from one saddle, S from another or the same one, each on the branch that leaves its saddle in
 /// the given direction.
 struct Connection {
-  Point from, u_direction;
-  Point to, s_direction;
+  Point from, u_direction;     ///< near the saddle of U, and the direction in which U leaves it
+  Point to, s_direction;       ///< near the saddle of S, and the direction in which S leaves it
   std::optional<Point> bip{};  ///< near a pip that is a good one to bound a region with
   /// Corners of the path from `to` back to `from` that the map keeps, walls or an axis, and that closes the boundary;
   /// without any it is straight.
@@ -67,7 +70,9 @@ struct Connection {
   /// A known obstacle to growing these manifolds, for messages; empty where there is none.
   std::string caution{};
 
+  /// The point near the saddle of this manifold.
   [[nodiscard]] Point saddle(ManifoldSide side) const { return side == ManifoldSide::unstable ? from : to; }
+  /// The direction in which this manifold leaves its saddle.
   [[nodiscard]] Point direction(ManifoldSide side) const {
     return side == ManifoldSide::unstable ? u_direction : s_direction;
   }
@@ -75,7 +80,7 @@ struct Connection {
 
 /// A system with its parameters chosen.
 struct System {
-  SystemInfo info;
+  SystemInfo info;  ///< description, with the chosen values of the parameters
   /// The box of the fixed points of interest: a scan searches it unless the user gives another one.
   Rectangle window;
   /// The box that a picture of orbits shows and in which they begin: the window, unless the system says otherwise.

@@ -16,14 +16,16 @@ namespace lober {
 struct TubeSurface {
   std::size_t around = 0;         ///< states of a ring; they follow each other round it
   std::vector<FlowState> states;  ///< ring by ring, the one on the section first
+  /// Number of rings.
   [[nodiscard]] std::size_t rings() const { return around == 0 ? 0 : states.size() / around; }
 };
 
+/// Options of tube_surface.
 struct TubeSurfaceOptions {
-  std::size_t around = 48;
-  std::size_t rings_a_period = 24;  ///< rings for each period of the orbit
-  std::size_t max_rings = 400;
-  IntegrationOptions integration{};
+  std::size_t around = 48;           ///< states of a ring
+  std::size_t rings_a_period = 24;   ///< rings for each period of the orbit
+  std::size_t max_rings = 400;       ///< rings at most
+  IntegrationOptions integration{};  ///< how trajectories are integrated
 };
 
 /// Carries the curve in which a tube meets a section for the first time, in the chart of the section, back to the orbit

@@ -25,6 +25,7 @@ namespace lober {
 /// `direction`: that of the crossings that count, 0 for both. Throws UsageError when the coordinate is not a position.
 [[nodiscard]] LOBER_API Section position_section(const Flow& flow, int coordinate, double value, int direction);
 
+/// The curve in which a tube meets a section.
 struct TubeCurve {
   CurveImage image;       ///< in the section's chart
   int direction = 0;      ///< direction in which its trajectories cross, in forward time; 0: not all alike
@@ -45,9 +46,10 @@ struct TubeCurve {
   [[nodiscard]] ClosedCurve view() const&& = delete;
 };
 
+/// Options of a curve of a tube.
 struct TubeCurveOptions {
-  double tolerance = 1e-7;  ///< how far the curve may lie from its polygon
-  std::size_t max_points = 20'000'000;
+  double tolerance = 1e-7;                                    ///< how far the curve may lie from its polygon
+  std::size_t max_points = 20'000'000;                        ///< points of the curve at most
   double max_work = std::numeric_limits<double>::infinity();  ///< for the curve (PlanarMap::work)
   Progress progress{};                                        ///< called from the calling thread; tells no fraction
 };
@@ -58,8 +60,11 @@ class Tube {
   /// Throws as local_manifold.
   LOBER_API Tube(const Flow& flow, const PeriodicOrbit& orbit, ManifoldSide side, const IntegrationOptions& options);
 
+  /// The orbit that the tube belongs to.
   [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
+  /// Whether the tube is the stable or the unstable one.
   [[nodiscard]] ManifoldSide side() const { return local_.side; }
+  /// The local manifold next to the orbit.
   [[nodiscard]] const LocalManifold& local() const { return local_; }
 
   /// Where the trajectories of a branch, numbered by u in [0, 1], begin.

@@ -18,6 +18,7 @@
 
 namespace lober::operations {
 
+/// Kind of a field.
 enum class FieldKind : std::uint8_t {
   number,  ///< double, or Measured: with its error bar
   whole,   ///< an integer
@@ -33,9 +34,10 @@ enum class FieldKind : std::uint8_t {
   points,   ///< points of a curve
 };
 
+/// A matrix of numbers, with or without error bars.
 struct Matrix {
-  std::size_t rows = 0, columns = 0;
-  std::vector<Measured> entries;
+  std::size_t rows = 0, columns = 0;  ///< its shape
+  std::vector<Measured> entries;      ///< row by row
 };
 
 /// The value of a field; std::monostate: not known, or not asked for.
@@ -49,11 +51,17 @@ struct Field;
 class LOBER_API Fields {
  public:
   Fields() = default;
+  /// The fields in their order.
   Fields(std::vector<Field> fields);  // NOLINT(google-explicit-constructor)
+  /// The first field.
   [[nodiscard]] const Field* begin() const { return data(); }
+  /// The end of the fields.
   [[nodiscard]] const Field* end() const;
+  /// The fields, one after the other.
   [[nodiscard]] const Field* data() const;
+  /// Number of fields.
   [[nodiscard]] std::size_t size() const;
+  /// Whether there is no field.
   [[nodiscard]] bool empty() const { return size() == 0; }
 
  private:
@@ -62,20 +70,21 @@ class LOBER_API Fields {
 
 /// A part of a result: its name, its meaning, and how it is read from an object of the type it belongs to.
 struct Field {
-  std::string name;
-  FieldKind kind = FieldKind::number;
-  std::string unit = {};  ///< "area": coordinates squared; "length", "time", "action", ""
-  std::string meaning = {};
-  std::string bar = {};  ///< name of the error bar of a number or a matrix; empty: there is none
-  Fields members = {};   ///< fields of an object, or of each element of a list
-  bool in_json = true;   ///< false for the points of curves and fields as long
-  bool null = false;     ///< null in JSON where it is not known; if false, left out there
+  std::string name;                    ///< its name in the JSON
+  FieldKind kind = FieldKind::number;  ///< its kind
+  std::string unit = {};               ///< "area": coordinates squared; "length", "time", "action", ""
+  std::string meaning = {};            ///< a phrase
+  std::string bar = {};                ///< name of the error bar of a number or a matrix; empty: there is none
+  Fields members = {};                 ///< fields of an object, or of each element of a list
+  bool in_json = true;                 ///< false for the points of curves and fields as long
+  bool null = false;                   ///< null in JSON where it is not known; if false, left out there
 
-  using Use = std::function<void(const void* part)>;
+  using Use = std::function<void(const void* part)>;  ///< a function of a part of a result
   /// The elements of a list. May be read from several threads at the same time.
   struct Elements {
-    std::size_t size = 0;
-    bool known = true;  ///< false where it was not asked for
+    std::size_t size = 0;  ///< number of elements
+    bool known = true;     ///< false where it was not asked for
+    /// Calls `use` with an element.
     std::function<void(std::size_t element, const Use& use)> at{};
   };
   std::function<FieldValue(const void* whole)> get{};  ///< empty for objects and lists
@@ -118,6 +127,7 @@ class LOBER_API NumberPath {
   [[nodiscard]] std::vector<double> all(const void* whole) const;
   /// The first of them; NaN where there is none.
   [[nodiscard]] double first(const void* whole) const;
+  /// The field at the end of the path.
   [[nodiscard]] const Field& field() const { return *fields_.back(); }
 
  private:
@@ -134,6 +144,7 @@ class LOBER_API NumberPath {
 /// formatted in parallel and handed on in parts, so that none stands in memory as a whole.
 LOBER_API void write_json_members(std::span<const Field> fields, const void* whole,
                                   const std::function<void(std::string_view)>& write);
+/// The members of a JSON object, for each field of the whole.
 [[nodiscard]] LOBER_API std::string json_members(std::span<const Field> fields, const void* whole);
 /// The same as an object in one line.
 [[nodiscard]] LOBER_API std::string json_object(std::span<const Field> fields, const void* whole);

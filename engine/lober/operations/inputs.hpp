@@ -17,6 +17,7 @@
 
 namespace lober::operations {
 
+/// Kind of an input.
 enum class InputKind : std::uint8_t {
   closed_curve,
   open_curve,
@@ -25,17 +26,18 @@ enum class InputKind : std::uint8_t {
   system,
 };
 
+/// An input of an operation.
 struct InputSpec {
-  std::string name;
-  InputKind kind = InputKind::system;
-  std::string meaning;
-  bool optional = false;  ///< only the last inputs can be
+  std::string name;                    ///< its name in help texts
+  InputKind kind = InputKind::system;  ///< its kind
+  std::string meaning;                 ///< a phrase
+  bool optional = false;               ///< only the last inputs can be
 };
 
 /// A system with its parameters, and a way to change them.
 struct SystemInput {
-  std::shared_ptr<const System> system;
-  IntegrationOptions integration{};  ///< options with which it was made
+  std::shared_ptr<const System> system;  ///< the system
+  IntegrationOptions integration{};      ///< options with which it was made
   /// The same system with other values of some parameters; empty where the parameters cannot be changed.
   std::function<System(const ParameterValues& changed)> with{};
 };
@@ -45,7 +47,7 @@ struct SystemInput {
 
 /// A curve with the facts that are known about it already.
 struct CurveInput {
-  CurveView curve{};
+  CurveView curve{};                         ///< the curve
   std::string name{};                        ///< name in messages; empty: that of the InputSpec
   const IndexedCurve* index = nullptr;       ///< index of a curve that is validated
   const DiscretisationSums* sums = nullptr;  ///< sums for the overlay's estimate

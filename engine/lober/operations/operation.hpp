@@ -21,7 +21,7 @@ namespace lober::operations {
 
 /// Callbacks and limits of a run of an operation. All of them may be left out.
 struct Context {
-  Progress progress{};
+  Progress progress{};  ///< called with the fraction done
   /// Called with `progress`, where the work done can be counted, in a unit such as "points".
   std::function<void(double amount, std::string_view unit)> count{};
   /// Called from the calling thread with each element of a list that takes long as soon as it is ready, and with all
@@ -38,7 +38,7 @@ struct Context {
 
 /// A result: an object of a type that the operation knows.
 struct Outcome {
-  std::shared_ptr<const void> value;
+  std::shared_ptr<const void> value;  ///< the result, of the operation's own type
   Agreement agreement;                ///< comparisons of all routes
   std::vector<std::string> remarks;   ///< remarks that a user should read
   std::string incomplete;             ///< why a part is missing that was asked for; empty if nothing is
@@ -58,21 +58,22 @@ struct Outcome {
 
 /// An example of a call. Each face writes it in its own way.
 struct Example {
-  std::vector<std::string> inputs;  ///< "standard K=1.2", "a.dat"
-  std::vector<OptionSetting> options;
-  std::string meaning;
+  std::vector<std::string> inputs;     ///< "standard K=1.2", "a.dat"
+  std::vector<OptionSetting> options;  ///< options of the call
+  std::string meaning;                 ///< a phrase that says what it shows
 };
 
+/// An operation: its description and its function.
 struct Operation {
-  std::string name;
-  std::string title;     ///< a phrase of one line
-  std::string summary;   ///< a sentence: "Computes ..."
-  int revision = 1;      ///< goes into the keys of stored results: raised when numbers change within a version
-  bool compares = true;  ///< whether it computes something by two routes
-  std::vector<InputSpec> inputs;
-  std::vector<OptionSpec> options;
-  std::vector<Field> result;
-  std::vector<Example> examples;
+  std::string name;               ///< its name in every face
+  std::string title;              ///< a phrase of one line
+  std::string summary;            ///< a sentence: "Computes ..."
+  int revision = 1;               ///< goes into the keys of stored results: raised when numbers change within a version
+  bool compares = true;           ///< whether it computes something by two routes
+  std::vector<InputSpec> inputs;  ///< in their order
+  std::vector<OptionSpec> options;  ///< in their order
+  std::vector<Field> result;        ///< fields of the result
+  std::vector<Example> examples;    ///< calls that help texts show
   /// Approximate number of bytes of the data that it makes of its first input, where options decide that; else empty.
   std::function<double(const Input& first, const Options& options)> result_bytes{};
   /// Throws UsageError for options that do not go together, with this number of inputs; `run` asks it first. May be

@@ -18,33 +18,37 @@
 
 namespace lober::operations {
 
+/// The value of an option.
 using OptionValue = std::variant<bool, std::int64_t, double, std::string, Point, Rectangle, std::vector<double>>;
 
 /// An option. The type of `fallback` is the type of the option; a whole number is taken for a double too, and numbers
 /// for a point or a rectangle: x0, y0, x1, y1. A key "parameters.*" stands for any number of options "parameters.NAME"
 /// without a fallback.
 struct OptionSpec {
-  std::string key;
-  OptionValue fallback;
-  std::string meaning = {};               ///< a phrase: "number of iterates n"
-  std::vector<std::string> choices = {};  ///< allowed values of a string; empty: any string
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool above_min = false;  ///< min itself is excluded
-  bool optional = false;   ///< absent unless given: `fallback` has its type, `otherwise` says what is done without it
-  bool required = false;   ///< optional, but a value has to be given
-  std::string otherwise = {};
-  std::string value = {};  ///< name of the value in help texts: "N"
+  std::string key;                                        ///< its name in every face
+  OptionValue fallback;                                   ///< the value when it is not given, which also fixes the type
+  std::string meaning = {};                               ///< a phrase: "number of iterates n"
+  std::vector<std::string> choices = {};                  ///< allowed values of a string; empty: any string
+  double min = -std::numeric_limits<double>::infinity();  ///< the least number
+  double max = std::numeric_limits<double>::infinity();   ///< the largest number
+  bool above_min = false;                                 ///< min itself is excluded
+  bool optional = false;  ///< absent unless given: `fallback` has its type, `otherwise` says what is done without it
+  bool required = false;  ///< optional, but a value has to be given
+  std::string otherwise = {};  ///< what is done without it, as a phrase
+  std::string value = {};      ///< name of the value in help texts: "N"
 
+  /// Whether it stands for any number of options.
   [[nodiscard]] bool family() const { return key.ends_with(".*"); }
+  /// Whether a key names this option.
   [[nodiscard]] bool is_for(std::string_view wanted) const {
     return wanted == key || (family() && wanted.starts_with(std::string_view(key).substr(0, key.size() - 1)));
   }
 };
 
+/// An option with a value.
 struct OptionSetting {
-  std::string key;
-  OptionValue value;
+  std::string key;    ///< name of the option
+  OptionValue value;  ///< its value
 };
 
 /// All options of an operation, each with its value. Cheap to share, never changed.
@@ -55,10 +59,15 @@ class LOBER_API Options {
   /// "key: what is wrong".
   Options(std::span<const OptionSpec> specs, std::span<const OptionSetting> settings);
 
+  /// The value of a flag, which has to be there.
   [[nodiscard]] bool flag(std::string_view key) const { return std::get<bool>(at(key)); }
+  /// The value of a whole number, which has to be there.
   [[nodiscard]] std::int64_t whole(std::string_view key) const { return std::get<std::int64_t>(at(key)); }
+  /// The value of a number, which has to be there.
   [[nodiscard]] double real(std::string_view key) const { return std::get<double>(at(key)); }
+  /// The value of a text, which has to be there.
   [[nodiscard]] const std::string& text(std::string_view key) const { return std::get<std::string>(at(key)); }
+  /// The value of a point; none if it is absent.
   [[nodiscard]] std::optional<Point> point(std::string_view key) const;
   /// The value of an option; null if it is absent: all options of the specs are there, except those without a fallback
   /// that were not given.

@@ -24,8 +24,9 @@ namespace lober {
 /// A position on a curve: `t` in [0, 1) along segment `segment` (rounded, so 1 may occur), in the vertex order of the
 /// caller's curve.
 struct Position {
-  std::uint32_t segment = 0;
-  double t = 0;
+  std::uint32_t segment = 0;  ///< number of the segment
+  double t = 0;               ///< position along it
+  /// Whether both members are equal.
   friend bool operator==(const Position&, const Position&) = default;
 };
 
@@ -47,29 +48,40 @@ struct CrossingsData;  // private: engine/geometry/crossings/crossings_data.hpp
 class Crossings {
  public:
   LOBER_API Crossings();  ///< none
+  /// For the library itself.
   explicit Crossings(std::shared_ptr<const detail::CrossingsData> data) : data_(std::move(data)) {}
 
+  /// Number of nodes.
   [[nodiscard]] LOBER_API std::size_t size() const;
+  /// A node by its number.
   [[nodiscard]] LOBER_API Node operator[](std::size_t node) const;
   /// Node numbers in order along C2, from its first vertex on.
   [[nodiscard]] LOBER_API std::span<const std::uint32_t> order2() const&;
   [[nodiscard]] std::span<const std::uint32_t> order2() const&& = delete;  // a view of data that goes with the result
   /// The index of a node in order2().
   [[nodiscard]] LOBER_API std::uint32_t rank2(std::size_t node) const;
+  /// Rho of a node, without its coordinates.
   [[nodiscard]] LOBER_API int rho(std::size_t node) const;
   [[nodiscard]] LOBER_API std::size_t crossings() const;    ///< nodes with rho != 0: always even
   [[nodiscard]] LOBER_API std::size_t touches() const;      ///< points with rho == 0
   [[nodiscard]] LOBER_API std::size_t shared_arcs() const;  ///< arcs; 1 when the curves are one and the same
+  /// Whether both curves are the same set of points.
   [[nodiscard]] LOBER_API bool same_curve() const;
   [[nodiscard]] LOBER_API const ContactCounts& counts() const&;  ///< counts of the search
+  /// Counts of the search, of a temporary.
   [[nodiscard]] ContactCounts counts() const&& { return counts(); }
+  /// C1.
   [[nodiscard]] LOBER_API const CurveView& curve1() const&;
   [[nodiscard]] const CurveView& curve1() const&& = delete;
+  /// C2.
   [[nodiscard]] LOBER_API const CurveView& curve2() const&;
   [[nodiscard]] const CurveView& curve2() const&& = delete;
+  /// Whether C1 runs clockwise.
   [[nodiscard]] LOBER_API bool clockwise1() const;
+  /// Whether C2 runs clockwise.
   [[nodiscard]] LOBER_API bool clockwise2() const;
 
+  /// For the library itself.
   [[nodiscard]] const detail::CrossingsData& data() const { return *data_; }
 
  private:
@@ -78,7 +90,7 @@ class Crossings {
 
 /// The cost of require_simple.
 struct SimpleCheck {
-  SearchCounts search;
+  SearchCounts search;      ///< counts of the search
   std::uint64_t pairs = 0;  ///< pairs of segments decided
 };
 /// Throws NotSimpleError unless the closed curve is simple: no two segments meet except neighbours in their common
@@ -99,8 +111,8 @@ struct CommonPoint {
 
 /// The result of self_meetings.
 struct SelfMeetings {
-  std::vector<SegmentPair> pairs;
-  SimpleCheck check;
+  std::vector<SegmentPair> pairs;  ///< the pairs that were found
+  SimpleCheck check;               ///< the cost
 };
 /// Pairs of segments that meet where those of a simple curve do not, in curve order: the first `most` of each block of
 /// the search, and at most `most` in all. Costs what require_simple costs; without such pairs `check` is its result.

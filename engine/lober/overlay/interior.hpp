@@ -33,6 +33,7 @@ namespace lober {
 struct Winding {
   std::int32_t number = 0;  ///< 0 if the point lies on the curve
   bool on = false;          ///< the point lies on the curve
+  /// Whether both members are equal.
   friend bool operator==(const Winding&, const Winding&) = default;
 };
 
@@ -86,10 +87,10 @@ enum class Side : std::uint8_t { outside, on, inside };
 /// A position on a curve from which on it lies on another side of the other curve (or on the same one again, after a
 /// touch).
 struct SideChange {
-  Position at;
+  Position at;     ///< the position
   bool at_vertex;  ///< `at` is the first vertex of its segment
-  Point point;
-  Side side;  ///< side of the boundary arc that follows
+  Point point;     ///< the point there, rounded
+  Side side;       ///< side of the boundary arc that follows
 };
 
 /// The changes of side of curve `curve` (1 or 2) in order along it, from its first vertex on, in the direction of the
@@ -99,13 +100,14 @@ struct SideChange {
 /// Each pass puts `points` points, equally spaced, into every segment that holds an intersection; the next pass does so
 /// in the parts that hold one. The distance to the nearest points falls by points + 1 a pass (-DENS of Lober 1.8).
 struct EndsDensification {
-  int passes = 0;
-  int points = 0;
+  int passes = 0;  ///< number of passes
+  int points = 0;  ///< points that each pass inserts into a segment
 };
 
+/// A point of a curve and its label.
 struct LabelledPoint {
-  Point point;
-  Side side;  ///< with respect to the other curve
+  Point point;  ///< the point
+  Side side;    ///< with respect to the other curve
 };
 
 /// Curve `curve` (1 or 2) from its first vertex on, with the points where it meets the other one and the inserted ones.
@@ -120,24 +122,28 @@ enum class InteriorMethod : std::uint8_t {
   split,  ///< segments are split where the curves meet, exactly; each part has the weight of its side
   ends,   ///< a segment has the mean weight of its two ends, as with -DENS 0
 };
+/// Both methods.
 inline constexpr std::array<InteriorMethod, 2> all_interior_methods{InteriorMethod::split, InteriorMethod::ends};
+/// The name of the method.
 [[nodiscard]] constexpr std::string_view name(InteriorMethod method) {
   return method == InteriorMethod::split ? "split" : "ends";
 }
 
+/// Options of interior_areas.
 struct InteriorOptions {
-  InteriorMethod method = InteriorMethod::split;
+  InteriorMethod method = InteriorMethod::split;  ///< how integrals are weighted
   /// For `ends`, the option -DENS <passes> <points>: each pass divides the segments whose ends have different labels
   /// by `points` equally spaced points, the next one the parts whose ends still differ, until neighbours are 2^-52 of
   /// the segment apart. Nothing is inserted if either is 0.
   int passes = 0;
-  int points = 0;
-  std::size_t max_points = 100'000'000;  ///< points of one curve and its inserted ones at most; DataError beyond
-  IndexKind index = IndexKind::automatic;
+  int points = 0;                          ///< points that each pass inserts into a segment
+  std::size_t max_points = 100'000'000;    ///< points of one curve and its inserted ones at most; DataError beyond
+  IndexKind index = IndexKind::automatic;  ///< index that proposes which segments can meet; results do not depend on it
   bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
   Progress progress{};       ///< called with the fraction done, between phases
 };
 
+/// Counts of the work of interior_areas.
 struct InteriorStatistics {
   IndexKind index = IndexKind::tree;     ///< the one that was used
   ContactCounts counts;                  ///< counts of the search of C1 against C2
@@ -150,9 +156,11 @@ struct InteriorStatistics {
 
 /// Seconds of wall time of each phase.
 struct InteriorTiming {
+  /// Each phase, and all of them.
   double index = 0, check = 0, crossings = 0, order = 0, labels = 0, sums = 0, total = 0;
 };
 
+/// The result of interior_areas.
 struct InteriorAreas {
   /// Integrals over both curves, counter-clockwise, of w = 1/2 (x dy - y dx) with weights I, (I + 1) / 2 and
   /// (1 - I) / 2 (docs/conventions.md, section 6): the symmetric difference, the union and the intersection.
@@ -160,13 +168,13 @@ struct InteriorAreas {
   /// 1/4 |q2 - q3 - q1|, which Lober 1.8 reports beside its areas. Zero by algebra: it measures the rounding of the
   /// three sums and nothing else.
   double delta = 0;
-  Areas areas;
+  Areas areas;      ///< the areas
   Areas rounding;   ///< bounds on the rounding of double-double; for `split` on |computed - exact area of the polygons|
   Crossings nodes;  ///< where the curves meet
-  InteriorStatistics statistics;
-  InteriorTiming timing;
+  InteriorStatistics statistics;                              ///< counts of the work
+  InteriorTiming timing;                                      ///< seconds of each phase
   Orientation orientation1 = Orientation::counter_clockwise;  ///< orientations of the input
-  Orientation orientation2 = Orientation::counter_clockwise;
+  Orientation orientation2 = Orientation::counter_clockwise;  ///< orientation of C2 in the input
 };
 
 /// Areas of two simple closed curves of either orientation from Q1, Q2, Q3. For `split` each part of a curve between

@@ -28,7 +28,9 @@
 
 namespace lober {
 
+/// A combination of the two regions.
 enum class Pairing : std::uint8_t { c1_minus_c2, c2_minus_c1, intersection, union_ };
+/// All pairings.
 inline constexpr std::array<Pairing, 4> all_pairings{Pairing::c1_minus_c2, Pairing::c2_minus_c1, Pairing::intersection,
                                                      Pairing::union_};
 [[nodiscard]] LOBER_API std::string_view name(Pairing pairing);  ///< as in the JSON: "c1_minus_c2", ..., "union"
@@ -36,9 +38,10 @@ inline constexpr std::array<Pairing, 4> all_pairings{Pairing::c1_minus_c2, Pairi
 /// A boundary of a piece is a list of steps: (node << 1 | curve of the arc that follows it), the curve 0 or 1; or one
 /// step for a whole curve without any node.
 inline constexpr std::uint32_t whole_curve1 = 0xfffffffe, whole_curve2 = 0xffffffff;
+/// A hole of a piece.
 struct PieceHole {
-  std::uint32_t piece;
-  std::vector<std::uint32_t> steps;
+  std::uint32_t piece;               ///< number of the piece
+  std::vector<std::uint32_t> steps;  ///< its boundary
 };
 
 /// Numbers of the nodes on the boundary of a piece in the order of a walk that keeps the piece on the left, outer
@@ -46,25 +49,31 @@ struct PieceHole {
 /// arc, or itself in a point. A view of the result, valid as long as the result is.
 class PieceCrossings {
  public:
+  /// For the library itself.
   PieceCrossings(std::span<const std::uint32_t> outer, std::span<const PieceHole> holes)
       : outer_(outer), holes_(holes) {}
 
+  /// Runs over the numbers of the nodes.
   class Iterator {
    public:
-    using value_type = std::uint32_t;
-    using difference_type = std::ptrdiff_t;
+    using value_type = std::uint32_t;        ///< a number of a node
+    using difference_type = std::ptrdiff_t;  ///< distance of two positions
     Iterator() = default;
+    /// The number of the node.
     std::uint32_t operator*() const { return boundary_[at_] >> 1; }
+    /// Goes one step on.
     Iterator& operator++() {
       ++at_;
       skip();
       return *this;
     }
+    /// Goes one step on; returns the position before.
     Iterator operator++(int) {
       Iterator before = *this;
       ++*this;
       return before;
     }
+    /// Whether both are at the same step.
     bool operator==(const Iterator& other) const { return hole_ == other.hole_ && at_ == other.at_; }
 
    private:
@@ -86,8 +95,11 @@ class PieceCrossings {
     std::span<const PieceHole> holes_;
     std::size_t hole_ = 0, at_ = 0;  // the number of the next hole, and the step of the present boundary
   };
+  /// The first step at a node.
   [[nodiscard]] Iterator begin() const { return {outer_, holes_, 0}; }
+  /// The end of all boundaries.
   [[nodiscard]] Iterator end() const { return {{}, holes_, holes_.size()}; }
+  /// Number of nodes, each as often as it occurs. O(nodes).
   [[nodiscard]] std::size_t size() const {
     std::size_t count = 0;
     for (Iterator at = begin(); at != end(); ++at) ++count;
@@ -101,9 +113,9 @@ class PieceCrossings {
 
 /// One connected component of the region.
 struct Piece {
-  double area = 0;
-  std::uint32_t holes = 0;
-  PieceCrossings crossings;
+  double area = 0;           ///< its area
+  std::uint32_t holes = 0;   ///< number of holes
+  PieceCrossings crossings;  ///< nodes on its boundary
 };
 
 namespace detail {
@@ -115,61 +127,72 @@ struct PiecesData;  // private: engine/geometry/overlay/pieces_data.hpp
 class Pieces {
  public:
   LOBER_API Pieces();  ///< none
+  /// For the library itself.
   explicit Pieces(std::shared_ptr<const detail::PiecesData> data) : data_(std::move(data)) {}
 
+  /// Number of pieces.
   [[nodiscard]] std::size_t size() const { return areas().size(); }
+  /// A piece by its number.
   [[nodiscard]] LOBER_API Piece operator[](std::size_t piece) const&;
   [[nodiscard]] Piece operator[](std::size_t piece) const&& = delete;  // its crossings would be a view of a temporary
+  /// The areas of all pieces.
   [[nodiscard]] LOBER_API std::span<const double> areas() const&;
   [[nodiscard]] std::span<const double> areas() const&& = delete;
 
-  using Iterator = ElementIterator<Pieces>;
+  using Iterator = ElementIterator<Pieces>;  ///< a position in the range
+  /// The first piece.
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+  /// The end of the pieces.
   [[nodiscard]] Iterator end() const { return {*this, size()}; }
 
+  /// For the library itself.
   [[nodiscard]] const detail::PiecesData& data() const { return *data_; }
 
  private:
   std::shared_ptr<const detail::PiecesData> data_;
 };
 
+/// Counts of the work of overlay.
 struct OverlayStatistics {
   IndexKind index = IndexKind::tree;     ///< the one that was used
   ContactCounts counts;                  ///< counts of the search of C1 against C2
   SearchCounts check_simple;             ///< counts of the searches of each curve against itself
   std::uint64_t check_simple_pairs = 0;  ///< pairs of segments decided exactly in those searches
-  std::size_t index_bytes = 0;
+  std::size_t index_bytes = 0;           ///< bytes of both indexes
 };
 
 /// Seconds of wall time of each phase.
 struct OverlayTiming {
-  double index = 0, check = 0, crossings = 0, order = 0, areas = 0, total = 0;
+  double index = 0, check = 0, crossings = 0, order = 0, areas = 0, total = 0;  ///< each phase, and all of them
 };
 
+/// Options of overlay.
 struct OverlayOptions {
-  IndexKind index = IndexKind::automatic;
-  bool pieces = true;        ///< false: totals only, no polygon is ever formed
+  IndexKind index = IndexKind::automatic;  ///< index that proposes which segments can meet; results do not depend on it
+  bool pieces = true;                      ///< false: totals only, no polygon is ever formed
   bool check_simple = true;  ///< refuse curves that are not simple; false when the caller knows that they are
   Progress progress{};       ///< called with the fraction done, between phases
 };
 
+/// The result of overlay.
 struct Overlay {
-  Areas areas;
+  Areas areas;      ///< the areas
   Crossings nodes;  ///< where the curves meet
   /// For each node its equivalence class under sigma (Naik, Lekien & Ross 2017, section 3), numbered from 0 in order
   /// along C1; no_class for touches. Each class bounds one piece of A1 \ A2, unless a touch splits it or joins two.
   std::vector<std::uint32_t> classes;
-  std::size_t class_count = 0;
-  static constexpr std::uint32_t no_class = 0xffffffff;
-  Areas rounding;  ///< bounds on |computed - exact area of the polygons|; 0 for empty regions
-  OverlayStatistics statistics;
-  OverlayTiming timing;
+  std::size_t class_count = 0;                           ///< number of classes
+  static constexpr std::uint32_t no_class = 0xffffffff;  ///< the class of a touch
+  Areas rounding;                ///< bounds on |computed - exact area of the polygons|; 0 for empty regions
+  OverlayStatistics statistics;  ///< counts of the work
+  OverlayTiming timing;          ///< seconds of each phase
   Orientation orientation1 = Orientation::counter_clockwise;  ///< orientations of the input
-  Orientation orientation2 = Orientation::counter_clockwise;
-  double largest_coordinate = 0;  ///< the largest |coordinate| of both curves
-  double longest_segment = 0;     ///< bound on the length of any segment of either curve
+  Orientation orientation2 = Orientation::counter_clockwise;  ///< orientation of C2 in the input
+  double largest_coordinate = 0;                              ///< the largest |coordinate| of both curves
+  double longest_segment = 0;                                 ///< bound on the length of any segment of either curve
 
   std::array<Pieces, 4> all_pieces;  ///< in the order of all_pairings; empty without OverlayOptions::pieces
+  /// The pieces of a pairing.
   [[nodiscard]] const Pieces& pieces(Pairing pairing) const& { return all_pieces[static_cast<std::size_t>(pairing)]; }
   /// For a temporary: a copy, which a loop keeps alive.
   [[nodiscard]] Pieces pieces(Pairing pairing) const&& { return pieces(pairing); }
@@ -199,10 +222,10 @@ struct Overlay {
 /// section 3; docs/conventions.md, section 4). Both curves are taken counter-clockwise.
 struct SigmaStep {
   std::uint32_t crossing = 0;  ///< number of the node
-  int rho = 0;
-  std::uint32_t along1 = 0;  ///< the next crossing along C1: forward for A1 \ A2 (A+_C1 is 1), backward for A2 \ A1
-  std::uint32_t along2 = 0;  ///< the next crossing along C2: backward for A1 \ A2 (A-_C2 is 1), forward for A2 \ A1
-  std::uint32_t sigma = 0;   ///< along1 if rho = +1, along2 if rho = -1: where gamma is 1
+  int rho = 0;                 ///< as in Node
+  std::uint32_t along1 = 0;    ///< the next crossing along C1: forward for A1 \ A2 (A+_C1 is 1), backward for A2 \ A1
+  std::uint32_t along2 = 0;    ///< the next crossing along C2: backward for A1 \ A2 (A-_C2 is 1), forward for A2 \ A1
+  std::uint32_t sigma = 0;     ///< along1 if rho = +1, along2 if rho = -1: where gamma is 1
   std::uint32_t class_number = 0;  ///< number of its class in this pairing, from 0 in order along C1
   double s = 0;                    ///< S(p), the integral of x dy - y dx from p to sigma(p); it depends on the origin
 };
@@ -225,6 +248,7 @@ struct Slivers {
   std::vector<std::uint32_t> pieces;  ///< ascending
   double area = 0;                    ///< their total
 };
+/// The slivers among the pieces of a pairing.
 [[nodiscard]] LOBER_API Slivers find_slivers(const Overlay& result, Pairing pairing);
 
 namespace detail {
@@ -235,8 +259,10 @@ struct DiscretisationData;  // private: engine/geometry/overlay/discretisation.c
 /// smooth curve through its vertices. The points must stay alive. O(N), parallel; 2 bytes a point.
 class DiscretisationSums {
  public:
+  /// Sums of a curve whose points stay alive.
   LOBER_API explicit DiscretisationSums(CurveView curve);
   [[nodiscard]] LOBER_API std::size_t memory() const;  ///< bytes
+  /// For the library itself.
   [[nodiscard]] const detail::DiscretisationData& data() const { return *data_; }
 
  private:

@@ -29,45 +29,50 @@
 
 namespace lober {
 
+/// The winding numbers that are inside: those that are not zero, odd, positive or negative.
 enum class FillRule : std::uint8_t { nonzero, evenodd, positive, negative };
+/// All fill rules.
 inline constexpr std::array<FillRule, 4> all_fill_rules{FillRule::nonzero, FillRule::evenodd, FillRule::positive,
                                                         FillRule::negative};
+/// The name of the rule.
 [[nodiscard]] LOBER_API std::string_view name(FillRule rule);
 /// Whether a winding number is inside. Zero never is.
 [[nodiscard]] LOBER_API bool inside(FillRule rule, int winding);
 
 /// The area where C1 winds w1 times and C2 winds w2 times.
 struct WindingArea {
-  int w1, w2;
-  double area;
+  int w1, w2;   ///< winding numbers of C1 and C2
+  double area;  ///< area of all faces with them
 };
 
 /// One connected component of a region. A hole is a bounded component of the interior of its complement.
 struct RegionPiece {
-  double area = 0;
-  std::uint32_t holes = 0;
+  double area = 0;          ///< its area
+  std::uint32_t holes = 0;  ///< number of holes
 };
 
+/// Counts of the work of regions.
 struct RegionCounts {
   std::uint64_t nodes = 0;  ///< points where edge chains meet or a spike ends
   std::uint64_t edges = 0;  ///< edge chains between nodes, those that coincide counted once; 1 for a curve without node
   std::uint64_t faces = 0;  ///< the unbounded one included
   std::uint64_t self1 = 0, self2 = 0, mutual = 0;  ///< pairs of edge chains that meet in a point, by curve
   IndexKind index = IndexKind::tree;               ///< used for C1 against C2
-  SearchCounts search;
-  PredicateCounts predicates;
-  std::uint64_t exact_parameters = 0;  ///< parameters of crossings computed in exact arithmetic
-  std::uint64_t exact_orders = 0;      ///< pairs of crossings ordered in exact arithmetic
+  SearchCounts search;                             ///< counts of the searches
+  PredicateCounts predicates;                      ///< counts of the predicates
+  std::uint64_t exact_parameters = 0;              ///< parameters of crossings computed in exact arithmetic
+  std::uint64_t exact_orders = 0;                  ///< pairs of crossings ordered in exact arithmetic
 };
 
 /// Seconds of wall time of each phase.
 struct RegionTiming {
-  double index = 0, search = 0, nodes = 0, graph = 0, faces = 0, total = 0;
+  double index = 0, search = 0, nodes = 0, graph = 0, faces = 0, total = 0;  ///< each phase, and all of them
 };
 
+/// Options of regions.
 struct RegionOptions {
-  IndexKind index = IndexKind::automatic;
-  Progress progress{};  ///< called with the fraction done, between phases
+  IndexKind index = IndexKind::automatic;  ///< index that proposes which segments can meet; results do not depend on it
+  Progress progress{};                     ///< called with the fraction done, between phases
 };
 
 namespace detail {
@@ -80,14 +85,20 @@ struct RegionPiecesData;
 class RegionPieces {
  public:
   LOBER_API RegionPieces();  ///< none
+  /// For the library itself.
   explicit RegionPieces(std::shared_ptr<const detail::RegionPiecesData> data) : data_(std::move(data)) {}
 
+  /// Number of pieces.
   [[nodiscard]] std::size_t size() const { return areas().size(); }
+  /// The areas of all pieces.
   [[nodiscard]] LOBER_API std::span<const double> areas() const&;
   [[nodiscard]] std::span<const double> areas() const&& = delete;  // a view of data that goes with the temporary
+  /// A piece by its number.
   [[nodiscard]] LOBER_API RegionPiece operator[](std::size_t piece) const;
-  using Iterator = ElementIterator<RegionPieces>;
+  using Iterator = ElementIterator<RegionPieces>;  ///< a position in the range
+  /// The first piece.
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+  /// The end of the pieces.
   [[nodiscard]] Iterator end() const { return {*this, size()}; }
   /// The boundary of a piece as closed polygons: the outer one first, counter-clockwise, then the holes, clockwise.
   /// Polygons do not cross, but may touch each other, and the outer one itself, in vertices. O(vertices).
@@ -101,6 +112,7 @@ class RegionPieces {
 class Regions {
  public:
   LOBER_API Regions();  ///< the regions of no curve
+  /// For the library itself.
   explicit Regions(std::shared_ptr<const detail::Arrangement> arrangement) : arrangement_(std::move(arrangement)) {}
 
   /// All pairs of winding numbers that occur, ascending, without (0, 0).
@@ -117,9 +129,13 @@ class Regions {
   /// O(faces + edges). With one curve, C2 is empty: c1_minus_c2 is the region of C1.
   [[nodiscard]] LOBER_API RegionPieces pieces(FillRule rule, Pairing pairing) const;
 
+  /// Counts of the work.
   [[nodiscard]] LOBER_API const RegionCounts& counts() const&;
+  /// Counts of the work, of a temporary.
   [[nodiscard]] RegionCounts counts() const&& { return counts(); }
+  /// Seconds of each phase.
   [[nodiscard]] LOBER_API const RegionTiming& timing() const&;
+  /// Seconds of each phase, of a temporary.
   [[nodiscard]] RegionTiming timing() const&& { return timing(); }
 
  private:
@@ -134,12 +150,14 @@ class Regions {
 /// the box. All decisions are exact; the same bits for any number of threads and any index. Where k edge chains run
 /// along each other, k^2 / 2 pairs meet at each of their vertices.
 [[nodiscard]] LOBER_API Regions regions(const ClosedCurve& c1, const RegionOptions& options = {});
+/// The regions of two closed curves of any shape.
 [[nodiscard]] LOBER_API Regions regions(const ClosedCurve& c1, const ClosedCurve& c2,
                                         const RegionOptions& options = {});
 
 /// The same for closed curves that are indexed already (and validated by the caller). Throws UsageError for an open
 /// one.
 [[nodiscard]] LOBER_API Regions regions(const IndexedCurve& c1, const RegionOptions& options = {});
+/// The regions of two closed curves that are indexed already.
 [[nodiscard]] LOBER_API Regions regions(const IndexedCurve& c1, const IndexedCurve& c2,
                                         const RegionOptions& options = {});
 

@@ -19,8 +19,9 @@
 
 namespace lober {
 
+/// Areas between smooth curves through the vertices.
 struct SmoothAreas {
-  Areas areas;
+  Areas areas;  ///< the areas
   /// Estimates of |areas - area of the smooth curves that the points were taken from|, on the safe side: for each arc
   /// three times the change that the next two vertices would make (kernels/smooth_segment.hpp), without regard to
   /// signs; the area that an unmoved crossing may hide; rounding.
@@ -36,18 +37,20 @@ struct SmoothAreas {
 /// of threads.
 [[nodiscard]] LOBER_API SmoothAreas smooth_areas(const Overlay& result);
 
+/// The area of one smooth curve.
 struct SmoothArea {
-  double area = 0;   ///< signed, positive counter-clockwise
-  double error = 0;  ///< as in SmoothAreas
-  std::uint64_t fallback_segments = 0;
+  double area = 0;                      ///< signed, positive counter-clockwise
+  double error = 0;                     ///< as in SmoothAreas
+  std::uint64_t fallback_segments = 0;  ///< segments, not of length zero, that stay straight
 };
 
 /// The area of one closed curve, in the same sense; where it crosses itself, weighted by winding numbers. Throws
 /// DataError as `validate` does. O(n), parallel.
 [[nodiscard]] LOBER_API SmoothArea smooth_area(const ClosedCurve& curve);
 
+/// An area that two curves have in common.
 struct CommonArea {
-  double area = 0, error = 0;
+  double area = 0, error = 0;  ///< the area, and its error bar
 };
 
 /// The area that two closed curves have in common. The error is of order h^6 where the polygons are simple; else the

@@ -17,6 +17,7 @@
 
 namespace lober {
 
+/// Options of grow_tangle.
 struct ManifoldTangleOptions {
   /// The largest distance between polygon and manifold. With smooth areas their error is far smaller (order h^6 against
   /// h^2). Where the manifolds lie closer to each other than thirty times this it is made smaller: else polygons would
@@ -26,9 +27,9 @@ struct ManifoldTangleOptions {
   int after = 0;                    ///< images of the bip after it: to f^after(q)
   Point lattice{};                  ///< as in System: manifolds are followed exactly however far along it they lead
   std::optional<Point> bip_near{};  ///< default: as in the system's Connection, else the middle of the first pips found
-  bool smooth = true;
-  int max_iterates = 60;  ///< iterates of either manifold at most
-  std::size_t max_points = 20'000'000;
+  bool smooth = true;               ///< whether areas are those of smooth curves
+  int max_iterates = 60;            ///< iterates of either manifold at most
+  std::size_t max_points = 20'000'000;  ///< points of each manifold at most
   /// Work that both manifolds may take in all, in evaluations of the vector field (PlanarMap::work; steps of the map
   /// where there is none); some ten million a second on one core of a machine of today, more for built-in systems. Not
   /// used with `budget`.
@@ -42,13 +43,13 @@ struct ManifoldTangleOptions {
 /// distances are logarithmic: areas of lobes that reach there mean nothing, but their common areas with others near by
 /// do.
 struct ManifoldTangle {
-  LocalManifold local_u, local_s;
-  GrownManifold u, s;
-  Tangle tangle;         ///< tangle of u and s
-  std::size_t bip = 0;   ///< number of the pip q
-  Rectangle fine;        ///< where manifolds are as fine as asked; beyond, they are followed coarsely
-  Rectangle true_size;   ///< beyond it distances from its middle are logarithmic, so that no number overflows
-  double tolerance = 0;  ///< tolerance that the manifolds were grown to in the end
+  LocalManifold local_u, local_s;  ///< the manifolds next to their saddles
+  GrownManifold u, s;              ///< the manifolds
+  Tangle tangle;                   ///< tangle of u and s
+  std::size_t bip = 0;             ///< number of the pip q
+  Rectangle fine;                  ///< where manifolds are as fine as asked; beyond, they are followed coarsely
+  Rectangle true_size;             ///< beyond it distances from its middle are logarithmic, so that no number overflows
+  double tolerance = 0;            ///< tolerance that the manifolds were grown to in the end
   /// Orbits of the pips from bip - period to bip: those that bound the lobes of the turnstile.
   std::vector<ConnectingOrbit> orbits;
   /// Signed areas of the turnstile lobes by action, in the order of the lobes, and estimates of their errors; empty if
@@ -61,6 +62,7 @@ struct ManifoldTangle {
   /// which errors of areas in `tangle` contain.
   std::vector<double> point_errors_u, point_errors_s;
 
+  /// Number of pips from one to its image.
   [[nodiscard]] std::size_t period() const { return tangle.images.period; }
   /// The pip f^n(q).
   [[nodiscard]] std::size_t image_of_bip(int n) const {

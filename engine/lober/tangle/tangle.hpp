@@ -37,10 +37,10 @@ namespace lober {
 
 /// A primary intersection. rho as in docs/conventions.md, section 3: +1 if S passes from the right of U to its left.
 struct Pip {
-  std::uint32_t node;  ///< its number in Tangle::nodes
-  Point at;            ///< rounded to double; with TangleOptions::smooth where the smooth curves cross
-  Position u, s;
-  int rho = 0;
+  std::uint32_t node;           ///< its number in Tangle::nodes
+  Point at;                     ///< rounded to double; with TangleOptions::smooth where the smooth curves cross
+  Position u, s;                ///< position on U and on S
+  int rho = 0;                  ///< +1 if S passes from the right of U to its left, else -1
   double gap = 0, gap_low = 0;  ///< D, see above, as a double-double; about U's first vertex
   /// With TangleOptions::smooth, estimate of the error of D.
   double gap_error = 0;
@@ -59,6 +59,7 @@ struct Lobe {
   /// lobe falls into pieces.
   bool simple = true;
   bool meets_closure = false;  ///< the path that closes the boundary meets U_k or S_k
+  /// +1 if it is on the left of U_k, else -1.
   [[nodiscard]] int orientation() const { return area > 0 ? 1 : -1; }
 };
 
@@ -76,8 +77,8 @@ struct Boundary {
 /// later (n <= 0: it has been there for -n iterates); regions are 1, inside the boundary, and 2, outside (Rom-Kedar &
 /// Wiggins).
 struct LobeLabel {
-  int from = 0, to = 0;
-  int n = 0;
+  int from = 0, to = 0;  ///< the two regions
+  int n = 0;             ///< number of iterates
 };
 [[nodiscard]] LOBER_API std::string text(const LobeLabel& label);  ///< "L12(1)"; empty where from is 0
 
@@ -91,18 +92,19 @@ struct Images {
   /// image (0 if no image is seen), and the largest sum of signed areas over one period. Both vanish for a map that
   /// preserves area, except for the discretisation.
   double area_change = 0, turnstile_sum = 0;
-  std::size_t compared = 0;  ///< lobes whose image is seen too
-  std::vector<LobeLabel> labels;
+  std::size_t compared = 0;       ///< lobes whose image is seen too
+  std::vector<LobeLabel> labels;  ///< role of each lobe; empty where the period is not known
 
   /// The lobes between f^-1(q) and q, `turnstile_begin` to `turnstile_end`, if they are all there.
   std::size_t turnstile_begin = 0, turnstile_end = 0;
   double lobe_area12 = 0, lobe_area21 = 0;  ///< sums of the turnstile lobes by direction, each lobe counted fully
 };
 
+/// Options of tangle.
 struct TangleOptions {
-  IndexKind index = IndexKind::automatic;
-  std::optional<std::size_t> bip{};  ///< number of the pip; default floor(n / 2)
-  std::optional<Point> bip_near{};   ///< instead of `bip`, the pip nearest to this point
+  IndexKind index = IndexKind::automatic;  ///< index that proposes which segments can meet; results do not depend on it
+  std::optional<std::size_t> bip{};        ///< number of the pip; default floor(n / 2)
+  std::optional<Point> bip_near{};         ///< instead of `bip`, the pip nearest to this point
   /// Corners of the path from p+ to p- that closes the boundary, without p+ and p-: walls, an axis; none: the chord.
   std::vector<Point> closure{};
   std::uint32_t period = 0;  ///< pips from one to its image; 0: infer it
@@ -116,6 +118,7 @@ struct TangleOptions {
 
 /// Seconds of wall time of each phase.
 struct TangleTiming {
+  /// Each phase, and all of them.
   double index = 0, check = 0, crossings = 0, order = 0, pips = 0, areas = 0, total = 0;
 };
 
@@ -123,22 +126,25 @@ namespace detail {
 struct TangleCurves;  // private: engine/geometry/tangle/curves.hpp
 }  // namespace detail
 
+/// The result of tangle.
 struct Tangle {
-  Crossings nodes;  ///< where U (curve 1) and S (curve 2) meet, in order along U; order2() is the order along S
-  std::vector<Pip> pips;
-  std::vector<Lobe> lobes;
-  std::optional<Boundary> boundary;  ///< none without a pip
-  std::vector<Point> closure;        ///< as in TangleOptions
-  Images images;
-  std::vector<std::string> remarks;  ///< remarks on unusual input, one sentence each
-  IndexKind index = IndexKind::tree;
-  SimpleCheck check_simple;
+  Crossings nodes;          ///< where U (curve 1) and S (curve 2) meet, in order along U; order2() is the order along S
+  std::vector<Pip> pips;    ///< primary intersections, outward along U
+  std::vector<Lobe> lobes;  ///< the lobes between neighbouring pips
+  std::optional<Boundary> boundary;                        ///< none without a pip
+  std::vector<Point> closure;                              ///< as in TangleOptions
+  Images images;                                           ///< pairing of pips and lobes under the map
+  std::vector<std::string> remarks;                        ///< remarks on unusual input, one sentence each
+  IndexKind index = IndexKind::tree;                       ///< the index that was used
+  SimpleCheck check_simple;                                ///< cost of the proof that the manifolds are simple
   std::uint64_t fallback_segments = 0, fallback_pips = 0;  ///< with `smooth`: those that stay as in the polygons
-  TangleTiming timing;
+  TangleTiming timing;                                     ///< seconds of each phase
 
-  std::shared_ptr<const detail::TangleCurves> curves;
+  std::shared_ptr<const detail::TangleCurves> curves;  ///< for the library itself
+  /// The unstable manifold.
   [[nodiscard]] const CurveView& u() const& { return nodes.curve1(); }
   [[nodiscard]] const CurveView& u() const&& = delete;  // the points may go with the result
+  /// The stable manifold.
   [[nodiscard]] const CurveView& s() const& { return nodes.curve2(); }
   [[nodiscard]] const CurveView& s() const&& = delete;
   /// Bound on |computed - exact value| of an area of the polygons.
@@ -161,7 +167,7 @@ struct Tangle {
 /// end of U); on arc j of S: between pips j + 1 and j (j = -1: beyond pip 0, to the end of S; j = pips - 1: from p+).
 /// Pip k is on arcs k of both. For a sip, j < k: it lies on both lobes k (by U) and j (by S).
 struct ArcsAt {
-  std::int32_t u, s;
+  std::int32_t u, s;  ///< numbers of the arcs
   /// How far apart these lobes are; 0 for pips. With period P, a sip of generation g shows that lobe j, after
   /// ceil(g / P) iterates or fewer, meets lobes of its own time again.
   [[nodiscard]] std::int32_t generation() const { return u - s; }
@@ -169,9 +175,10 @@ struct ArcsAt {
 /// The arcs at every node, also at nodes that are not crossings. O(nodes).
 [[nodiscard]] LOBER_API std::vector<ArcsAt> arcs_at_nodes(const Tangle& tangle);
 
+/// An area that two lobes have in common.
 struct LobeOverlap {
   std::uint32_t i, j;  ///< i < j in one tangle
-  double area;
+  double area;         ///< area of the common part
   /// With TangleOptions::smooth, an estimate of the error, as Lobe::smooth_error; else a bound on rounding.
   double error = 0;
   double perimeter = 0;  ///< perimeter of their common region
@@ -204,7 +211,7 @@ struct CopyOverlaps {
 [[nodiscard]] LOBER_API std::vector<Point> boundary_outline(const Tangle& tangle);
 /// The result of swept_area.
 struct SweptArea {
-  double area = 0, error = 0;
+  double area = 0, error = 0;  ///< the area, and its error bar
 };
 /// Signed area enclosed by U[p-, q], S[q, p+] and the closure from p+ to p-, q a pip, each part counted with its
 /// winding number; that of the smooth curves if the tangle is made of them. The error is as Lobe::smooth_error.
@@ -215,9 +222,9 @@ struct SweptArea {
 
 /// Lengths in units of the coordinates.
 struct LobeShape {
-  Point centroid;
-  double perimeter = 0;
-  double width = 0;  ///< mean width of a thin lobe, 2 |area| / perimeter
+  Point centroid;        ///< centroid of the area
+  double perimeter = 0;  ///< length of its boundary
+  double width = 0;      ///< mean width of a thin lobe, 2 |area| / perimeter
   /// Estimate of the area that the polygon loses against smooth curves through the same points (kernels/sagitta.hpp).
   double discretisation = 0;
 };

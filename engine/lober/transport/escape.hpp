@@ -33,6 +33,7 @@ namespace lober {
 
 struct Escape;
 
+/// Why the table ends.
 enum class EscapeStop : std::uint8_t {
   done,      ///< all n asked for
   points,    ///< the next images need more than EscapeOptions::max_points
@@ -42,11 +43,12 @@ enum class EscapeStop : std::uint8_t {
   cancelled  ///< by `progress` or a CancellationScope, after some rows were known
 };
 
+/// Options of escape and bottlenecks.
 struct EscapeOptions {
   int crossings = 4;        ///< n goes up to this
   double tolerance = 1e-6;  ///< tolerance of curves, in units of the square root of the area of the smallest E_i
   double strip = 1e-6;      ///< area cut off where an image is cut, in units of the smallest E_i (cut_images.hpp)
-  IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};
+  IntegrationOptions integration{.tolerance = 1e-13, .max_time = 200};  ///< how trajectories are integrated
   /// Points of one curve. The table ends before an image that is expected to need more, or turns out to.
   std::size_t max_points = 2'000'000;
   /// Work that all curves may take, in evaluations of the vector field (PlanarMap::work); a point where cut curves
@@ -65,7 +67,7 @@ struct EscapeOptions {
 
 /// A bottleneck and its curves on the section.
 struct Bottleneck {
-  PeriodicOrbit orbit;
+  PeriodicOrbit orbit;                                             ///< the periodic orbit
   Branch entry_branch = Branch::plus, exit_branch = Branch::plus;  ///< branches of the tubes, towards the section
   double multiplier = 0;         ///< multiplier of the orbit by the local manifold of its unstable tube
   double defect_across = 0;      ///< the larger defect of both local manifolds
@@ -77,6 +79,7 @@ struct Bottleneck {
   double area_defect = 0;
 };
 
+/// A row of the table: the fraction of what enters by one bottleneck that leaves by another.
 struct EscapeFraction {
   std::size_t entry = 0, exit = 0;  ///< numbers of bottlenecks
   int crossings = 0;                ///< n: crossings of the section in its direction, until the bottleneck
@@ -87,13 +90,15 @@ struct EscapeFraction {
   bool cut = false;                                            ///< part of one of the two curves had left already
   /// The fraction from another split; NaN if there is none.
   double other = std::numeric_limits<double>::quiet_NaN();
-  double other_error = std::numeric_limits<double>::quiet_NaN();
-  int other_forward = 0, other_backward = 0;
+  double other_error = std::numeric_limits<double>::quiet_NaN();  ///< error bar of `other`
+  int other_forward = 0, other_backward = 0;                      ///< a and b of the other split
+  /// Whether the fraction is a number.
   [[nodiscard]] bool is_known() const { return fraction == fraction; }
 };
 
+/// The result of escape.
 struct Escape {
-  double energy = 0;
+  double energy = 0;                    ///< energy of the trajectories
   Section section;                      ///< its direction is the one that n counts
   std::vector<Bottleneck> bottlenecks;  ///< ordered by their saddle's coordinate across the section, ascending
   /// Saddles of rank 1 below the energy that are not bottlenecks here, from a search on a grid about the bottlenecks:
@@ -137,7 +142,7 @@ LOBER_API void compare_areas(std::span<const Bottleneck> bottlenecks, Agreement&
 /// The fractions of one entry, summed up to n crossings: the fraction that has left by each exit, and the fraction that
 /// has not.
 struct Survival {
-  int crossings = 0;
+  int crossings = 0;         ///< n up to which both tables go
   std::vector<double> left;  ///< fraction by each exit
   double remains = 1;  ///< 1 - sum of left; where Escape::also_open lists saddles, part of it may have left by them
   double error = 0;    ///< sum of the error bars

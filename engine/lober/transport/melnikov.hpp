@@ -27,6 +27,7 @@ namespace lober {
 /// The flow for a value of eps. It has to be smooth in eps about 0 and have the same period T for all eps.
 using FlowFamily = std::function<std::shared_ptr<const Flow>(double eps)>;
 
+/// A zero of Melnikov's function.
 struct MelnikovZero {
   double t0 = 0;     ///< in [0, T)
   double slope = 0;  ///< dM/dt0
@@ -38,6 +39,7 @@ struct MelnikovLobe {
   double integral = 0;        ///< integral of M; its negative is the signed area of the lobe per eps (Lobe::area)
 };
 
+/// Melnikov's function of a flow.
 struct Melnikov {
   double period = 0;  ///< T
   Point from, to;     ///< the saddles at eps = 0
@@ -48,12 +50,14 @@ struct Melnikov {
   std::vector<MelnikovZero> zeros;  ///< ascending; none where M is zero throughout, to its error, or has one sign
   std::vector<MelnikovLobe> lobes;  ///< from each zero to the next, cyclically
 
+  /// M(t0).
   [[nodiscard]] LOBER_API double at(double t0) const;
   /// Sums of the areas of a period's lobes to first order, each counted as positive: lobes on the left of U and lobes
   /// on its right.
   struct Sides {
-    double left = 0, right = 0;
+    double left = 0, right = 0;  ///< the sum of each side
   };
+  /// The sums of both sides for a value of eps.
   [[nodiscard]] LOBER_API Sides lobe_areas(double eps) const;
 };
 

@@ -10,25 +10,27 @@
 
 namespace lober {
 
+/// Options of monte_carlo.
 struct MonteCarloOptions {
-  std::uint64_t trajectories = 1'000'000;  ///< from each entry
-  std::uint64_t seed = 1;
-  IntegrationOptions integration{.tolerance = 1e-9, .max_time = 200};
-  Progress progress{};  ///< called with the fraction done
+  std::uint64_t trajectories = 1'000'000;                              ///< from each entry
+  std::uint64_t seed = 1;                                              ///< seed of the random numbers
+  IntegrationOptions integration{.tolerance = 1e-9, .max_time = 200};  ///< how trajectories are integrated
+  Progress progress{};                                                 ///< called with the fraction done
 };
 
 /// The count for one row of Escape::table.
 struct MonteCarloFraction {
-  std::uint64_t count = 0;
-  double fraction = 0;
+  std::uint64_t count = 0;    ///< number of trajectories that left so
+  double fraction = 0;        ///< their part of all
   double standard_error = 0;  ///< sqrt(F (1 - F) / N), F from the table where it is known, else the fraction counted
 };
 
+/// The result of monte_carlo.
 struct MonteCarlo {
   std::vector<MonteCarloFraction> table;  ///< row by row as Escape::table
-  std::uint64_t trajectories = 0;
-  std::uint64_t lost = 0;        ///< neither inside an exit nor followed to the next crossing
-  double largest_deviation = 0;  ///< max |counted - table| in standard errors
+  std::uint64_t trajectories = 0;         ///< number of trajectories from each entry
+  std::uint64_t lost = 0;                 ///< neither inside an exit nor followed to the next crossing
+  double largest_deviation = 0;           ///< max |counted - table| in standard errors
 };
 
 /// The fractions of the table and those counted. A bar allows five standard errors, and for rare fractions the effect

@@ -18,16 +18,16 @@ namespace lober {
 
 /// The member of the family for one value of the parameter.
 struct FamilyMember {
-  std::shared_ptr<const PlanarMap> map;
-  Connection connection;
-  Point lattice{};  ///< as in System
+  std::shared_ptr<const PlanarMap> map;  ///< the map
+  Connection connection;                 ///< the manifolds of its tangle
+  Point lattice{};                       ///< as in System
 };
 /// Called from several threads; may throw Error, which is recorded for that value.
 using Family = std::function<FamilyMember(double)>;
 
 /// The turnstile for one value.
 struct SweepRow {
-  double value = 0;
+  double value = 0;                     ///< value of the parameter
   std::string failure;                  ///< why there is no result; empty if there is one
   Point from, to;                       ///< the saddles
   Point bip;                            ///< q
@@ -39,11 +39,11 @@ struct SweepRow {
   /// mu(L12(1)), mu(L21(1)): the areas that leave and enter in one iterate, by geometry, as in TransportBoundary. NaN
   /// where the boundary has no flux: then `remark` says why.
   Measured flux12{}, flux21{};
-  std::string remark;
+  std::string remark;  ///< why the boundary has no flux; empty if it has one
   /// Sums of the areas of the lobes that leave and that enter, each counted fully: more than the flux where they
   /// overlap. By geometry, and by action (NaN if the map has none).
   Measured lobe_area12{}, lobe_area21{};
-  double lobe_area12_by_action = 0, lobe_area21_by_action = 0;
+  double lobe_area12_by_action = 0, lobe_area21_by_action = 0;  ///< the same sums by action
   /// W(q) - W(q'), q' the pip half an iterate before q: in a reversible map the other symmetric pip, so that this
   /// crosses zero where the two sides of the turnstile change places. It is the area of a lobe only as long as there
   /// are two pips an iterate. NaN without an action.
@@ -59,20 +59,23 @@ struct SweepZero {
   double value = 0;          ///< the zero
   double width = 0;          ///< width of the interval in which the zero is known to lie
   double difference = 0;     ///< the difference that is left there
-  int evaluations = 0;
-  std::string failure;  ///< why it could not be refined: a value without a result, or a jump
+  int evaluations = 0;       ///< number of evaluations of the difference
+  std::string failure;       ///< why it could not be refined: a value without a result, or a jump
 };
 
+/// Options of sweep.
 struct SweepOptions {
   ManifoldTangleOptions tangle{};  ///< `progress` in it is not used
-  bool find_zeros = false;
-  double zero_tolerance = 1e-10;  ///< relative to the value
-  Progress progress{};            ///< called with the fraction of the values that are done
+  bool find_zeros = false;         ///< whether to refine sign changes of the difference
+  double zero_tolerance = 1e-10;   ///< relative to the value
+  Progress progress{};             ///< called with the fraction of the values that are done
 };
 
+/// The result of sweep.
 struct Sweep {
-  std::vector<SweepRow> rows;  ///< in the order of the values
-  std::vector<SweepZero> zeros;
+  std::vector<SweepRow> rows;    ///< in the order of the values
+  std::vector<SweepZero> zeros;  ///< in the order of the values
+  /// Number of rows without a result.
   [[nodiscard]] LOBER_API std::size_t failures() const;
 };
 

@@ -36,20 +36,25 @@
 
 namespace lober {
 
+/// A region between boundaries.
 struct Region {
   /// Coefficients of the constant 1 and then of each boundary in the function of the region: -1, 0 or 1.
   std::vector<int> coefficients;
-  Measured area;  ///< NaN when it is not bounded
-  bool bounded = true;
+  Measured area;        ///< NaN when it is not bounded
+  bool bounded = true;  ///< whether its area is finite
 };
 
 /// Quantities between regions, row by row: row i, column j for the pair (i + 1, j + 1).
 class RegionMatrix {
  public:
   RegionMatrix() = default;
+  /// A matrix of zeros for this number of regions.
   explicit RegionMatrix(std::size_t regions) : size_(regions), entries_(regions * regions) {}
+  /// Number of regions.
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// The entry of row i and column j, from 0.
   [[nodiscard]] Measured& operator()(std::size_t i, std::size_t j) { return entries_[i * size_ + j]; }
+  /// The entry of row i and column j, from 0.
   [[nodiscard]] const Measured& operator()(std::size_t i, std::size_t j) const { return entries_[i * size_ + j]; }
 
  private:
@@ -62,7 +67,7 @@ using TurnstileOverlaps = std::array<std::array<Measured, 2>, 2>;
 
 /// The results for one n, as matrices of regions; NaN where a route gives no value.
 struct TransportStep {
-  int n = 0;
+  int n = 0;                   ///< number of steps
   RegionMatrix flux;           ///< a_ij(n), by lobes; a_ii too
   RegionMatrix total;          ///< T_ij(n), by lobes; for i = j NaN where the region is not bounded
   RegionMatrix by_boundaries;  ///< T_ij(n)
@@ -70,18 +75,19 @@ struct TransportStep {
   TurnstileOverlaps overlaps;  ///< mu(L_ij(1) n f^(n-1) L_kl(1)) of the first boundary
 };
 
+/// Options of transport.
 struct TransportOptions {
-  int iterates = 7;
-  double tolerance = 1e-5;          ///< tolerance of the manifolds, see ManifoldTangleOptions
-  std::optional<Point> bip_near{};  ///< a point near q, of the first tangle
-  std::size_t max_points = 20'000'000;
+  int iterates = 7;                                    ///< rows n = 1 to this number
+  double tolerance = 1e-5;                             ///< tolerance of the manifolds, see ManifoldTangleOptions
+  std::optional<Point> bip_near{};                     ///< a point near q, of the first tangle
+  std::size_t max_points = 20'000'000;                 ///< points of each manifold at most
   double max_work = ManifoldTangleOptions{}.max_work;  ///< for each tangle, as in ManifoldTangleOptions
   double budget = 0;  ///< seconds for all of it, by the clock: results then depend on the machine; 0: max_work
   std::vector<Connection> further{};  ///< connections whose boundaries bound more regions
   Point lattice{};                    ///< as in System: the plane repeats itself after this shift; (0, 0): it does not
   std::uint64_t particles = 0;        ///< particles in each bounded region; 0: none are counted
-  std::uint64_t seed = 1;
-  Progress progress{};  ///< called with lines about the step being done
+  std::uint64_t seed = 1;             ///< seed of the random numbers of particles
+  Progress progress{};                ///< called with lines about the step being done
   /// Called with each row, without particles, when it is ready, and with all comparisons so far; from the calling
   /// thread.
   std::function<void(const TransportStep&, const Agreement&)> on_step{};
@@ -89,8 +95,8 @@ struct TransportOptions {
 
 /// One tangle and its contribution.
 struct TransportBoundary {
-  Connection connection;
-  std::unique_ptr<ManifoldTangle> manifolds;
+  Connection connection;                      ///< the manifolds that bound the region
+  std::unique_ptr<ManifoldTangle> manifolds;  ///< the tangle
   double point_error = 0;  ///< how far the manifolds may lie from the true ones by integration and rounding
   /// Area that the boundary encloses; where it runs round a cylinder, between it and the line along the lattice
   /// through the origin, negative below that.
@@ -99,17 +105,19 @@ struct TransportBoundary {
   /// Sums of the areas of the lobes from f^-1(q) to q that leave and that enter, each counted fully: more than the flux
   /// where they overlap one another. By geometry, and by action (NaN if the map has none).
   Measured lobe_area12, lobe_area21;
-  double lobe_area12_by_action = 0, lobe_area21_by_action = 0;
+  double lobe_area12_by_action = 0, lobe_area21_by_action = 0;  ///< the same sums by action
 };
 
+/// The result of transport.
 struct Transport {
-  std::vector<TransportBoundary> boundaries;
-  std::vector<Region> regions;
-  std::vector<TransportStep> steps;  ///< n = 1, 2, ...
+  std::vector<TransportBoundary> boundaries;  ///< the boundaries, the first one that of region 1
+  std::vector<Region> regions;                ///< the regions R1, R2, ...
+  std::vector<TransportStep> steps;           ///< n = 1, 2, ...
   int iterates_a_step = 1;  ///< map iterates; 2 where a saddle has negative multipliers: n counts second iterates
-  std::vector<std::string> remarks;
-  Agreement agreement;
+  std::vector<std::string> remarks;  ///< remarks that a user should read
+  Agreement agreement;               ///< comparisons of all routes
 
+  /// The tangle of the first boundary.
   [[nodiscard]] const ManifoldTangle& manifolds() const { return *boundaries.front().manifolds; }
 };
 
@@ -127,13 +135,13 @@ struct Transport {
 /// The same from two curves alone, as far as they reach: their tangle, whose period must be known. Without a map there
 /// are no particles and no integration error.
 struct TransportOfCurves {
-  std::vector<Region> regions;
-  Measured enclosed;
+  std::vector<Region> regions;                        ///< the regions R1 and R2
+  Measured enclosed;                                  ///< area that the boundary encloses
   Measured flux12, flux21, lobe_area12, lobe_area21;  ///< as in TransportBoundary
-  std::vector<TransportStep> steps;
-  std::string limit;  ///< why there are fewer rows than were asked for; empty if all are there
-  std::vector<std::string> remarks;
-  Agreement agreement;
+  std::vector<TransportStep> steps;                   ///< n = 1, 2, ...
+  std::string limit;                 ///< why there are fewer rows than were asked for; empty if all are there
+  std::vector<std::string> remarks;  ///< remarks that a user should read
+  Agreement agreement;               ///< comparisons of both routes
 };
 /// Gives at most `iterates` rows. Throws DataError when the lobes between the bip and its pre-image are not all there,
 /// or the period that was given does not fit them.

@@ -170,5 +170,18 @@ TEST(Tables, NamesOfCurves) {
   std::filesystem::remove(colon);
 }
 
+// "1,5" for 1.5: no choice of columns may read that as 1 and 5.
+TEST(Tables, DecimalCommasAreRefused) {
+  for (const char* table : {"1,5 2,5\n3,5 4,5\n", "1,5;2,5\n", "1,5;2,5;3\n", "x y\n1,5\t2,5\n", "0,1   7\n"}) {
+    for (const char* columns : {"", "1,2", "2,1"}) {
+      EXPECT_NE(table_fault(table, columns).find("decimals begin with a point"), std::string::npos)
+          << table << ' ' << columns;
+    }
+  }
+  for (const char* table : {"1, 2\n3, 4\n", "1 ,2\n3 , 4\n", " 1,2 \n3,4\t\n", "1,2 # a b\n3,4\n"}) {
+    EXPECT_EQ(read_table(table).zones.at(0).points, (TablePoints{{1, 2}, {3, 4}})) << table;
+  }
+}
+
 }  // namespace
 }  // namespace lober::detail

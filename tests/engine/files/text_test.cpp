@@ -166,7 +166,9 @@ TEST(TextErrors, SayWhereAndWhat) {
       {"1,\n", "in:1: expected two columns, found 1"},
       {",1\n", "in:1: expected two columns, found 1"},
       {"1,,2\n", "in:1: expected two columns, found 3"},
-      {"1,5 2,5\n", "in:1: expected two columns, found 4"},
+      {"1,5 2,5\n",
+       "in:1: commas separate columns here, and decimals begin with a point; write the numbers with points, as sed "
+       "'s/,/./g' does"},
       {"t x y\n1 2 3\n", "in:2: expected two columns, found 3: t, x, y; choose two by FILE:NAME,NAME"},
       {"1 2\nnan 4\n", "in:2: not a finite number: \"nan\""},
       {"nan 1\n1 2\n", "in:1: not a finite number: \"nan\""},
