@@ -1,11 +1,7 @@
 # Installs the manual pages of the program and of its commands, and the completions for bash, zsh and fish, as the program
 # writes them. Run by `cmake --install` with `program`, its path, and `folder`, a folder for the pages until then.
-execute_process(COMMAND ${program} --generate commands OUTPUT_VARIABLE commands ERROR_VARIABLE refusal
-                RESULT_VARIABLE status OUTPUT_STRIP_TRAILING_WHITESPACE)
-if(NOT status EQUAL 0)
-  message(STATUS "No manual pages and no completions: this program does not know --generate: ${refusal}")
-  return()
-endif()
+execute_process(COMMAND ${program} --generate commands OUTPUT_VARIABLE commands OUTPUT_STRIP_TRAILING_WHITESPACE
+                COMMAND_ERROR_IS_FATAL ANY)
 
 # generate(FILE KIND...): what the program writes, as a file.
 function(generate file)

@@ -11,16 +11,15 @@ build_depends=$(sed -n '/^Build-Depends/,/^$/{s/^Build-Depends[A-Za-z-]*://; s/(
 # shellcheck disable=SC2086
 scripts/install-packages.sh build-essential $build_depends
 
-echo "Builds the packages of lober $version: about $(($(nproc) > 4 ? 5 : 20 / $(nproc))) minutes, much less where a compiler cache has its objects"
+echo "Builds the packages of lober $version: minutes, most of them to compile; ccache, where it is installed, keeps that for the next time"
 tree=$folder/lober-$version
 rm -rf "$folder"
 mkdir -p "$tree"
 git ls-files -z | tar --create --null --no-recursion --files-from=- | tar --extract --directory="$tree"
 git describe --always --abbrev=12 --exclude='*' --dirty=+changes >"$tree/COMMIT"
-# debhelper has a home of its own, where the cache would be lost.
-if [ -z "${CCACHE_DIR:-}" ] && command -v ccache >/dev/null; then
-  CCACHE_DIR=$(ccache --get-config cache_dir)
-  export CCACHE_DIR
+# debhelper has a home of its own, where the compiler cache would be lost.
+if command -v ccache >/dev/null; then
+  export CCACHE_DIR=${CCACHE_DIR:-$(ccache --get-config cache_dir)} CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin
 export DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-noautodbgsym parallel=$(nproc)}"

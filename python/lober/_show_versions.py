@@ -9,6 +9,7 @@ from importlib import metadata
 from pathlib import Path
 
 from . import _lober
+from ._files import formats
 
 #: Packages that are imported when they are used, and for what.
 OPTIONAL = {
@@ -31,8 +32,18 @@ def _program(command: str) -> str:
     return found or "NumPy, as there is no compiler here"
 
 
+def _libraries() -> list[tuple[str, str]]:
+    """The libraries that read and write formats of files, by Debian's names."""
+    found: dict[str, tuple[str, list[str]]] = {}
+    for entry in formats():
+        if entry.library:
+            found.setdefault(entry.library, (entry.missing or "there", []))[1].append(entry.name)
+    return [(library, f"{state} ({', '.join(names)})") for library, (state, names) in found.items()]
+
+
 def show_versions() -> None:
-    """Prints the versions of lober, Python and NumPy, compiler, instruction set and threads, and the optional packages.
+    """Prints the versions of lober, Python and NumPy, compiler, instruction set and threads, the optional packages, and
+    the libraries for formats of files.
 
     Nothing is imported for it. A report of an error is complete with these lines.
     """
@@ -46,6 +57,7 @@ def show_versions() -> None:
         ("instructions", build["instruction_set"]),
         ("threads", str(build["threads"])),
         *((package, f"{_version(package)} ({use})") for package, use in OPTIONAL.items()),
+        *_libraries(),
     ]
     width = max(len(name) for name, _ in lines)
     print("\n".join(f"{name:<{width}}  {value}" for name, value in lines))

@@ -23,6 +23,10 @@ def test_versions(capsys):
     assert int(lines["threads"]) >= 1
     assert lines["compiler"].split()[0] in ("GCC", "clang")
     assert {"matplotlib", "sympy", "numba", "shapely"} <= set(lines)
+    for entry in lober.formats():
+        if entry.library:
+            assert entry.name in lines[entry.library]
+            assert lines[entry.library].startswith(entry.missing or "there (")
 
 
 def test_versions_without_optional_packages(monkeypatch, capsys):
