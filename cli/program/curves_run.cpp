@@ -50,17 +50,21 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
 void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,
                        CurvesReport& report, const std::array<double, 2>& areas,
                        const std::array<Orientation, 2>& orientations, const Json& engine,
-                       const std::function<double()>& seconds_so_far) {
+                       const std::function<double()>& seconds_so_far,
+                       const std::function<void(detail::OutputFile&)>& more) {
   const detail::Stopwatch watch;
   Json inputs = Json::array();
   for (std::size_t k = 0; k < 2; ++k) inputs.push_back(input_json(report.inputs[k], areas[k], orientations[k]));
-  write_outcome_json(path, command, {{"inputs", std::move(inputs)}}, operations::named(operation), report.outcome, [&] {
-    Json seconds{{"read", report.read_seconds}, {"index", report.index_seconds}};
-    seconds.update(engine);
-    seconds["write"] = report.write_seconds + watch.seconds();
-    seconds["total"] = seconds_so_far();
-    return seconds;
-  });
+  write_outcome_json(
+      path, command, {{"inputs", std::move(inputs)}}, operations::named(operation), report.outcome,
+      [&] {
+        Json seconds{{"read", report.read_seconds}, {"index", report.index_seconds}};
+        seconds.update(engine);
+        seconds["write"] = report.write_seconds + watch.seconds();
+        seconds["total"] = seconds_so_far();
+        return seconds;
+      },
+      more);
 }
 
 Option add_rule_option(OptionParser& parser, std::string& rule) {

@@ -11,6 +11,7 @@
 #include "cli/program/option_parser.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/report/json.hpp"
+#include "engine/base/output_file.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
 
@@ -33,7 +34,8 @@ struct CurvesReport {
 void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,
                        CurvesReport& report, const std::array<double, 2>& areas,
                        const std::array<Orientation, 2>& orientations, const Json& engine,
-                       const std::function<double()>& seconds_so_far);
+                       const std::function<double()>& seconds_so_far,
+                       const std::function<void(detail::OutputFile&)>& more = {});
 
 /// --rule RULE, which runs the operation regions instead.
 Option add_rule_option(OptionParser& parser, std::string& rule);
