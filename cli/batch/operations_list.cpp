@@ -141,6 +141,7 @@ void show_operations(const std::vector<std::string>& arguments) {
   std::vector<OperationInfo> all = list_operations();
   if (!name.empty()) {
     std::vector<std::string> known;
+    known.reserve(all.size());
     for (const OperationInfo& info : all) known.push_back(info.name);
     std::erase_if(all, [&](const OperationInfo& info) { return info.name != name; });
     if (all.empty())

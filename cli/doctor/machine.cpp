@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "engine/batch/queue/jobs.hpp"
+#include "engine/base/machine_memory.hpp"
 
 namespace lober::cli {
 namespace {

@@ -24,6 +24,7 @@ struct CurveFileOptions {
 template <typename Curves>
 [[nodiscard]] std::vector<std::string> notes_on(const Curves& curves) {
   std::vector<std::string> notes;
+  notes.reserve(curves.size());
   for (const NamedCurve& curve : curves) notes.push_back(note_on(curve));
   return notes;
 }

@@ -95,6 +95,7 @@ void require_file_or_system(const std::string& name) {
   const std::vector<SystemInfo> systems = list_systems();
   if (!std::filesystem::exists(detail::file_of_curve(name))) {
     std::vector<std::string> names;
+    names.reserve(systems.size());
     for (const SystemInfo& info : systems) names.push_back(info.name);
     throw UsageError(name + " is neither a file nor a system; the systems are " + detail::joined(names) +
                      detail::did_you_mean(name, names));

@@ -31,6 +31,7 @@ std::vector<SystemEntry> entries() {
 template <typename Things, typename Name>
 std::vector<std::string> names_of(const Things& things, const Name& name) {
   std::vector<std::string> names;
+  names.reserve(things.size());
   for (const auto& thing : things) names.push_back(name(thing));
   return names;
 }

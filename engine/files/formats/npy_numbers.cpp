@@ -33,7 +33,7 @@ using Load = double (*)(const std::byte*, bool);
 // How an element is read, and its size; null for elements that are not numbers.
 struct Element {
   Load load = nullptr;
-  std::size_t size = 0;
+  std::size_t size = 1;
   bool swap = false;
 };
 
@@ -81,6 +81,7 @@ bool holds_numbers(const NpyHeader& header) {
 
 Buffer<double> npy_numbers(const NpyHeader& header, std::span<const std::byte> data, const std::string& path) {
   const Element element = element_of(header);
+  if (element.load == nullptr) throw DataError(path + ": elements of type " + header.type + " are not numbers");
   const std::size_t count = ArrayInfo{{}, header.shape}.size();
   if (data.size() % element.size != 0 || data.size() / element.size != count) {
     throw DataError(path + ": the NPY header promises " + std::to_string(count) + " numbers of " +

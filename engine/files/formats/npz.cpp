@@ -74,7 +74,7 @@ class NpzFile final : public ArrayFile {
       }
       Member member{k, name, {}};
       try {
-        member.header = read_npy_header(head, path + ": " + name + ".npy");
+        member.header = read_npy_header(head, path);
       } catch (const DataError&) {  // structured arrays, objects
         continue;
       }

@@ -42,4 +42,5 @@ class OptionalLibrary {
 }  // namespace lober::detail
 
 // A member that holds a function of a library: LOBER_LOADED(library, zip_close).
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name that is declared takes none
 #define LOBER_LOADED(library, name) decltype(&::name) name = (library).function<decltype(&::name)>(#name)

@@ -7,16 +7,20 @@ namespace lober::detail {
 
 std::string provenance_text(const WriteOptions& options) {
   std::string text;
-  for (const auto& [key, value] : options.provenance) text += (text.empty() ? "" : "\n") + key + ": " + value;
+  for (const auto& [key, value] : options.provenance) {
+    if (!text.empty()) text += '\n';
+    text.append(key).append(": ").append(value);
+  }
   return text;
 }
 
 std::string comment_lines(const WriteOptions& options) {
   std::string text;
   for (const auto& [key, value] : options.provenance) {
-    std::string line = key + ": " + value;
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    text += "# " + line + '\n';
+    const std::size_t begin = text.size();
+    text.append("# ").append(key).append(": ").append(value);
+    std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), '\n', ' ');
+    text += '\n';
   }
   return text;
 }

@@ -15,14 +15,15 @@ namespace lober {
 
 /// A format of curve files.
 struct FormatInfo {
-  Format format = Format::text;
-  std::string_view name;      ///< as `name(format)` and the option --format have it
-  std::string_view meaning;   ///< a line for people
-  std::string_view suffixes;  ///< endings of names, the usual one first: ".h5 .hdf5"
-  bool reads = false, writes = false;
-  bool takes_several = false;  ///< whether a file can hold several curves
-  std::string_view library;    ///< Debian's package of the library that it needs; empty for none
-  std::string missing;         ///< why that library is not there, and what to do; empty where it is, or none is needed
+  Format format = Format::text;  ///< the format
+  std::string_view name;         ///< as `name(format)` and the option --format have it
+  std::string_view meaning;      ///< a line for people
+  std::string_view suffixes;     ///< endings of names, the usual one first: ".h5 .hdf5"
+  bool reads = false;            ///< whether it is read
+  bool writes = false;           ///< whether it is written
+  bool takes_several = false;    ///< whether a file can hold several curves
+  std::string_view library;      ///< Debian's package of the library that it needs; empty for none
+  std::string missing;  ///< why that library is not there, and what to do; empty where it is, or none is needed
 };
 
 /// All formats, in the order of the documentation. Loads libraries to see which are there: some milliseconds.
@@ -31,6 +32,7 @@ struct FormatInfo {
 /// The format that the ending of a name stands for, in either case; nothing where none does.
 [[nodiscard]] LOBER_API std::optional<Format> format_of_name(std::string_view path);
 
+/// How curves are written.
 struct WriteOptions {
   std::optional<Format> format = {};  ///< nothing: by the ending of the name
   bool closed = false;                ///< curves are closed, so that formats that tell the two apart hold polygons
