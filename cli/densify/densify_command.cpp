@@ -21,6 +21,7 @@ using operations::RefinedCurve;
 
 struct DensifyRequest {
   std::vector<std::string> curves;
+  Periods periods;
   std::string output, against_output, json, format;
   bool open = false, open_against = false;
   std::vector<operations::OptionSetting> settings;
@@ -41,6 +42,7 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
       .value("CURVE [AGAINST]")
       .required()
       .count(1, 2);
+  add_periodic_option(parser, request.periods);
   add_points_option(parser, request.output, request.format, true);
   parser.add_flag("--open", request.open, "Read CURVE as an open curve: its last vertex is not joined to the first.");
   parser.add_flag("--open-against", request.open_against, "Read AGAINST as an open curve.");
@@ -93,7 +95,9 @@ void run(const DensifyRequest& request) {
     std::vector<operations::Input> inputs;
     curves.reserve(request.curves.size());
     for (const std::string& file : request.curves) {
-      curves.push_back(read_curve(file, curves.empty() ? !request.open : !request.open_against));
+      curves.push_back(
+          read_curve(file, curves.empty() ? !request.open : !request.open_against, {.periods = request.periods}));
+      if (curves.size() == 2) move_near(curves[1].curve.points, curves[0].curve.points, request.periods);
       inputs.emplace_back(operations::CurveInput{curves.back().curve, file});
     }
     if (curves.size() == 2) require_same_columns(curves[0].curve, curves[1].curve);

@@ -20,6 +20,7 @@ namespace {
 
 struct InteriorRequest {
   std::array<std::string, 2> curves;
+  Periods periods;
   std::string json, svg, rule;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
@@ -33,7 +34,7 @@ std::optional<InteriorRequest> parse_interior(const std::vector<std::string>& ar
       "Computes the areas of two closed curves, which have to be simple unless --rule is given, by the interior "
       "function: Q1, Q2, Q3.",
       "lober interior");
-  add_curve_arguments(parser, request.curves);
+  add_curve_arguments(parser, request.curves, request.periods);
   TableOptions options(parser, operations::named("interior"));
   const Option svg = parser
                          .add("--svg", request.svg,
@@ -93,7 +94,8 @@ void run(const InteriorRequest& request) {
   CurvesReport report;
   {
     Progress progress;
-    report = run_on_curves(by_rule ? "regions" : "interior", request.curves, request.settings, progress);
+    report =
+        run_on_curves(by_rule ? "regions" : "interior", request.curves, request.settings, request.periods, progress);
     progress.phase("writing", 0.9, 1);
     const auto total = [&] { return watch.seconds(); };
     if (!request.svg.empty()) write_interior_picture(request.svg, report.outcome.as<operations::CurveInterior>());

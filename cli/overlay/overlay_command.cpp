@@ -20,11 +20,13 @@ namespace {
 
 struct OverlayRequest {
   std::array<std::string, 2> curves;
+  Periods periods;
   std::string lobes, crossings, json, svg, rule, format;
   std::vector<operations::OptionSetting> settings;
   std::vector<double> window;  // window of the picture
   int threads = 0;
   bool verbose = false;
+  bool rings = false;
 };
 
 // Nothing when the arguments asked for help, which is printed.
@@ -33,8 +35,12 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
   OptionParser parser(
       "Computes the crossings, lobes and areas of two closed curves, which have to be simple unless --rule is given.",
       "lober overlay");
-  add_curve_arguments(parser, request.curves);
+  add_curve_arguments(parser, request.curves, request.periods);
   add_json_option(parser, request.json);
+  const Option rings =
+      parser.add_flag("--rings", request.rings,
+                      "Put the outlines of all pieces into the JSON, as lists of points: for each piece its "
+                      "outer ring, then its holes.");
   const Option lobes =
       parser
           .add("--lobes", request.lobes,
@@ -50,15 +56,16 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
   add_window_option(parser, request.window, svg);
   add_format_option(parser, request.format);
   TableOptions options(parser, operations::named("overlay"));
-  options["areas_only"].excludes(lobes).excludes(svg);
+  options["areas_only"].excludes(lobes).excludes(svg).excludes(rings);
   Option rule = add_rule_option(parser, request.rule);
-  rule.excludes(crossings).excludes(svg);
+  rule.excludes(crossings).excludes(svg).excludes(rings);
   for (const char* const key : {"check_simple", "verify", "smooth", "classes", "discretisation"}) {
     rule.excludes(options[key]);
   }
   add_threads_option(parser, request.threads);
   add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
+  if (request.rings && request.json.empty()) throw UsageError("--rings needs --json (see lober overlay --help)");
   (void)window_of(request.window);
   request.settings = options.settings();
   if (!request.rule.empty()) request.settings.push_back({"rule", request.rule});
@@ -76,7 +83,8 @@ std::vector<Output> outputs_of(const OverlayRequest& request) {
   return outputs;
 }
 
-void write_json(const std::string& path, CurvesReport& report, const std::function<double()>& seconds_so_far) {
+void write_json(const std::string& path, bool rings, CurvesReport& report,
+                const std::function<double()>& seconds_so_far) {
   const auto& found = report.outcome.as<CurveOverlay>();
   const OverlayTiming& timing = found.timing;
   Json seconds{
@@ -84,7 +92,9 @@ void write_json(const std::string& path, CurvesReport& report, const std::functi
   if (found.consistency) seconds["verify"] = found.verify_seconds;
   if (found.smooth) seconds["smooth"] = found.smooth_seconds;
   write_curves_json(path, "overlay", "overlay", report, {found.areas.c1, found.areas.c2},
-                    {found.orientation1, found.orientation2}, seconds, seconds_so_far);
+                    {found.orientation1, found.orientation2}, seconds, seconds_so_far, [&](detail::OutputFile& file) {
+                      if (rings) write_rings(file, found);
+                    });
 }
 
 void log_timing(const CurvesReport& report, double total) {
@@ -105,7 +115,8 @@ void run(const OverlayRequest& request) {
   CurvesReport report;
   {
     Progress progress;
-    report = run_on_curves(by_rule ? "regions" : "overlay", request.curves, request.settings, progress);
+    report =
+        run_on_curves(by_rule ? "regions" : "overlay", request.curves, request.settings, request.periods, progress);
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
     const auto total = [&] { return watch.seconds(); };
@@ -122,7 +133,7 @@ void run(const OverlayRequest& request) {
       if (!request.crossings.empty()) write_crossings(request.crossings, found);
       if (!request.svg.empty()) write_picture(request.svg, found, window_of(request.window));
       report.write_seconds = write_watch.seconds();
-      if (!request.json.empty()) write_json(request.json, report, total);
+      if (!request.json.empty()) write_json(request.json, request.rings, report, total);
     }
   }
   if (!takes_standard_output(outputs)) print(by_rule ? regions_table(report) : overlay_table(report));

@@ -4,6 +4,7 @@
 
 #include "cli/overlay/overlay_report.hpp"
 #include "cli/report/text.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/base/parallel/parallel.hpp"
@@ -94,6 +95,34 @@ void write_lobes(const std::string& path, const CurveRegions& found, const Curve
       [&](Pairing pairing, std::size_t k) {
         return zones_of(pairing, k, pieces_of(pairing).areas()[k], pieces_of(pairing).outline(k));
       });
+}
+
+void write_rings(detail::OutputFile& file, const CurveOverlay& found) {
+  std::string text = "\"rings\": {";
+  for (const Pairing pairing : all_pairings) {
+    append_all(text, pairing == all_pairings.front() ? "\"" : ",\n \"", name(pairing), "\": [");
+    for (std::size_t k = 0; k < found.pieces(pairing).size(); ++k) {
+      text += k == 0 ? "\n  [" : ",\n  [";
+      bool first = true;
+      for (const std::vector<Point>& ring : outline(found, pairing, k)) {
+        text += first ? "[" : ",[";
+        first = false;
+        for (const Point& point : ring) {
+          text += &point == ring.data() ? "[" : ",[";
+          detail::append_json_number(text, point.x);
+          text += ',';
+          detail::append_json_number(text, point.y);
+          text += ']';
+        }
+        text += ']';
+      }
+      text += ']';
+      file.write(text);
+      text.clear();
+    }
+    text += ']';
+  }
+  file.write(text + "},\n");
 }
 
 void write_crossings(const std::string& path, const CurveOverlay& found) {

@@ -9,6 +9,7 @@
 #include "cli/program/curves_run.hpp"
 #include "cli/report/curve_file.hpp"
 #include "cli/report/report.hpp"
+#include "engine/base/output_file.hpp"
 
 namespace lober::cli {
 
@@ -35,6 +36,9 @@ void append_sigma(std::string& text, const CurveOverlay& found, std::size_t node
 /// One Tecplot zone for each piece of C1 \ C2, then of C2 \ C1; the holes of a piece follow it as zones of
 /// their own.
 void write_lobes(const std::string& path, const CurveOverlay& found, const CurveFileOptions& options);
+/// The member `rings` of the JSON: for each pairing and each of its pieces the outer ring, then the holes, as points
+/// [x, y].
+void write_rings(detail::OutputFile& file, const CurveOverlay& found);
 void write_lobes(const std::string& path, const CurveRegions& found, const CurveFileOptions& options);
 
 /// The nodes as comma-separated columns, which a comment at the top of the file explains.

@@ -1,8 +1,10 @@
 #include "cli/program/command_line.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 
 #include "cli/program/output_names.hpp"
@@ -80,10 +82,38 @@ bool takes_standard_output(std::span<const Output> outputs) {
   return std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return output.path == "-"; });
 }
 
-void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves) {
+namespace {
+
+// "x=1", "y=360", "x=2pi": a number, perhaps with pi behind it, or pi alone.
+void take_period(const std::string& text, Periods& periods) {
+  const auto fail = [&] {
+    throw UsageError("--periodic: \"" + text + "\" is not x=PERIOD or y=PERIOD, such as x=2pi");
+  };
+  if (text.size() < 3 || (text[0] != 'x' && text[0] != 'y') || text[1] != '=') fail();
+  std::string number = text.substr(2);
+  const bool of_pi = number.ends_with("pi");
+  if (of_pi) number.resize(number.size() - 2);
+  const std::optional<double> factor = of_pi && number.empty() ? 1 : number_of(number);
+  if (!factor || !(*factor > 0) || !std::isfinite(*factor)) fail();
+  (text[0] == 'x' ? periods.x : periods.y) = of_pi ? *factor * std::numbers::pi : *factor;
+}
+
+}  // namespace
+
+void add_periodic_option(OptionParser& parser, Periods& periods) {
+  parser
+      .add_call(
+          "--periodic", [&periods](const std::string& text) { take_period(text, periods); },
+          "The period of a coordinate: x=1, y=360 or x=2pi. Curves that were stored modulo it are followed across the "
+          "seam, and the second curve is moved by whole periods to the first. May be given for both coordinates.")
+      .value("x=PERIOD");
+}
+
+void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves, Periods& periods) {
   parser.add("C1", curves[0], "The first curve: FILE, or FILE#ZONE for one zone of it (by number from 0, or by title).")
       .required();
   parser.add("C2", curves[1], "The second curve, in the same form.").required();
+  add_periodic_option(parser, periods);
 }
 
 void add_points_option(OptionParser& parser, std::string& path, std::string& format, bool required) {

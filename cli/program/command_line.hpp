@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/program/option_parser.hpp"
+#include "lober/curve/periods.hpp"
 #include "lober/curve/point.hpp"
 #include "lober/tangle/tangle.hpp"
 
@@ -40,8 +41,10 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
 
 // Options that several commands have, in one spelling and with one text.
 
-/// C1 and C2, closed curves.
-void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves);
+/// C1 and C2, closed curves, and --periodic.
+void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves, Periods& periods);
+/// --periodic x=2pi of curves that are read (ReadOptions::periods).
+void add_periodic_option(OptionParser& parser, Periods& periods);
 /// -o FILE, of points, and --format of it.
 void add_points_option(OptionParser& parser, std::string& path, std::string& format, bool required);
 /// --format KIND of the files of curves.

@@ -8,7 +8,8 @@
 namespace lober::cli {
 
 CurvesReport run_on_curves(const std::string& operation, const std::array<std::string, 2>& curves,
-                           const std::vector<operations::OptionSetting>& settings, Progress& progress) {
+                           const std::vector<operations::OptionSetting>& settings, Periods periods,
+                           Progress& progress) {
   const operations::Operation& entry = operations::named(operation);
   const operations::Options options = checked_options(entry, settings);
   CurvesReport report;
@@ -16,11 +17,12 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
   const detail::Stopwatch read_watch;
   double points = 0;
   for (std::size_t k = 0; k < 2; ++k) {
-    report.inputs[k] = read_curve(curves[k], true);
+    report.inputs[k] = read_curve(curves[k], true, {.periods = periods});
     points += static_cast<double>(report.inputs[k].curve.points.size());
     progress.advance(0.5 * static_cast<double>(k + 1));
   }
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
+  move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, periods);
   report.read_seconds = read_watch.seconds();
   progress.of(points, "points");
   progress.phase(operation, 0.25, 0.9);
@@ -48,17 +50,21 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
 void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,
                        CurvesReport& report, const std::array<double, 2>& areas,
                        const std::array<Orientation, 2>& orientations, const Json& engine,
-                       const std::function<double()>& seconds_so_far) {
+                       const std::function<double()>& seconds_so_far,
+                       const std::function<void(detail::OutputFile&)>& more) {
   const detail::Stopwatch watch;
   Json inputs = Json::array();
   for (std::size_t k = 0; k < 2; ++k) inputs.push_back(input_json(report.inputs[k], areas[k], orientations[k]));
-  write_outcome_json(path, command, {{"inputs", std::move(inputs)}}, operations::named(operation), report.outcome, [&] {
-    Json seconds{{"read", report.read_seconds}, {"index", report.index_seconds}};
-    seconds.update(engine);
-    seconds["write"] = report.write_seconds + watch.seconds();
-    seconds["total"] = seconds_so_far();
-    return seconds;
-  });
+  write_outcome_json(
+      path, command, {{"inputs", std::move(inputs)}}, operations::named(operation), report.outcome,
+      [&] {
+        Json seconds{{"read", report.read_seconds}, {"index", report.index_seconds}};
+        seconds.update(engine);
+        seconds["write"] = report.write_seconds + watch.seconds();
+        seconds["total"] = seconds_so_far();
+        return seconds;
+      },
+      more);
 }
 
 Option add_rule_option(OptionParser& parser, std::string& rule) {

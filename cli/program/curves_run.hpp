@@ -11,6 +11,7 @@
 #include "cli/program/option_parser.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/report/json.hpp"
+#include "engine/base/output_file.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
 
@@ -26,13 +27,15 @@ struct CurvesReport {
 /// Reads the curves and runs the operation. Throws DataError for curves that cannot be used; for one that is not simple
 /// it names the file and the option --rule.
 [[nodiscard]] CurvesReport run_on_curves(const std::string& operation, const std::array<std::string, 2>& curves,
-                                         const std::vector<operations::OptionSetting>& settings, Progress& progress);
+                                         const std::vector<operations::OptionSetting>& settings, Periods periods,
+                                         Progress& progress);
 
 /// Writes the JSON object of a command. `engine` are the engine's parts of the timing.
 void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,
                        CurvesReport& report, const std::array<double, 2>& areas,
                        const std::array<Orientation, 2>& orientations, const Json& engine,
-                       const std::function<double()>& seconds_so_far);
+                       const std::function<double()>& seconds_so_far,
+                       const std::function<void(detail::OutputFile&)>& more = {});
 
 /// --rule RULE, which runs the operation regions instead.
 Option add_rule_option(OptionParser& parser, std::string& rule);

@@ -36,6 +36,7 @@ struct OperationRequest {
   SystemRequest system;
   std::deque<std::string> files;  // in the order of the inputs; in place, because they are parsed into
   std::string output, json, format;
+  Periods periods;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
 };
@@ -75,7 +76,9 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
     }
     const std::string& path = *file++;
     if (path.empty()) continue;
-    const Curve& curve = read.curves.emplace_back(read_curve(path, is_closed(spec.kind, options))).curve;
+    Curve& curve =
+        read.curves.emplace_back(read_curve(path, is_closed(spec.kind, options), {.periods = request.periods})).curve;
+    if (read.curves.size() > 1) move_near(curve.points, read.curves.front().curve.points, request.periods);
     names.push_back(path);
     if (spec.kind == InputKind::points) {
       read.inputs.emplace_back(std::span<const Point>(curve.points));
@@ -179,6 +182,7 @@ void run_operation(const operations::Operation& operation, const std::vector<std
     if (!input.optional) argument.required();
   }
   const TableOptions options(parser, operation);
+  if (!request.files.empty()) add_periodic_option(parser, request.periods);
   if (curve_of_result(operation) != nullptr) add_points_option(parser, request.output, request.format, false);
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);

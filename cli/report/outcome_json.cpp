@@ -17,7 +17,8 @@ Json setting_json(const operations::OptionValue& value) {
 
 void write_outcome_json(const std::string& path, std::string_view command,
                         const std::vector<std::pair<std::string, Json>>& inputs, const operations::Operation& operation,
-                        const operations::Outcome& outcome, const std::function<Json()>& timing) {
+                        const operations::Outcome& outcome, const std::function<Json()>& timing,
+                        const std::function<void(detail::OutputFile&)>& more) {
   JsonFile json(path, command);
   if (operation.compares) add_agreement(json, outcome.agreement);
   for (const auto& [name, value] : inputs) json.member(name, value);
@@ -30,6 +31,7 @@ void write_outcome_json(const std::string& path, std::string_view command,
   json.member("options", options);
   write_json_members(operation.result, outcome.value.get(), [&](std::string_view text) { json.file().write(text); });
   json.file().write(",\n");
+  if (more) more(json.file());
   json.finish(timing());
 }
 

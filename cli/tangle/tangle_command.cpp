@@ -29,6 +29,7 @@ namespace {
 struct TangleRequest {
   std::array<std::string, 2> curves;
   std::array<bool, 2> reverse{};
+  Periods periods;
   TangleOutputs outputs;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
@@ -79,6 +80,7 @@ std::optional<TangleRequest> parse_tangle(const std::vector<std::string>& argume
       .value("K|X,Y");
   const TableOptions options(parser, operations::named("tangle"), {"bip", "bip_near"});
   request.outputs.add_options(parser);
+  add_periodic_option(parser, request.periods);
   add_reverse_option(parser, request.reverse);
   add_threads_option(parser, request.threads);
   add_verbose_option(parser, request.verbose);
@@ -111,13 +113,14 @@ void read_inputs(const TangleRequest& request, Progress& progress, TangleReport&
     specs = {specs[0] + "#0", specs[0] + "#1"};
   }
   for (std::size_t k = 0; k < 2; ++k) {
-    report.inputs[k] = read_manifold(specs[k], request.reverse[k]);
+    report.inputs[k] = read_manifold(specs[k], request.reverse[k], request.periods);
     if (one_file && report.inputs[k].zones != 2) {
       throw DataError(request.curves[0] + ": has " + counted(report.inputs[k].zones, "zone", "zones") +
                       "; alone it has to have two, U and S");
     }
     progress.advance(0.5 * static_cast<double>(k + 1));
   }
+  move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, request.periods);
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
   report.reversed = request.reverse;
 }

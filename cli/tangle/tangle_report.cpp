@@ -21,8 +21,8 @@ const ManifoldTangle* TangleReport::manifolds() const {
   return origin ? outcome.as<operations::SystemTangle>().manifolds.get() : nullptr;
 }
 
-NamedCurve read_manifold(const std::string& spec, bool reverse) {
-  NamedCurve input = read_curve(spec, false);
+NamedCurve read_manifold(const std::string& spec, bool reverse, Periods periods) {
+  NamedCurve input = read_curve(spec, false, {.periods = periods});
   if (reverse) std::reverse(input.curve.points.begin(), input.curve.points.end());
   return input;
 }

@@ -27,7 +27,7 @@ struct TangleReport {
 };
 
 /// Reads a curve as a manifold, outward from its fixed point after turning it round where that is asked for.
-[[nodiscard]] NamedCurve read_manifold(const std::string& spec, bool reverse);
+[[nodiscard]] NamedCurve read_manifold(const std::string& spec, bool reverse, Periods periods = {});
 
 /// Calls `make`; that a manifold crosses itself is a DataError that names it, U or S, and the point.
 void with_names_of(const NamedCurve& u, const NamedCurve& s, const std::function<void()>& make);

@@ -23,6 +23,7 @@ constexpr std::size_t max_cells = 100'000'000;
 
 struct WindingRequest {
   std::string curve;
+  Periods periods;
   std::vector<std::string> at;
   std::vector<int> grid;
   std::vector<double> box;
@@ -38,6 +39,7 @@ void add_options(OptionParser& parser, WindingRequest& request) {
            "The closed curve, which may cross itself: FILE, or FILE#ZONE for one zone of it (by number from 0, or by "
            "title).")
       .required();
+  add_periodic_option(parser, request.periods);
   const Option at = parser
                         .add("--at", request.at,
                              "A point X,Y, in the coordinates of the curve, or a FILE of points, all zones of it; "
@@ -109,7 +111,7 @@ WindingReport compute(const WindingRequest& request, Progress& progress) {
   WindingReport report;
   progress.phase("reading", 0, 0.2);
   const detail::Stopwatch read_watch;
-  report.input = read_curve(request.curve, true);
+  report.input = read_curve(request.curve, true, {.periods = request.periods});
   report.points = points_of("--at", request.at, &report.input.curve);
   report.read_seconds = read_watch.seconds();
   const detail::Stopwatch index_watch;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "engine/base/file_bytes.hpp"
 #include "engine/base/nearest_word.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/text.hpp"
 #include "engine/files/closing.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "engine/files/foreign.hpp"
@@ -54,6 +56,18 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
     fail("has several zones titled \"" + choice + "\"; choose one of " + choices(file.path, zones));
   }
   return static_cast<std::size_t>(found - file.zones.begin());
+}
+
+// A curve that goes round a cylinder would be closed by a segment across all of it.
+void require_closed_in_the_plane(std::span<const Point> points, Periods periods, const std::string& spec) {
+  if (points.empty()) return;
+  const auto check = [&](double first, double last, double period, const char* name) {
+    if (period == 0 || std::fabs(last - first) <= 0.5 * period) return;
+    throw DataError(spec + ": goes round the period of " + name + ", " + format_number(period) +
+                    ", so that it is not closed in the plane; cut it open, or leave the period out");
+  };
+  check(points.front().x, points.back().x, periods.x, "x");
+  check(points.front().y, points.back().y, periods.y, "y");
 }
 
 }  // namespace
@@ -141,15 +155,22 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   if (chosen) result.zone = choose_zone(file, *parts.zone);
   Zone& zone = file.zones[result.zone];
   result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : zone.title};
+  const std::size_t seams = unwrap(result.curve.points, options.periods);
   result.file = path;
   result.sha256 = std::move(file.sha256);
   if (closed) {
     const std::size_t given = result.curve.points.size();
     drop_closing_vertex(result.curve.points);
+    require_closed_in_the_plane(result.curve.points, options.periods, spec);
     if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
   }
   if (const std::string columns = columns_remark(file.header, result.curve.points); !columns.empty()) {
     result.remark = columns + (result.remark.empty() ? "" : "; " + result.remark);
+  }
+  if (seams > 0) {
+    result.remark += result.remark.empty() ? "" : "; ";
+    result.remark += "crosses the seam of a period " + std::to_string(seams) + (seams == 1 ? " time" : " times") +
+                     " and is followed across it";
   }
   result.curve.latitude_first = latitude_first(file);
   validate(result.curve, spec);

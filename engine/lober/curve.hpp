@@ -6,4 +6,5 @@
 #include "lober/curve/drawing.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/curve/formats.hpp"
+#include "lober/curve/periods.hpp"
 #include "lober/curve/point.hpp"

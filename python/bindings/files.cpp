@@ -23,8 +23,10 @@ py::tuple read_zones(const std::string& path, bool hash, const std::string& colu
   return py::make_tuple(name(file.format), file.sha256, zones);
 }
 
-py::array read_one(const std::string& spec, bool closed) {
-  NamedCurve found = long_call(0, [&] { return read_curve(spec, closed, {.hash = false}); });
+py::array read_one(const std::string& spec, bool closed, double period_x, double period_y) {
+  NamedCurve found = long_call(0, [&] {
+    return read_curve(spec, closed, {.hash = false, .periods = {period_x, period_y}});
+  });
   return array_of(std::move(found.curve.points));
 }
 
@@ -68,7 +70,7 @@ py::list list_formats() {
 
 void bind_files(py::module_& module) {
   module.def("read_zones", read_zones, py::arg("path"), py::arg("hash"), py::arg("columns"));
-  module.def("read_one", read_one, py::arg("spec"), py::arg("closed"));
+  module.def("read_one", read_one, py::arg("spec"), py::arg("closed"), py::arg("period_x"), py::arg("period_y"));
   module.def("write_zones", write_zones, py::arg("path"), py::arg("zones"), py::arg("format"), py::arg("closed"),
              py::arg("notes"));
   module.def("list_formats", list_formats);

@@ -27,15 +27,16 @@ class CurveFile:
     zones: list[Zone]
 
 
-def read(path: Path, *, closed: bool = True) -> Points:
+def read(path: Path, *, closed: bool = True, periods: tuple[float | None, float | None] = (None, None)) -> Points:
     """The points of one curve: of FILE, or of one zone, FILE#2 by its number from 0 or FILE#TITLE. FILE:lon,lat and
     FILE:2,3 choose columns of a table by name or number, FILE:lon,lat,by=id#a one of its groups; FILE.h5:/group/x,/group/y
     two arrays of an HDF5, NetCDF, MAT or NPZ file, FILE.npz:xy one of N x 2.
 
     The format is recognised by the content, compressed by gzip or not: `formats()` lists them. A closed curve loses a
-    last point that repeats the first. Raises DataError, which names file and line.
+    last point that repeats the first. `periods` are those of x and y: a curve that was stored modulo them is followed
+    across the seam. Raises DataError, which names file and line.
     """
-    return _lober.read_one(os.fspath(path), closed)
+    return _lober.read_one(os.fspath(path), closed, periods[0] or 0, periods[1] or 0)
 
 
 def read_zones(path: Path, *, columns: str = "") -> CurveFile:

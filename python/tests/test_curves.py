@@ -136,6 +136,15 @@ def test_tables(tmp_path):
         lober.read(f"{path}:lon,lit")
 
 
+def test_curves_across_a_seam(tmp_path):
+    curve = ring(40) / 3 + [0.9, 0.5]
+    lober.write(tmp_path / "seam.npy", curve % 1)
+    assert abs(lober.area(lober.read(tmp_path / "seam.npy"))) != pytest.approx(abs(lober.area(curve)))
+    assert lober.read(tmp_path / "seam.npy", periods=(1, None)) + [1, 0] == pytest.approx(curve)
+    with pytest.raises(lober.UsageError, match="a period has to be positive"):
+        lober.read(tmp_path / "seam.npy", periods=(-1, None))
+
+
 def test_names_of_files_with_a_zero_byte(tmp_path):
     """They were cut there: another file was written, or read."""
     victim = tmp_path / "nul"

@@ -35,6 +35,34 @@ TEST_F(OverlayProgram, GetsSharedSidesRight) {
   EXPECT_EQ(differences(box(0, 0, 2, 2), {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}), Pair(0, 0));
 }
 
+// A square with a smaller one inside, which is a hole of C1 \ C2, and a flower that cuts another.
+TEST_F(OverlayProgram, PutsRingsIntoTheJson) {
+  write_curve("outer", box(0, 0, 4, 4));
+  write_curve("inner", box(1, 1, 2, 3));
+  write_curve("flower", flower(400, 5, 0.4, {3, 3}));
+  for (const char* other : {"inner", "flower"}) {
+    const Json result = overlay({"outer", other, "--rings"});
+    for (const auto& [pairing, pieces] : result["pieces"].items()) {
+      ASSERT_EQ(pieces.size(), result["rings"][pairing].size()) << pairing;
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const Json& rings = result["rings"][pairing][k];
+        EXPECT_EQ(rings.size(), 1 + pieces[k]["holes"].get<std::size_t>());
+        double area = 0;
+        for (const Json& ring : rings) {
+          std::vector<Point> points;
+          for (const Json& point : ring) points.push_back({point[0], point[1]});
+          const ClosedCurve curve(points);
+          area += (&ring == &rings[0] ? 1 : -1) * std::fabs(signed_area(curve));
+        }
+        EXPECT_NEAR(area, pieces[k]["area"].get<double>(), 1e-13) << pairing << ' ' << k;
+      }
+    }
+  }
+  const Outcome refused = run({"overlay", "outer", "inner", "--rings"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("--rings needs --json"), std::string::npos) << refused.err;
+}
+
 TEST_F(OverlayProgram, TakesEitherOrientationAndAClosingVertex) {
   write("c1", "0 0\n0 1\n1 1\n1 0\n0 0\n");
   write_curve("c2", box(0.5, 0.5, 1.5, 1.5));

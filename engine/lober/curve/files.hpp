@@ -12,6 +12,7 @@
 
 #include "lober/base/export.hpp"
 #include "lober/curve/curve.hpp"
+#include "lober/curve/periods.hpp"
 
 namespace lober {
 
@@ -66,6 +67,8 @@ struct ReadOptions {
   /// curve begins and the last one ends. Arrays of two axes are one curve a row (MATLAB: a column), which may end in
   /// NaN. Empty: arrays called x and y, or longitude and latitude, or the only one of N x 2 or 2 x N numbers.
   std::string columns = {};
+  /// Periods of x and y, for `read_curve`: a curve that was stored modulo them is followed across the seam.
+  Periods periods = {};
 };
 
 /// Reads every zone of a file. The format is chosen by the content, never by the name. The file is
