@@ -23,13 +23,9 @@ ROOT = HERE.parent.parent
 
 def commands_page(lober: Path, _: Path) -> str:
     """The help of every command, as the program prints it."""
-    first = subprocess.run([lober, "--help"], check=True, capture_output=True, text=True).stdout
-    names = []
-    for line in first.splitlines():
-        words = line.split()
-        if line.startswith("  lober ") and words[1].isidentifier() or words[:1] == ["lober"] and "-" in words[1][1:]:
-            if words[1][0] not in "-<" and words[1] not in names:
-                names.append(words[1])
+    names = subprocess.run(
+        [lober, "--generate", "commands"], check=True, capture_output=True, text=True
+    ).stdout.split()
     parts = ["# Commands and options\n", "The help of every command, printed by the program when this site was built.\n"]
 
     def add(title: str, arguments: list[str]) -> None:
@@ -43,7 +39,7 @@ def commands_page(lober: Path, _: Path) -> str:
             for verb in ("run", "check", "status", "export", "merge", "manifest", "operations"):
                 add(f"lober batch {verb}", [name, verb])
     if len(names) < 15:
-        raise SystemExit(f"only {len(names)} commands found in the help of {lober}")
+        raise SystemExit(f"only {len(names)} commands listed by {lober}")
     return "\n".join(parts)
 
 
