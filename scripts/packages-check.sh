@@ -132,7 +132,7 @@ documents_are_there() {
     [ -s lober/html/index.html ]
     # Links from page to page, and to pictures.
     cd lober/html
-    missing=$(grep -hoE "(href|src)=\"[^\":#?]+" index.html | sed "s/.*=\"//" | sort -u | while read -r target; do
+    missing=$(grep -hoE "(href|src)=\"[^\":#?]+[\"#?]" index.html | sed "s/.*=\"//; s/.$//" | sort -u | while read -r target; do
       [ -e "$target" ] || echo "$target"
     done)
     [ -z "$missing" ] || { echo "index.html names what is not there: $missing"; exit 1; }
