@@ -56,14 +56,13 @@ void add_pairing(std::string& text, const std::vector<SigmaStep>& steps, const P
   add_matrix(text, "gamma", steps, &SigmaStep::sigma);
 }
 
-// The step of a node, by bisection; none of a touch.
+}  // namespace
+
 const SigmaStep* step_of(const std::vector<SigmaStep>& steps, std::size_t node) {
   const auto found = std::lower_bound(steps.begin(), steps.end(), node,
                                       [](const SigmaStep& step, std::size_t wanted) { return step.crossing < wanted; });
   return found != steps.end() && found->crossing == node ? &*found : nullptr;
 }
-
-}  // namespace
 
 std::size_t class_count(const std::vector<SigmaStep>& steps) {
   std::size_t count = 0;

@@ -48,7 +48,8 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
           .value("FILE");
   const Option crossings = parser
                                .add("--crossings", request.crossings,
-                                    "Write the crossings to FILE as comma-separated columns (default: no file).")
+                                    "Write the crossings to FILE as comma-separated columns, or, if it ends in .npy, "
+                                    "as a NumPy array with the same columns (default: no file).")
                                .value("FILE");
   const Option svg =
       parser.add("--svg", request.svg, "Draw the curves and the lobes as an SVG picture in FILE (default: no file).")

@@ -8,6 +8,7 @@
 #include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "lober/curve/formats.hpp"
 
 namespace lober::cli {
 namespace {
@@ -55,7 +56,8 @@ std::vector<Zone> zones_of(Pairing pairing, std::size_t piece, double area, std:
   for (std::vector<Point>& polygon : polygons) {
     zones.push_back({title, std::move(polygon)});
     zones.back().hole = zones.size() > 1;
-    zones.back().numbers = {{"piece", static_cast<double>(piece)}, {"area", area}};
+    zones.back().numbers = {{"piece", static_cast<double>(piece)}};
+    if (!zones.back().hole) zones.back().numbers.emplace_back("area", area);  // that of the piece, once
     title = name(pairing);
     append_all(title, " ", piece, " hole ", zones.size());
   }
@@ -126,6 +128,7 @@ void write_rings(detail::OutputFile& file, const CurveOverlay& found) {
 }
 
 void write_crossings(const std::string& path, const CurveOverlay& found) {
+  if (format_of_name(path) == Format::npy) return write_crossings_npy(path, found);
   detail::OutputFile file(path);
   file.write(crossings_header);
   if (found.steps) file.write(sigma_header);

@@ -32,6 +32,8 @@ using operations::CurveRegions;
 /// Names of the columns that `sigma` adds to the crossings, each after a comma, and those of one node.
 [[nodiscard]] std::string sigma_columns();
 void append_sigma(std::string& text, const CurveOverlay& found, std::size_t node);
+/// The step of a node, by bisection; null for a touch.
+[[nodiscard]] const SigmaStep* step_of(const std::vector<SigmaStep>& steps, std::size_t node);
 
 /// One Tecplot zone for each piece of C1 \ C2, then of C2 \ C1; the holes of a piece follow it as zones of
 /// their own.
@@ -42,7 +44,9 @@ void write_rings(detail::OutputFile& file, const CurveOverlay& found);
 void write_lobes(const std::string& path, const CurveRegions& found, const CurveFileOptions& options);
 
 /// The nodes as comma-separated columns, which a comment at the top of the file explains.
+/// As comma-separated columns, or, where the name ends in .npy, as a structured NumPy array.
 void write_crossings(const std::string& path, const CurveOverlay& found);
+void write_crossings_npy(const std::string& path, const CurveOverlay& found);
 
 /// An SVG picture of the two curves and of the pieces of C1 \ C2 and C2 \ C1. `window`: the part of the plane that is
 /// drawn; none: both curves. With classes the crossings have their numbers, tangents and colours of rho, and the

@@ -23,6 +23,13 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
   }
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
   move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, periods);
+  if (const Rectangle box = include(include({}, report.inputs[0].curve.points), report.inputs[1].curve.points);
+      (periods.x != 0 && box.max_x - box.min_x > periods.x) || (periods.y != 0 && box.max_y - box.min_y > periods.y)) {
+    log_warning(
+        "together the curves are wider than the period: they could also meet where one of them is moved by a period, "
+        "which "
+        "is not counted");
+  }
   report.read_seconds = read_watch.seconds();
   progress.of(points, "points");
   progress.phase(operation, 0.25, 0.9);

@@ -26,7 +26,8 @@ constexpr std::array<std::string_view, 2> json_options{"--json", "--graph"};
 constexpr std::array<std::string_view, 2> picture_options{"--svg", "--picture"};
 constexpr std::array<std::string_view, 4> zone_options{"--lobes", "--boundary", "--pips", "--curves"};
 constexpr std::array<std::string_view, 2> several_options{"--lobes", "--curves"};  // among these
-constexpr std::array<std::string_view, 2> table_options{"--crossings", "--csv"};
+constexpr std::array<std::string_view, 1> crossings_options{"--crossings"};
+constexpr std::array<std::string_view, 1> table_options{"--csv"};
 constexpr std::array<std::string_view, 6> published_options{"<rslt>",     "<lobefile>",  "<manifile>",
                                                             "<pipsfile>", "<lobebfile>", "<lobeseq>"};
 
@@ -35,6 +36,7 @@ constexpr std::string_view curves_kind = "curves";
 constexpr std::array<std::string_view, 1> json_endings{".json"};
 constexpr std::array<std::string_view, 1> picture_endings{".svg"};
 constexpr std::array<std::string_view, 1> table_endings{".csv"};
+constexpr std::array<std::string_view, 2> crossings_endings{".csv", ".npy"};
 
 /// The outputs of the options of one kind. Without endings: text under any name that is not of another format.
 struct OutputKind {
@@ -42,9 +44,10 @@ struct OutputKind {
   std::string_view what;
   Names endings;
 };
-constexpr std::array<OutputKind, 5> output_kinds{{{json_options, "JSON", json_endings},
+constexpr std::array<OutputKind, 6> output_kinds{{{json_options, "JSON", json_endings},
                                                   {picture_options, "an SVG picture", picture_endings},
                                                   {zone_options, curves_kind, {}},
+                                                  {crossings_options, "a table of crossings", crossings_endings},
                                                   {table_options, "comma-separated columns", table_endings},
                                                   {published_options, "text in the format of Lober 1.8", {}}}};
 

@@ -113,6 +113,11 @@ WindingReport compute(const WindingRequest& request, Progress& progress) {
   const detail::Stopwatch read_watch;
   report.input = read_curve(request.curve, true, {.periods = request.periods});
   report.points = points_of("--at", request.at, &report.input.curve);
+  if (request.periods.any()) {  // each to the sheet on which the curve is
+    const Rectangle box = include({}, report.input.curve.points);
+    const std::array<Point, 2> corners{Point{box.min_x, box.min_y}, Point{box.max_x, box.max_y}};
+    for (Point& point : report.points) move_near({&point, 1}, corners, request.periods);
+  }
   report.read_seconds = read_watch.seconds();
   const detail::Stopwatch index_watch;
   const IndexedCurve curve(report.input.curve);

@@ -15,6 +15,7 @@
 #include "engine/files/formats/format_table.hpp"
 #include "engine/files/formats/gzip.hpp"
 #include "engine/files/geographic.hpp"
+#include "engine/files/number.hpp"
 #include "engine/files/plausible.hpp"
 #include "engine/files/read_memory.hpp"
 #include "engine/files/sniff.hpp"
@@ -24,9 +25,20 @@ namespace lober {
 using namespace detail;
 namespace {
 
+/// Whether a number behind '#' is that of a group or a row, not a position.
+bool are_numbers(const CurveFile& file) {
+  double ignored = 0;
+  return file.titled_by_group && std::all_of(file.zones.begin(), file.zones.end(), [&](const Zone& zone) {
+           return parse_number(zone.title, ignored) == NumberKind::finite;
+         });
+}
+
 /// "FILE#0 to FILE#5"
-std::string choices(const std::string& path, std::size_t zones) {
-  return path + "#0 to " + path + "#" + std::to_string(zones - 1);
+std::string choices(const std::string& path, const CurveFile& file) {
+  const auto one = [&](std::size_t k) {
+    return path + "#" + (are_numbers(file) ? file.zones[k].title : std::to_string(k));
+  };
+  return one(0) + " to " + one(file.zones.size() - 1);
 }
 
 bool exists(const std::string& path) {
@@ -41,9 +53,9 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
   std::size_t index = 0;
   const char* const end = choice.data() + choice.size();
   const auto [stop, error] = std::from_chars(choice.data(), end, index);
-  if (stop == end && error != std::errc::invalid_argument) {
+  if (stop == end && error != std::errc::invalid_argument && !are_numbers(file)) {
     if (error == std::errc{} && index < zones) return index;
-    fail("has no zone " + choice + (zones == 1 ? ", only " + file.path + "#0" : ", only " + choices(file.path, zones)));
+    fail("has no zone " + choice + (zones == 1 ? ", only " + file.path + "#0" : ", only " + choices(file.path, file)));
   }
   const auto titled = [&](const Zone& zone) { return zone.title == choice; };
   const auto found = std::find_if(file.zones.begin(), file.zones.end(), titled);
@@ -53,7 +65,7 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
     fail("has no zone titled \"" + choice + "\"" + did_you_mean(choice, titles));
   }
   if (std::find_if(found + 1, file.zones.end(), titled) != file.zones.end()) {
-    fail("has several zones titled \"" + choice + "\"; choose one of " + choices(file.path, zones));
+    fail("has several zones titled \"" + choice + "\"; choose one of " + choices(file.path, file));
   }
   return static_cast<std::size_t>(found - file.zones.begin());
 }
@@ -150,7 +162,7 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   if (!chosen && result.zones > 1) {
     const std::string before = parts.columns.empty() ? path : path + ":" + parts.columns;
     throw DataError(path + ": has " + std::to_string(result.zones) + " zones; choose one with " +
-                    choices(before, result.zones));
+                    choices(before, file));
   }
   if (chosen) result.zone = choose_zone(file, *parts.zone);
   Zone& zone = file.zones[result.zone];

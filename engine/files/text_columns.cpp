@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/files/geographic.hpp"
+#include "engine/files/number.hpp"
 #include "engine/files/source_location.hpp"
 #include "engine/files/tecplot.hpp"
 
@@ -17,7 +18,7 @@ struct FirstLines {
   std::vector<std::string_view> names;   // in the header, or in the last comment before the points
   std::vector<std::string_view> fields;  // in the first line with numbers
   std::size_t line = 0;                  // its number, counted from 1; 0 if there is none
-  bool has_decimal_commas = false;       // commas beside another separator
+  bool has_decimal_commas = false;
   bool is_tecplot = false;
 };
 
@@ -27,19 +28,28 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-// Whether a line has commas and other separators: "1,5 2,5" or "1,5;2,5", where commas are those of decimals; a comma
-// with blanks about it is one separator.
-bool mixes_separators(std::string_view line) {
+// Whether commas are those of decimals: "1,5 2,5" or "1,5;2,5". Between other separators there is nothing but numbers,
+// some of which have a comma inside.
+bool has_decimal_commas(std::string_view line) {
   line = line.substr(0, line.find('#'));
-  if (line.find(',') == std::string_view::npos) return false;
-  if (line.find(';') != std::string_view::npos) return true;
-  for (std::size_t begin = line.find_first_of(" \t"); begin != std::string_view::npos;) {
-    const std::size_t end = line.find_first_not_of(" \t\r", begin);
-    if (end == std::string_view::npos) return false;
-    if (begin > 0 && line[begin - 1] != ',' && line[end] != ',') return true;
-    begin = line.find_first_of(" \t", end);
+  std::size_t fields = 0;
+  bool found = false;
+  while (!line.empty()) {
+    const std::size_t size = std::min(line.find_first_of("; \t\r"), line.size());
+    std::string field(line.substr(0, size));
+    line.remove_prefix(std::min(size + 1, line.size()));
+    if (field.empty()) continue;
+    ++fields;
+    const std::size_t comma = field.find(',');
+    if (comma == 0 || comma + 1 == field.size()) return false;
+    if (comma != std::string::npos) {
+      found = true;
+      field[comma] = '.';
+    }
+    double ignored = 0;
+    if (parse_number(field, ignored) == NumberKind::not_a_number) return false;
   }
-  return false;
+  return found && fields > 1;
 }
 
 FirstLines first_lines_of(std::string_view text) {
@@ -61,7 +71,7 @@ FirstLines first_lines_of(std::string_view text) {
     if (has_number(line)) {
       found.fields = fields_of(line);
       found.line = number;
-      found.has_decimal_commas = mixes_separators(line);
+      found.has_decimal_commas = has_decimal_commas(line);
       return found;
     }
     if (has_header) return found;  // whoever reads the lines says what is wrong with this one
@@ -164,6 +174,7 @@ TableHead read_table_head(std::string_view text, std::string_view choice, const 
     head.columns = Choice(lines, path).columns(choice);
   } else if (count > 2 && begins_with_coordinates(lines.names) && lines.names.size() == count) {
     head.columns.count = count;
+    if (count == 3 && lines.names[2] == "curve") head.columns.group = 2;  // as lober writes several curves
   } else if (count > 2) {
     std::string message = "expected two columns, found " + std::to_string(count);
     const bool has_all =

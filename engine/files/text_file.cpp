@@ -100,6 +100,7 @@ class Assembler {
   /// Those that follow belong to the curve of this group, which need not be new.
   void begin_group(const std::string& group, std::size_t line) {
     groups_ = true;
+    file_.titled_by_group = true;
     const auto [known, is_new] = zone_of_group_.try_emplace(group, file_.zones.size());
     if (is_new) {
       title_ = group;

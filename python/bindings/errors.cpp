@@ -1,6 +1,7 @@
 #include "python/bindings/errors.hpp"
 
 #include <exception>
+#include <string>
 
 #include "lober/base/agreement.hpp"
 #include "lober/base/error.hpp"
@@ -12,7 +13,10 @@ namespace {
 
 void raise(const char* type, const std::exception& error) {
   const py::object class_of = py::module_::import("lober.errors").attr(type);
-  PyErr_SetString(class_of.ptr(), error.what());
+  const std::string what = error.what();  // may quote bytes of a file
+  const auto text = py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(what.data(), static_cast<Py_ssize_t>(what.size()), "replace"));
+  PyErr_SetObject(class_of.ptr(), text.ptr());
 }
 
 void raise_not_simple(const NotSimpleError& error) {

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <thread>
 
+#include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/programs.hpp"
 
@@ -63,6 +64,46 @@ TEST_F(BatchStore, DeletedWhileTheBatchRuns) {
   EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "s.rescued"}).status, 0);
   EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "whole"}).status, 0);
   EXPECT_EQ(run({"batch", "export", "s.rescued"}).out, run({"batch", "export", "whole"}).out);
+}
+
+// The numbers of a NetCDF file are those of the CSV; it is read as a file of curves, two of its columns at a time.
+TEST_F(BatchStore, ExportsNetCdf) {
+  write_curves(6, 40);
+  write("separ.5", "0 0\n1 1\n1 0\n0 1\n");  // not simple: its jobs fail
+  EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "s", "-q"}).status, 1);
+  ASSERT_EQ(run({"batch", "export", "s", "-o", "t.nc"}).status, 0);
+  std::istringstream csv(run({"batch", "export", "s", "--format", "csv"}).out);
+  const auto cells = [](const std::string& line) {
+    std::vector<std::string> all(1);
+    bool quoted = false;
+    for (const char c : line) {
+      if (c == '"') quoted = !quoted;
+      c == ',' && !quoted ? all.emplace_back() : all.back() += c;
+    }
+    return all;
+  };
+  std::string line;
+  std::getline(csv, line);
+  const std::vector<std::string> names = cells(line);
+  std::vector<std::vector<std::string>> rows;
+  while (std::getline(csv, line)) rows.push_back(cells(line));
+  ASSERT_EQ(rows.size(), 15U);
+  const auto c1 = static_cast<std::size_t>(std::find(names.begin(), names.end(), "c1") - names.begin());
+  for (const char* column : {"c2", "intersection", "rounding_union", "crossings"}) {
+    const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin());
+    ASSERT_LT(at, names.size()) << column;
+    const CurveFile file = read_curve_file(folder() / "t.nc", {.columns = std::string("c1,") + column});
+    std::size_t k = 0;
+    for (const Zone& zone : file.zones) {  // parted where jobs have failed
+      for (const Point& point : zone.points) {
+        while (rows[k][at].empty()) ++k;
+        EXPECT_EQ(point.x, std::stod(rows[k][c1]));
+        EXPECT_EQ(point.y, std::stod(rows[k][at])) << column;
+        ++k;
+      }
+    }
+    EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [&](const auto& row) { return row[at].empty(); }), 5) << column;
+  }
 }
 
 TEST_F(BatchStore, NamesAndOptionsThatAreEmptyOrKeepNothing) {

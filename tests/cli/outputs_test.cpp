@@ -110,7 +110,7 @@ TEST_F(Outputs, HaveTheEndingsOfTheirFormats) {
   refused(overlay, "--svg", "x.png", ".svg");
   refused(overlay, "--lobes", "x.npy", ".geojson");
   refused(overlay, "--lobes", "x.mat", ".npz");
-  refused(overlay, "--crossings", "x.npy", ".csv");
+  refused(overlay, "--crossings", "x.dat", ".csv");
   refused(overlay, "--json", "x.svg", ".json");
   refused({"interior", "a.dat", "b.dat"}, "--json", "x.toml", ".json");
   refused(tangle, "--pips", "x.h5", ".csv");

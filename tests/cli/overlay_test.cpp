@@ -1,7 +1,10 @@
 // `lober overlay` on pairs with known answers, and all its outputs.
 
 #include <algorithm>
+#include <cstring>
+#include <sstream>
 
+#include "engine/base/text.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
@@ -61,6 +64,49 @@ TEST_F(OverlayProgram, PutsRingsIntoTheJson) {
   const Outcome refused = run({"overlay", "outer", "inner", "--rings"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("--rings needs --json"), std::string::npos) << refused.err;
+}
+
+// The columns of the structured array are those of the CSV.
+TEST_F(OverlayProgram, WritesCrossingsAsAnArray) {
+  write_curve("c1", flower(200, 5, 0.4, {0, 0}));
+  write_curve("c2", flower(300, 7, 0.3, {0.1, 0.2}));
+  for (const bool classes : {false, true}) {
+    std::vector<std::string> arguments{"overlay", "c1", "c2", "--crossings"};
+    if (classes) arguments.insert(arguments.begin() + 3, "--classes");
+    for (const char* name : {"x.csv", "x.npy"}) {
+      std::vector<std::string> all = arguments;
+      all.emplace_back(name);
+      ASSERT_EQ(run(all).status, 0);
+    }
+    std::istringstream csv(read("x.csv"));
+    std::vector<std::string> rows;
+    std::string columns, line;
+    while (std::getline(csv, line)) {
+      if (line.front() == '#') continue;
+      columns.empty() ? columns = line : rows.emplace_back(line);
+    }
+    const std::string array = read("x.npy");
+    const std::size_t head = array.find('\n') + 1;
+    ASSERT_EQ(head % 64, 0U);
+    ASSERT_GE(rows.size(), 10U);
+    std::string names;
+    for (std::size_t at = array.find("('"); at < head; at = array.find("('", at + 2)) {
+      if (array[at + 2] < 'a') continue;  // the shape
+      names += (names.empty() ? "" : ",") + array.substr(at + 2, array.find('\'', at + 2) - at - 2);
+    }
+    EXPECT_EQ(names, columns);
+    ASSERT_EQ((array.size() - head) % rows.size(), 0U);
+    const std::size_t row = (array.size() - head) / rows.size();
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      std::int64_t index = 0;
+      Point point;
+      std::memcpy(&index, array.data() + head + k * row, sizeof index);
+      std::memcpy(&point, array.data() + head + k * row + sizeof index, sizeof point);
+      EXPECT_TRUE(rows[k].starts_with(std::to_string(index) + "," + detail::format_number(point.x) + "," +
+                                      detail::format_number(point.y) + ","))
+          << rows[k];
+    }
+  }
 }
 
 TEST_F(OverlayProgram, TakesEitherOrientationAndAClosingVertex) {

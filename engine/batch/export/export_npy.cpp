@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/batch/export/table_columns.hpp"
+#include "engine/files/npy_header.hpp"
 
 namespace lober::detail {
 namespace {
@@ -40,21 +41,15 @@ void put_option(std::string& bytes, const OptionValue* value, const SweptColumn&
 
 void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results) {
   const TableColumns columns = table_columns(plan, operation, results);
-  std::string header = "{'descr': [('job', '<i8'), ('failed', '|b1'), ";
+  std::vector<std::pair<std::string, std::string>> fields{{"job", "<i8"}, {"failed", "|b1"}};
   for (std::size_t k = 0; k < text_columns.size(); ++k) {
-    header += "('" + std::string(text_columns[k]) + "', '|S" + std::to_string(columns.widths[k]) + "'), ";
+    fields.emplace_back(text_columns[k], "|S" + std::to_string(columns.widths[k]));
   }
-  for (const SweptColumn& option : columns.swept) header += "('" + option.name + "', '" + type_of(option) + "'), ";
+  for (const SweptColumn& option : columns.swept) fields.emplace_back(option.name, type_of(option));
   for (const Column& column : operation.columns) {
-    header += "('" + column.name + "', '" + (column.kind == Column::Kind::count ? "<i8" : "<f8") + "'), ";
+    fields.emplace_back(column.name, column.kind == Column::Kind::count ? "<i8" : "<f8");
   }
-  header += "], 'fortran_order': False, 'shape': (" + std::to_string(columns.rows) + ",), }";
-  constexpr std::size_t before = 12;  // magic string, version 2.0, length of the header in four bytes
-  header.append(63 - (before + header.size()) % 64, ' ');
-  header += '\n';
-  std::string bytes("\x93NUMPY\x02\x00", 8);
-  put_value(bytes, static_cast<std::uint32_t>(header.size()));
-  bytes += header;
+  std::string bytes = npy_table_head(fields, columns.rows);
   results([&](const Result& result) {
     put_value(bytes, static_cast<std::int64_t>(result.job));
     put_value(bytes, result.failed());

@@ -48,12 +48,14 @@ class CurvesOfArrays {
       if (!holds_points(array)) fail("array " + described(array) + ": expected N x 2 or 2 x N numbers");
       take_points(chosen.coordinates[0]);
     } else {
-      take_coordinates(chosen.coordinates[0], chosen.coordinates[1]);
+      take_coordinates(chosen.coordinates[0], chosen.coordinates[1], !chosen.group && !chosen.offsets);
     }
     if (chosen.offsets) {
       part_at_offsets(*chosen.offsets);
     } else if (chosen.group) {
       part_by_group(*chosen.group);
+    } else if (!rows_.empty()) {
+      part_into_rows();
     } else {
       part_at_gaps();
     }
@@ -157,8 +159,8 @@ class CurvesOfArrays {
     }
   }
 
-  // Points of two arrays; those of two axes are parted by a point that is not there behind each curve.
-  void take_coordinates(std::size_t first, std::size_t second) {
+  // Points of two arrays; of those of two axes only the points that are there.
+  void take_coordinates(std::size_t first, std::size_t second, bool rows_are_curves) {
     const ArrayInfo &x = arrays_[first], &y = arrays_[second];
     file_.header = last_part(x.name) + "," + last_part(y.name);
     std::vector<std::size_t> shape = x.shape;
@@ -167,23 +169,22 @@ class CurvesOfArrays {
     if (shape.size() > 2) fail("array " + described(x) + ": expected one axis, or two, curves and their points");
     const Buffer<double> xs = numbers(first), ys = numbers(second);
     if (xs.empty()) return;  // 10^9 curves without points are none
-    if (shape.size() < 2) {
+    if (shape.size() < 2 || !rows_are_curves) {
       points_.resize(xs.size());
       for (std::size_t k = 0; k < xs.size(); ++k) points_[k] = {xs[k], ys[k]};
       return;
     }
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const bool by_column = source_.curves_are_columns();
     const std::size_t curves = shape[by_column ? 1 : 0], longest = shape[by_column ? 0 : 1];
-    points_.reserve(xs.size() + curves);
+    points_.reserve(xs.size());
     for (std::size_t curve = 0; curve < curves; ++curve) {
+      rows_.push_back(points_.size());
       for (std::size_t k = 0; k < longest; ++k) {
         const std::size_t at = by_column ? k * curves + curve : curve * longest + k;
-        const bool is_there = !std::isnan(xs[at]) && !std::isnan(ys[at]);
-        points_.push_back(is_there ? Point{xs[at], ys[at]} : Point{none, none});
+        if (!std::isnan(xs[at]) && !std::isnan(ys[at])) points_.push_back({xs[at], ys[at]});
       }
-      points_.push_back({none, none});
     }
+    rows_.push_back(points_.size());
   }
 
   void add_zone(std::string title, std::size_t begin, std::size_t end) {
@@ -209,6 +210,12 @@ class CurvesOfArrays {
     add_zone({}, begin, points_.size());
   }
 
+  // A row without a point is none, and the others keep their numbers.
+  void part_into_rows() {
+    file_.titled_by_group = true;
+    for (std::size_t k = 0; k + 1 < rows_.size(); ++k) add_zone(std::to_string(k), rows_[k], rows_[k + 1]);
+  }
+
   void part_at_offsets(std::size_t index) {
     const Buffer<double> offsets = numbers(index);
     const std::vector<std::string> titles = source_.texts("titles");
@@ -230,6 +237,7 @@ class CurvesOfArrays {
       fail("array " + described(arrays_[index]) + ": expected a number for each of " + std::to_string(points_.size()) +
            " points");
     }
+    file_.titled_by_group = true;
     std::map<double, std::size_t> zone_of;
     for (std::size_t k = 0; k < points_.size(); ++k) {
       if (std::isnan(points_[k].x) && std::isnan(points_[k].y)) continue;
@@ -246,6 +254,7 @@ class CurvesOfArrays {
   const std::vector<ArrayInfo>& arrays_;
   CurveFile& file_;
   Buffer<Point> points_;
+  std::vector<std::size_t> rows_;  // where each row of arrays of two axes begins, and the end
 };
 
 }  // namespace

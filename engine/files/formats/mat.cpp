@@ -4,6 +4,7 @@
 #include <cstring>
 #include <memory>
 
+#include "engine/files/byte_order.hpp"
 #include "engine/files/formats/arrays.hpp"
 #include "engine/files/formats/libraries.hpp"
 #include "engine/files/formats/memory_file.hpp"
@@ -64,6 +65,29 @@ void require_sound_version4(std::span<const std::byte> bytes, const std::string&
       throw DataError(path + ": is a MAT file of version 4 that is damaged or cut off at byte " + std::to_string(at));
     }
     at += head + name + numbers * sizes[type];
+  }
+}
+
+// Versions 5 to 7: behind a head of 128 bytes elements, each with its type and its length, and padded to eight bytes
+// unless it is compressed. Of a file that is cut off matio reads what memory holds.
+void require_sound_version5(std::span<const std::byte> bytes, const std::string& path) {
+  constexpr std::size_t head = 128, order_at = 126, tag = 8;
+  constexpr std::uint32_t compressed = 15;
+  const auto fail = [&](std::size_t at) {
+    throw DataError(path + ": is a MAT file that is damaged or cut off at byte " + std::to_string(at));
+  };
+  if (bytes.size() < head) fail(bytes.size());
+  const bool swap = bytes[order_at] == std::byte{'M'};  // "MI", and "IM" in the order of this machine
+  const auto word = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return swap ? reversed_bytes(value) : value;
+  };
+  for (std::size_t at = head; at < bytes.size();) {
+    if (bytes.size() - at < tag) fail(at);
+    const std::size_t length = word(at + 4), padding = word(at) == compressed ? 0 : (8 - length % 8) % 8;
+    if (length + padding > bytes.size() - at - tag) fail(at);
+    at += tag + length + padding;
   }
 }
 
@@ -199,7 +223,8 @@ void read_mat(const FileSource& source, CurveFile& file) {
   if (!matio_library.is_present()) {
     throw DataError(file.path + ": this is a MATLAB MAT file, " + matio_library.reason_it_is_missing());
   }
-  if (!source.text().starts_with("MATLAB")) require_sound_version4(source.bytes, file.path);
+  const bool is_version4 = !source.text().starts_with("MATLAB");
+  is_version4 ? require_sound_version4(source.bytes, file.path) : require_sound_version5(source.bytes, file.path);
   const std::lock_guard lock(one_thread_at_a_time());
   const MemoryFile in_memory(file.path, source.bytes);
   MatFile arrays(in_memory.path(), source, file.path);

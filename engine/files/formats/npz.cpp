@@ -282,6 +282,14 @@ std::string npz_bytes(std::span<const Zone> zones, const WriteOptions& options) 
   for (const std::string& name : names_of_numbers(zones)) {
     archive.add(name, npy_head(of_zones).append(bytes_of(numbers_called(name, zones))));
   }
+  if (std::any_of(zones.begin(), zones.end(), [](const Zone& zone) { return zone.hole; })) {
+    std::string holes = npy_head(of_zones, "i8");
+    for (const Zone& zone : zones) {
+      const std::int64_t hole = zone.hole ? 1 : 0;
+      holes.append(reinterpret_cast<const char*>(&hole), sizeof hole);
+    }
+    archive.add("hole", std::move(holes));
+  }
   if (!options.provenance.empty()) {
     const std::string text = provenance_text(options);
     archive.add("provenance", npy_of_texts({&text, 1}, {}));

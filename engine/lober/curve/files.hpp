@@ -53,6 +53,9 @@ struct CurveFile {
   std::string sha256;            ///< hash of the whole file, lower-case hexadecimal
   std::vector<Zone> zones;       ///< in the order of the file
   std::string header;  ///< names of columns, as the first line of a text file or the variables of a Tecplot file
+  /// Titles are the values of the column or array that groups points, or the numbers of rows: a number behind '#' is
+  /// one of these, not a position.
+  bool titled_by_group = false;
 };
 
 /// Options of reading.

@@ -291,6 +291,29 @@ TEST(Formats, DamagedFilesEndInOneLine) {
   EXPECT_GT(refused, 300U);
 }
 
+// Cut off anywhere, MAT files of version 5 are refused: matio would read what memory holds.
+TEST(Formats, MatFilesThatAreCutOff) {
+  REQUIRE_FORMAT(Format::mat);
+  for (const char* name : {"v4.mat", "v5.mat"}) {
+    std::ostringstream content;
+    content << std::ifstream(corpus(name), std::ios::binary).rdbuf();
+    const std::string whole = content.str();
+    // Between two variables the end is as good as any.
+    std::size_t refused = 0;
+    for (std::size_t size = std::min<std::size_t>(130, whole.size()); size < whole.size(); ++size) {
+      const std::string cut = whole.substr(0, size);
+      try {
+        const CurveFile file = read_curve_bytes("in", std::as_bytes(std::span(cut)), default_chunk_size, "x,y");
+        EXPECT_EQ(file.zones.size(), 2U) << size;
+        expect_points(file.zones[0], first);
+      } catch (const DataError&) {
+        ++refused;
+      }
+    }
+    EXPECT_GE(refused + 8, whole.size() - std::min<std::size_t>(130, whole.size())) << name;
+  }
+}
+
 // A file of a few bytes that promises more than any memory.
 TEST(Formats, PromisesAreNotBelieved) {
   REQUIRE_FORMAT(Format::hdf5);

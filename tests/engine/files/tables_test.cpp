@@ -183,5 +183,21 @@ TEST(Tables, DecimalCommasAreRefused) {
   }
 }
 
+// A number behind '#' is that of a group where all groups are numbers: drifter 7, not the eighth.
+TEST(Tables, GroupsAreChosenByTheirNumbers) {
+  const std::string ids = put_table("ids.csv", "id,lon,lat\n3,0,0\n1,1,1\n3,3,3\n1,2,2\n7,7,7\n");
+  const std::string of = ids + ":lon,lat,by=id";
+  EXPECT_EQ(read_curve(of + "#3", false).curve.points, (TablePoints{{0, 0}, {3, 3}}));
+  EXPECT_EQ(read_curve(of + "#1", false).curve.points, (TablePoints{{1, 1}, {2, 2}}));
+  for (const char* missing : {"#0", "#2"}) EXPECT_THROW((void)read_curve(of + missing, false), DataError) << missing;
+  std::filesystem::remove(ids);
+  // Several curves as lober writes them.
+  const CurveFile curves = read_table("x,y,curve\n0,0,0\n1,1,0\n5,5,1\n6,6,1\n");
+  ASSERT_EQ(curves.zones.size(), 2U);
+  EXPECT_EQ(curves.zones[1].points, (TablePoints{{5, 5}, {6, 6}}));
+  // Blanks inside of cells are no reason to take commas for those of decimals.
+  EXPECT_EQ(table_fault("time,lon,lat\n2020-01-01 00:00:00,1,2\n", "lon,lat").find("decimals"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lober::detail
