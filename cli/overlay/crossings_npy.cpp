@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "cli/overlay/overlay_report.hpp"
+#include "engine/base/npy_table.hpp"
 #include "engine/base/output_file.hpp"
-#include "engine/files/npy_header.hpp"
 
 namespace lober::cli {
 namespace {

@@ -158,17 +158,4 @@ std::string npy_head(std::span<const std::size_t> shape, std::string_view type) 
   return head + header;
 }
 
-std::string npy_table_head(std::span<const std::pair<std::string, std::string>> fields, std::size_t rows) {
-  constexpr std::size_t before = 12;  // magic string, version 2.0, length of the header in four bytes
-  constexpr std::size_t alignment = 64;
-  std::string header = "{'descr': [";
-  for (const auto& [name, type] : fields) header.append("('").append(name).append("', '").append(type).append("'), ");
-  header += "], 'fortran_order': False, 'shape': (" + std::to_string(rows) + ",), }";
-  header.append(alignment - 1 - (before + header.size()) % alignment, ' ');
-  header += '\n';
-  std::string head("\x93NUMPY\x02\x00", 8);
-  for (int shift = 0; shift < 32; shift += 8) head += static_cast<char>(header.size() >> shift & 0xFF);
-  return head + header;
-}
-
 }  // namespace lober::detail

@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace lober::detail {
@@ -26,9 +25,5 @@ struct NpyHeader {
 /// The head of an NPY file in C order, which its numbers follow: native float64 numbers, or those of another type of
 /// NumPy ("i8", "U12"). No axes: a single element.
 [[nodiscard]] std::string npy_head(std::span<const std::size_t> shape, std::string_view type = "f8");
-
-/// The head of a structured array of one axis: its fields by name and type, as {"x", "<f8"}, in their order in each
-/// row.
-[[nodiscard]] std::string npy_table_head(std::span<const std::pair<std::string, std::string>> fields, std::size_t rows);
 
 }  // namespace lober::detail

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/npy_table.hpp"
 #include "engine/batch/export/table_columns.hpp"
-#include "engine/files/npy_header.hpp"
 
 namespace lober::detail {
 namespace {

@@ -69,7 +69,7 @@ void require_sound_version4(std::span<const std::byte> bytes, const std::string&
 }
 
 // Versions 5 to 7: behind a head of 128 bytes elements, each with its type and its length, and padded to eight bytes
-// unless it is compressed. Of a file that is cut off matio reads what memory holds.
+// unless it is compressed. Where the file is cut off, matio reads what memory holds.
 void require_sound_version5(std::span<const std::byte> bytes, const std::string& path) {
   constexpr std::size_t head = 128, order_at = 126, tag = 8;
   constexpr std::uint32_t compressed = 15;
