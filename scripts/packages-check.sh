@@ -211,6 +211,9 @@ wheel() {
     echo "== $(ls /source/python/dist)"'
 }
 
+# The packages of a build that may have had a part in it; another version of one gives other bytes.
+built_with() { sed -n '/^Installed-Build-Depends:/,/^[A-Z].*:/s/^ //p' "$1"/*.buildinfo; }
+
 # shellcheck disable=SC2016
 same_packages_again() {
   install_in_root build-essential
@@ -230,6 +233,8 @@ same_packages_again() {
   done
   if [ -n "$different" ]; then
     echo "diffoscope shows what differs in$different: $packages, $root/root/elsewhere"
+    echo "packages that they were built with, where the versions differ: here and there"
+    diff <(built_with "$packages") <(built_with "$root/root/elsewhere") || true
     return 1
   fi
   echo "== $(ls "$packages"/*.deb | wc -l) packages are the same bytes"
