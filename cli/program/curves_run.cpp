@@ -3,6 +3,7 @@
 #include "cli/program/log.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/svg.hpp"
 #include "engine/base/stopwatch.hpp"
 
 namespace lober::cli {
