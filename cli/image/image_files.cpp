@@ -8,7 +8,6 @@
 #include "cli/program/output_names.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/curve_file.hpp"
-#include "engine/files/formats/format_table.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::cli {
@@ -23,10 +22,6 @@ void add_zones(std::vector<Zone>& zones, const std::string& name, const std::vec
     zones.push_back({parts.size() == 1 ? name : fmt::format("{} part {} of {}", name, k + 1, parts.size()),
                      {points.begin(), points.end()}});
   }
-}
-
-bool holds_several(Format format) {
-  return detail::entry_of(format).holds_several;
 }
 
 CurveFileOptions options_of(const ImageReport& report, const std::string& format) {
@@ -52,8 +47,7 @@ const ImagePart& only_curve(const ImageReport& report, const std::string& path) 
 }  // namespace
 
 bool takes_images(const std::string& path, const std::string& format) {
-  return path != "-" &&
-         (path.find(iterate_placeholder) != std::string::npos || holds_several(curve_format(path, format, false)));
+  return path != "-" && (path.find(iterate_placeholder) != std::string::npos || takes_several(path, format));
 }
 
 std::string image_path(const std::string& path, int iterate, std::size_t curve, std::size_t part) {
@@ -68,7 +62,7 @@ std::string image_path(const std::string& path, int iterate, std::size_t curve, 
 void write_images(const std::string& path, const std::string& format, const ImageReport& report) {
   CurveFileOptions options = options_of(report, format);
   if (path.find(iterate_placeholder) == std::string::npos) {
-    if (!holds_several(curve_format(path, format, false))) {
+    if (!takes_several(path, format)) {
       return write_curve_file(path, only_curve(report, path).points, options);
     }
     std::vector<Zone> zones;

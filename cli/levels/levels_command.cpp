@@ -11,7 +11,6 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "engine/files/formats/format_table.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
 
@@ -78,12 +77,9 @@ void run_levels(const std::vector<std::string>& arguments) {
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
-  if (!request.output.empty()) {
-    const Format format = curve_format(request.output, request.format, false);
-    if (!detail::entry_of(format).holds_several) {
-      throw UsageError("-o " + request.output +
-                       ": several curves need a format that holds several, as .dat (Tecplot), .npz or .geojson");
-    }
+  if (!request.output.empty() && !takes_several(request.output, request.format)) {
+    throw UsageError("-o " + request.output +
+                     ": several curves need a format that holds several, as .dat (Tecplot), .npz or .geojson");
   }
   request.settings = options.settings();
   run_with_threads(request.threads, [&] { run(request); });

@@ -102,14 +102,11 @@ std::vector<std::string> written_formats() {
 }
 
 std::string written_endings() {
-  std::string text;
-  for (const detail::FormatEntry& entry : detail::format_table()) {
-    if (entry.write == nullptr) continue;
-    text += (text.empty() ? "" : ", ") + std::string(entry.suffixes.substr(0, entry.suffixes.find(' ')));
-    if (entry.format == Format::tecplot) text += " (Tecplot)";
-    if (entry.format == Format::vtk) text += " (VTK)";
-  }
-  return text;
+  return detail::written_endings();
+}
+
+bool takes_several(const std::string& path, const std::string& named) {
+  return detail::entry_of(curve_format(path, named, false)).holds_several;
 }
 
 PointFormat format_of(const std::string& path) {

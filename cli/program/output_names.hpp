@@ -13,6 +13,8 @@ namespace lober::cli {
 /// The format of a file of curves: the one that is named, as `--format` does, or that of the ending; text for "-".
 /// Without an ending Tecplot, or else (`or_tecplot` is false) a UsageError, as for formats that are not written.
 [[nodiscard]] Format curve_format(const std::string& path, const std::string& named, bool or_tecplot);
+/// Whether a file of that format holds several curves. Throws UsageError as `curve_format` does without an ending.
+[[nodiscard]] bool takes_several(const std::string& path, const std::string& named);
 /// The formats in which curves are written, by their names; and their endings: ".npy, .csv, ...".
 [[nodiscard]] std::vector<std::string> written_formats();
 [[nodiscard]] std::string written_endings();

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <cstring>
 #include <string_view>
+
+#include "engine/files/head.hpp"
 
 namespace lober::detail {
 namespace {
@@ -51,16 +51,6 @@ constexpr std::array magics{
     Magic{"# vtk DataFile"sv, "a VTK file", "write its points as two columns of text"},
 };
 
-std::string_view text_of(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  if (bytes.size() >= at + sizeof value) std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
-}
-
 std::string sentence(std::string_view what, std::string_view remedy) {
   return std::string(what) + ", which is not read: " + std::string(remedy);
 }
@@ -92,11 +82,6 @@ bool is_utf16(std::string_view bytes) {
     if (bytes[k] != '\0') return false;
   }
   return end > first;
-}
-
-/// The first characters of text other than white space.
-std::string_view beginning(std::string_view text) {
-  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
 }
 
 }  // namespace

@@ -11,21 +11,6 @@
 
 namespace lober {
 using namespace detail;
-namespace {
-
-// ".txt, .csv, .dat (tecplot), ..."
-std::string endings_that_are_written() {
-  std::string text;
-  for (const FormatEntry& entry : format_table()) {
-    if (entry.write == nullptr) continue;
-    text += (text.empty() ? "" : ", ") + std::string(entry.suffixes.substr(0, entry.suffixes.find(' ')));
-    if (entry.format == Format::tecplot || entry.format == Format::vtk) text += " (" + std::string(entry.name) + ")";
-  }
-  return text;
-}
-
-}  // namespace
-
 void write_file(const std::string& path, std::string_view content) {
   OutputFile file(path);
   file.write(content);
@@ -55,11 +40,11 @@ void write_curves(const std::string& path, std::span<const Zone> zones, const Wr
   if (entry == nullptr || entry->write == nullptr) {
     const std::string what = entry == nullptr ? "the ending does not name a format"
                                               : "files of the format " + std::string(entry->name) + " are only read";
-    throw UsageError(path + ": " + what + "; curves are written as " + endings_that_are_written());
+    throw UsageError(path + ": " + what + "; curves are written as " + written_endings());
   }
   if (zones.size() > 1 && !entry->holds_several) {
     throw UsageError(path + ": several curves need another format than " + std::string(entry->name) +
-                     ", which holds one; curves are written as " + endings_that_are_written());
+                     ", which holds one; curves are written as " + written_endings());
   }
   if (zones.empty() && !entry->holds_several) throw UsageError(path + ": there is no curve to write");
   for (const Zone& zone : zones) require_finite(path, zone.points);

@@ -77,12 +77,19 @@ class CurvesOfArrays {
     return arrays_.empty() ? "it holds no arrays of numbers" : "it holds " + list();
   }
 
+  [[nodiscard]] std::optional<std::size_t> whole(std::string_view name) const {
+    for (std::size_t k = 0; k < arrays_.size(); ++k) {
+      if (arrays_[k].name == name || arrays_[k].name == "/" + std::string(name)) return k;
+    }
+    return std::nullopt;
+  }
+
   // By its whole name, or by the last part of only one.
   [[nodiscard]] std::optional<std::size_t> found(std::string_view name) const {
+    if (const std::optional<std::size_t> index = whole(name)) return index;
     std::optional<std::size_t> by_part;
     bool several = false;
     for (std::size_t k = 0; k < arrays_.size(); ++k) {
-      if (arrays_[k].name == name || arrays_[k].name == "/" + std::string(name)) return k;
       if (last_part(arrays_[k].name) != name) continue;
       several = by_part.has_value();
       by_part = k;
@@ -122,12 +129,6 @@ class CurvesOfArrays {
   [[nodiscard]] Chosen evident() const {
     constexpr std::array<std::array<std::string_view, 2>, 4> pairs{
         {{"x", "y"}, {"lon", "lat"}, {"longitude", "latitude"}, {"X", "Y"}}};
-    const auto whole = [&](std::string_view name) -> std::optional<std::size_t> {
-      for (std::size_t k = 0; k < arrays_.size(); ++k) {
-        if (arrays_[k].name == name || arrays_[k].name == "/" + std::string(name)) return k;
-      }
-      return std::nullopt;
-    };
     if (const auto points = whole("points"), offsets = whole("offsets"); points && offsets) {
       return {{*points}, std::nullopt, offsets};
     }

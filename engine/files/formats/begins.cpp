@@ -1,11 +1,10 @@
 #include "engine/files/formats/begins.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <string_view>
 
 #include "engine/files/formats/readers.hpp"
+#include "engine/files/head.hpp"
 #include "engine/files/npy_header.hpp"
 #include "engine/files/sniff.hpp"
 
@@ -15,16 +14,6 @@ namespace {
 using namespace std::string_view_literals;  // some hold zero bytes
 
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1A\n"sv;
-
-std::string_view text_of(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  if (bytes.size() >= at + sizeof value) std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
-}
 
 /// MAT files of version 4 have no mark: a type, sizes, a flag, and the length of a name that follows.
 bool is_mat4(std::string_view bytes) {
@@ -42,13 +31,9 @@ bool is_mat4(std::string_view bytes) {
   return bytes[header + name_size - 1] == '\0' && std::all_of(name.begin(), name.end(), in_names);
 }
 
-std::string_view beginning(std::string_view text) {
-  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-}
-
-// The text without a byte order mark; empty for anything else.
-std::string_view text_in_file(std::span<const std::byte> bytes) {
-  return sniff(bytes) == Content::text ? text_of(bytes).substr(byte_order_mark(bytes)) : std::string_view{};
+// The text without a byte order mark. Whether it is text is looked at last, as that takes longest.
+std::string_view unmarked(std::span<const std::byte> bytes) {
+  return text_of(bytes).substr(byte_order_mark(bytes));
 }
 
 }  // namespace
@@ -93,16 +78,16 @@ bool begins_shapefile(std::span<const std::byte> bytes) {
 }
 
 bool begins_json(std::span<const std::byte> bytes) {
-  const std::string_view first = beginning(text_in_file(bytes));
+  const std::string_view first = beginning(unmarked(bytes));
   // A header line may name columns in brackets.
   const bool opens = first.starts_with('{') || first.starts_with('[');
   const std::string_view second = opens ? beginning(first.substr(1)) : std::string_view{};
   const std::string_view inside = first.starts_with('{') ? "\"}" : "[{\"-0123456789]";
-  return !second.empty() && inside.find(second.front()) != std::string_view::npos;
+  return !second.empty() && inside.find(second.front()) != std::string_view::npos && sniff(bytes) == Content::text;
 }
 
 bool begins_wkt(std::span<const std::byte> bytes) {
-  return is_wkt(text_in_file(bytes));
+  return is_wkt(unmarked(bytes)) && sniff(bytes) == Content::text;
 }
 
 }  // namespace lober::detail

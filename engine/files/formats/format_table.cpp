@@ -80,6 +80,16 @@ const FormatEntry& entry_of(Format format) {
   return *std::find_if(table.begin(), table.end(), [&](const FormatEntry& entry) { return entry.format == format; });
 }
 
+std::string written_endings() {
+  std::string text;
+  for (const FormatEntry& entry : format_table()) {
+    if (entry.write == nullptr) continue;
+    text += (text.empty() ? "" : ", ") + std::string(entry.suffixes.substr(0, entry.suffixes.find(' ')));
+    if (entry.format == Format::tecplot || entry.format == Format::vtk) text += " (" + std::string(entry.name) + ")";
+  }
+  return text;
+}
+
 const FormatEntry& recognised(std::span<const std::byte> bytes) {
   const auto* const found = std::find_if(table.begin(), table.end(), [&](const FormatEntry& entry) {
     return entry.begins != nullptr && entry.begins(bytes);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "engine/base/output_file.hpp"
@@ -25,6 +26,8 @@ struct FormatEntry {
 
 [[nodiscard]] std::span<const FormatEntry> format_table();
 [[nodiscard]] const FormatEntry& entry_of(Format format);
+/// The usual endings of formats in which curves are written: ".npy, .csv, .txt, .dat (tecplot), ...".
+[[nodiscard]] std::string written_endings();
 
 /// The format of a file, by its content: by its first bytes, for some by more.
 [[nodiscard]] const FormatEntry& recognised(std::span<const std::byte> bytes);

@@ -1,20 +1,16 @@
 // NPZ: a zip archive of NPY files, as numpy.savez writes it. libzip reads and writes the archive.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <list>
 #include <memory>
 
 #include "engine/base/utf8.hpp"
-#include "engine/files/binary_file.hpp"
 #include "engine/files/formats/arrays.hpp"
 #include "engine/files/formats/libraries.hpp"
 #include "engine/files/formats/npy_numbers.hpp"
 #include "engine/files/formats/provenance.hpp"
 #include "engine/files/formats/readers.hpp"
-#include "engine/files/text_points.hpp"
 #if LOBER_HAS_ZIP
 #include <zip.h>
 #endif
@@ -32,7 +28,6 @@ struct Zip {
   LOBER_LOADED(zip_library, zip_source_read);
   LOBER_LOADED(zip_library, zip_source_close);
   LOBER_LOADED(zip_library, zip_source_stat);
-  LOBER_LOADED(zip_library, zip_source_buffer);
   LOBER_LOADED(zip_library, zip_open_from_source);
   LOBER_LOADED(zip_library, zip_get_num_entries);
   LOBER_LOADED(zip_library, zip_stat_index);
@@ -283,12 +278,9 @@ std::string npz_bytes(std::span<const Zone> zones, const WriteOptions& options) 
     archive.add(name, npy_head(of_zones).append(bytes_of(numbers_called(name, zones))));
   }
   if (std::any_of(zones.begin(), zones.end(), [](const Zone& zone) { return zone.hole; })) {
-    std::string holes = npy_head(of_zones, "i8");
-    for (const Zone& zone : zones) {
-      const std::int64_t hole = zone.hole ? 1 : 0;
-      holes.append(reinterpret_cast<const char*>(&hole), sizeof hole);
-    }
-    archive.add("hole", std::move(holes));
+    std::vector<std::int64_t> holes;
+    for (const Zone& zone : zones) holes.push_back(zone.hole ? 1 : 0);
+    archive.add("hole", npy_head(of_zones, "i8").append(bytes_of(holes)));
   }
   if (!options.provenance.empty()) {
     const std::string text = provenance_text(options);
