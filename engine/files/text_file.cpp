@@ -16,7 +16,8 @@ namespace {
 /// Takes the chunks in their order and builds the zones.
 class Assembler {
  public:
-  Assembler(std::size_t text_size, CurveFile& file) : text_left_(text_size), file_(file) {
+  Assembler(std::size_t text_size, const TextColumns& columns, CurveFile& file)
+      : text_left_(text_size), is_table_(!columns.are_all()), file_(file) {
     file_.format = Format::text;
   }
 
@@ -114,6 +115,7 @@ class Assembler {
     const TecplotRecord record = tecplot_record(text);
     if (record == TecplotRecord::none) return continue_record(text, location);
     if (record == TecplotRecord::ignored) return;
+    if (is_table_) location.fail("columns are chosen of tables, not of Tecplot files: " + quoted_text(text));
     file_.format = Format::tecplot;
     open_record_ = record;
     // Files put one behind the other: the points that follow belong to another curve.
@@ -212,6 +214,7 @@ class Assembler {
   };
 
   std::size_t text_left_;  ///< bytes after the last chunk
+  bool is_table_;          ///< whether some of several columns are read, which no Tecplot file has
   std::size_t line_ = 1;   ///< number of the first line of the next chunk
   CurveFile& file_;
   TecplotZone header_;                               ///< header of the last zone
@@ -233,7 +236,7 @@ class Assembler {
 
 void read_text(std::string_view text, std::string_view columns, std::size_t chunk_size, CurveFile& file) {
   const TableHead head = read_table_head(text, columns, file.path);
-  Assembler assembler(text.size(), file);
+  Assembler assembler(text.size(), head.columns, file);
   std::string_view rest = text;
   const auto next = [&](TextChunk& chunk) {
     if (rest.empty()) return false;

@@ -183,6 +183,21 @@ TEST(Tables, DecimalCommasAreRefused) {
   }
 }
 
+// A Tecplot record below a table's rows would begin a zone in which a group's points end or not, by where chunks end.
+TEST(Tables, RecordsAreFaultsInTables) {
+  const std::string text = "1,2,a\n3,4,a\nzone t=0\n5,6,a\n";
+  for (const char* columns : {"1,2,by=3", "1,2", "2,1"}) {
+    for (const std::size_t chunk : {std::size_t{1}, std::size_t{12}, default_chunk_size}) {
+      try {
+        (void)read_table(text, columns, chunk);
+        ADD_FAILURE() << columns << " in chunks of " << chunk;
+      } catch (const DataError& error) {
+        EXPECT_EQ(std::string(error.what()), "in:3: columns are chosen of tables, not of Tecplot files: \"zone t=0\"");
+      }
+    }
+  }
+}
+
 // A number behind '#' is that of a group where all groups are numbers: drifter 7, not the eighth.
 TEST(Tables, GroupsAreChosenByTheirNumbers) {
   const std::string ids = put_table("ids.csv", "id,lon,lat\n3,0,0\n1,1,1\n3,3,3\n1,2,2\n7,7,7\n");
