@@ -7,8 +7,6 @@ PACKAGES := g++ cmake ninja-build libtbb-dev libeigen3-dev libnanoflann-dev libs
             libcli11-dev nlohmann-json3-dev libboost-dev libgtest-dev libgmp-dev libcgal-dev libsqlite3-dev \
             libtomlplusplus-dev nettle-dev pkg-config \
             zlib1g-dev libzip-dev libmatio-dev libhdf5-dev libshp-dev
-# Not needed to build; with it lober_mpi is built and tested.
-MPI_PACKAGES := libopenmpi-dev openmpi-bin
 BENCH_PACKAGES := libbenchmark-dev libgeos-dev libpolyclipping-dev
 # The Python module and what its tests compare it with.
 PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel python3-build pybind11-dev python3-numpy \
@@ -19,7 +17,7 @@ PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel pyt
 DOCS_PACKAGES := python3-sphinx furo python3-myst-parser python3-sphinx-copybutton python3-nbclient python3-ipykernel \
                  doxygen libjs-mathjax node-normalize.css
 
-.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs docs-deps docs-figures docs-check paper check-readme stress fuzz trust deps mpi-deps bench-deps python-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs docs-deps docs-figures docs-check paper check-readme stress fuzz trust deps bench-deps python-deps format tidy clean
 
 demo:
 	@echo "Installs what it needs (root or sudo), builds the program and runs it: about three minutes on two cores, seconds the next time."
@@ -49,7 +47,7 @@ paper: build
 check-readme: build
 	@scripts/check-readme.sh
 
-test: deps mpi-deps
+test: deps
 	cmake --preset release
 	cmake --build --preset release
 	@scripts/run-tests.sh build
@@ -102,7 +100,7 @@ bench-batch: bench-deps
 
 # A million random pairs with new seeds, ten times what the tests run, tangles and winding regions, the coverage of the
 # error bars, batches that are killed: about eight minutes on two cores.
-stress: deps mpi-deps
+stress: deps
 	cmake --preset release
 	cmake --build --preset release
 	@scripts/stress.sh
@@ -123,9 +121,6 @@ trust: bench-deps
 
 deps:
 	@scripts/install-packages.sh $(PACKAGES)
-
-mpi-deps:
-	@scripts/install-packages.sh $(MPI_PACKAGES)
 
 bench-deps: deps
 	@scripts/install-packages.sh $(BENCH_PACKAGES)

@@ -19,8 +19,8 @@ here = Path(__file__).resolve().parent
 # In a source distribution the C++ code lies beside this file, in the repository it is the folder above.
 source = ((here / "source") if (here / "source").is_dir() else here.parent).resolve()
 SOURCES = ["CMakeLists.txt", "cmake", "engine", "kernels", "python/CMakeLists.txt", "python/bindings"]
-# This module's own build: without batches there is no program and no test, nor the libraries that only those need.
-OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DLOBER_BUILD_BATCH=OFF", "-DLOBER_INSTALL=OFF", "-DLOBER_UNITY=ON"]
+# This module's own build, without the program and the tests.
+OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DLOBER_BUILD_CLI=OFF", "-DLOBER_BUILD_TESTS=OFF", "-DLOBER_INSTALL=OFF", "-DLOBER_UNITY=ON"]
 
 
 def version() -> str:
@@ -32,7 +32,11 @@ class build_with_cmake(build_ext):
     def build_extension(self, ext: Extension) -> None:
         build = Path(os.environ.get("LOBER_BUILD") or Path(self.build_temp) / "cmake").resolve()
         if not (build / "CMakeCache.txt").exists():
-            subprocess.check_call(["cmake", "-S", source, "-B", build, "-G", "Ninja", *OPTIONS])
+            configure = ["cmake", "-S", source, "-B", build, "-G", "Ninja", *OPTIONS]
+            if subprocess.call(configure) != 0:
+                # lober.batch then says what is missing.
+                print("trying again without batches, which need SQLite, toml++ and nlohmann-json", file=sys.stderr)
+                subprocess.check_call([*configure, "-DLOBER_BUILD_BATCH=OFF"])
         options = ["-DLOBER_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
         subprocess.check_call(["cmake", "-S", source, "-B", build, *options])
         jobs = os.environ.get("LOBER_JOBS") or str(os.cpu_count() or 1)

@@ -68,7 +68,6 @@ usage_faults() {
       "lober batch "*) help=$(lober batch "$(cut -d' ' -f3 <<<"$form")" --help) ;;
       "lober transport --manifolds "*) help=$(lober transport --manifolds u s --help) ;;
       "lober tangle SYSTEM "*) help=$(lober tangle henon --help) ;;
-      "lober_mpi "*) continue ;;
       "lober "*) help=$(lober "$(cut -d' ' -f2 <<<"$form")" --help) ;;
       *) help= ;;
     esac

@@ -14,5 +14,5 @@ ln -sfn "$PWD" "$copy/source"
 (cd "$copy" && /usr/bin/python3 -m build --no-isolation --wheel --outdir "$folder") >"$folder/build.log" 2>&1 ||
   { tail -n 40 "$folder/build.log" | cut -c 1-300; exit 1; }
 ls -l --block-size=K "$folder"/*.whl | awk '{print $5, $NF}'
-echo "It needs the libraries of Debian that it was built with, libtbb12, libtbbmalloc2 and libnettle8, and NumPy:"
+echo "It needs the libraries of Debian that it was built with, libtbb12, libtbbmalloc2, libnettle8 and libsqlite3-0, and NumPy:"
 echo "  python3 -m venv --system-site-packages VENV && VENV/bin/pip install $(basename "$folder"/*.whl)"

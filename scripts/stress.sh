@@ -22,6 +22,6 @@ build/bin/lober_tests --gtest_filter='*Stability*' || status=1
 # The error bars of lobes and fluxes, of forty systems of each of four families.
 LOBER_COVERAGE_SYSTEMS=40 build/bin/lober_tests --gtest_filter='TransportCoverage*' || status=1
 LOBER_ALL_VARIATIONS=1 LOBER_SCENE_POINTS=1000000 build/bin/lober_determinism_tests --gtest_brief=1 || status=1
-# Two hundred times kill -9 in the middle of a batch, twenty times one of two MPI ranks.
-LOBER_KILLS=200 LOBER_MPI_KILLS=20 build/bin/lober_cli_tests --gtest_filter='BatchCrash.Killed*:BatchMpi.Killed*' || status=1
+# Two hundred times kill -9 in the middle of a batch.
+LOBER_KILLS=200 build/bin/lober_cli_tests --gtest_filter='BatchCrash.Killed*' || status=1
 exit $status

@@ -64,7 +64,7 @@ std::string advice_for_file(const std::string& path) {
 }
 
 void run_manifest(const Arguments& arguments) {
-  const std::optional<BatchRequest> request = parse_batch(arguments, "lober batch run");
+  const std::optional<BatchRequest> request = parse_batch(arguments);
   if (!request) return;
   if (!request->json.empty()) {
     const std::vector<Output> outputs{{"--json", request->json}};

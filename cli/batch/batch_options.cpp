@@ -45,17 +45,16 @@ std::string default_store(const std::string& manifest) {
   return std::filesystem::path(manifest).replace_extension(".results");
 }
 
-std::optional<BatchRequest> parse_batch(const std::vector<std::string>& arguments, const char* program) {
+std::optional<BatchRequest> parse_batch(const std::vector<std::string>& arguments) {
   BatchRequest request;
   std::string shard;
   std::uint64_t memory = 0;
   OptionParser parser(
       "Runs the jobs of a manifest that have no result in the store yet. lober batch manifest lists the keys of a "
       "manifest.",
-      program);
-  const std::string name = parser.command();
-  parser.add_example(name + " job.toml", "all jobs that have no result yet; results go to job.results");
-  parser.add_example(name + " job.toml --shard 1/2 --store job1.results", "the first half of the jobs");
+      "lober batch run");
+  parser.add_example("lober batch run job.toml", "all jobs that have no result yet; results go to job.results");
+  parser.add_example("lober batch run job.toml --shard 1/2 --store job1.results", "the first half of the jobs");
   parser.add("MANIFEST", request.manifest, "The manifest, a TOML file that names the operation and the curves.")
       .required();
   parser

@@ -1,4 +1,4 @@
-// The options of `lober batch run`, which the MPI program shares.
+// The options of `lober batch run`.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct BatchRequest {
 };
 
 /// Nothing when the arguments asked for help, which is printed. Throws UsageError.
-[[nodiscard]] std::optional<BatchRequest> parse_batch(const std::vector<std::string>& arguments, const char* program);
+[[nodiscard]] std::optional<BatchRequest> parse_batch(const std::vector<std::string>& arguments);
 
 /// --memory SIZE, for curves and the work on them.
 Option add_memory_budget(OptionParser& parser, std::uint64_t& bytes);

@@ -8,7 +8,6 @@
 namespace lober::cli {
 
 std::string anchor_of(std::string_view command) {
-  if (!command.starts_with("lober ")) return {};  // lober_mpi
   std::string anchor(command);
   std::replace(anchor.begin(), anchor.end(), ' ', '-');
   return anchor;

@@ -1,38 +1,67 @@
 #include "engine/batch/work_queue.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <tuple>
 
 namespace lober::detail {
+namespace {
 
-WorkQueue::WorkQueue(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
-                     std::size_t processes)
-    : processes_(processes) {
+// Microseconds of work in a portion. With fewer the process that hands them out could not keep all others busy: a
+// portion costs it about a millisecond. With more, a process that dies takes much along.
+constexpr double min_cost = 2'000, min_cost_per_process = 1'000, max_cost = 20'000'000;
+constexpr double long_cost = 50'000;  // of a job that comes before all others, so that nobody waits for it in the end
+constexpr std::size_t max_jobs = 50'000;  // some 20 MB of results
+
+// The bits of a number at the even positions.
+std::uint64_t spread(std::uint32_t number) {
+  std::uint64_t bits = number;
+  bits = (bits | bits << 16) & 0x0000ffff0000ffff;
+  bits = (bits | bits << 8) & 0x00ff00ff00ff00ff;
+  bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0f;
+  bits = (bits | bits << 2) & 0x3333333333333333;
+  return (bits | bits << 1) & 0x5555555555555555;
+}
+
+std::uint64_t z_order(const Job& job) {
+  const CurveId second = job.second == no_curve ? job.first : job.second;
+  return spread(job.first) << 1 | spread(second);
+}
+
+}  // namespace
+
+WorkQueue::WorkQueue(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs) {
   const std::vector<std::size_t> points = estimated_points(plan, manifest_path);
-  const auto cost = [&](std::uint32_t number) {
+  struct Turn {
+    bool is_short;
+    std::uint64_t position;
+    Entry entry;
+    auto key() const { return std::tie(is_short, position, entry.job); }
+  };
+  std::vector<Turn> turns;
+  turns.reserve(jobs.size());
+  for (const std::uint32_t number : jobs) {
     const Job& job = plan.jobs[number];
     std::size_t together = 0;
     for (const CurveId id : job.curves()) together += points[id];
-    return plan.group_of(job).operation->cost(together);
-  };
-  std::vector<std::pair<double, std::uint32_t>> order;
-  for (const std::uint32_t job : jobs) order.emplace_back(-cost(job), job);
-  std::sort(order.begin(), order.end());
-  for (const auto& [minus_cost, job] : order) {
-    jobs_.push_back(job);
-    costs_.push_back(-minus_cost);
+    const double cost = plan.group_of(job).operation->cost(together);
+    left_ += cost;
+    turns.push_back({cost < long_cost, z_order(job), {cost, number}});
   }
-  left_ = std::accumulate(costs_.begin(), costs_.end(), 0.0);
+  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.key() < b.key(); });
+  jobs_.reserve(turns.size());
+  for (const Turn& turn : turns) jobs_.push_back(turn.entry);
 }
 
-std::vector<std::uint32_t> WorkQueue::next_portion() {
-  constexpr double least = 2000;  // microseconds of work, so that messages cost nothing beside it
-  const double share = std::max(left_ / (4 * static_cast<double>(processes_)), least);
+std::vector<std::uint32_t> WorkQueue::next_portion(std::size_t processes) {
+  const auto workers = static_cast<double>(processes);
+  const double share = std::clamp(left_ / (4 * workers), std::max(min_cost, workers * min_cost_per_process), max_cost);
   std::vector<std::uint32_t> portion;
-  for (double dealt = 0; next_ < jobs_.size() && (portion.empty() || dealt + costs_[next_] <= share); ++next_) {
-    portion.push_back(jobs_[next_]);
-    dealt += costs_[next_];
-    left_ -= costs_[next_];
+  for (double dealt = 0; next_ < jobs_.size() && portion.size() < max_jobs; ++next_) {
+    const auto& [cost, job] = jobs_[next_];
+    if (!portion.empty() && dealt + cost > share) break;
+    portion.push_back(job);
+    dealt += cost;
+    left_ -= cost;
   }
   return portion;
 }

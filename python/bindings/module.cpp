@@ -25,5 +25,8 @@ PYBIND11_MODULE(_lober, module) {
   bind_fixed_points(module);
   bind_manifolds(module);
   bind_operations(module);
+#ifdef LOBER_PYTHON_BATCH
+  bind_batch(module);
+#endif
   seal_classes(module);
 }

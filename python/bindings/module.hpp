@@ -5,6 +5,7 @@
 
 namespace lober::python {
 
+void bind_batch(pybind11::module_& module);  ///< only in builds with batches (LOBER_BUILD_BATCH)
 void bind_build(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_fixed_points(pybind11::module_& module);

@@ -12,7 +12,7 @@
 Results do not depend on the number of threads. Definitions and signs are in docs/conventions.md of the project.
 """
 
-from . import _generated, plot
+from . import _generated, batch, plot
 from ._agreement import Agreement, Comparison
 from ._areas import AreaErrors, Areas
 from ._dynamics import (
@@ -101,6 +101,7 @@ __all__ = [
     "Zone",
     "__version__",
     "area",
+    "batch",
     "call",
     "equations",
     "fixed_point",

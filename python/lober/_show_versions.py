@@ -16,6 +16,8 @@ OPTIONAL = {
     "matplotlib": "lober.plot",
     "sympy": "lober.hamiltonian, lober.equations",
     "numba": "functions that it compiles, as systems",
+    "pandas": "to_pandas of results",
+    "xarray": "to_xarray of results",
     "shapely": "its polygons and lines, as curves",
 }
 

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-UNUSED = ["SQLite3", "tomlplusplus", "CLI11", "spdlog", "nlohmann_json", "GTest", "MPI"]
+UNUSED = ["SQLite3", "tomlplusplus", "CLI11", "spdlog", "nlohmann_json", "GTest"]
 
 
 def constant(name: str):

@@ -18,7 +18,4 @@ using Seconds = std::chrono::duration<double>;
 /// Its exit status; -1 if a signal ended it.
 int wait_for(pid_t process);
 
-/// The processes that a process has started and that still run.
-[[nodiscard]] std::vector<pid_t> children_of(pid_t process);
-
 }  // namespace lober::cli

@@ -46,7 +46,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;
   for (const std::string& line : lines_of(text)) {
-    if (!line.starts_with("  lober ") && !line.starts_with("  lober_mpi ")) longest = std::max(longest, line.size());
+    if (!line.starts_with("  lober ")) longest = std::max(longest, line.size());
   }
   return longest;
 }

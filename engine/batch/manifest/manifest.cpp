@@ -343,10 +343,14 @@ void Manifest::fail(std::size_t line, const std::string& key, const std::string&
 }
 
 Manifest read_manifest(const std::string& path) {
+  const FileBytes file(path);
+  return parse_manifest({reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()}, path);
+}
+
+Manifest parse_manifest(std::string text, const std::string& path) {
   Manifest manifest;
   manifest.path = path;
-  const FileBytes file(path);
-  manifest.text = {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+  manifest.text = std::move(text);
   toml::table top;
   try {
     top = toml::parse(manifest.text);

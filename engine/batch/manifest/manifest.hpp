@@ -50,5 +50,7 @@ struct Manifest {
 /// Throws DataError when the file cannot be read, UsageError "path:line: key: what is wrong" for everything in it that
 /// is not understood.
 [[nodiscard]] Manifest read_manifest(const std::string& path);
+/// The same for a text; names of files are relative to the folder of `path`, which stands in messages.
+[[nodiscard]] Manifest parse_manifest(std::string text, const std::string& path);
 
 }  // namespace lober::detail

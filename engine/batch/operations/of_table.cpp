@@ -207,7 +207,8 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
   }
   Runner runner{&entry, {}, {}, job.lists_if ? job.lists_if->key : "", job.points};
   for (const auto& [name, path] : job.columns) {
-    operation.columns.push_back({name, kind_at(runner.columns.emplace_back(entry.result, path), name)});
+    const operations::NumberPath& at = runner.columns.emplace_back(entry.result, path);
+    operation.columns.push_back({name, kind_at(at, name), at.field().unit, at.field().meaning});
   }
   for (const auto& [name, path] : job.lists) {
     (void)kind_at(runner.lists.emplace_back(entry.result, path), name);

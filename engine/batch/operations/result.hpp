@@ -16,6 +16,8 @@ struct Column {
   enum class Kind : std::uint8_t { real, count };
   std::string name;
   Kind kind = Kind::real;
+  std::string unit = {};     ///< as operations::Field::unit
+  std::string meaning = {};  ///< as operations::Field::meaning; empty where nothing is known
 };
 
 /// SHA-256 of what a result depends on; see JobKeys.

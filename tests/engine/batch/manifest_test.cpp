@@ -224,10 +224,10 @@ TEST_F(ManifestTest, WorkQueueHandsOutEachJobOnceInShrinkingPortions) {
     return lengths;
   }() + "]");
   std::vector<std::uint32_t> numbers = jobs_of(all, {});
-  WorkQueue queue(all, path("job.toml"), numbers, 3);
+  WorkQueue queue(all, path("job.toml"), numbers);
   std::vector<std::uint32_t> dealt;
   std::size_t before = numbers.size();
-  for (std::vector<std::uint32_t> portion = queue.next_portion(); !portion.empty(); portion = queue.next_portion()) {
+  for (std::vector<std::uint32_t> portion = queue.next_portion(3); !portion.empty(); portion = queue.next_portion(3)) {
     EXPECT_LE(portion.size(), before);
     before = portion.size();
     dealt.insert(dealt.end(), portion.begin(), portion.end());

@@ -1,0 +1,196 @@
+"""Batches: manifests as files and dictionaries, and stores as objects."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import lober
+
+ANGLE = 2 * np.pi * np.arange(200) / 200
+
+
+def circle(centre: complex, points: int = 200) -> np.ndarray:
+    return centre + np.exp(2j * np.pi * np.arange(points) / points)
+
+
+@pytest.fixture
+def curves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Four circles in a file, in the working folder."""
+    monkeypatch.chdir(tmp_path)
+    lober.write("circles.dat", {f"c{k}": circle(0.5 * k) for k in range(4)})
+    return tmp_path
+
+
+OVERLAYS = {"operation": "overlay", "curves": "circles.dat#*", "pairs": "all"}
+
+
+def test_a_dictionary_is_run_and_agrees_with_overlay(curves: Path) -> None:
+    store = lober.batch.run(OVERLAYS)
+    assert store.report is not None and store.report.run == 6 and store.report.failed == 0
+    table = np.asarray(store)
+    assert len(table) == len(store) == 6
+    for row in table:
+        first, second = (circle(0.5 * int(row[name].rsplit("#")[1])) for name in ("first", "second"))
+        r = lober.overlay(first, second)
+        assert (row["intersection"], row["crossings"]) == (r.area.intersection, r.crossings)
+        assert row["rounding_union"] == r.error.rounding.union
+
+
+def test_a_file_has_its_store_beside_it_and_goes_on_where_it_was(curves: Path) -> None:
+    Path("all.toml").write_text('operation = "overlay"\ncurves = "circles.dat#*"\npairs = "all"\n')
+    assert lober.batch.check("all.toml").jobs == 6
+    part = lober.batch.run("all.toml", shard=(1, 2))
+    assert part.path == "all.results" and part.jobs.missing == 3 and len(part.jobs) == 6
+    rest = lober.batch.run("all.toml")
+    assert rest.report is not None and (rest.report.finished_before, rest.report.run) == (3, 3)
+    again = lober.batch.open("all.results")
+    assert again.jobs == lober.batch.Jobs(6, 0, 0, []) and again.report is None
+    assert [run.shard for run in again.runs] == ["1/2", "1/1"]
+    assert again.runs[0].manifest.startswith("operation")
+    assert again.operations == ["overlay"]
+
+
+def test_tables(curves: Path) -> None:
+    store = lober.batch.run({**OVERLAYS, "options": {"lobes": True}})
+    frame = store.to_pandas(lists=True)
+    assert frame["first"].tolist()[:3] == ["circles.dat#0"] * 3
+    assert frame["lobes_c1_minus_c2"][0].sum() == pytest.approx(frame["c1_minus_c2"][0], rel=1e-14)
+    data = store.to_xarray()
+    assert data.intersection.attrs["units"] == "area" and data.intersection.attrs["long_name"]
+    assert data.sizes["job"] == 6 and set(data.coords) == {"job", "failed", "group", "options", "first", "second", "message"}
+    assert lober.__version__ in data.attrs["source"] and "circles.dat#*" in data.attrs["manifest"]
+    assert store.export("all.csv").done == 6
+    assert pd.read_csv("all.csv")["union"].tolist() == frame["union"].tolist()
+    rows = store.sql("SELECT curve1, curve2, area FROM overlaps WHERE crossings > ? ORDER BY job", [0])
+    assert [row[2] for row in rows] == frame["intersection"][frame["crossings"] > 0].tolist()
+    connection = store.connect()
+    with pytest.raises(sqlite3.OperationalError, match="readonly"):
+        connection.execute("DELETE FROM plan")
+    connection.close()
+    assert "6 jobs done" in repr(store) and "<table>" in store._repr_html_()
+
+
+def test_grids_are_columns_and_coordinates(curves: Path) -> None:
+    manifest = {"operation": "transport", "options": {"system": "standard"}, "grid": {"parameters": {"K": np.array([1.0, 1.1])}}}
+    store = lober.batch.run(manifest)
+    assert store.results()["parameters.K" if "parameters.K" in store.results().dtype.names else "K"].tolist() == [1.0, 1.1]
+    flux = [lober.transport(lober.system("standard", K=k)).boundaries[0].flux12.value for k in (1.0, 1.1)]
+    assert store.results()["flux12"].tolist() == flux
+
+
+def test_failures_are_kept_and_warned_of(curves: Path) -> None:
+    lober.write("eight.dat", np.array([[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]))
+    manifest = {**OVERLAYS, "curves": ["circles.dat#*", "eight.dat"]}
+    with pytest.warns(lober.IncompleteWarning, match="4 of 10 jobs failed, first circles.dat#0 eight.dat"):
+        store = lober.batch.run(manifest)
+    assert [failure.jobs for failure in store.failures] == [4]
+    failed = store.results()[store.results()["failed"]]
+    assert np.isnan(failed["union"]).all() and (failed["crossings"] == -1).all() and all(failed["message"])
+    assert store.lists()["lobes_c1_minus_c2"][-1].size == 0
+
+
+@pytest.mark.parametrize(
+    "manifest, message",
+    [
+        ({"operation": "overlai", "curves": "circles.dat#*"}, 'manifest: operation: there is no operation "overlai"'),
+        ({"operation": "overlay"}, "manifest: curves: is missing"),
+        ({"operation": "overlay", "curves": [ANGLE + 1j]}, "curves: a value of type ndarray.*lober.overlap_matrix"),
+        ({"operation": "overlay", "curves": "no.*"}, "manifest: .*no"),
+        ({3: 4}, "keys of a manifest"),
+        ('operation = "overlay"\ncurves = "*"', "not a text in TOML"),
+    ],
+)
+def test_wrong_manifests_are_explained(curves: Path, manifest: object, message: str) -> None:
+    with pytest.raises(lober.UsageError, match=message) as raised:
+        lober.batch.run(manifest)  # type: ignore[arg-type]
+    assert ":1:" not in str(raised.value)
+
+
+def test_wrong_arguments_are_explained(curves: Path) -> None:
+    with pytest.raises(lober.DataError, match="none.toml"):
+        lober.batch.run("none.toml")
+    with pytest.raises(TypeError, match="name of a file or a dictionary"):
+        lober.batch.run(3)  # type: ignore[arg-type]
+    with pytest.raises(lober.UsageError, match="not a part"):
+        lober.batch.run(OVERLAYS, shard=(0, 2))
+    with pytest.raises(lober.DataError):
+        lober.batch.open("circles.dat")
+    with pytest.raises(lober.DataError, match="none.results"):
+        lober.batch.open("none.results")
+    store = lober.batch.run(OVERLAYS)
+    with pytest.raises(lober.UsageError, match="no such table"):
+        store.sql("SELECT * FROM no_table")
+    with pytest.raises(lober.UsageError, match="no operation 'tangle'"):
+        store.lists("tangle")
+
+
+def test_odd_texts_are_written_as_toml(curves: Path) -> None:
+    name = 'odd "name" \\ ä\x7f\n.dat'
+    lober.write(name, {"a": circle(0), "b": circle(1)}, format="tecplot")
+    store = lober.batch.run({"operation": "overlay", "curves": name + "#*", "options": {"areas_only": np.True_}})
+    assert store.results()["first"].tolist() == [name + "#0"]
+
+
+def test_progress_cancels_and_the_next_run_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    lober.write("curves.dat", {str(k): circle(0.01 * k, 3000) for k in range(260)})
+    manifest = {"operation": "overlay", "curves": "curves.dat#*", "pairs": "all"}
+    calls: list[str | None] = []
+
+    def stop(fraction: float | None, text: str | None) -> bool:
+        calls.append(text)
+        return False
+
+    with pytest.raises(lober.Cancelled, match="run the manifest again"):
+        lober.batch.run(manifest, "all.results", progress=stop)
+    assert len(calls) == 1 and "of 33670 jobs" in str(calls[0])
+    done = lober.batch.open("all.results").jobs.done
+    assert done < 33670
+    store = lober.batch.run(manifest, "all.results")
+    assert store.report is not None and store.report.finished_before == done and store.jobs.done == 33670
+
+
+def test_other_threads_run_meanwhile(curves: Path) -> None:
+    counts = [0]
+    ended = threading.Event()
+
+    def count() -> None:
+        while not ended.is_set():
+            counts[0] += 1
+            ended.wait(0.001)
+
+    lober.write("more.dat", {str(k): circle(0.01 * k, 3000) for k in range(120)})
+    other = threading.Thread(target=count)
+    other.start()
+    lober.batch.run({**OVERLAYS, "curves": "more.dat#*"})
+    ended.set()
+    other.join()
+    assert counts[0] > 5
+
+
+def test_an_interrupt_ends_a_run_and_keeps_what_is_done(tmp_path: Path) -> None:
+    lober.write(tmp_path / "curves.dat", {str(k): circle(0.01 * k, 20000) for k in range(200)})
+    program = (
+        "import lober, sys\n"
+        "def say(fraction, text):\n    if not text.startswith('0 '): print('running', flush=True)\n"
+        "manifest = {'operation': 'overlay', 'curves': 'curves.dat#*', 'pairs': 'all'}\n"
+        "try:\n    lober.batch.run(manifest, 'all.results', progress=say)\n"
+        "except KeyboardInterrupt:\n    print('interrupted')\n"
+    )
+    child = subprocess.Popen([sys.executable, "-P", "-c", program], cwd=tmp_path, stdout=subprocess.PIPE, text=True)
+    assert child.stdout is not None
+    assert child.stdout.readline() == "running\n"
+    os.kill(child.pid, signal.SIGINT)
+    assert child.communicate(timeout=60)[0].endswith("interrupted\n")
+    jobs = lober.batch.open(tmp_path / "all.results").jobs
+    assert 0 < jobs.done < len(jobs)
