@@ -11,7 +11,8 @@ BENCH_PACKAGES := libbenchmark-dev libgeos-dev libpolyclipping-dev
 # The Python module and what its tests compare it with.
 PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel python3-build pybind11-dev python3-numpy \
                    python3-pytest python3-hypothesis python3-shapely python3-sympy python3-numba python3-pandas \
-                   python3-matplotlib python3-scipy python3-h5py python3-netcdf4 python3-geopandas mypy
+                   python3-matplotlib python3-scipy python3-h5py python3-netcdf4 python3-geopandas \
+                   python3-distributed mypy
 
 # The site of the documents: Sphinx, Doxygen, what executes the tutorials, and MathJax, which becomes part of the site.
 DOCS_PACKAGES := python3-sphinx furo python3-myst-parser python3-sphinx-copybutton python3-nbclient python3-ipykernel \

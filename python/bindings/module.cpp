@@ -27,6 +27,7 @@ PYBIND11_MODULE(_lober, module) {
   bind_operations(module);
 #ifdef LOBER_PYTHON_BATCH
   bind_batch(module);
+  bind_shared_run(module);
 #endif
   seal_classes(module);
 }

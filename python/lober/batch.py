@@ -17,13 +17,16 @@ import tempfile
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Mapping, Union
+from typing import TYPE_CHECKING, Any, Mapping, Union
 
-from . import _lober
+from . import _dask, _lober
 from ._manifest import UNNAMED, toml_of
 from ._progress import Progress, watching
 from ._store import Column, Failure, Jobs, Operation, Report, Store, StoreRun, operations
 from .errors import Cancelled, DataError, IncompleteWarning, UsageError
+
+if TYPE_CHECKING:
+    import distributed
 
 __all__ = [
     "Column",
@@ -69,6 +72,8 @@ def run(
     output_root: str | os.PathLike[str] = "",
     threads: int = 0,
     progress: Progress = None,
+    client: distributed.Client | None = None,
+    scatter: bool = False,
 ) -> Store:
     """Computes what the manifest asks for and the store does not have yet, and returns the store.
 
@@ -82,6 +87,9 @@ def run(
     shard: (2, 5) runs the second of five parts of the jobs, here into a store of its own
     memory: bytes for curves, their indexes and the work on them; default: half of the machine's
     output_root: folder below which jobs write their files; default: that of the manifest
+    client: a cluster of Dask, whose workers compute; the store stays here. `memory` and `threads` are those of a task then, of
+        which each thread of a worker runs one; default: a share of the worker's memory, and one thread
+    scatter: the workers do not see the files: each input is sent to a worker once. Else all find them under the same path
     """
     _require_batches()
     path, text = _given(manifest)
@@ -97,9 +105,13 @@ def run(
     if not 1 <= number <= of:
         raise UsageError(f"shard: ({number}, {of}) is not a part; give (1, 5) for the first of five")
     with watching(progress, "batch") as callback, _explained(text):
-        parts = _lober.batch_run(
-            path, text, found.path, (number - 1, of), memory, os.fspath(output_root), threads, callback
-        )
+        given = (path, text, found.path, (number - 1, of), memory, os.fspath(output_root), threads)
+        if client is None:
+            if scatter:
+                raise UsageError("scatter is for the workers of a client")
+            parts = _lober.batch_run(*given, callback)
+        else:
+            parts = _dask.run_batch(client, *given, scatter, callback)
     found.report = Report._of(parts)
     if parts["stopped"]:
         raise Cancelled(
