@@ -329,6 +329,10 @@ py::list table() {
 void bind_operations(py::module_& module) {
   py::class_<OperationRun>(module, "OperationRun")
       .def("value", [](const OperationRun& run) { return dict_of(run.operation->result, run.outcome.value.get()); })
+      .def("json",
+           [](const OperationRun& run) {
+             return long_call(0, [&] { return json_object(run.operation->result, run.outcome.value.get()); });
+           })
       .def("comparisons", [](const OperationRun& run) { return comparisons_of(run.outcome.agreement); })
       .def("chosen", chosen_of)
       .def_property_readonly("incomplete", [](const OperationRun& run) { return run.outcome.incomplete; });
