@@ -37,6 +37,7 @@ def _run(given: argparse.Namespace) -> int:
             store = batch.run(
                 given.manifest,
                 given.store,
+                shard=_shard(given.shard),
                 memory=_bytes(given.memory),
                 output_root=given.output_root,
                 threads=given.threads,
@@ -87,6 +88,13 @@ def _bytes(text: str) -> int:
     return int(value)
 
 
+def _shard(text: str) -> tuple[int, int]:
+    number, slash, of = text.partition("/")
+    if not (slash and number.isdecimal() and of.isdecimal() and 1 <= int(number) <= int(of)):
+        raise UsageError(f"--shard: {text!r} is not of the form I/N with 1 <= I <= N")
+    return int(number), int(of)
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="lober-dask",
@@ -104,6 +112,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--scatter", action="store_true", help="send the inputs to the workers, which do not see the files (default: all find them under the same path)")
     parser.add_argument("--memory", metavar="SIZE", default="0", help="memory of a task for curves and the work on them, as 4G or 500M (default: 0.6 of the worker's, shared by its threads)")
     parser.add_argument("--threads", metavar="N", type=int, default=1, help="threads of a task; each thread of a worker runs a task (default: 1)")
+    parser.add_argument("--shard", metavar="I/N", default="1/1", help="the part of the jobs to run, into a store of its own; lober batch merge joins them (default: 1/1)")
     parser.add_argument("--wait", metavar="SECONDS", type=float, default=120, help="how long to look for a scheduler that is not there, or not any more (default: 120)")
     parser.add_argument("-q", "--quiet", action="store_true", help="do not show the progress")
     parser.add_argument("--version", action="version", version=f"lober-dask {__version__}")
