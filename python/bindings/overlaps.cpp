@@ -39,19 +39,21 @@ py::array matrix_array(std::vector<double>&& values, std::size_t rows, std::size
   return array_of(std::move(values)).reshape({rows, columns});
 }
 
-// The values and the bounds of each measure: matrices if `dense`, else a number for each entry.
-py::dict numbers_of(OverlapMatrix& found, bool dense) {
+// The values of each measure, and the bounds if asked for: matrices if `dense`, else a number for each entry.
+py::dict numbers_of(OverlapMatrix& found, bool dense, bool bounds) {
   py::dict numbers;
   for (std::size_t m = 0; m < found.numbers.size(); ++m) {
     OverlapMatrix::Numbers& of = found.numbers[m];
     const std::string key(name(of.measure));
+    py::object values, errors = py::none();
     if (dense) {
-      numbers[key.c_str()] = py::make_tuple(matrix_array(found.dense(m), found.rows, found.columns),
-                                            matrix_array(found.dense_bounds(m), found.rows, found.columns));
+      values = matrix_array(found.dense(m), found.rows, found.columns);
+      if (bounds) errors = matrix_array(found.dense_bounds(m), found.rows, found.columns);
     } else {
-      if (is_count(of.measure)) of.bounds.resize(of.values.size());
-      numbers[key.c_str()] = py::make_tuple(array_of(std::move(of.values)), array_of(std::move(of.bounds)));
+      values = array_of(std::move(of.values));
+      if (bounds && !is_count(of.measure)) errors = array_of(std::move(of.bounds));
     }
+    numbers[key.c_str()] = py::make_tuple(values, errors);
   }
   return numbers;
 }
@@ -59,7 +61,7 @@ py::dict numbers_of(OverlapMatrix& found, bool dense) {
 // (numbers, begin, column, number of pairs overlaid, messages of failures)
 py::tuple matrix(const Array& points1, const Offsets& offsets1, const std::optional<Array>& points2,
                  const std::optional<Offsets>& offsets2, const std::vector<std::string>& measures, bool dense,
-                 bool check_simple, bool keep_going, int threads, const py::object& progress) {
+                 bool bounds, bool check_simple, bool keep_going, int threads, const py::object& progress) {
   const ProgressCallback callback(progress);
   OverlapOptions options;
   options.measures.clear();
@@ -74,7 +76,7 @@ py::tuple matrix(const Array& points1, const Offsets& offsets1, const std::optio
       threads, [&] { return points2 ? overlap_matrix(first, second, options) : overlap_matrix(first, options); });
   std::vector<std::string> failures;
   for (const OverlapMatrix::Failure& failure : found.failures) failures.push_back(failure.message);
-  const py::dict numbers = numbers_of(found, dense);
+  const py::dict numbers = numbers_of(found, dense, bounds);
   std::vector<std::int64_t> begin(found.begin.begin(), found.begin.end());
   return py::make_tuple(numbers, array_of(std::move(begin)), array_of(std::move(found.column)), found.pairs, failures);
 }
@@ -90,7 +92,8 @@ std::vector<std::string> measure_names() {
 void bind_overlaps(py::module_& module) {
   module.def("overlap_matrix", matrix, py::arg("points1").noconvert(), py::arg("offsets1").noconvert(),
              py::arg("points2").noconvert(), py::arg("offsets2").noconvert(), py::arg("measures"), py::arg("dense"),
-             py::arg("check_simple"), py::arg("keep_going"), py::arg("threads"), py::arg("progress"));
+             py::arg("bounds"), py::arg("check_simple"), py::arg("keep_going"), py::arg("threads"),
+             py::arg("progress"));
   module.def("overlap_measures", measure_names);
 }
 

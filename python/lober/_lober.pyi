@@ -121,12 +121,13 @@ def overlap_matrix(
     offsets2: NDArray[np.int64] | None,
     measures: list[str],
     dense: bool,
+    bounds: bool,
     check_simple: bool,
     keep_going: bool,
     threads: int,
     progress: _Progress,
 ) -> tuple[
-    dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]], NDArray[np.int64], NDArray[np.uint32], int, list[str]
+    dict[str, tuple[NDArray[np.float64], NDArray[np.float64] | None]], NDArray[np.int64], NDArray[np.uint32], int, list[str]
 ]: ...
 def overlap_measures() -> list[str]: ...
 def signed_area(curve: _Points) -> float: ...
@@ -202,6 +203,8 @@ def fixed_point(system: System, guess: _Pair, period: int, turns: int) -> tuple[
 
 class OperationRun:
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
+    @property
+    def seconds(self) -> float: ...
     @property
     def incomplete(self) -> str: ...
     def value(self) -> dict[str, Any]: ...

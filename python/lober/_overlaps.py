@@ -15,6 +15,7 @@ from . import _lober
 from ._arrays import points_of
 from ._curve_sets import curve_set_of
 from ._generated import overlay
+from ._numbers import threads_of
 from ._overlay import Overlay
 from ._progress import Progress, watching
 from .errors import Cancelled, IncompleteWarning, UsageError
@@ -58,9 +59,11 @@ def overlap_matrix(
     first = curve_set_of(curves_a, "curves_a")
     second = None if curves_b is None else curve_set_of(curves_b, "curves_b")
     points2, offsets2 = second or (None, None)
+    has_bounds = any(name.startswith(BOUND) for name in names)
+    threads = threads_of(threads)
     with watching(progress, "overlap_matrix") as callback:
         numbers, begin, column, _, failures = _lober.overlap_matrix(
-            *first, points2, offsets2, measures, not sparse, check_simple, keep_going, threads, callback
+            *first, points2, offsets2, measures, not sparse, has_bounds, check_simple, keep_going, threads, callback
         )
     if failures:
         warnings.warn(f"{len(failures)} failures, the first: {failures[0]}", IncompleteWarning, stacklevel=2)
@@ -68,7 +71,7 @@ def overlap_matrix(
     found = {}
     for name in names:
         values, bounds = numbers[name.removeprefix(BOUND)]
-        chosen = bounds if name.startswith(BOUND) else values
+        chosen = bounds if bounds is not None and name.startswith(BOUND) else values
         found[name] = _csr(chosen, begin, column, shape) if sparse else _typed(chosen, name, bool(failures))
     return found[names[0]] if isinstance(what, str) else found
 
@@ -106,8 +109,9 @@ def overlay_many(
     Raises what `overlay` raises when the turn of the pair comes; the message begins with its number. For areas and counts
     alone, `overlap_matrix` takes a fraction of the time.
     """
+    threads = threads_of(threads)
     if threads < 0:
-        raise UsageError(f"threads: {threads} is less than 0")
+        raise UsageError(f"threads has to be 0 (one for each core) or more, not {threads}")
     return _overlays(pairs, threads or os.cpu_count() or 1, progress, options)
 
 

@@ -11,6 +11,7 @@ keys of a manifest.
 
 from __future__ import annotations
 
+import operator
 import os
 import re
 import tempfile
@@ -21,6 +22,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Union
 
 from . import _dask, _lober
 from ._manifest import UNNAMED, toml_of
+from ._numbers import number_of, threads_of
 from ._progress import Progress, watching
 from ._store import Column, Failure, Jobs, Operation, Report, Store, StoreRun, operations
 from .errors import Cancelled, DataError, IncompleteWarning, UsageError
@@ -68,7 +70,7 @@ def run(
     store: str | os.PathLike[str] | None = None,
     *,
     shard: tuple[int, int] = (1, 1),
-    memory: int = 0,
+    memory: float = 0,
     output_root: str | os.PathLike[str] = "",
     threads: int = 0,
     progress: Progress = None,
@@ -101,11 +103,18 @@ def run(
             folder = tempfile.mkdtemp(prefix="lober-")
             store = os.path.join(folder, "batch.results")
     found = Store(os.fspath(store), folder=folder)
-    number, of = shard
+    try:
+        number, of = map(operator.index, shard)
+    except (TypeError, ValueError):
+        raise UsageError(f"shard: give (1, 5) for the first of five, not {shard!r}") from None
     if not 1 <= number <= of:
         raise UsageError(f"shard: ({number}, {of}) is not a part; give (1, 5) for the first of five")
+    bytes_given = number_of(memory, "memory")
+    if not 0 <= bytes_given < 2**63:
+        raise UsageError(f"memory is a number of bytes, not {memory}")
+    threads = threads_of(threads)
     with watching(progress, "batch") as callback, _explained(text):
-        given = (path, text, found.path, (number - 1, of), memory, os.fspath(output_root), threads)
+        given = (path, text, found.path, (number - 1, of), int(bytes_given), os.fspath(output_root), threads)
         if client is None:
             if scatter:
                 raise UsageError("scatter is for the workers of a client")
