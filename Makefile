@@ -11,13 +11,14 @@ BENCH_PACKAGES := libbenchmark-dev libgeos-dev libpolyclipping-dev
 # The Python module and what its tests compare it with.
 PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel python3-build pybind11-dev python3-numpy \
                    python3-pytest python3-hypothesis python3-shapely python3-sympy python3-numba python3-pandas \
-                   python3-matplotlib python3-scipy python3-h5py python3-netcdf4 python3-geopandas mypy
+                   python3-matplotlib python3-scipy python3-h5py python3-netcdf4 python3-geopandas \
+                   python3-xarray python3-distributed mypy
 
 # The site of the documents: Sphinx, Doxygen, what executes the tutorials, and MathJax, which becomes part of the site.
 DOCS_PACKAGES := python3-sphinx furo python3-myst-parser python3-sphinx-copybutton python3-nbclient python3-ipykernel \
                  doxygen libjs-mathjax node-normalize.css
 
-.PHONY: demo test ci build bench bench-build bench-batch python python-functions docs docs-deps docs-figures docs-check paper check-readme stress fuzz trust deps bench-deps python-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch python python-debug python-functions docs docs-deps docs-figures docs-check paper check-readme stress fuzz trust deps bench-deps python-deps format tidy clean
 
 demo:
 	@echo "Installs what it needs (root or sudo), builds the program and runs it: about three minutes on two cores, seconds the next time."
@@ -64,6 +65,11 @@ build: deps
 python: python-deps
 	cmake --preset release -DLOBER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 	@scripts/python.sh build
+
+# The same tests under the debug build of Python, which checks reference counts and the GIL; some minutes.
+python-debug: python
+	@scripts/install-packages.sh python3-dbg
+	@scripts/python-debug.sh build
 
 .PHONY: deb wheel packages-check
 # Debian packages in build/packages: another machine needs nothing of this folder.

@@ -15,3 +15,6 @@ timeout --kill-after=10 "${LOBER_PYTHON_LIMIT:-600}" "$venv/bin/python" -P -m py
 cd "$build/python"
 "$venv/bin/python" -m mypy.stubtest lober._lober --ignore-missing-stub --allowlist "$root/python/tests/stubtest.txt"
 "$venv/bin/python" -m mypy --config-file "$root/python/pyproject.toml" --cache-dir "$build/python/mypy" -p lober
+# And the types that a user sees.
+MYPYPATH=$root/python/tests "$venv/bin/python" -m mypy --strict --config-file "$root/python/pyproject.toml" \
+  --cache-dir "$build/python/mypy" "$root/python/tests/consumer.py"

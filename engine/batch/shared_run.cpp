@@ -108,7 +108,7 @@ void SharedRun::fail(std::uint32_t job, const std::string& message) {
   for (std::size_t k = 0; k < curves.size(); ++k) {
     try {
       result.digests[k] = digests_of({plan_.curves[curves[k]]}, manifest_.path).at(0);
-    } catch (const DataError&) {  // of an input that cannot be read there is none
+    } catch (const DataError&) {  // an input that cannot be read has none
     }
   }
   take(std::move(result));

@@ -76,8 +76,8 @@ struct PortionOptions {
   std::string output_root = {};  ///< as BatchOptions::output_root
   std::string store = {};        ///< the store of the batch, which no job may replace; may be empty
   QueueOptions queue = {};       ///< limits of threads and memory
-  /// What messages say instead of these texts, the first one that fits at each position: names of files as the manifest
-  /// spells them.
+  /// Replacements in messages, each text by the one beside it, the first that fits at each position: names of files as
+  /// the manifest spells them.
   std::vector<std::pair<std::string, std::string>> names = {};
 };
 

@@ -9,7 +9,7 @@ namespace {
 // Microseconds of work in a portion. With fewer the process that hands them out could not keep all others busy: a
 // portion costs it about a millisecond. With more, a process that dies takes much along.
 constexpr double min_cost = 2'000, min_cost_per_process = 1'000, max_cost = 20'000'000;
-constexpr double long_cost = 50'000;  // of a job that comes before all others, so that nobody waits for it in the end
+constexpr double long_cost = 50'000;  // a job with more comes before all others, so that nobody waits for it in the end
 constexpr std::size_t max_jobs = 50'000;  // some 20 MB of results
 
 // The bits of a number at the even positions.

@@ -45,7 +45,7 @@ extern "C" {
 #endif
 
 /* Raised with each addition to this header. */
-#define LOBER_INTERFACE_VERSION 3
+#define LOBER_INTERFACE_VERSION 4
 /* The interface version of the linked library. */
 LOBER_C_API int lober_interface_version(void);
 /* The version of the linked library: "0.2.0". */
@@ -130,6 +130,16 @@ LOBER_C_API int lober_interior(const double* curve1, size_t n1, const double* cu
    error.rounding.NAME by the rule; pieces.PAIRING.area. */
 LOBER_C_API int lober_regions(const double* curve1, size_t n1, const double* curve2, size_t n2, const char* options,
                               lober_result** result);
+/* Each closed curve of one set with each of another, in memory (lober/overlay/overlap_matrix.hpp). The points of a set
+   follow each other: curve k are the points begin[k] to begin[k + 1], so that begin has count + 1 numbers. With NULL,
+   NULL, 0 the curves of one set with each other. Options: what=NAME,... (intersection), of intersection, union,
+   c1_minus_c2, c2_minus_c1, symmetric_difference, crossings, touches and shared_arcs; dense=0|1 (0);
+   check_simple=0|1 (1); keep_going=0|1 (0): a curve that cannot be used is a failure and not the end. Arrays: NAME, and
+   error.rounding.NAME of areas; with dense=1 count1 x count2, else a number for each pair that has a point in common:
+   row i has those from begin[i] to begin[i + 1], of the curves column[...]. areas1, areas2: of the curves; pairs: number
+   of pairs that were overlaid; failures.row, failures.column (-1: none) and failures.message, a line each. */
+LOBER_C_API int lober_overlap_matrix(const double* points1, const size_t* begin1, size_t count1, const double* points2,
+                                     const size_t* begin2, size_t count2, const char* options, lober_result** result);
 /* Winding numbers of a closed curve about points. Arrays: points.winding, points.on (0 or 1), points.j: the interior
    function. */
 LOBER_C_API int lober_winding(const double* curve, size_t n, const double* points, size_t count, const char* options,

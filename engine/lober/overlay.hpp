@@ -7,6 +7,7 @@
 #include "lober/overlay/crossings.hpp"
 #include "lober/overlay/index.hpp"
 #include "lober/overlay/interior.hpp"
+#include "lober/overlay/overlap_matrix.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/regions.hpp"
 #include "lober/overlay/segment_pair.hpp"

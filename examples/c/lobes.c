@@ -1,4 +1,4 @@
-/* The lobes of two curves, and transport of the standard map, from C:
+/* The lobes of two curves, transport of the standard map, and many curves against each other, from C:
        cc lobes.c $(pkg-config --cflags --libs lober) -lm -o lobes */
 #include <lober/lober.h>
 #include <math.h>
@@ -36,5 +36,22 @@ int main(void) {
   printf("flux %.9f\n", ((const double*)flux.data)[0]);
   lober_result_free(result);
   lober_model_free(map);
+
+  /* A row of five circles, each of which overlaps some of the others. The points of all follow each other. */
+  enum { circles = 5 };
+  static double row[2 * n * circles];
+  size_t begin[circles + 1];
+  for (size_t k = 0; k <= circles; ++k) begin[k] = k * n;
+  for (int k = 0; k < n * circles; ++k) {
+    row[2 * k] = circle[2 * (k % n)] + 0.6 * (k / n);
+    row[2 * k + 1] = circle[2 * (k % n) + 1];
+  }
+  check(lober_overlap_matrix(row, begin, circles, NULL, NULL, 0, "what=intersection,crossings dense=1", &result));
+  lober_array shared, crossings;
+  check(lober_array_named(result, "intersection", &shared));
+  check(lober_array_named(result, "crossings", &crossings));
+  const double *areas = shared.data, *counts = crossings.data;
+  for (size_t k = 1; k < circles; ++k) printf("%.9f %.0f\n", areas[k], counts[k]);
+  lober_result_free(result);
   return 0;
 }

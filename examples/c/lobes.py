@@ -52,3 +52,14 @@ result = call(lober.lober_transport, model, b"iterates=3")
 print(f"flux {doubles(result, 'turnstile.flux12')[0, 0]:.9f}")
 lober.lober_result_free(result)
 lober.lober_model_free(model)
+
+circles = 5
+row = np.concatenate([circle[0] + [0.6 * k, 0] for k in range(circles)])
+begin = (c.c_size_t * (circles + 1))(*range(0, n * circles + 1, n))
+result = call(
+    lober.lober_overlap_matrix, c.c_void_p(row.ctypes.data), begin, c.c_size_t(circles), None, None, c.c_size_t(0),
+    b"what=intersection,crossings dense=1",
+)
+for area, crossings in zip(doubles(result, "intersection")[0, 1:], doubles(result, "crossings")[0, 1:]):
+    print(f"{area:.9f} {crossings:.0f}")
+lober.lober_result_free(result)

@@ -15,6 +15,7 @@ PYBIND11_MODULE(_lober, module) {
   bind_areas(module);
   bind_nodes(module);
   bind_overlay(module);
+  bind_overlaps(module);
   bind_interior(module);
   bind_regions(module);
   bind_tangle(module);
@@ -27,6 +28,7 @@ PYBIND11_MODULE(_lober, module) {
   bind_operations(module);
 #ifdef LOBER_PYTHON_BATCH
   bind_batch(module);
+  bind_shared_run(module);
 #endif
   seal_classes(module);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/base/stopwatch.hpp"
 #include "python/bindings/agreement.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
@@ -241,8 +242,14 @@ OperationRun run(const std::string& name, const py::list& given, const py::dict&
       return std::isnan(fraction) ? callback(line) : line.empty() ? callback(fraction) : callback(fraction, line);
     };
   }
-  ops::Outcome found = long_call(threads, [&] { return operation.run(inputs, options, context); });
-  return {&operation, std::move(found), given};
+  double seconds = 0;
+  ops::Outcome found = long_call(threads, [&] {
+    const lober::detail::Stopwatch watch;
+    ops::Outcome made = operation.run(inputs, options, context);
+    seconds = watch.seconds();
+    return made;
+  });
+  return {&operation, std::move(found), given, seconds};
 }
 
 py::object object_of_option(const ops::OptionValue& value) {
@@ -329,8 +336,13 @@ py::list table() {
 void bind_operations(py::module_& module) {
   py::class_<OperationRun>(module, "OperationRun")
       .def("value", [](const OperationRun& run) { return dict_of(run.operation->result, run.outcome.value.get()); })
+      .def("json",
+           [](const OperationRun& run) {
+             return long_call(0, [&] { return json_object(run.operation->result, run.outcome.value.get()); });
+           })
       .def("comparisons", [](const OperationRun& run) { return comparisons_of(run.outcome.agreement); })
       .def("chosen", chosen_of)
+      .def_readonly("seconds", &OperationRun::seconds)
       .def_property_readonly("incomplete", [](const OperationRun& run) { return run.outcome.incomplete; });
   module.def("run", run, py::arg("name"), py::arg("inputs"), py::arg("settings"), py::arg("threads"),
              py::arg("progress"));

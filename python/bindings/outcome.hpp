@@ -14,6 +14,7 @@ struct OperationRun {
   const operations::Operation* operation;
   operations::Outcome outcome;
   pybind11::list inputs;
+  double seconds;  ///< wall time of the operation alone
 
   /// The result, for those who know its type. It lives as long as its last pointer, but needs the inputs too: functions
   /// that return it keep the run alive.

@@ -37,6 +37,7 @@ from ._overlay import (
     interior_function,
     winding,
 )
+from ._overlaps import overlap_matrix, overlay_many
 from ._regions import RegionPieces, Regions
 from ._self_test import test
 from ._show_versions import show_versions
@@ -111,6 +112,8 @@ __all__ = [
     "image",
     "interior_function",
     "map",
+    "overlap_matrix",
+    "overlay_many",
     "plot",
     "read",
     "read_zones",

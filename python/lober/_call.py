@@ -5,14 +5,14 @@ from __future__ import annotations
 import keyword
 import warnings
 from functools import cached_property
-from typing import Any, Sequence
+from typing import Any, Callable, Sequence
 
 import numpy as np
 
 from . import _lober
 from ._agreement import Agreement, agreement_of
-from ._arrays import points_of
-from ._numbers import number_of
+from ._arrays import kept_points_of, points_of, sealed
+from ._numbers import number_of, threads_of
 from ._progress import Progress, watching
 from ._systems import Connection, System, is_own, pair_of, system_of
 from .errors import IncompleteWarning, UsageError
@@ -28,24 +28,55 @@ def identifier(key: str) -> str:
 class Run:
     """An operation that has run: what it found, and the call of a function of the package that repeats it."""
 
-    def __init__(self, of: _lober.OperationRun, arguments: tuple[Any, ...], options: dict[str, Any]) -> None:
+    def __init__(
+        self,
+        name: str,
+        of: _lober.OperationRun,
+        arguments: tuple[Any, ...],
+        options: dict[str, Any],
+        again: Callable[[], _lober.OperationRun] | None,
+    ) -> None:
+        self.name = name
         self.of = of
         self.arguments = arguments
         self.options = options
+        self._again = again  # with the parts that are computed when asked for
 
     @cached_property
     def value(self) -> dict[str, Any]:
         """All fields of the result, as `lober schema OPERATION` describes them: lists as dictionaries of columns, numbers
-        with error bars as pairs of both."""
-        return self.of.value()
+        with error bars as pairs of both. Arrays are read-only."""
+        found: dict[str, Any] = sealed(self.of.value())
+        return found
 
-    @property
+    @cached_property
+    def whole(self) -> Run:
+        """The run with all parts that the program computes: this one, or one more."""
+        return self if self._again is None else Run(self.name, self._again(), self.arguments, self.options, None)
+
+    @cached_property
+    def json(self) -> str:
+        """The fields in JSON, as the program writes them."""
+        return self.of.json()
+
+    @cached_property
     def comparisons(self) -> list[tuple[Any, ...]]:
         return self.of.comparisons()
 
     @property
     def agreement(self) -> Agreement:
         return agreement_of(self.comparisons)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        whole = self.whole
+        return _stored, (self.name, whole.value, whole.json, whole.comparisons)
+
+
+def _stored(name: str, value: dict[str, Any], json: str, comparisons: list[tuple[Any, ...]]) -> Run:
+    """A run that was pickled: what it found."""
+    run = Run.__new__(Run)
+    run.__dict__.update(name=name, value=value, json=json, comparisons=comparisons, _again=None)
+    return run
 
 
 def system_input(system: System, connection: Connection | None = None) -> tuple[Any, ...]:
@@ -105,13 +136,15 @@ def run(
             arguments.append(made)
             inputs.append(system_input(made, connection))
         elif value is not None or not spec["optional"]:
-            arguments.append(points_of(value, spec["name"]))
+            arguments.append(kept_points_of(value, spec["name"]))
             inputs.append(arguments[-1])
     if connection is not None:
         arguments.append(connection)
     made_fit = {key: _setting(key, value, kinds.get(key, "")) for key, value in settings.items()}
+    threads = threads_of(threads)
     with watching(progress, name) as callback:
         found = _lober.run(name, inputs, {**made_fit, **(lazy or {})}, threads, callback)
     if found.incomplete:
         warnings.warn(found.incomplete, IncompleteWarning, stacklevel=3)
-    return Run(found, tuple(arguments), {identifier(key): value for key, value in made_fit.items()})
+    again = (lambda: _lober.run(name, inputs, made_fit, threads, None)) if lazy else None
+    return Run(name, found, tuple(arguments), {identifier(key): value for key, value in made_fit.items()}, again)

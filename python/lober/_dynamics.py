@@ -12,6 +12,7 @@ from . import _lober
 from ._areas import html_table
 from ._arrays import Points
 from ._call import Run
+from ._result import Result
 from ._systems import Box, Pair, system_of
 
 
@@ -34,7 +35,7 @@ class FixedPoint:
 
 
 @dataclass(frozen=True)
-class FixedPoints:
+class FixedPoints(Result):
     """The points in a box, sorted by period, x, y."""
 
     points: list[FixedPoint]
@@ -110,7 +111,7 @@ class GrowthDiagnostic:
 
 
 @dataclass(frozen=True)
-class Manifold:
+class Manifold(Result):
     """One branch of a manifold, from its saddle on.
 
     Vertex i is F^(k steps)(P(parameters[i])), k its generation, P the local manifold; `generation_begin` has the first

@@ -2,41 +2,97 @@
 
 from __future__ import annotations
 
+import html
 import os
 from dataclasses import dataclass
-from typing import Any, Mapping, Union
+from typing import Any, Iterator, Mapping, Union
+
+import numpy as np
+from numpy.typing import NDArray
 
 from . import _lober
+from ._areas import html_table
 from ._arrays import Points, points_of
+from ._numbers import number_of
+from .errors import UsageError
 
 Path = Union[str, "os.PathLike[str]"]
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Zone:
+    """A curve of a file. It is taken for its points wherever a curve is."""
+
     title: str
     points: Points
 
+    def __array__(self, dtype: Any = None) -> NDArray[Any]:
+        return np.asarray(self.points, dtype)
 
-@dataclass(frozen=True)
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __repr__(self) -> str:
+        return f"<Zone {self.title!r}: {len(self.points)} points>"
+
+
+@dataclass(frozen=True, eq=False)
 class CurveFile:
-    """All curves of a file: zones, groups of a table, rings of polygons."""
+    """All curves of a file: zones, groups of a table, rings of polygons. A sequence of zones, which are named by their
+    numbers and titles."""
 
     path: str
     format: str
     sha256: str
     zones: list[Zone]
 
+    def __len__(self) -> int:
+        return len(self.zones)
 
-def read(path: Path, *, closed: bool = True, periods: tuple[float | None, float | None] = (None, None)) -> Points:
+    def __iter__(self) -> Iterator[Zone]:
+        return iter(self.zones)
+
+    def __getitem__(self, which: int | str) -> Zone:
+        if not isinstance(which, str):
+            return self.zones[which]
+        found = [zone for zone in self.zones if zone.title == which]
+        if not found:
+            raise KeyError(f"{self.path} has no zone {which!r}; it has {_listed([repr(zone.title) for zone in self.zones])}")
+        return found[0]
+
+    def __repr__(self) -> str:
+        points = sum(len(zone) for zone in self.zones)
+        titles = _listed([repr(zone.title) for zone in self.zones if zone.title])
+        return f"<CurveFile {self.path}, {self.format}: {len(self.zones)} zones, {points} points{titles and ': ' + titles}>"
+
+    def _repr_html_(self) -> str:
+        rows = [[str(k), html.escape(zone.title), str(len(zone))] for k, zone in enumerate(self.zones[:20])]
+        more = f"<p>and {len(self.zones) - 20} more</p>" if len(self.zones) > 20 else ""
+        return f"<p>{html.escape(repr(self)[1:-1])}</p>" + html_table(["zone", "title", "points"], rows) + more
+
+
+def read(
+    path: Path, *, closed: bool = True, periods: float | tuple[float | None, float | None] | None = None
+) -> Points:
     """The points of one curve: of FILE, or of one zone, FILE#2 by its number from 0 or FILE#TITLE. FILE:lon,lat and
     FILE:2,3 choose columns of a table by name or number, FILE:lon,lat,by=id#a one of its groups; FILE.h5:/group/x,/group/y
     two arrays of an HDF5, NetCDF, MAT or NPZ file, FILE.npz:xy one of N x 2.
 
     The format is recognised by the content, compressed by gzip or not: `formats()` lists them. A closed curve loses a
-    last point that repeats the first. `periods` are those of x and y: a curve that was stored modulo them is followed
-    across the seam. Raises DataError, which names file and line.
+    last point that repeats the first. `periods` are those of x and y, None for none; a number is that of x, as of
+    longitudes: 360. A curve that was stored modulo them is followed across the seam. Raises UsageError, DataError, which
+    names file and line.
     """
-    return _lober.read_one(os.fspath(path), closed, periods[0] or 0, periods[1] or 0)
+    x, y = _periods_of(periods)
+    return _lober.read_one(os.fspath(path), closed, x, y)
+
+
+def _periods_of(periods: Any) -> tuple[float, float]:
+    both = (periods, None) if periods is None or np.ndim(periods) == 0 else tuple(periods)
+    if len(both) != 2:
+        raise UsageError(f"periods are those of x and y, or a number for x, not {periods!r}")
+    x, y = (0.0 if one is None else number_of(one, "periods") for one in both)
+    return x, y
 
 
 def read_zones(path: Path, *, columns: str = "") -> CurveFile:
@@ -97,6 +153,10 @@ def formats() -> list[Format]:
         Format(name, meaning, tuple(endings.split()), reads, writes, takes_several, library, missing)
         for name, meaning, endings, reads, writes, takes_several, library, missing in _lober.list_formats()
     ]
+
+
+def _listed(names: list[str]) -> str:
+    return ", ".join(names[:6]) + (f" and {len(names) - 6} more" if len(names) > 6 else "")
 
 
 def _text(title: bytes) -> str:

@@ -24,6 +24,8 @@ class Face:
     lazy: dict[str, bool | None] = field(default_factory=dict)
     #: Options that may be given without their names.
     positional: tuple[str, ...] = ()
+    #: Whether it is a Result that has to be told its run.
+    keeps: bool = False
     #: Whether a Connection may stand for the options that choose one.
     connection: bool = False
     #: The name of the function, where it is not that of the operation.
@@ -31,9 +33,9 @@ class Face:
 
 
 FACES = {
-    "escape": Face("Escape._of", "Escape"),
-    "fixed_points": Face("FixedPoints._of", "FixedPoints"),
-    "grow": Face("Manifold._of", "Manifold", positional=("side",)),
+    "escape": Face("Escape._of", "Escape", keeps=True),
+    "fixed_points": Face("FixedPoints._of", "FixedPoints", keeps=True),
+    "grow": Face("Manifold._of", "Manifold", positional=("side",), keeps=True),
     "image": Face("images_of", "list[Image]", positional=("first", "last"), name="images"),
     "interior": Face("Interior", "Interior"),
     "manifold_tangle": Face("SystemTangle", "SystemTangle", lazy={"overlaps": False}, connection=True),
@@ -43,7 +45,7 @@ FACES = {
     "regions": Face("Regions", "Regions", lazy={"rule": None, "areas_only": True}),
     "section": Face("orbits_of", "NDArray[np.float64]"),
     "tangle": Face("Tangle", "Tangle", lazy={"overlaps": False}),
-    "transport": Face("Transport._of", "Transport", connection=True),
+    "transport": Face("Transport._of", "Transport", connection=True, keeps=True),
 }
 #: A function by hand: it has no options, and gives arrays for each point.
 BY_HAND = {"winding"}
@@ -64,7 +66,9 @@ from ._dynamics import FixedPoints, Image, Manifold, images_of, orbits_of
 from ._measured import Measured
 from ._overlay import Interior, Overlay
 from ._progress import Progress
+from ._numbers import seed_of
 from ._regions import Regions
+from ._result import Result, kept
 from ._systems import Box, Connection, Pair
 from ._tangle import Tangle
 from ._transport import Escape, SystemTangle, Transport
@@ -94,7 +98,8 @@ IN_COLUMNS = {
 }
 CURVES = (
     "Curves and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of a closed "
-    "curve is joined to the first. Arrays of doubles are not copied and must not change while the result is in use."
+    "curve is joined to the first. Arrays of doubles of more than a megabyte are not copied and must not change while the "
+    "result is in use."
 )
 ARGUMENTS = {
     "bool": "bool",
@@ -129,7 +134,16 @@ class Classes:
     def __init__(self) -> None:
         self.text = ""
 
-    def add(self, name: str, fields: list[dict[str, Any]], columns: bool, meaning: str, compares: bool = False) -> str:
+    def add(
+        self,
+        name: str,
+        fields: list[dict[str, Any]],
+        columns: bool,
+        meaning: str,
+        compares: bool = False,
+        of_result: str = "",
+    ) -> str:
+        """The name of the class; `of_result`: the base of the outermost one."""
         lines, made = "", ""
         for field in fields:
             kind, key = field["kind"], field["name"]
@@ -160,7 +174,7 @@ class Classes:
         more = ", comparisons: list[tuple[Any, ...]]" if compares else ""
         what = sentence(meaning) + (" A column each." if columns else "")
         self.text += (
-            f'\n\n@dataclass(frozen=True)\nclass {name}:\n    """{wrapped(what, 4)}"""\n\n{lines}\n'
+            f'\n\n@dataclass(frozen=True)\nclass {name}{of_result}:\n    """{wrapped(what, 4)}"""\n\n{lines}\n'
             f'    @classmethod\n    def _of(cls, v: dict[str, Any]{more}) -> "{name}":\n        return cls(\n{made}        )\n'
         )
         return name
@@ -170,19 +184,29 @@ def parameter(option: dict[str, Any]) -> str:
     name, of, default = identifier(option["key"]), ARGUMENTS[option["type"]], option["default"]
     if option["required"]:
         return f"    {name}: {of},\n"
-    return f"    {name}: {of} | None = None,\n" if default is None else f"    {name}: {of} = {default!r},\n"
+    more = "    rng: Any = None,\n" if name == "seed" else ""
+    return f"    {name}: {of} | None = None,\n" if default is None else f"    {name}: {of} = {default!r},\n{more}"
+
+
+def setting(option: dict[str, Any]) -> str:
+    """The value of an option as a function passes it on."""
+    name = identifier(option["key"])
+    return f"seed_of(seed, {option['default']!r}, rng)" if name == "seed" else name
 
 
 def explained(option: dict[str, Any]) -> str:
     otherwise = f"; default: {option['otherwise']}" if option["otherwise"] else ""
-    return "\n    " + wrapped(f"{identifier(option['key'])}: {option['meaning']}{otherwise}", 8)
+    rng = "\n    rng: what numpy.random.default_rng takes, from which the seed is drawn, in place of one"
+    return "\n    " + wrapped(f"{identifier(option['key'])}: {option['meaning']}{otherwise}", 8) + (
+        rng if option["key"] == "seed" else ""
+    )
 
 
 def function(operation: dict[str, Any]) -> str:
     name, face = operation["name"], FACES.get(operation["name"])
     lazy = face.lazy if face else {}
     options = [one for one in operation["options"] if one["key"] not in lazy]
-    settings = "".join(f'        "{one["key"]}": {identifier(one["key"])},\n' for one in options)
+    settings = "".join(f'        "{one["key"]}": {setting(one)},\n' for one in options)
     by_position = [one for one in options if face and one["key"] in face.positional]
     by_name = sorted((one for one in options if one not in by_position), key=lambda one: not one["required"])
     given, passed, what = inputs(operation["inputs"])
@@ -196,14 +220,17 @@ def function(operation: dict[str, Any]) -> str:
     given += "".join(map(parameter, by_position))
     ran = f'run("{name}", {passed}, settings, threads, progress{more})'
     if face:
-        classes, returns, made = "", face.returns, f"    return {face.maker}({ran})\n"
+        classes, returns = "", face.returns
+        made = f"    ran = {ran}\n    return {face.maker}(ran)\n"
+        if face.keeps:
+            made = f"    ran = {ran}\n    return kept({face.maker}(ran), ran)\n"
     else:
         of = Classes()
         title = "".join(part.capitalize() for part in name.split("_"))
-        returns = of.add(title, operation["result"], False, f"The result of `{name}`", operation["compares"])
+        returns = of.add(title, operation["result"], False, f"The result of `{name}`", operation["compares"], "(Result)")
         classes = of.text
         compared = ", ran.comparisons" if operation["compares"] else ""
-        made = f"    ran = {ran}\n    return {returns}._of(ran.value{compared})\n"
+        made = f"    ran = {ran}\n    return kept({returns}._of(ran.value{compared}), ran)\n"
     return (
         f"{classes}\n\ndef {face and face.name or name}(\n{given}    *,\n{''.join(map(parameter, by_name))}"
         f"    threads: int = 0,\n    progress: Progress = None,\n) -> {returns}:\n"

@@ -14,7 +14,9 @@ from ._dynamics import FixedPoints, Image, Manifold, images_of, orbits_of
 from ._measured import Measured
 from ._overlay import Interior, Overlay
 from ._progress import Progress
+from ._numbers import seed_of
 from ._regions import Regions
+from ._result import Result, kept
 from ._systems import Box, Connection, Pair
 from ._tangle import Tangle
 from ._transport import Escape, SystemTangle, Transport
@@ -207,7 +209,7 @@ class CurveTransportError:
 
 
 @dataclass(frozen=True)
-class CurveTransport:
+class CurveTransport(Result):
     """The result of `curve_transport`."""
 
     #: Number of pips from one to its image.
@@ -263,8 +265,8 @@ def curve_transport(
 
     `u`: the unstable manifold, outward from its fixed point; `s`: the stable manifold, outward from its fixed
     point. Curves and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of
-    a closed curve is joined to the first. Arrays of doubles are not copied and must not change while the result is
-    in use. Raises UsageError, DataError, Cancelled.
+    a closed curve is joined to the first. Arrays of doubles of more than a megabyte are not copied and must not
+    change while the result is in use. Raises UsageError, DataError, Cancelled.
 
     iterates: number of iterates n up to which the table goes, or as far as the curves reach; n takes n images
         of the bip on them; default: as far as the curves reach
@@ -288,7 +290,7 @@ def curve_transport(
         "check_simple": check_simple,
     }
     ran = run("curve_transport", (u, s), settings, threads, progress)
-    return CurveTransport._of(ran.value, ran.comparisons)
+    return kept(CurveTransport._of(ran.value, ran.comparisons), ran)
 
 
 @dataclass(frozen=True)
@@ -409,7 +411,7 @@ class DensifyDiagnostics:
 
 
 @dataclass(frozen=True)
-class Densify:
+class Densify(Result):
     """The result of `densify`."""
 
     #: The steps in order.
@@ -472,7 +474,7 @@ def densify(
 
     `curve`: a curve; `against`: another curve, for passes and crossings. Curves and points are arrays of N x 2
     numbers, complex vectors, or polygons of shapely; the last point of a closed curve is joined to the first.
-    Arrays of doubles are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+    Arrays of doubles of more than a megabyte are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
 
     closed: whether to join the last vertex of the curve to the first
     closed_against: whether to join the last vertex of the other curve to the first
@@ -509,7 +511,7 @@ def densify(
         "max_points": max_points,
     }
     ran = run("densify", (curve, against), settings, threads, progress)
-    return Densify._of(ran.value)
+    return kept(Densify._of(ran.value), ran)
 
 
 def escape(
@@ -527,6 +529,7 @@ def escape(
     budget: float | None = None,
     monte_carlo: int = 2000,
     seed: int = 1,
+    rng: Any = None,
     threads: int = 0,
     progress: Progress = None,
 ) -> Escape:
@@ -557,6 +560,7 @@ def escape(
         gives the same table on every machine
     monte_carlo: number of trajectories to follow from each entrance, as a check of the table; 0: none
     seed: seed of the random numbers of these trajectories
+    rng: what numpy.random.default_rng takes, from which the seed is drawn, in place of one
     """
     settings = {
         "energy": energy,
@@ -570,9 +574,10 @@ def escape(
         "max_work": max_work,
         "budget": budget,
         "monte_carlo": monte_carlo,
-        "seed": seed,
+        "seed": seed_of(seed, 1, rng),
     }
-    return Escape._of(run("escape", (system,), settings, threads, progress))
+    ran = run("escape", (system,), settings, threads, progress)
+    return kept(Escape._of(ran), ran)
 
 
 def fixed_points(
@@ -611,7 +616,8 @@ def fixed_points(
         "max_grid": max_grid,
         "budget": budget,
     }
-    return FixedPoints._of(run("fixed_points", (system,), settings, threads, progress))
+    ran = run("fixed_points", (system,), settings, threads, progress)
+    return kept(FixedPoints._of(ran), ran)
 
 
 def grow(
@@ -674,7 +680,8 @@ def grow(
         "max_memory": max_memory,
         "max_work": max_work,
     }
-    return Manifold._of(run("grow", (system,), settings, threads, progress))
+    ran = run("grow", (system,), settings, threads, progress)
+    return kept(Manifold._of(ran), ran)
 
 
 def images(
@@ -699,7 +706,8 @@ def images(
 
     `system` is a system or its name; `curve`: a curve, in place of a circle, a rectangle or the boundary. Curves
     and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of a closed
-    curve is joined to the first. Arrays of doubles are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+    curve is joined to the first. Arrays of doubles of more than a megabyte are not copied and must not change while
+    the result is in use. Raises UsageError, DataError, Cancelled.
 
     closed: whether to join the last vertex of the curve to the first
     circle: circle about X,Y of radius R, in the coordinates of the map, counter-clockwise, which is followed as
@@ -729,7 +737,8 @@ def images(
         "max_points": max_points,
         "max_work": max_work,
     }
-    return images_of(run("image", (system, curve), settings, threads, progress))
+    ran = run("image", (system, curve), settings, threads, progress)
+    return images_of(ran)
 
 
 def interior(
@@ -749,8 +758,8 @@ def interior(
     overlay.
 
     `c1`: a simple closed curve; `c2`: another one. Curves and points are arrays of N x 2 numbers, complex vectors,
-    or polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles are not
-    copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+    or polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles of more than
+    a megabyte are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
 
     method: way in which segments are weighted; split: at the points where the curves meet; ends: by their two
         ends, as Lober 1.8 does
@@ -768,7 +777,8 @@ def interior(
         "check_simple": check_simple,
         "verify": verify,
     }
-    return Interior(run("interior", (c1, c2), settings, threads, progress))
+    ran = run("interior", (c1, c2), settings, threads, progress)
+    return Interior(ran)
 
 
 @dataclass(frozen=True)
@@ -818,7 +828,7 @@ class LevelsLevels:
 
 
 @dataclass(frozen=True)
-class Levels:
+class Levels(Result):
     """The result of `levels`."""
 
     #: Saddles of the flow at that time, near the ends of its connections or in its bottlenecks.
@@ -871,7 +881,7 @@ def levels(
         "grid": grid,
     }
     ran = run("levels", (system,), settings, threads, progress)
-    return Levels._of(ran.value)
+    return kept(Levels._of(ran.value), ran)
 
 
 def manifold_tangle(
@@ -934,7 +944,8 @@ def manifold_tangle(
         "max_work": max_work,
         "budget": budget,
     }
-    return SystemTangle(run("manifold_tangle", (system,), settings, threads, progress, connection, lazy={"overlaps": False}))
+    ran = run("manifold_tangle", (system,), settings, threads, progress, connection, lazy={"overlaps": False})
+    return SystemTangle(ran)
 
 
 def overlay(
@@ -952,8 +963,8 @@ def overlay(
     areas with error bars.
 
     `c1`: a simple closed curve; `c2`: another one. Curves and points are arrays of N x 2 numbers, complex vectors,
-    or polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles are not
-    copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+    or polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles of more than
+    a megabyte are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
 
     areas_only: whether to compute the total areas but not the pieces, which is faster
     index: index that proposes which segments can meet; the results do not depend on it
@@ -966,7 +977,8 @@ def overlay(
         "check_simple": check_simple,
         "verify": verify,
     }
-    return Overlay(run("overlay", (c1, c2), settings, threads, progress, lazy={"discretisation": False, "smooth": False, "classes": False}))
+    ran = run("overlay", (c1, c2), settings, threads, progress, lazy={"discretisation": False, "smooth": False, "classes": False})
+    return Overlay(ran)
 
 
 def regions(
@@ -981,15 +993,16 @@ def regions(
     the areas and pieces that a rule makes of them.
 
     `c1`: a closed curve; `c2`: another one. Curves and points are arrays of N x 2 numbers, complex vectors, or
-    polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles are not copied
-    and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+    polygons of shapely; the last point of a closed curve is joined to the first. Arrays of doubles of more than a
+    megabyte are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
 
     index: index that proposes which segments can meet; the results do not depend on it
     """
     settings = {
         "index": index,
     }
-    return Regions(run("regions", (c1, c2), settings, threads, progress, lazy={"rule": None, "areas_only": True}))
+    ran = run("regions", (c1, c2), settings, threads, progress, lazy={"rule": None, "areas_only": True})
+    return Regions(ran)
 
 
 def section(
@@ -1008,7 +1021,8 @@ def section(
 
     `system` is a system or its name; `starts`: first points of orbits, in place of those of orbits. Curves and
     points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of a closed curve is
-    joined to the first. Arrays of doubles are not copied and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
+    joined to the first. Arrays of doubles of more than a megabyte are not copied and must not change while the
+    result is in use. Raises UsageError, DataError, Cancelled.
 
     orbits: number of orbits, whose first points are spread evenly over the box
     iterates: number of iterates of each orbit
@@ -1028,7 +1042,8 @@ def section(
         "lifted": lifted,
         "exit_times": exit_times,
     }
-    return orbits_of(run("section", (system, starts), settings, threads, progress))
+    ran = run("section", (system, starts), settings, threads, progress)
+    return orbits_of(ran)
 
 
 @dataclass(frozen=True)
@@ -1049,7 +1064,7 @@ class SimplifyResult:
 
 
 @dataclass(frozen=True)
-class Simplify:
+class Simplify(Result):
     """The result of `simplify`."""
 
     #: Number of points of the curve given.
@@ -1084,8 +1099,8 @@ def simplify(
     """Removes vertices of a curve, so that it stays within a tolerance of the given one.
 
     `curve`: a curve. Curves and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the
-    last point of a closed curve is joined to the first. Arrays of doubles are not copied and must not change while
-    the result is in use. Raises UsageError, DataError, Cancelled.
+    last point of a closed curve is joined to the first. Arrays of doubles of more than a megabyte are not copied
+    and must not change while the result is in use. Raises UsageError, DataError, Cancelled.
 
     tolerance: maximum distance of a removed vertex from the curve that remains, in units of the coordinates
     max_length: maximum length of new segments, in units of the coordinates; default: no maximum
@@ -1097,7 +1112,7 @@ def simplify(
         "closed": closed,
     }
     ran = run("simplify", (curve,), settings, threads, progress)
-    return Simplify._of(ran.value)
+    return kept(Simplify._of(ran.value), ran)
 
 
 @dataclass(frozen=True)
@@ -1201,7 +1216,7 @@ class SweepZeros:
 
 
 @dataclass(frozen=True)
-class Sweep:
+class Sweep(Result):
     """The result of `sweep`."""
 
     #: Name of the parameter.
@@ -1283,7 +1298,7 @@ def sweep(
         "bip": bip,
     }
     ran = run("sweep", (system,), settings, threads, progress)
-    return Sweep._of(ran.value, ran.comparisons)
+    return kept(Sweep._of(ran.value, ran.comparisons), ran)
 
 
 def tangle(
@@ -1305,8 +1320,8 @@ def tangle(
 
     `u`: the unstable manifold, outward from its fixed point; `s`: the stable manifold, outward from its fixed
     point. Curves and points are arrays of N x 2 numbers, complex vectors, or polygons of shapely; the last point of
-    a closed curve is joined to the first. Arrays of doubles are not copied and must not change while the result is
-    in use. Raises UsageError, DataError, Cancelled.
+    a closed curve is joined to the first. Arrays of doubles of more than a megabyte are not copied and must not
+    change while the result is in use. Raises UsageError, DataError, Cancelled.
 
     bip: number of the boundary intersection point, the pip at which the boundary passes from U to S, from 0;
         default: the pip nearest to bip_near, or the middle one
@@ -1329,7 +1344,8 @@ def tangle(
         "index": index,
         "check_simple": check_simple,
     }
-    return Tangle(run("tangle", (u, s), settings, threads, progress, lazy={"overlaps": False}))
+    ran = run("tangle", (u, s), settings, threads, progress, lazy={"overlaps": False})
+    return Tangle(ran)
 
 
 def transport(
@@ -1350,6 +1366,7 @@ def transport(
     particles: int = 0,
     melnikov: bool = False,
     seed: int = 1,
+    rng: Any = None,
     threads: int = 0,
     progress: Progress = None,
 ) -> Transport:
@@ -1380,6 +1397,7 @@ def transport(
     melnikov: whether to compute Melnikov's function too, and the areas of lobes to first order in the parameter
         that is the size of the system's perturbation (eps) beside the exact ones
     seed: seed of the random numbers of the particles
+    rng: what numpy.random.default_rng takes, from which the seed is drawn, in place of one
     """
     settings = {
         "from": from_,
@@ -1395,6 +1413,7 @@ def transport(
         "all_regions": all_regions,
         "particles": particles,
         "melnikov": melnikov,
-        "seed": seed,
+        "seed": seed_of(seed, 1, rng),
     }
-    return Transport._of(run("transport", (system,), settings, threads, progress, connection))
+    ran = run("transport", (system,), settings, threads, progress, connection)
+    return kept(Transport._of(ran), ran)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any
 
 import numpy as np
@@ -22,3 +23,24 @@ def number_of(given: Any, what: str) -> float:
         raise TypeError(f"{what} has to be a number, not {type(given).__name__}") from None
     except OverflowError:
         raise UsageError(f"{what} is too large for a double; scale the units") from None
+
+
+def threads_of(given: Any) -> int:
+    """A number of threads: 0 or None for one of each core. Whole numbers of every type are taken, nothing else."""
+    if given is None:
+        return 0
+    try:
+        if isinstance(given, (bool, np.bool_)):
+            raise TypeError
+        return operator.index(given)
+    except TypeError:
+        raise TypeError(f"threads has to be a whole number, 0 for one of each core, not {given!r}") from None
+
+
+def seed_of(seed: int, default: int, rng: Any) -> int:
+    """The seed of random numbers: as it is given, or drawn from `rng`, which is what numpy.random.default_rng takes."""
+    if rng is None:
+        return seed
+    if seed != default:
+        raise UsageError("seed and rng are both given; give one of them")
+    return int(np.random.default_rng(rng).integers(2**63))

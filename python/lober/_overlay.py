@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+import operator
 from functools import cached_property
-from typing import Any, Iterator
+from typing import TYPE_CHECKING, Any, Iterator, Sequence, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _lober
 from ._agreement import Agreement
-from ._areas import AreaErrors, Areas, areas_html
-from ._arrays import Points, points_of
+from ._areas import AREAS, AreaErrors, Areas, areas_html, html_table
+from ._arrays import Points, points_of, sealed
 from ._call import Run
+from ._features import feature, features
+from ._numbers import threads_of
 from ._recomputed import Recomputed
+
+if TYPE_CHECKING:
+    import pandas
 
 PAIRINGS = ("c1_minus_c2", "c2_minus_c1", "intersection", "union")
 
 
 class Piece:
-    """One connected component of a pairing."""
+    """One connected component of a pairing. A feature for others (`__geo_interface__`)."""
 
     def __init__(self, overlay: Overlay, pairing: str, number: int) -> None:
         self._overlay = overlay
@@ -33,14 +39,20 @@ class Piece:
     @property
     def outline(self) -> list[Points]:
         """Closed polygons: the outer one, counter-clockwise, then the holes, clockwise."""
-        return self._overlay._of.outline(self._pairing, self._number)
+        return sealed(self._overlay._of.outline(self._pairing, self._number))  # type: ignore[no-any-return]
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        about = {"pairing": self._pairing, "number": self._number, "area": self.area, "holes": self.holes}
+        return feature(self.outline, about)
 
     def __repr__(self) -> str:
         return f"<Piece {self._number} of {self._pairing}: area {self.area:.15g}, {self.holes} holes>"
 
 
-class Pieces:
-    """The pieces of one pairing: a sequence of `Piece`, with the areas of all as an array."""
+class Pieces(Sequence[Piece]):
+    """The pieces of one pairing: a sequence of `Piece`, with the areas of all as an array. Features for others, such as
+    `geopandas.GeoDataFrame.from_features(pieces)`."""
 
     def __init__(self, overlay: Overlay, pairing: str) -> None:
         self._overlay = overlay
@@ -53,30 +65,73 @@ class Pieces:
 
     @cached_property
     def centroids(self) -> Points:
-        return self._overlay._of.centroids(self._pairing)
+        return sealed(self._overlay._of.centroids(self._pairing))  # type: ignore[no-any-return]
 
     @cached_property
     def slivers(self) -> NDArray[np.uint32]:
         """Numbers of the pieces that are no wider than the rounding of their vertices."""
-        return self._overlay._of.slivers(self._pairing)
+        return sealed(self._overlay._of.slivers(self._pairing))  # type: ignore[no-any-return]
 
     def __len__(self) -> int:
         return len(self.area)
 
-    def __getitem__(self, number: int) -> Piece:
-        return Piece(self._overlay, self._pairing, number)
+    @overload
+    def __getitem__(self, number: int) -> Piece: ...
+    @overload
+    def __getitem__(self, number: slice) -> list[Piece]: ...
+    def __getitem__(self, number: int | slice) -> Piece | list[Piece]:
+        if isinstance(number, slice):
+            return [self[k] for k in range(*number.indices(len(self)))]
+        at = operator.index(number)
+        if not -len(self) <= at < len(self):
+            raise IndexError(f"there is no piece {at}; there are {len(self)}")
+        return Piece(self._overlay, self._pairing, at % len(self))
 
     def __iter__(self) -> Iterator[Piece]:
         return (self[number] for number in range(len(self)))
 
+    def __array__(self, dtype: Any = None) -> NDArray[Any]:
+        """The areas."""
+        return np.asarray(self.area, dtype)
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        return features(piece.__geo_interface__ for piece in self)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row for each piece: `area`, `holes`, the number of `crossings` on its boundary, `x` and `y` of its centroid,
+        and whether it is a `sliver`."""
+        import pandas
+
+        pieces = list(self)
+        slivers = np.zeros(len(pieces), bool)
+        slivers[self.slivers] = True
+        return pandas.DataFrame(
+            {
+                "area": self.area,
+                "holes": [piece.holes for piece in pieces],
+                "crossings": [len(piece.crossings) for piece in pieces],
+                "x": self.centroids[:, 0],
+                "y": self.centroids[:, 1],
+                "sliver": slivers,
+            },
+            index=pandas.RangeIndex(len(pieces), name="piece"),
+        )
+
     def __repr__(self) -> str:
         return f"<{len(self)} pieces of {self._pairing}, total area {self.area.sum():.15g}>"
+
+    def _repr_html_(self) -> str:
+        rows = [[str(k), f"{area:.15g}", str(self[k].holes)] for k, area in enumerate(self.area[:20])]
+        more = f"<p>and {len(self) - 20} more</p>" if len(self) > 20 else ""
+        return f"<p>{repr(self)[1:-1]}</p>" + html_table(["piece", "area", "holes"], rows) + more
 
 
 class Overlay(Recomputed):
     """The result of `overlay`. Arrays are views of it where it holds the numbers; the rest is computed when asked for."""
 
     _function = "overlay"
+    _picture = "overlay"
 
     def __init__(self, run: Run) -> None:
         self._run = run
@@ -105,7 +160,7 @@ class Overlay(Recomputed):
         for an arc that both curves share in the same or in opposite directions; `segment1`, `t1`, `segment2`, `t2`, the
         positions along the curves; `end_...`, those of the end of a shared arc; `order2`, the rank along C2.
         """
-        return self._of.nodes()
+        return sealed(self._of.nodes())  # type: ignore[no-any-return]
 
     @property
     def classes(self) -> NDArray[np.uint32]:
@@ -181,6 +236,13 @@ class SmoothAreas:
     def __repr__(self) -> str:
         return f"<SmoothAreas: C1 \\ C2 = {self.area.c1_minus_c2:.15g} +- {self.error.c1_minus_c2:.1e}>"
 
+    def _repr_html_(self) -> str:
+        rows = [
+            [label, f"{getattr(self.area, name):.15g}", f"{getattr(self.error, name):.1e}"]
+            for name, label in AREAS.items()
+        ]
+        return html_table(["between smooth curves", "area", "error"], rows)
+
 
 class Interior(Recomputed):
     """The result of `interior`."""
@@ -218,7 +280,7 @@ class Interior(Recomputed):
     @cached_property
     def nodes(self) -> NDArray[Any]:
         """As `Overlay.nodes`."""
-        return self._of.nodes()
+        return sealed(self._of.nodes())  # type: ignore[no-any-return]
 
     @property
     def orientation(self) -> tuple[str, str]:
@@ -236,12 +298,12 @@ def winding(curve: Any, points: Any, *, threads: int = 0) -> tuple[NDArray[np.in
 
     Counter-clockwise is positive; the number of a point on the curve is 0.
     """
-    return _lober.windings(points_of(curve, "curve"), points_of(points, "points"), threads)
+    return _lober.windings(points_of(curve, "curve"), points_of(points, "points"), threads_of(threads))
 
 
 def interior_function(curve: Any, points: Any, *, threads: int = 0) -> NDArray[np.float64]:
     """J of a closed curve at each point: 2 pi times the winding number, on the curve the principal value."""
-    return _lober.interior_values(points_of(curve, "curve"), points_of(points, "points"), threads)
+    return _lober.interior_values(points_of(curve, "curve"), points_of(points, "points"), threads_of(threads))
 
 
 def area(curve: Any) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._call import Run
+from ._result import Result
 
 
 def recompute(function: str, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
@@ -13,12 +13,11 @@ def recompute(function: str, arguments: tuple[Any, ...], options: dict[str, Any]
     return getattr(lober, function)(*arguments, **options)
 
 
-class Recomputed:
+class Recomputed(Result):
     """Keeps the run that made it. Loading a pickle, or copying, repeats the call."""
 
     #: The function of the package.
     _function: str
-    _run: Run
 
     def __reduce__(self) -> tuple[Any, ...]:
         return recompute, (self._function, self._run.arguments, self._run.options)

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _lober
-from ._areas import AreaErrors, Areas, areas_html
-from ._arrays import Points
+from ._areas import AreaErrors, Areas, areas_html, html_table
+from ._arrays import Points, sealed
 from ._call import Run
+from ._features import feature, features
 from ._recomputed import Recomputed
+
+if TYPE_CHECKING:
+    import pandas
 
 RULES = ("nonzero", "evenodd", "positive", "negative")
 
@@ -32,13 +36,36 @@ class RegionPieces:
 
     def outline(self, number: int) -> list[Points]:
         """Closed polygons: the outer one, counter-clockwise, then the holes, clockwise."""
-        return self._of.outline(number)
+        return sealed(self._of.outline(number))  # type: ignore[no-any-return]
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        return features(
+            feature(self.outline(k), {"number": k, "area": float(area), "holes": self.holes(k)})
+            for k, area in enumerate(self.area)
+        )
+
+    def __array__(self, dtype: Any = None) -> NDArray[Any]:
+        """The areas."""
+        return np.asarray(self.area, dtype)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row for each piece: `area`, `holes`."""
+        import pandas
+
+        table = {"area": self.area, "holes": [self.holes(k) for k in range(len(self))]}
+        return pandas.DataFrame(table, index=pandas.RangeIndex(len(self), name="piece"))
 
     def __len__(self) -> int:
         return len(self._of)
 
     def __repr__(self) -> str:
         return f"<{len(self)} pieces, total area {self.area.sum():.15g}>"
+
+    def _repr_html_(self) -> str:
+        rows = [[str(k), f"{area:.15g}", str(self.holes(k))] for k, area in enumerate(self.area[:20])]
+        more = f"<p>and {len(self) - 20} more</p>" if len(self) > 20 else ""
+        return f"<p>{repr(self)[1:-1]}</p>" + html_table(["piece", "area", "holes"], rows) + more
 
 
 class Regions(Recomputed):

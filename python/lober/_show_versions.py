@@ -18,6 +18,7 @@ OPTIONAL = {
     "numba": "functions that it compiles, as systems",
     "pandas": "to_pandas of results",
     "xarray": "to_xarray of results",
+    "distributed": "batches on a cluster of Dask",
     "shapely": "its polygons and lines, as curves",
 }
 

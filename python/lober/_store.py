@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
 import shutil
@@ -248,12 +249,12 @@ class Store:
         return f"<Store {self.path}: {', '.join(self.operations)}, {jobs.done} jobs done, {jobs.failed} failed{more}>"
 
     def _repr_html_(self) -> str:
-        head = repr(self)[1:-1]
+        head = html.escape(repr(self)[1:-1])
         if len(self.operations) != 1:
             return f"<p>{head}</p>"
         table = self.results()
         names = [name for name in _names(table) if name not in ("job", "failed", "group", "options", "message")][:8]
-        rows = [[f"{row[name]:.6g}" if isinstance(row[name], float) else str(row[name]) for name in names] for row in table[:10]]
+        rows = [[f"{row[name]:.6g}" if isinstance(row[name], float) else html.escape(str(row[name])) for name in names] for row in table[:10]]
         more = f"<p>and {len(table) - 10} more</p>" if len(table) > 10 else ""
         return f"<p>{head}</p>" + html_table(names, rows) + more
 

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _lober
 from ._areas import html_table
-from ._arrays import Points
+from ._arrays import Points, sealed
 from ._call import Run
+from ._features import feature, features
 from ._recomputed import Recomputed
+
+if TYPE_CHECKING:
+    import pandas
 
 
 @dataclass(frozen=True)
@@ -35,13 +39,17 @@ class Boundary:
     crosses_itself: bool
     outline: Points
 
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        return feature([self.outline], {"bip": self.bip, "area": self.area})
+
 
 class Lobes:
     """All lobes; lobe k lies between pips k and k + 1. Attributes are arrays with an entry for each lobe."""
 
     def __init__(self, tangle: Tangle) -> None:
         self._tangle = tangle
-        self._rows: NDArray[Any] = tangle._of.lobes()
+        self._rows: NDArray[Any] = sealed(tangle._of.lobes())
 
     @property
     def area(self) -> NDArray[np.float64]:
@@ -92,7 +100,25 @@ class Lobes:
 
     def outline(self, lobe: int) -> Points:
         """The boundary of a lobe as a closed polygon."""
-        return self._tangle._of.lobe_outline(lobe)
+        return sealed(self._tangle._of.lobe_outline(lobe))  # type: ignore[no-any-return]
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        return features(
+            feature([self.outline(k)], {"number": k, "label": self.label[k], "area": float(area)})
+            for k, area in enumerate(self.area)
+        )
+
+    def __array__(self, dtype: Any = None) -> NDArray[Any]:
+        """A structured array with a row for each lobe."""
+        return self._rows if dtype is None else self._rows.astype(dtype)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row for each lobe, with its label."""
+        import pandas
+
+        table: dict[str, Any] = {"label": self.label, **{name: self._rows[name] for name in self._rows.dtype.names or ()}}
+        return pandas.DataFrame(table, index=pandas.RangeIndex(len(self), name="lobe"))
 
     def __len__(self) -> int:
         return len(self._rows)
@@ -100,11 +126,15 @@ class Lobes:
     def __repr__(self) -> str:
         return f"<{len(self)} lobes>"
 
+    def _repr_html_(self) -> str:
+        return self._tangle._repr_html_()
+
 
 class Tangle(Recomputed):
     """The result of `tangle`."""
 
     _function = "tangle"
+    _picture = "tangle"
 
     def __init__(self, run: Run) -> None:
         self._run = run
@@ -122,12 +152,12 @@ class Tangle(Recomputed):
     @cached_property
     def nodes(self) -> NDArray[Any]:
         """Where the manifolds meet, in order along the unstable one; fields as in `Overlay.nodes`."""
-        return self._of.nodes()
+        return sealed(self._of.nodes())  # type: ignore[no-any-return]
 
     @cached_property
     def pips(self) -> NDArray[Any]:
         """Primary intersections outward along the unstable manifold: `x`, `y`, `rho`, `node` and positions."""
-        return self._of.pips()
+        return sealed(self._of.pips())  # type: ignore[no-any-return]
 
     @cached_property
     def lobes(self) -> Lobes:
@@ -146,7 +176,7 @@ class Tangle(Recomputed):
             errors,
             found["orientation"],
             found["crosses_itself"],
-            self._of.boundary_outline(),
+            sealed(self._of.boundary_outline()),
         )
 
     @cached_property
@@ -167,7 +197,7 @@ class Tangle(Recomputed):
     @cached_property
     def overlaps(self) -> NDArray[Any]:
         """The common areas of lobes i < j: `i`, `j`, `area`, `error`, `perimeter`, for every pair that has any."""
-        return self._of.overlaps()
+        return sealed(self._of.overlaps())  # type: ignore[no-any-return]
 
     @property
     def remarks(self) -> list[str]:

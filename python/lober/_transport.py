@@ -14,6 +14,7 @@ from ._areas import html_table
 from ._arrays import Points
 from ._call import Run
 from ._measured import Measured
+from ._result import Result
 from ._systems import Connection, Pair, System
 from ._tangle import Tangle
 
@@ -102,7 +103,7 @@ class TransportBoundary:
 
 
 @dataclass(frozen=True)
-class Transport:
+class Transport(Result):
     """The result of `transport`. Matrices are arrays of n x regions x regions, for n = 1, 2, ..., NaN where a route
     does not lead."""
 
@@ -121,6 +122,8 @@ class Transport:
     iterates_a_step: int
     remarks: list[str]
     agreement: Agreement
+
+    _picture = "flux"
 
     @classmethod
     def _of(cls, run: Run) -> Transport:
@@ -188,7 +191,7 @@ class Bottleneck:
 
 
 @dataclass(frozen=True)
-class Escape:
+class Escape(Result):
     """The result of `escape`.
 
     `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings`, `iterates`,
@@ -204,6 +207,15 @@ class Escape:
     bottlenecks: list[Bottleneck]
     also_open: list[list[float]]
     agreement: Agreement
+
+    _picture = "exits"
+
+    def _repr_html_(self) -> str:
+        names = self.table.dtype.names or ()
+        rows = [[f"{row[name]:.6g}" for name in names] for row in self.table[:20]]
+        more = f"<p>and {len(self.table) - 20} more</p>" if len(self.table) > 20 else ""
+        title = f"<p>energy {self.energy:.15g}, {len(self.bottlenecks)} bottlenecks, {self.crossings} crossings: {self.stop}</p>"
+        return title + html_table(names, rows) + more
 
     @classmethod
     def _of(cls, run: Run) -> Escape:

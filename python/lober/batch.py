@@ -11,19 +11,24 @@ keys of a manifest.
 
 from __future__ import annotations
 
+import operator
 import os
 import re
 import tempfile
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Mapping, Union
+from typing import TYPE_CHECKING, Any, Mapping, Union
 
-from . import _lober
+from . import _dask, _lober
 from ._manifest import UNNAMED, toml_of
+from ._numbers import number_of, threads_of
 from ._progress import Progress, watching
 from ._store import Column, Failure, Jobs, Operation, Report, Store, StoreRun, operations
 from .errors import Cancelled, DataError, IncompleteWarning, UsageError
+
+if TYPE_CHECKING:
+    import distributed
 
 __all__ = [
     "Column",
@@ -65,10 +70,12 @@ def run(
     store: str | os.PathLike[str] | None = None,
     *,
     shard: tuple[int, int] = (1, 1),
-    memory: int = 0,
+    memory: float = 0,
     output_root: str | os.PathLike[str] = "",
     threads: int = 0,
     progress: Progress = None,
+    client: distributed.Client | None = None,
+    scatter: bool = False,
 ) -> Store:
     """Computes what the manifest asks for and the store does not have yet, and returns the store.
 
@@ -82,6 +89,9 @@ def run(
     shard: (2, 5) runs the second of five parts of the jobs, here into a store of its own
     memory: bytes for curves, their indexes and the work on them; default: half of the machine's
     output_root: folder below which jobs write their files; default: that of the manifest
+    client: a cluster of Dask, whose workers compute; the store stays here. `memory` and `threads` are those of a task then, of
+        which each thread of a worker runs one; default: a share of the worker's memory, and one thread
+    scatter: the workers do not see the files: each input is sent to a worker once. Else all find them under the same path
     """
     _require_batches()
     path, text = _given(manifest)
@@ -93,13 +103,24 @@ def run(
             folder = tempfile.mkdtemp(prefix="lober-")
             store = os.path.join(folder, "batch.results")
     found = Store(os.fspath(store), folder=folder)
-    number, of = shard
+    try:
+        number, of = map(operator.index, shard)
+    except (TypeError, ValueError):
+        raise UsageError(f"shard: give (1, 5) for the first of five, not {shard!r}") from None
     if not 1 <= number <= of:
         raise UsageError(f"shard: ({number}, {of}) is not a part; give (1, 5) for the first of five")
+    bytes_given = number_of(memory, "memory")
+    if not 0 <= bytes_given < 2**63:
+        raise UsageError(f"memory is a number of bytes, not {memory}")
+    threads = threads_of(threads)
     with watching(progress, "batch") as callback, _explained(text):
-        parts = _lober.batch_run(
-            path, text, found.path, (number - 1, of), memory, os.fspath(output_root), threads, callback
-        )
+        given = (path, text, found.path, (number - 1, of), int(bytes_given), os.fspath(output_root), threads)
+        if client is None:
+            if scatter:
+                raise UsageError("scatter is for the workers of a client")
+            parts = _lober.batch_run(*given, callback)
+        else:
+            parts = _dask.run_batch(client, *given, scatter, callback)
     found.report = Report._of(parts)
     if parts["stopped"]:
         raise Cancelled(

@@ -7,7 +7,8 @@ from fractions import Fraction
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
-from shapely.geometry import Polygon
+from shapely.geometry import Polygon, shape
+from shapely.ops import unary_union
 
 import lober
 
@@ -61,6 +62,31 @@ def test_areas_add_up_exactly_within_their_bars(first, second):
     union, both = Fraction(r.area.union), Fraction(r.area.intersection)
     assert abs(union + both - a1 - a2) <= Fraction(bars.union) + Fraction(bars.intersection)
     assert abs(Fraction(r.area.c1_minus_c2) + both - a1) <= Fraction(bars.c1_minus_c2) + Fraction(bars.intersection)
+
+
+@given(st.lists(star_polygons(), min_size=1, max_size=6), st.lists(star_polygons(), min_size=1, max_size=6))
+def test_matrices_are_those_of_shapely_and_of_fractions(first, second):
+    found = lober.overlap_matrix(first, second, ("intersection", "union", "rounding_union", "rounding_intersection"))
+    sparse = lober.overlap_matrix(first, second, sparse=True).toarray()
+    assert np.array_equal(sparse, found["intersection"])
+    for i, a in enumerate(first):
+        for k, b in enumerate(second):
+            assert abs(found["intersection"][i, k] - Polygon(a).intersection(Polygon(b)).area) <= 1e-9
+            total = Fraction(found["union"][i, k]) + Fraction(found["intersection"][i, k])
+            bars = Fraction(found["rounding_union"][i, k]) + Fraction(found["rounding_intersection"][i, k])
+            assert abs(total - abs(exact_area(a)) - abs(exact_area(b))) <= bars
+    one = lober.overlap_matrix(first, what=("intersection", "shared_arcs"))
+    assert [Fraction(area) for area in one["intersection"].diagonal()] == [abs(exact_area(a)) for a in first]
+    assert (one["shared_arcs"].diagonal() == 1).all() and np.array_equal(one["intersection"], one["intersection"].T)
+
+
+@given(star_polygons(), star_polygons())
+def test_pieces_are_the_polygons_of_shapely(first, second):
+    r = lober.overlay(first, second)
+    expected = {"intersection": Polygon(first).intersection(Polygon(second)), "union": Polygon(first).union(Polygon(second))}
+    for pairing, polygon in expected.items():
+        found = unary_union([shape(piece.__geo_interface__["geometry"]).buffer(0) for piece in r.pieces(pairing)])
+        assert found.symmetric_difference(polygon).area <= 1e-9
 
 
 @given(star_polygons(), st.lists(st.tuples(st.integers(-30, 30), st.integers(-30, 30)), min_size=1, max_size=20))

@@ -5,11 +5,14 @@ from __future__ import annotations
 import gc
 import math
 import weakref
+from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
+import xarray as xr
 from conftest import ring
-from shapely.geometry import LineString, MultiPoint, Point, Polygon
+from shapely.geometry import LineString, MultiPoint, MultiPolygon, Point, Polygon
 
 import lober
 from lober._arrays import points_of
@@ -22,11 +25,34 @@ def address(array: np.ndarray) -> int:
 def test_arrays_of_doubles_are_not_copied():
     array = ring(100)
     assert points_of(array) is array
-    u = np.ascontiguousarray(np.stack([np.linspace(0, 6, 300), np.sin(np.linspace(0, 6, 300))], axis=1))
-    s = np.ascontiguousarray(np.stack([np.linspace(6, 0, 300), np.zeros(300) + 0.1], axis=1))
+    count = 70_000  # more than a megabyte
+    u = np.ascontiguousarray(np.stack([np.linspace(0, 6, count), np.sin(np.linspace(0, 6, count))], axis=1))
+    s = np.ascontiguousarray(np.stack([np.linspace(6, 0, count), np.zeros(count) + 0.1], axis=1))
     t = lober.tangle(u, s)
     assert address(t.u) == address(u) and address(t.s) == address(s)
     assert not t.u.flags.writeable
+
+
+def test_results_do_not_change_with_small_inputs():
+    first, second = ring(1000), ring(1000, 0.5)
+    r = lober.overlay(first, second)
+    outline, nodes = r.pieces()[0].outline[0].copy(), r.nodes.copy()
+    first *= 3
+    second[:] = 0
+    assert np.array_equal(r.pieces()[0].outline[0], outline) and np.array_equal(r._of.nodes(), nodes)
+
+
+def test_arrays_of_results_are_read_only():
+    r = lober.overlay(ring(100), ring(100, 0.5))
+    pieces = r.pieces()
+    arrays = [r.nodes, r.classes, pieces.area, pieces.centroids, pieces.slivers, *pieces[0].outline]
+    t = lober.manifold_tangle("henon")
+    arrays += [t.u, t.pips, t.lobes.area, t.lobes.outline(0), t.boundary.outline, t.overlaps]
+    arrays += [lober.transport("henon", iterates=2).total.value, lober.sweep("standard", range="K=1:1.2:0.1").rows.value]
+    for array in arrays:
+        assert not array.flags.writeable
+        with pytest.raises(ValueError):
+            array[...] = array
 
 
 def test_complex_vectors_are_not_copied():
@@ -50,7 +76,7 @@ def test_results_are_views():
 
 
 def test_results_keep_their_curves():
-    array = ring(1000)
+    array = ring(70_000)  # more than a megabyte
     alive = weakref.ref(array)
     r = lober.overlay(array, ring(1000, 0.5))
     del r._run  # which holds the arrays too, for pickles
@@ -62,6 +88,11 @@ def test_results_keep_their_curves():
     del r
     gc.collect()
     assert alive() is None
+
+
+class WithInterface:
+    def __init__(self, points):
+        self.__geo_interface__ = Polygon(points).__geo_interface__
 
 
 @pytest.mark.parametrize(
@@ -81,6 +112,19 @@ def test_results_keep_their_curves():
         lambda a: Polygon(a).exterior,
         lambda a: LineString(np.concatenate([a, a[:1]])),
         lambda a: np.ma.masked_array(a),
+        lambda a: a.astype(object),
+        lambda a: MultiPolygon([Polygon(a)]),
+        lambda a: Polygon(a).__geo_interface__,
+        lambda a: {"type": "Feature", "geometry": Polygon(a).__geo_interface__, "properties": {}},
+        lambda a: WithInterface(a),
+        lambda a: pd.DataFrame(a),
+        lambda a: pd.DataFrame({"t": range(len(a)), "Lat": a[:, 1], "Lon": a[:, 0]}),
+        lambda a: xr.DataArray(a, dims=("point", "coordinate")),
+        lambda a: xr.DataArray(a.T, dims=("coordinate", "point")),
+        lambda a: xr.DataArray(a.T, dims=("component", "time")),
+        lambda a: xr.Dataset({"x": ("point", a[:, 0]), "y": ("point", a[:, 1])}),
+        lambda a: lober.Zone("one", a),
+        lambda a: lober.CurveFile("a.dat", "text", "", [lober.Zone("one", a)]),
     ],
 )
 def test_what_is_converted(convert):
@@ -112,8 +156,16 @@ def test_geo_series():
         (np.zeros((2, 2, 2)), lober.UsageError, r"shape \(2, 2, 2\)"),
         (np.zeros((2, 2), complex), lober.UsageError, "vector"),
         (3.0, lober.UsageError, r"shape \(\)"),
-        (None, TypeError, "dtype object"),
-        ("curve.npy", TypeError, "dtype"),
+        (None, TypeError, "c1 is None; give an array of N x 2 numbers"),
+        ("curve.npy", TypeError, r"c1 is a text; lober.read\('curve.npy'\) reads"),
+        (Path("curve.npy"), TypeError, r"lober.read\('curve.npy'\)"),
+        (object(), TypeError, "c1 is of type object"),
+        (np.array([[0, 0], [1, object()]], dtype=object), TypeError, "c1 is of type ndarray, which holds no numbers"),
+        (np.array([[0, 0], ["a", 1]], dtype=object), lober.UsageError, "c1 cannot be made an array"),
+        (np.zeros((2, 10)), lober.UsageError, "give it as .T"),
+        ({"x": 1}, lober.UsageError, "dictionary without a type"),
+        ({"type": "Point", "coordinates": [0, 0]}, lober.UsageError, "c1 is a Point"),
+        (pd.DataFrame(np.eye(3), columns=list("abc")), lober.UsageError, "no columns x and y, nor lon and lat: a, b, c"),
         (np.array([["a", "b"]]), TypeError, "dtype"),
         ([[0, 0], [1]], ValueError, "inhomogeneous"),
         ([], lober.DataError, "c1"),

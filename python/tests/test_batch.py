@@ -121,8 +121,16 @@ def test_wrong_arguments_are_explained(curves: Path) -> None:
         lober.batch.run("none.toml")
     with pytest.raises(TypeError, match="name of a file or a dictionary"):
         lober.batch.run(3)  # type: ignore[arg-type]
-    with pytest.raises(lober.UsageError, match="not a part"):
-        lober.batch.run(OVERLAYS, shard=(0, 2))
+    for shard in ((0, 2), (3, 2), 2, (1, 2.5), None):
+        with pytest.raises(lober.UsageError, match="shard: "):
+            lober.batch.run(OVERLAYS, shard=shard)  # type: ignore[arg-type]
+    with pytest.raises(lober.UsageError, match="memory"):
+        lober.batch.run(OVERLAYS, memory=-1)
+    with pytest.raises(lober.UsageError, match="memory has to be a number"):
+        lober.batch.run(OVERLAYS, memory="4G")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="threads has to be"):
+        lober.batch.run(OVERLAYS, threads=1.5)  # type: ignore[arg-type]
+    assert lober.batch.run(OVERLAYS, memory=1e9, threads=None).jobs.done == 6  # type: ignore[arg-type]
     with pytest.raises(lober.DataError):
         lober.batch.open("circles.dat")
     with pytest.raises(lober.DataError, match="none.results"):

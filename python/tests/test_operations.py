@@ -29,7 +29,8 @@ def test_functions_have_all_options():
         parameters = set(inspect.signature(getattr(lober, face.name if face and face.name else name)).parameters)
         options = {_generate.identifier(option["key"]) for option in operation["options"]}
         inputs = {one["name"] for one in operation["inputs"]} | ({"connection"} if face and face.connection else set())
-        assert parameters - {"threads", "progress"} == (options - set(face.lazy if face else ())) | inputs, name
+        assert ("rng" in parameters) == ("seed" in options)
+        assert parameters - {"threads", "progress", "rng"} == (options - set(face.lazy if face else ())) | inputs, name
 
 
 def test_verify_compares():

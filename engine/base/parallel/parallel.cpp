@@ -7,6 +7,7 @@
 
 #include "engine/base/parallel/complete.hpp"
 #include "engine/base/parallel/handover.hpp"
+#include "engine/base/parallel/isolated.hpp"
 #include "engine/base/thread_limit.hpp"
 
 namespace lober::detail {
@@ -47,6 +48,10 @@ void run_side_by_side(std::span<const FunctionRef<void()>> functions) {
       },
       tbb::simple_partitioner(), context);
   require_complete(context);
+}
+
+void run_isolated(FunctionRef<void()> function) {
+  tbb::this_task_arena::isolate([&] { function(); });
 }
 
 int concurrency() {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -19,6 +20,7 @@
 #include "lober/dynamics/orbits.hpp"
 #include "lober/dynamics/systems.hpp"
 #include "lober/lober.h"
+#include "lober/overlay/overlap_matrix.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/regions.hpp"
 #include "lober/transport/transport.hpp"
@@ -74,6 +76,69 @@ ClosedCurve curve_of(const std::vector<double>& points) {
   std::vector<Point> list;
   for (std::size_t k = 0; k < points.size(); k += 2) list.push_back({points[k], points[k + 1]});
   return ClosedCurve(list);
+}
+
+TEST(CInterface, OverlapMatrixIsThatOfCpp) {
+  std::vector<double> points;
+  std::vector<std::size_t> begin{0};
+  for (int k = 0; k < 8; ++k) {
+    const std::vector<double> circle = circle_coordinates(0.4 * k, 0.1 * k, 1 - 0.05 * k, 30 + k);
+    points.insert(points.end(), circle.begin(), circle.end());
+    begin.push_back(points.size() / 2);
+  }
+  const std::span<const Point> all(reinterpret_cast<const Point*>(points.data()), points.size() / 2);
+  std::vector<CurveView> curves;
+  for (std::size_t k = 0; k < 8; ++k) curves.push_back({all.subspan(begin[k], begin[k + 1] - begin[k])});
+  OverlapOptions options;
+  options.measures = {OverlapMeasure::union_, OverlapMeasure::crossings};
+  const OverlapMatrix expected = overlap_matrix(std::span(curves).first(3), std::span(curves).subspan(3), options);
+  const auto call = [&](const char* how, lober_result** result) {
+    return lober_overlap_matrix(points.data(), begin.data(), 3, points.data(), &begin[3], 5, how, result);
+  };
+  const Result sparse = made([&](lober_result** result) { return call("what=union,crossings threads=2", result); });
+  const lober_array values = array_of(sparse, "union"), column = array_of(sparse, "column");
+  ASSERT_EQ(values.rows, expected.column.size());
+  ASSERT_EQ(array_of(sparse, "begin").rows, 4u);
+  for (std::size_t k = 0; k < values.rows; ++k) {
+    EXPECT_EQ(static_cast<const double*>(values.data)[k], expected.numbers[0].values[k]);
+    EXPECT_EQ(static_cast<const std::int64_t*>(column.data)[k], expected.column[k]);
+  }
+  const Result dense = made([&](lober_result** result) { return call("what=union,crossings dense=1", result); });
+  const lober_array matrix = array_of(dense, "error.rounding.union");
+  EXPECT_EQ(matrix.rows, 3u);
+  EXPECT_EQ(matrix.columns, 5u);
+  EXPECT_EQ(static_cast<const double*>(matrix.data)[0], expected.dense_bounds(0)[0]);
+  EXPECT_EQ(lober_number(dense.get(), "pairs"), static_cast<double>(expected.pairs));
+}
+
+TEST(CInterface, OverlapMatrixRefusesAndIsCancelled) {
+  const std::vector<double> circle = circle_coordinates(0, 0, 1, 500);
+  const std::vector<std::size_t> begin{0, 250, 500}, wrong{0, 300, 200};
+  lober_result* result = nullptr;
+  const auto of_one_set = [&](const std::size_t* at, const char* how) {
+    return lober_overlap_matrix(circle.data(), at, 2, nullptr, nullptr, 0, how, &result);
+  };
+  EXPECT_EQ(of_one_set(wrong.data(), nullptr), LOBER_USAGE_ERROR);
+  EXPECT_EQ(of_one_set(nullptr, nullptr), LOBER_USAGE_ERROR);
+  EXPECT_EQ(of_one_set(begin.data(), "what=area"), LOBER_USAGE_ERROR);
+  EXPECT_TRUE(std::string(lober_message()).find("intersection, union") != std::string::npos) << lober_message();
+  EXPECT_EQ(of_one_set(begin.data(), "what="), LOBER_USAGE_ERROR);
+  EXPECT_EQ(of_one_set(begin.data(), "dense=2"), LOBER_USAGE_ERROR);
+  const std::vector<double> bow{0, 0, 1, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+  const std::vector<std::size_t> of_bow{0, 4, 7};
+  const auto of_a_bow = [&](const char* how) {
+    return lober_overlap_matrix(bow.data(), of_bow.data(), 2, nullptr, nullptr, 0, how, &result);
+  };
+  EXPECT_EQ(of_a_bow(nullptr), LOBER_DATA_ERROR);
+  EXPECT_STREQ(lober_message(), "curve 0: is not simple: segments 0 and 2 meet");
+  ASSERT_EQ(of_a_bow("keep_going=1 dense=1"), LOBER_OK);
+  const Result kept(result);
+  EXPECT_EQ(array_of(kept, "failures.row").rows, 1u);
+  EXPECT_TRUE(std::isnan(static_cast<const double*>(array_of(kept, "intersection").data)[1]));
+  lober_set_progress([](double, void*) { return 0; }, nullptr);
+  EXPECT_EQ(of_one_set(begin.data(), nullptr), LOBER_CANCELLED);
+  lober_set_progress(nullptr, nullptr);
+  EXPECT_EQ(result, nullptr);
 }
 
 TEST(CInterface, OverlayIsThatOfCpp) {

@@ -1,0 +1,126 @@
+"""The part of a batch that Dask's workers execute; imported there by name, so that lober has to be installed on each."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from . import _lober
+from .errors import Error
+
+#: Part of a worker's memory that is for curves and the work on them; Dask pauses a worker at 0.8 of its limit.
+MEMORY_PART = 0.6
+#: Files that came with tasks, below the worker's own folder; removed with it.
+COPIES = "lober-inputs"
+
+
+@dataclass(frozen=True)
+class Work:
+    """The common part of all portions of a run."""
+
+    version: str
+    #: Absolute folder of the manifest, and how messages name it: "" or with a slash at its end.
+    folder: str
+    shown_folder: str
+    store: str
+    output_root: str
+    threads: int
+    memory: int
+
+
+class Done(NamedTuple):
+    """The results of a portion, as bytes for the store."""
+
+    results: bytes
+    points: int
+    seconds: float
+
+
+class Unfit(NamedTuple):
+    """Why a worker cannot compute a portion, which another one may."""
+
+    worker: str
+    why: str
+    #: The other version of lober; empty where an input is missing.
+    version: str = ""
+
+
+def compute(work: Work, portion: bytes, files: list[str], contents: dict[str, bytes] | None) -> Done | Unfit:
+    """`files` are the absolute paths of the inputs, and have to be there unless their contents come along: then `contents`
+    has a path for each of them, of a file beside a shapefile too."""
+    try:
+        return _computed(work, portion, files, contents)
+    except (Error, MemoryError):
+        raise
+    except Exception as error:
+        # Dask sends exceptions pickled; of one that cannot be, the client never hears.
+        raise RuntimeError(f"{type(error).__name__}: {error}") from None
+
+
+def _computed(work: Work, portion: bytes, files: list[str], contents: dict[str, bytes] | None) -> Done | Unfit:
+    worker = _worker()
+    address = worker.address if worker is not None else "here"
+    if work.version != _lober.__version__:
+        return Unfit(address, f"has lober {_lober.__version__}", _lober.__version__)
+    root = ""
+    if contents is not None:
+        root = _copied(contents, worker)
+    else:
+        missing = next((file for file in files if not os.path.exists(file)), None)
+        if missing is not None:
+            return Unfit(address, f"does not find {missing}")
+    # "/." tells names relative to the manifest, in messages, from absolute ones below the same folder.
+    folder = root + work.folder.rstrip("/") + "/."
+    names = [(folder + "/", work.shown_folder), (root, "")]
+    done = _lober.run_portion(
+        portion,
+        os.path.join(folder, "manifest.toml"),
+        root,
+        work.output_root,
+        work.store,
+        work.threads,
+        work.memory or _memory(worker),
+        names,
+    )
+    return Done(*done)
+
+
+def _worker() -> Any:
+    """The worker that executes this task; None outside of one."""
+    from distributed import get_worker
+
+    try:
+        return get_worker()
+    except ValueError:
+        return None
+
+
+def _memory(worker: Any) -> int:
+    """The share of one task; 0, half of the machine's, where the worker has no limit."""
+    limit = worker.memory_manager.memory_limit if worker is not None else None
+    return int(MEMORY_PART * limit / worker.state.nthreads) if limit else 0
+
+
+def _copied(contents: dict[str, bytes], worker: Any) -> str:
+    """Writes the files that are not there yet below a folder, each at its absolute path, and returns the folder."""
+    base = Path(worker.local_directory if worker is not None else tempfile.gettempdir())
+    root = str(base.resolve() / COPIES)
+    for path, content in contents.items():
+        target = root + path
+        if os.path.exists(target) and Path(target).read_bytes() == content:
+            continue
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        handle, part = tempfile.mkstemp(dir=os.path.dirname(target))
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        os.replace(part, target)  # two tasks of a worker may write the same file
+    return root
+
+
+def forget(dask_worker: Any) -> None:
+    """Removes the copies."""
+    shutil.rmtree(Path(dask_worker.local_directory).resolve() / COPIES, ignore_errors=True)
