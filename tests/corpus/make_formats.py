@@ -87,3 +87,53 @@ frame = geopandas.GeoDataFrame({"n": [1, 2]}, geometry=[shapely.geometry.Polygon
 frame.to_file("polygons.shp")
 for ending in ("cpg", "dbf", "prj", "shx"):
     pathlib.Path("polygons").with_suffix("." + ending).unlink(missing_ok=True)
+
+# Attributes that say which numbers are none, and what the others mean; two curves of x and y / 20, from 0 to 65535 / 20.
+for form, name in [("NETCDF3_CLASSIC", "packed.nc"), ("NETCDF4", "packed4.nc")]:
+    with netCDF4.Dataset(name, "w", format=form) as file:
+        file.createDimension("trajectory", 2)
+        file.createDimension("obs", 9)
+        lon = file.createVariable("Lon", "i2", ("trajectory", "obs"), fill_value=-1)
+        lon.set_auto_maskandscale(False)
+        lon.setncattr("_Unsigned", "true")
+        lon.setncattr("scale_factor", 0.05)
+        lon.setncattr("valid_range", np.array([0, -16], "i2"))
+        lat = file.createVariable("Lat", "f4", ("trajectory", "obs"))
+        lat.set_auto_maskandscale(False)
+        lat.setncattr("missing_value", np.array([-999.9, 1e30], "f4"))
+        lat.setncattr("valid_max", np.float32(500))
+        for k in (0, 1):
+            lon[k] = np.array([0, 20, 30, 65000, 40000, 5, 6, 65535, 65530], "u2").view("i2")
+            lat[k] = [k, k + 0.5, k + 1, k + 2, k + 3, -999.9, 1e30, 7, 8]
+        lat[1, 4] = 501
+    with netCDF4.Dataset(name.replace("packed", "unwritten"), "w", format=form) as file:
+        file.createDimension("obs", 5)
+        for name_of, kind in (("x", "i4"), ("y", "i2")):  # the last ones were never written
+            file.createVariable(name_of, kind, ("obs",))[:3] = [1, 2, 4]
+
+# Curves of different lengths, one behind the other, as CF and the drifter archive have them; the second is empty.
+for form, name in [("NETCDF3_CLASSIC", "ragged.nc"), ("NETCDF4", "ragged4.nc")]:
+    with netCDF4.Dataset(name, "w", format=form) as file:
+        file.createDimension("traj", 3)
+        file.createDimension("obs", 10)
+        file.createVariable("LONGITUDE", "f8", ("obs",), fill_value=-1e34)[:] = xs.ravel()
+        file.createVariable("LATITUDE", "f8", ("obs",))[:] = ys.ravel()
+        rowsize = file.createVariable("rowsize", "i4", ("traj",))
+        rowsize.sample_dimension = "obs"
+        rowsize[:] = [5, 0, 5]
+        number = file.createVariable("ID", "i4", ("traj",))
+        number.cf_role = "trajectory_id"
+        number[:] = [101, 7, 2002]
+    with netCDF4.Dataset(name.replace("ragged", "indexed"), "w", format=form) as file:
+        file.createDimension("profile", 3)
+        file.createDimension("obs", 10)
+        file.createDimension("letters", 6)
+        file.createVariable("lon", "f8", ("obs",))[:] = xs.T.ravel()
+        file.createVariable("lat", "f8", ("obs",))[:] = ys.T.ravel()
+        index = file.createVariable("index", "i4", ("obs",))
+        index.instance_dimension = "profile"
+        index[:] = [2, 0] * 5
+        names = file.createVariable("station", "S1", ("profile", "letters"))
+        names.cf_role = "profile_id"
+        names[:] = netCDF4.stringtochar(np.array(["Bonn", "x", "Como 2"], "S6"))
+np.savez("empty.npz", points=np.concatenate([points, points + [2, 1]]), offsets=np.array([0, 0, 5, 5, 10, 10]))

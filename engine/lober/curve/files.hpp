@@ -65,10 +65,12 @@ struct ReadOptions {
   /// curve a row belongs to: "lon,lat", "2,3", "x,y,by=id". Empty: a table has two columns, or more, of which the first
   /// two are named x and y or longitude and latitude.
   ///
-  /// Arrays of an NPZ, MAT, HDF5 or NetCDF file: two of one shape, "x,y" or "/group/x,/group/y", or one of N x 2 or 2 x
-  /// N numbers, "xy"; perhaps "by=ID", an array that says which curve each point belongs to, or "offsets=O", where each
-  /// curve begins and the last one ends. Arrays of two axes are one curve a row (MATLAB: a column), which may end in
-  /// NaN. Empty: arrays called x and y, or longitude and latitude, or the only one of N x 2 or 2 x N numbers.
+  /// Arrays of an NPZ, MAT, HDF5 or NetCDF file: two of one shape, "x,y" or "/group/x,/group/y", or one of points,
+  /// "xy": N x 2 or 2 x N numbers, or complex ones; perhaps "by=ID", an array that says which curve each point belongs
+  /// to, "offsets=O", where each curve begins and the last one ends, or "counts=N", the number of points of each.
+  /// Arrays of two axes are one curve a row (MATLAB: a column); points where a coordinate is NaN are not there. Empty:
+  /// arrays called x and y, or longitude and latitude, or the only one of points, parted as the attributes of CF say.
+  /// Names with commas are in quotes: "\"x, m\",\"y, m\"".
   std::string columns = {};
   /// Periods of x and y, for `read_curve`: a curve that was stored modulo them is followed across the seam.
   Periods periods = {};

@@ -9,14 +9,18 @@
 #include <random>
 #include <sstream>
 
-#include "curve_testing.hpp"
 #include "engine/files/read_memory.hpp"
-#include "tests/paths.hpp"
+#include "formats_testing.hpp"
 
 namespace lober::detail {
 namespace {
 
+using test::corpus;
 using test::error_of;
+using test::expect_points;
+using test::first;
+using test::moved;
+using test::read_corpus;
 
 std::string usage_error_of(const std::function<void()>& action) {
   try {
@@ -27,39 +31,9 @@ std::string usage_error_of(const std::function<void()>& action) {
   return "no error";
 }
 
-const std::vector<Point> first{{0, 0}, {1, 0.1}, {1.5, 1}, {0.1, 1.25}, {-0.3, 0.7}};
-
-std::vector<Point> moved(std::vector<Point> points = first) {
-  for (Point& point : points) point = {point.x + 2, point.y + 1};
-  return points;
-}
-
 std::vector<Point> ring(std::vector<Point> points) {
   points.push_back(points.front());
   return points;
-}
-
-std::string corpus(const std::string& name) {
-  return std::string(LOBER_SOURCE_DIR) + "/tests/corpus/formats/" + name;
-}
-
-// Skips, with the reason, where this build or machine has no library for the format.
-#define REQUIRE_FORMAT(wanted)                                                          \
-  for (const FormatInfo& info : formats()) {                                            \
-    if (info.format == (wanted) && !info.missing.empty()) GTEST_SKIP() << info.missing; \
-  }                                                                                     \
-  static_assert(true)
-
-CurveFile read_corpus(const std::string& name, const std::string& columns = {}) {
-  return read_curve_file(corpus(name), {.columns = columns});
-}
-
-void expect_points(const Zone& zone, const std::vector<Point>& expected, double within = 0) {
-  ASSERT_EQ(zone.points.size(), expected.size()) << zone.title;
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    EXPECT_NEAR(zone.points[k].x, expected[k].x, within) << zone.title << ' ' << k;
-    EXPECT_NEAR(zone.points[k].y, expected[k].y, within) << zone.title << ' ' << k;
-  }
 }
 
 void expect_both(const CurveFile& file, Format format, double within = 0) {

@@ -1,0 +1,74 @@
+// Files of named arrays: attributes that say what numbers mean, curves of different lengths, complex numbers, lists.
+#include "formats_testing.hpp"
+
+namespace lober::detail {
+namespace {
+
+using test::expect_points;
+using test::read_corpus;
+
+std::vector<std::string> titles_of(const CurveFile& file) {
+  std::vector<std::string> all;
+  for (const Zone& zone : file.zones) all.push_back(zone.title);
+  return all;
+}
+
+// Each in NetCDF's classic format and in that of HDF5.
+template <typename Check>
+void in_both_forms(const std::string& name, const Check& check) {
+  for (const char* const form : {".nc", "4.nc"}) {
+    REQUIRE_FORMAT(form[0] == '4' ? Format::hdf5 : Format::netcdf);
+    check(name + form);
+  }
+}
+
+TEST(ArrayFiles, PackedNumbersAndThoseThatStandForNone) {
+  in_both_forms("packed", [](const std::string& name) {
+    const CurveFile file = read_corpus(name);
+    ASSERT_EQ(file.zones.size(), 2U) << name;
+    expect_points(file.zones[0], {{0, 0}, {1, 0.5}, {1.5, 1}, {3250, 2}, {2000, 3}});
+    expect_points(file.zones[1], {{0, 1}, {1, 1.5}, {1.5, 2}, {3250, 3}});
+    EXPECT_EQ(latitude_first(file), false);
+    EXPECT_EQ(read_corpus(name, "lon,LAT").zones.size(), 2U);
+  });
+  in_both_forms("unwritten", [](const std::string& name) {
+    const CurveFile file = read_corpus(name);
+    ASSERT_EQ(file.zones.size(), 1U) << name;
+    expect_points(file.zones[0], {{1, 1}, {2, 2}, {4, 4}});
+  });
+}
+
+TEST(ArrayFiles, CurvesOfDifferentLengths) {
+  in_both_forms("ragged", [](const std::string& name) {
+    for (const char* const choice :
+         {"", "LONGITUDE,LATITUDE", "longitude,latitude", "LONGITUDE,LATITUDE,counts=rowsize"}) {
+      const CurveFile file = read_corpus(name, choice);
+      ASSERT_EQ(file.zones.size(), 2U) << name << choice;
+      expect_points(file.zones[0], test::first);
+      expect_points(file.zones[1], test::moved());
+      EXPECT_EQ(titles_of(file), (std::vector<std::string>{"101", "2002"}));
+    }
+    EXPECT_EQ(read_curve(test::corpus(name) + "#2002", false).curve.points, test::moved());
+    EXPECT_EQ(test::error_of([&] { (void)read_corpus(name, "LONGITUDE,LATITUDE,counts=ID"); }),
+              test::corpus(name) + ": array " + (name == "ragged.nc" ? "" : "/") +
+                  "ID (3): expected numbers of points whose sum is 10");
+  });
+  in_both_forms("indexed", [](const std::string& name) {
+    const CurveFile file = read_corpus(name);
+    ASSERT_EQ(file.zones.size(), 2U) << name;
+    expect_points(file.zones[0], test::first);
+    expect_points(file.zones[1], test::moved());
+    EXPECT_EQ(titles_of(file), (std::vector<std::string>{"Como 2", "Bonn"}));
+  });
+}
+
+TEST(ArrayFiles, EmptyCurvesKeepTheNumbersOfOthers) {
+  REQUIRE_FORMAT(Format::npz);
+  const CurveFile file = read_corpus("empty.npz");
+  EXPECT_EQ(titles_of(file), (std::vector<std::string>{"1", "3"}));
+  EXPECT_EQ(read_curve(test::corpus("empty.npz") + "#3", false).curve.points, test::moved());
+  EXPECT_THROW((void)read_curve(test::corpus("empty.npz") + "#0", false), DataError);
+}
+
+}  // namespace
+}  // namespace lober::detail
