@@ -97,11 +97,14 @@ CurveSpec detail::split_spec(const std::string& spec) {
   const std::size_t last = spec.rfind('#');
   if (last == std::string::npos || last == 0) return {spec};
   for (std::size_t at = last; at != std::string::npos && at != 0; at = spec.rfind('#', at - 1)) {
-    if (auto found = with_columns(spec.substr(0, at))) {
+    auto found = with_columns(spec.substr(0, at));
+    // In quotes it belongs to the name of a column.
+    if (found && std::count(found->columns.begin(), found->columns.end(), '"') % 2 == 0) {
       found->zone = spec.substr(at + 1);
       return *found;
     }
   }
+  if (const auto whole = with_columns(spec)) return *whole;
   return {spec.substr(0, last), {}, spec.substr(last + 1)};
 }
 

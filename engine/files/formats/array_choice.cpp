@@ -109,7 +109,7 @@ class ArrayChooser {
     for (const NamesMatch match : {same_exactly, same_in_any_case}) {
       if (const std::optional<std::size_t> index = found(name, match)) return *index;
     }
-    fail("has no array of real numbers called " + quoted_text(name) + "; " + holds());
+    fail("has no array of numbers called " + quoted_text(name) + "; " + holds());
   }
 
   const std::vector<ArrayInfo>& arrays_;

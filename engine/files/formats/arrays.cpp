@@ -304,6 +304,15 @@ Buffer<double> last_axis_fastest(const Buffer<double>& numbers, const std::vecto
   return result;
 }
 
+Buffer<double> interleaved(const Buffer<double>& real, const Buffer<double>& imaginary) {
+  Buffer<double> both(2 * real.size());
+  for (std::size_t k = 0; k < real.size(); ++k) {
+    both[2 * k] = real[k];
+    both[2 * k + 1] = imaginary[k];
+  }
+  return both;
+}
+
 std::optional<ArrayInfo> array_of_list(const std::string& name, const std::vector<ArrayInfo>& elements) {
   const auto is_vector = [](const ArrayInfo& element) {
     return std::count_if(element.shape.begin(), element.shape.end(), [](std::size_t size) { return size > 1; }) <= 1;

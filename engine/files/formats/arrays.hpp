@@ -40,8 +40,8 @@ class ArrayFile {
 
   /// Arrays of numbers, in the order of the file.
   [[nodiscard]] virtual const std::vector<ArrayInfo>& arrays() const = 0;
-  /// The numbers of arrays()[index], the last axis fastest, NaN where the file says that none is there. Throws
-  /// DataError.
+  /// The numbers of arrays()[index], the last axis fastest, NaN where the file says that none is there; twice as many
+  /// where they are complex. Throws DataError.
   [[nodiscard]] virtual Buffer<double> numbers(std::size_t index) = 0;
   /// Texts of an array that is not among `arrays`, such as the titles of curves; empty where there is none.
   [[nodiscard]] virtual std::vector<std::string> texts(std::string_view /*name*/) { return {}; }
@@ -66,6 +66,9 @@ void read_arrays(ArrayFile& arrays, std::string_view choice, CurveFile& file);
 
 /// The numbers of an array that lies in memory with its first axis fastest, with the last one fastest.
 [[nodiscard]] Buffer<double> last_axis_fastest(const Buffer<double>& numbers, const std::vector<std::size_t>& shape);
+
+/// Real and imaginary parts, one behind the other.
+[[nodiscard]] Buffer<double> interleaved(const Buffer<double>& real, const Buffer<double>& imaginary);
 
 /// The arrays of a list, such as a cell array of MATLAB's, as one array in pieces: vectors, points (N x 2 or 2 x N), or
 /// complex vectors. Nothing where they are something else, or several of these.

@@ -42,7 +42,7 @@ void write_at_once(OutputFile& file, std::span<const Zone> zones, const WriteOpt
 
 // In the order of the documentation.
 constexpr std::array<FormatEntry, 13> table{{
-    {Format::npy, "npy", "a NumPy array, N x 2 or 2 x N", ".npy", begins_npy, read_npy_file, put_npy, false, false,
+    {Format::npy, "npy", "a NumPy array, N x 2 or 2 x N, or complex", ".npy", begins_npy, read_npy_file, put_npy, false, false,
      nullptr},
     {Format::csv, "csv", "columns of text, parted by commas", ".csv", nullptr, read_table, put_csv, true, true,
      nullptr},

@@ -20,7 +20,7 @@ namespace lober {
 enum class Format : std::uint8_t {
   tecplot,    ///< Tecplot ASCII: VARIABLES, TITLE, ZONE lines, then one point a line
   text,       ///< a table: columns separated by commas, semicolons, blanks or tabs; a header line is allowed
-  npy,        ///< NumPy: N x 2 or 2 x N, float64 or float32 of either byte order, C or Fortran order
+  npy,        ///< NumPy: N x 2 or 2 x N floats or integers, or N complex numbers, in any order
   raw,        ///< native float64 pairs, nothing else
   npz,        ///< NumPy archive of named arrays
   mat,        ///< MATLAB, versions 4 to 7.3

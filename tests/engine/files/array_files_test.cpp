@@ -70,5 +70,64 @@ TEST(ArrayFiles, EmptyCurvesKeepTheNumbersOfOthers) {
   EXPECT_THROW((void)read_curve(test::corpus("empty.npz") + "#0", false), DataError);
 }
 
+// The two curves, the second with another point where `longer`.
+void expect_two(const std::string& name, const std::string& choice, bool longer = false) {
+  const CurveFile file = read_corpus(name, choice);
+  ASSERT_EQ(file.zones.size(), 2U) << name << ' ' << choice;
+  std::vector<Point> second = test::moved();
+  if (longer) second.push_back({9, 8});
+  expect_points(file.zones[0], test::first);
+  expect_points(file.zones[1], second);
+}
+
+TEST(ArrayFiles, ListsOfMatlab) {
+  REQUIRE_FORMAT(Format::mat);
+  REQUIRE_FORMAT(Format::hdf5);
+  expect_two("lists.mat", "s.x,s.y", true);
+  expect_two("octave7.mat", "s.x,s.y", true);
+  expect_two("lists73.mat", "s.x,s.y");
+  for (const char* const name : {"lists.mat", "lists73.mat"}) {
+    expect_two(name, "c");
+    EXPECT_EQ(titles_of(read_corpus(name, "c")), (std::vector<std::string>{"0", "2"}));  // the cell between is empty
+  }
+  expect_two("octave7.mat", "c");
+  expect_two("octave7.mat", "zz");
+  expect_two("octave7.mat", "one.x,one.y");
+  EXPECT_EQ(test::error_of([] { (void)read_corpus("lists.mat", "s.name,s.x"); }),
+            test::corpus("lists.mat") +
+                ": has no array of numbers called \"s.name\"; it holds c (10 x 2 in 3 pieces), "
+                "s.x (11 in 2 pieces), s.y (11 in 2 pieces), z (1 x 5, complex), w (5 x 2, "
+                "complex)");
+}
+
+TEST(ArrayFiles, ComplexNumbers) {
+  REQUIRE_FORMAT(Format::npz);
+  REQUIRE_FORMAT(Format::mat);
+  REQUIRE_FORMAT(Format::hdf5);
+  for (const char* const name : {"complex.npz", "lists.mat", "lists73.mat", "links.h5"}) {
+    const CurveFile file = read_corpus(name, "z");
+    ASSERT_EQ(file.zones.size(), 1U) << name;
+    expect_points(file.zones[0], test::first);
+  }
+  expect_two("lists.mat", "w");
+  const CurveFile both = read_corpus("complex.npz", "both");
+  ASSERT_EQ(both.zones.size(), 2U);
+  expect_points(both.zones[1], test::moved(), 1e-6);
+  EXPECT_NE(test::error_of([] { (void)read_corpus("lists.mat", "z,w"); }).find("complex numbers are points"),
+            std::string::npos);
+}
+
+TEST(ArrayFiles, LinksAndNames) {
+  REQUIRE_FORMAT(Format::hdf5);
+  for (const char* const choice : {"", "x,y", "/run/7/x,/run/7/y", "/last/x,last/y"}) {
+    const CurveFile file = read_corpus("links.h5", choice);
+    ASSERT_EQ(file.zones.size(), 1U) << choice;
+    expect_points(file.zones[0], test::first);
+  }
+  for (const char* const choice : {":\"a#1\",\"b,1\"", ":\"/a#1\",\"/b,1\"#0"}) {
+    EXPECT_EQ(read_curve(test::corpus("links.h5") + choice, false).curve.points, test::moved()) << choice;
+  }
+}
+
 }  // namespace
 }  // namespace lober::detail

@@ -163,7 +163,7 @@ TEST(Formats, ChoicesOfColumnsAreForTablesAndArrays) {
 TEST(Formats, ArraysThatAreNotThereAreNamedWithThoseThatAre) {
   REQUIRE_FORMAT(Format::npz);
   EXPECT_EQ(error_of([] { (void)read_curve_file(corpus("two.npz"), {.columns = "u,y"}); }),
-            corpus("two.npz") + ": has no array of real numbers called \"u\"; it holds x (2 x 5), y (2 x 5)");
+            corpus("two.npz") + ": has no array of numbers called \"u\"; it holds x (2 x 5), y (2 x 5)");
   EXPECT_EQ(error_of([] { (void)read_curve_file(corpus("one.npz"), {.columns = "xy,half"}); }),
             corpus("one.npz") + ": arrays xy (5 x 2) and half (5): expected equal shapes");
   EXPECT_EQ(error_of([] { (void)read_curve_file(corpus("one.npz"), {.columns = "half"}); }),
