@@ -151,14 +151,33 @@ CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
   return file;
 }
 
-NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options) {
-  const CurveSpec parts = split_spec(spec);
-  const std::string& path = parts.file;
+namespace {
+
+CurveFile read_file_of(const CurveSpec& parts, const std::string& spec, const ReadOptions& options) {
   if (!parts.columns.empty() && !options.columns.empty()) {
     throw UsageError(spec + ": columns are chosen twice, by the name and by the options");
   }
-  CurveFile file =
-      read_curve_file(path, {.hash = options.hash, .columns = parts.columns.empty() ? options.columns : parts.columns});
+  return read_curve_file(parts.file,
+                         {.hash = options.hash, .columns = parts.columns.empty() ? options.columns : parts.columns});
+}
+
+}  // namespace
+
+CurveFile read_curves(const std::string& spec, const ReadOptions& options) {
+  const CurveSpec parts = split_spec(spec);
+  CurveFile file = read_file_of(parts, spec, options);
+  if (parts.zone) {
+    Zone chosen = std::move(file.zones[choose_zone(file, *parts.zone)]);
+    file.zones.clear();
+    file.zones.push_back(std::move(chosen));
+  }
+  return file;
+}
+
+NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options) {
+  const CurveSpec parts = split_spec(spec);
+  const std::string& path = parts.file;
+  CurveFile file = read_file_of(parts, spec, options);
   NamedCurve result;
   result.zones = file.zones.size();
   const bool chosen = parts.zone.has_value();

@@ -17,7 +17,7 @@ namespace {
 
 // Format, SHA-256, and of each zone its title and points.
 py::tuple read_zones(const std::string& path, bool hash, const std::string& columns) {
-  CurveFile file = long_call(0, [&] { return read_curve_file(path, {.hash = hash, .columns = columns}); });
+  CurveFile file = long_call(0, [&] { return read_curves(path, {.hash = hash, .columns = columns}); });
   py::list zones;
   for (Zone& zone : file.zones) zones.append(py::make_tuple(py::bytes(zone.title), array_of(std::move(zone.points))));
   return py::make_tuple(name(file.format), file.sha256, zones);

@@ -40,9 +40,8 @@ def read(path: Path, *, closed: bool = True, periods: tuple[float | None, float 
 
 
 def read_zones(path: Path, *, columns: str = "") -> CurveFile:
-    """All zones of a file, with the SHA-256 of its bytes; `columns` as in `read`, "lon,lat", "2,3,by=id" or
-    "/group/x,/group/y". Raises
-    DataError.
+    """All curves of FILE or FILE:COLUMNS, or the one of FILE#ZONE, as in `read`, with the SHA-256 of the file. `columns`
+    are the same as behind the colon: "lon,lat", "2,3,by=id", "/group/x,/group/y". Raises DataError.
     """
     name = os.fspath(path)
     format_name, sha256, zones = _lober.read_zones(name, True, columns)

@@ -1,5 +1,6 @@
 // `lober winding`: winding numbers and J of points and grids.
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <numbers>
 #include <set>
@@ -69,6 +70,18 @@ TEST_F(WindingProgram, IsExactAboutVerticesEdgesAndAllElse) {
   }
   EXPECT_GT(on, 300U);
   EXPECT_GT(many, 300U);
+}
+
+// Points are named as curves are: by columns, by zones.
+TEST_F(WindingProgram, ReadsPointsOfColumnsAndZones) {
+  write_curve("square", box(0, 0, 2, 2));
+  std::ofstream("drifters.csv") << "time,x,y,id\n2020-01-01 00:00:00,1,1,a\n2020-01-01 01:00:00,3,1,b\n,0.5,1.5,a\n";
+  EXPECT_EQ(winding({"square", "--at", "drifters.csv:x,y"})["points"].size(), 3U);
+  const Json found = winding({"square", "--at", "drifters.csv:x,y,by=id#a", "drifters.csv:2,3,by=4#b"})["points"];
+  ASSERT_EQ(found.size(), 3U);
+  for (const std::size_t k : {0U, 1U, 2U}) EXPECT_EQ(found[k]["winding"], k < 2 ? 1 : 0);
+  refused({"square", "--at", "drifters.csv:x,y,by=id#c"}, 1, "has no zone titled \"c\"");
+  refused({"square", "--at", "drifters.csv:x,y", "--json", "drifters.csv"}, 2, "overwrite");
 }
 
 TEST_F(WindingProgram, TellsThePrincipalValueOnTheCurve) {

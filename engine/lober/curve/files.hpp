@@ -104,6 +104,11 @@ struct NamedCurve {
 /// file has several zones and none is chosen, or the chosen one is not there.
 [[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
 
+/// All curves of `FILE` or `FILE:COLUMNS`, or the one that `FILE#K` or `FILE#TITLE` names (NamedCurve), as they are in
+/// the file. Throws as `read_curve_file`, and DataError where the zone is not there, UsageError where columns are chosen
+/// by `spec` and by the options.
+[[nodiscard]] LOBER_API CurveFile read_curves(const std::string& spec, const ReadOptions& options = {});
+
 /// Whether a file names its columns as latitude and longitude, in that order; nothing where it names neither.
 [[nodiscard]] LOBER_API std::optional<bool> latitude_first(const CurveFile& file);
 /// Throws DataError when one curve has columns of latitude and longitude and the other of longitude and latitude.
