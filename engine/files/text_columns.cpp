@@ -152,15 +152,15 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-// A choice among the columns of a table.
+// A choice among columns.
 class Choice {
  public:
-  Choice(const FirstLines& lines, const std::string& path) : lines_(lines), path_(path) {}
+  // `names` where each of the `count` columns has one.
+  Choice(const std::vector<std::string>& names, std::size_t count, const std::string& path)
+      : names_(names), count_(count), path_(path) {}
 
-  [[nodiscard]] TextColumns columns(std::string_view choice) const {
-    TextColumns columns;
-    columns.count = lines_.cells.size();
-    columns.separator = lines_.separator;
+  void choose(std::string_view choice, TextColumns& columns) const {
+    columns.count = count_;
     std::vector<std::size_t> coordinates;
     for (const ChoicePart& part : parts_of_choice(choice)) {
       if (part.key == "by") {
@@ -174,32 +174,32 @@ class Choice {
     }
     columns.x = coordinates[0];
     columns.y = coordinates[1];
-    return columns;
   }
 
  private:
   // By its number, counted from 1, or by its name.
   [[nodiscard]] std::size_t column(std::string_view choice) const {
-    const bool has_names = lines_.names.size() == lines_.cells.size();
+    const bool has_names = names_.size() == count_;
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), number);
     if (error == std::errc{} && end == choice.data() + choice.size()) {
-      if (number >= 1 && number <= lines_.cells.size()) return number - 1;
+      if (number >= 1 && number <= count_) return number - 1;
     } else if (has_names) {
       for (const bool exact : {true, false}) {
-        for (std::size_t k = 0; k < lines_.names.size(); ++k) {
-          if (exact ? lines_.names[k] == choice : same_name(lines_.names[k], choice)) return k;
+        for (std::size_t k = 0; k < names_.size(); ++k) {
+          if (exact ? names_[k] == choice : same_name(names_[k], choice)) return k;
         }
       }
     }
     fail("has no column " + quoted_text(choice) + "; " +
-         (has_names ? "its columns are " + joined(lines_.names)
-                    : "it has " + std::to_string(lines_.cells.size()) + " columns without names"));
+         (has_names ? "its columns are " + joined(names_)
+                    : "it has " + std::to_string(count_) + " columns without names"));
   }
 
   [[noreturn]] void fail(const std::string& message) const { throw DataError(path_ + ": " + message); }
 
-  const FirstLines& lines_;
+  const std::vector<std::string>& names_;
+  std::size_t count_;
   const std::string& path_;
 };
 
@@ -210,16 +210,29 @@ bool begins_with_coordinates(const std::vector<std::string>& names) {
   return latitude_first(names[0] + "," + names[1]) == false;
 }
 
+void choose_variables(const std::vector<std::string>& names, std::string_view choice, const std::string& path,
+                      TableHead& head) {
+  if (!choice.empty()) {
+    if (names.empty())
+      throw DataError(path + ": this Tecplot file has no VARIABLES record, whose names choose columns");
+    Choice(names, names.size(), path).choose(choice, head.columns);
+    if (head.columns.group) throw DataError(path + ": zones part the curves of Tecplot files, not a column");
+  } else if (names.size() > 2 && begins_with_coordinates(names)) {
+    head.columns.count = names.size();
+  }
+  if (!head.columns.are_all()) head.names = names[head.columns.x] + "," + names[head.columns.y];
+}
+
 }  // namespace
 
 TableHead read_table_head(std::string_view text, std::string_view choice, const std::string& path) {
   const FirstLines lines = first_lines_of(text, path);
   TableHead head;
   head.skipped = lines.skipped;
-  head.columns.has_quotes = !lines.is_tecplot;
+  head.columns.is_tecplot = lines.is_tecplot;
   head.columns.separator = lines.separator;
   if (lines.is_tecplot) {
-    if (!choice.empty()) throw DataError(path + ": columns are chosen of tables, not of Tecplot files");
+    choose_variables(first_variable_names(text, path), choice, path, head);
     return head;
   }
   const std::size_t count = lines.cells.size();
@@ -231,7 +244,7 @@ TableHead read_table_head(std::string_view text, std::string_view choice, const 
   }
   if (!choice.empty()) {
     if (lines.line == 0) throw DataError(path + ": no points");
-    head.columns = Choice(lines, path).columns(choice);
+    Choice(lines.names, count, path).choose(choice, head.columns);
   } else if (count > 2 && begins_with_coordinates(lines.names) && lines.names.size() == count) {
     head.columns.count = count;
     if (count == 3 && lines.names[2] == "curve") head.columns.group = 2;  // as lober writes several curves

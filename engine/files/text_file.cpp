@@ -19,7 +19,7 @@ class Assembler {
   Assembler(std::size_t text_size, const TableHead& head, CurveFile& file)
       : text_left_(text_size),
         columns_(head.columns),
-        is_table_(!columns_.are_all()),
+        is_table_(!columns_.are_all() && !columns_.is_tecplot),
         line_(head.skipped == 0 ? 1 : 2),
         implicit_line_(line_),
         file_(file) {
@@ -48,9 +48,7 @@ class Assembler {
  private:
   void append(std::span<const Point> points) {
     if (points.empty()) return;
-    if (variables_line_ != 0 && variables_ != 2) {
-      SourceLocation{file_.path, variables_line_}.fail("expected two variables, found " + std::to_string(variables_));
-    }
+    if (variables_line_ != 0 && variables_ != columns_.count) fail_variables(variables_line_);
     if (!in_zone_) begin_zone(implicit_line_);
     std::vector<Point>& all = file_.zones[zone_].points;
     all.insert(all.end(), points.begin(), points.end());
@@ -158,9 +156,15 @@ class Assembler {
   }
 
   void add_variables(std::string_view text, const SourceLocation& location) {
-    variables_ += count_variables(text, location);
+    variables_ += variable_names(text, location).size();
     file_.header += text;
-    if (variables_ > 2) location.fail("expected two variables, found " + std::to_string(variables_));
+    if (variables_ > columns_.count) fail_variables(location.line);
+  }
+
+  [[noreturn]] void fail_variables(std::size_t line) const {
+    const std::string expected = columns_.count == 2 ? "two" : std::to_string(columns_.count);
+    SourceLocation{file_.path, line}.fail("expected " + expected + " variables, found " + std::to_string(variables_) +
+                                          (variables_ > 2 ? "; choose two by FILE:NAME,NAME" : ""));
   }
 
   void add_attributes(std::string_view text, const SourceLocation& location) {

@@ -87,7 +87,8 @@ bool is_gap(const std::vector<std::string_view>& cells, const TextColumns& colum
 // A line with more columns than the two that are wanted. Returns its fault, or an empty string.
 std::string parse_wide_line(const std::vector<std::string_view>& cells, const TextColumns& columns, Point& point) {
   if (cells.size() != columns.count) {
-    return "expected " + std::to_string(columns.count) + " columns, as in the first line, found " +
+    return "expected " + std::to_string(columns.count) + " columns, " +
+           (columns.is_tecplot ? "one for each variable" : "as in the first line") + ", found " +
            std::to_string(cells.size());
   }
   for (const bool second : {false, true}) {
@@ -124,7 +125,7 @@ class ChunkReader {
 
  private:
   bool take_two(std::string_view line) {
-    const bool is_quoted = line.front() == '"' && columns_.has_quotes;
+    const bool is_quoted = line.front() == '"' && !columns_.is_tecplot;
     Point point;
     if (!begins_number(line.front()) && !is_quoted) {
       const bool gap = (line.front() == 'n' || line.front() == 'N') && is_gap(cut(line), columns_);
@@ -139,6 +140,7 @@ class ChunkReader {
     return is_quoted ? note(OtherLine::Kind::text, line) : fail(std::move(message));
   }
   bool take_wide(std::string_view line, std::string_view whole) {
+    if (columns_.is_tecplot && !begins_number(line.front())) return note(OtherLine::Kind::text, line);
     cut_into_cells(columns_.separator == Separator::tab ? whole : line, columns_.separator, columns_.count, cells_);
     if (is_gap(cells_, columns_)) return note(OtherLine::Kind::gap, line);
     Point point;

@@ -19,7 +19,7 @@ struct TextColumns {
   std::size_t count = 2;                    ///< the number of columns that each line has
   std::optional<std::size_t> group;         ///< the column whose values say which curve a point belongs to
   Separator separator = Separator::blanks;  ///< that of lines with more columns than the two
-  bool has_quotes = true;                   ///< whether numbers may be in quotes, which are names in Tecplot files
+  bool is_tecplot = false;                  ///< whether records begin with words, and quotes hold names, not numbers
 
   /// Whether each line is a point and nothing else.
   [[nodiscard]] bool are_all() const { return x == 0 && y == 1 && count == 2 && !group; }

@@ -144,6 +144,8 @@ TEST(Formats, WellKnownText) {
                 .size(),
             3U);
   EXPECT_EQ(zones("GEOMETRYCOLLECTION (POINT (1 2), LINESTRING EMPTY, MULTIPOINT ((1 1), (2 2)))").size(), 2U);
+  EXPECT_EQ(zones("POLYGON EMPTY\nMULTIPOLYGON (EMPTY, ((0 0, 1 0, 1 1, 0 0)))\nPOLYGON Z EMPTY\n").size(), 1U);
+  EXPECT_EQ(error_of([] { (void)read_text_file("POLYGON EMPTY"); }), "in: no points");
   EXPECT_EQ(zones("MULTIPOINT (1 1, 2 2, 3 3)").at(0).points.size(), 3U);
   EXPECT_EQ(zones("POINT (1 2)\nPOINT (3 4)\n").at(0).points.size(), 2U);
   // The header of a table.
@@ -219,6 +221,14 @@ TEST_F(WrittenFormats, SameBytesEachTime) {
       return text.str();
     };
     EXPECT_EQ(written("one"), written("two")) << format.name;
+  }
+}
+
+TEST_F(WrittenFormats, CurvesWithoutPointsAreEmptyInWkt) {
+  for (const bool closed : {false, true}) {
+    write_curves(path("e.wkt"), std::vector<Zone>{{"a", {}}, {"b", first}}, {.closed = closed});
+    EXPECT_TRUE(content(path("e.wkt")).starts_with(closed ? "POLYGON EMPTY\nPOLYGON ((0 0, " : "LINESTRING EMPTY\n"));
+    EXPECT_EQ(read_curve_file(path("e.wkt")).zones.size(), 1U);
   }
 }
 
