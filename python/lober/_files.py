@@ -59,8 +59,8 @@ def write(
     """Writes a curve, or a mapping of titles to curves, into one file.
 
     The ending names the format, or `format` does: `formats()` lists them. GeoJSON, WKT and VTK hold polygons where the
-    curves are closed, and lines where they are not. `notes` are kept beside the curves in formats that have room for
-    them, with the version of lober. Numbers read back to the same bits. The file appears under its name when it is
+    curves are closed, and lines where they are not. `notes` are kept beside the curves, with the version of lober, in all
+    formats but NPY and raw float64; in tables of text they are comments, which are there only where there are notes. Numbers read back to the same bits. The file appears under its name when it is
     complete. Raises UsageError, DataError.
     """
     zones = curve.items() if isinstance(curve, Mapping) else [("", curve)]
