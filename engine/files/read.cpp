@@ -70,18 +70,6 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
   return static_cast<std::size_t>(found - file.zones.begin());
 }
 
-// A curve that goes round a cylinder would be closed by a segment across all of it.
-void require_closed_in_the_plane(std::span<const Point> points, Periods periods, const std::string& spec) {
-  if (points.empty()) return;
-  const auto check = [&](double first, double last, double period, const char* name) {
-    if (period == 0 || std::fabs(last - first) <= 0.5 * period) return;
-    throw DataError(spec + ": goes round the period of " + name + ", " + format_number(period) +
-                    ", so that it is not closed in the plane; cut it open, or leave the period out");
-  };
-  check(points.front().x, points.back().x, periods.x, "x");
-  check(points.front().y, points.back().y, periods.y, "y");
-}
-
 }  // namespace
 
 CurveSpec detail::split_spec(const std::string& spec) {
@@ -188,6 +176,7 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   }
   if (chosen) result.zone = choose_zone(file, *parts.zone);
   Zone& zone = file.zones[result.zone];
+  if (file.titled_by_group) result.group = zone.title;
   result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : zone.title};
   const std::size_t seams = unwrap(result.curve.points, options.periods);
   result.file = path;

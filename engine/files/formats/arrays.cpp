@@ -243,7 +243,7 @@ class CurvesOfArrays {
     const Buffer<double> instances = numbers(index);
     double last = -1;
     for (const double instance : instances) last = std::max(last, instance);
-    if (!(last < static_cast<double>(points_.size()))) return;
+    if (!(last >= 0 && last < static_cast<double>(points_.size()))) return;
     const std::vector<std::string> names = names_of(static_cast<std::size_t>(last) + 1);
     for (Zone& zone : file_.zones) {
       std::size_t number = names.size();

@@ -96,6 +96,7 @@ struct NamedCurve {
   std::string sha256;     ///< hash of the whole file
   std::size_t zone = 0;   ///< number of its zone, from 0
   std::size_t zones = 1;  ///< number of zones of the file
+  std::string group;      ///< its title, where titles and not positions name the zones (CurveFile::titled_by_group)
   /// Says how a curve was closed, or that it consists of longitudes and latitudes; nearly always empty.
   std::string remark;
 };
@@ -105,8 +106,8 @@ struct NamedCurve {
 [[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
 
 /// All curves of `FILE` or `FILE:COLUMNS`, or the one that `FILE#K` or `FILE#TITLE` names (NamedCurve), as they are in
-/// the file. Throws as `read_curve_file`, and DataError where the zone is not there, UsageError where columns are chosen
-/// by `spec` and by the options.
+/// the file. Throws as `read_curve_file`, and DataError where the zone is not there, UsageError where columns are
+/// chosen by `spec` and by the options.
 [[nodiscard]] LOBER_API CurveFile read_curves(const std::string& spec, const ReadOptions& options = {});
 
 /// Whether a file names its columns as latitude and longitude, in that order; nothing where it names neither.
@@ -114,8 +115,9 @@ struct NamedCurve {
 /// Throws DataError when one curve has columns of latitude and longitude and the other of longitude and latitude.
 LOBER_API void require_same_columns(const Curve& first, const Curve& second);
 
-/// The number of points of a file: exact for NPY and raw float64; for text an estimate from the length of its first
-/// lines. 0 if the file cannot be read. At most 64 KiB are read.
+/// The number of points of a file: exact for NPY and raw float64; for text, GeoJSON and WKT an estimate from the first
+/// lines or positions, for files compressed by gzip one from above. 0 if the file cannot be read. At most 64 KiB are
+/// read.
 [[nodiscard]] LOBER_API std::size_t estimate_points(const std::string& path);
 
 /// Writers. Numbers are written in the shortest form that reads back to the same bits. The file appears under
