@@ -20,6 +20,7 @@ TEST(Foreign, IsNamedWithAWayToConvert) {
   const std::string noise(600, '\x07');
   const std::vector<std::pair<std::string, const char*>> files{
       {"PK\x03\x04" + std::string(22, '\x01') + "\x05\0\0\0arr_0.npy"s + noise, "zip archive"},
+      {std::string(257, '\0') + "ustar\00000"s + noise, "tar xf"},
       {"BZh9" + noise, "bzip2"},
       {"\xFD"s + "7zXZ\0"s + noise, "xz"},
       {"\x28\xB5\x2F\xFD" + noise, "zstd"},

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <random>
 #include <sstream>
 
@@ -107,7 +108,8 @@ TEST(Formats, GeoJson) {
   EXPECT_EQ(file.format, Format::geojson);
   ASSERT_EQ(file.zones.size(), 7U);
   expect_points(file.zones[0], ring(first));
-  EXPECT_EQ(file.zones[0].title, "one 1");
+  EXPECT_EQ(file.zones[0].title, "one");
+  EXPECT_EQ(file.zones[1].title, "one, hole 1");
   EXPECT_FALSE(file.zones[0].hole);
   EXPECT_EQ(file.zones[1].points.size(), 4U);
   EXPECT_TRUE(file.zones[1].hole);
@@ -232,6 +234,29 @@ TEST_F(WrittenFormats, CurvesWithoutPointsAreEmptyInWkt) {
   }
 }
 
+// From the first positions; from above where the file is compressed.
+TEST_F(WrittenFormats, PointsAreEstimated) {
+  std::vector<Zone> zones;
+  for (int k = 0; k < 300; ++k) zones.push_back({"", {}, 1});
+  std::mt19937_64 random(2);
+  for (Zone& zone : zones) {
+    for (int k = 0; k < 100; ++k)
+      zone.points.push_back({std::uniform_real_distribution<double>(-1, 1)(random), 1.0 * k});
+  }
+  for (const char* const name : {"e.txt", "e.geojson", "e.wkt", "e.npz"}) {
+    if (const auto all = formats(); std::any_of(all.begin(), all.end(), [&](const FormatInfo& one) {
+          return one.format == format_of_name(name) && !one.missing.empty();
+        })) {
+      std::cout << name << " is left out: its library is not there\n";
+      continue;
+    }
+    write_curves(path(name), zones);
+    EXPECT_NEAR(static_cast<double>(estimate_points(path(name))), 30000, 4000) << name;
+  }
+  EXPECT_GE(estimate_points(corpus("table.txt.gz")), 5U);
+  EXPECT_LE(estimate_points(corpus("table.txt.gz")), 50U);
+}
+
 TEST_F(WrittenFormats, EndingsThatCannotBeWritten) {
   const std::vector<Zone> two{{"a", first}, {"b", moved()}};
   EXPECT_NE(usage_error_of([&] { write_curves(path("x.mat"), two); })
@@ -240,7 +265,7 @@ TEST_F(WrittenFormats, EndingsThatCannotBeWritten) {
             std::string::npos);
   EXPECT_NE(usage_error_of([&] {
               write_curves(path("x.npy"), two);
-            }).find("several curves need another format than npy, which holds one"),
+            }).find("several curves need another format than npy, which holds one; several are written as .csv, .txt"),
             std::string::npos);
   EXPECT_NE(usage_error_of([&] { write_curves(path("x"), two); }).find("the ending does not name a format"),
             std::string::npos);
